@@ -1,0 +1,1005 @@
+/* kern - can a dry-stacked structure stand, and how far from falling is it?
+
+   Reads structures in the text format of text.h and reports on each: verdict,
+   level and margin, what limits them, how it falls, the horizontal load and the
+   tilt it bears; for a person, as JSON (one object a line), or as a picture.
+
+       cc -O2 -o kern examples/kern.c -lm
+       ./kern examples/structures/wall.kern --svg wall.svg
+       ./kern --help
+
+   SPDX-License-Identifier: MIT */
+
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+
+#include "draw.h"
+#include "text.h"
+
+#include <math.h>
+#include <time.h>
+
+/* Is stream 1 (stdout) or 2 (stderr) a terminal? The C library cannot tell. */
+#if defined(_WIN32)
+#include <io.h>
+#define IS_TERMINAL(stream) (_isatty(stream) != 0)
+#elif defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#define IS_TERMINAL(stream) (isatty(stream) != 0)
+#else
+#define IS_TERMINAL(stream) 0
+#endif
+
+static const char help[] =
+"usage: kern [options] FILE...\n"
+"Says of every structure whether it can stand, and how far its contacts can\n"
+"shrink before it cannot. FILE holds one statement a line; - is stdin.\n"
+"\n"
+"  -e, --epsilon E  step of the level, a length (-r: share of each contact);\n"
+"                   default: the file's, else 2 % of the mean block (-r: 5 %)\n"
+"  -r, --relative   shrink every contact by a share of itself, not a length\n"
+"      --mu MU      coefficient of friction where a contact has no own one\n"
+"      --gap G      widest gap that is still a contact, a length\n"
+"      --at D       verdict, forces, collapse, loads and tilts with contacts\n"
+"                   shrunk by D; level and margin always count from 0\n"
+"      --forces     list the contacts and one set of forces that holds it\n"
+"      --mechanism  list how every block moves as it falls; where it stands,\n"
+"                   just past the margin\n"
+"      --json       one JSON object a file, one line each\n"
+"      --svg OUT.svg  draw it; of several files each NAME.* in OUT-NAME.svg\n"
+"      --help, --version\n"
+"\n"
+"Lengths, masses and times are in the units of the file. Stands means: forces\n"
+"exist that hold every block, without tension and within friction.\n"
+"Exit status: 0 all stand, 1 some fall, 2 bad use or input, 3 undecided.\n";
+
+enum { EXIT_STANDS, EXIT_FALLS, EXIT_BAD, EXIT_UNDECIDED };
+
+enum { LEFT, RIGHT };
+
+/* Beyond these an int may not hold the length of the work arrays. */
+enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
+
+/* The greatest speed of a motion is 1; what is slower than this rests. */
+static const double at_rest = 1e-4;
+
+struct settings {           /* of the command line; numbers < 0: not given */
+    kern_real epsilon, mu, gap, at;
+    int relative, forces, mechanism, json;
+    const char *svg;
+    char **file;
+    int files;
+};
+
+/* All there is to say about one file. Numbers that do not exist are NAN. */
+struct analysis {
+    const struct settings *set;
+    const char *file;
+    int number;             /* of the file among all             */
+    struct text_file text;
+    int line;               /* of the error, 0: the whole file   */
+    char error[600];        /* "" where there is none            */
+
+    kern_structure s;
+    kern_options options;
+    kern_contact *contact;  /* s.contact                         */
+    kern_work work;
+
+    kern_status verdict;    /* at the shrinkage asked for        */
+    kern_force *force;      /* there, if it stands               */
+    kern_motion *motion;    /* there, if it falls                */
+
+    kern_status measured;   /* from shrinkage 0                  */
+    kern_margin m;
+    kern_force *last_force; /* at m.holds, if it stands at 0     */
+    kern_motion *collapse;  /* just past the margin, or at 0     */
+    double *limit;          /* how much each contact point limits */
+    int limiting;           /* the one that does most, -1: none  */
+    double deficit, load[2], tilt[2];
+};
+
+static int fail(struct analysis *a, int line, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vsnprintf(a->error, sizeof a->error, format, list);
+    va_end(list);
+    a->line = line;
+    return -1;
+}
+
+static int fail_memory(struct analysis *a)
+{
+    return fail(a, 0, "not enough memory for %d blocks and %d contact points",
+                a->s.blocks, a->s.contacts);
+}
+
+/* Does the collapse motion belong to the verdict, or to the margin? */
+static const kern_motion *shown_motion(const struct analysis *a)
+{
+    if (a->verdict == KERN_FALLS) return a->motion;
+    if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
+    return NULL;
+}
+
+static kern_real shrinkage(const struct analysis *a)
+{
+    return a->set->at < 0 ? 0 : a->set->at;
+}
+
+/* ---- Analysis ------------------------------------------------------------ */
+
+/* An error of the library, at the block it names. */
+static int fail_blocks(struct analysis *a, kern_status status,
+                       const kern_fault *fault)
+{
+    const struct text_file *t = &a->text;
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    int i = fault->block, j = fault->other;
+    if (i < 0 || i >= t->blocks)
+        return fail(a, 0, "%s", kern_status_text(status));
+    if (j < 0 || j >= t->blocks)
+        return fail(a, t->block_line[i], "block '%s': %s",
+                    text_show(one, t->name[i]), kern_status_text(status));
+    return fail(a, t->block_line[i > j ? i : j],
+                "'%s' and '%s' overlap, %.3g deep, more than the gap tolerance",
+                text_show(one, t->name[i]), text_show(two, t->name[j]),
+                (double)fault->value);
+}
+
+/* The contacts of the file, or all that are found between its polygons. */
+static int find_contacts(struct analysis *a)
+{
+    struct text_file *t = &a->text;
+    if (t->given) {
+        a->contact = t->contact;
+        a->s.contacts = t->contacts;
+        for (int k = 0; k < t->contacts; k++)
+            if (!t->own_mu[k]) t->contact[k].mu = a->options.mu;
+        return 0;
+    }
+    for (int room = 16 * t->blocks + 64; room < INT_MAX / 4; room *= 2) {
+        kern_fault fault = { -1, -1, -1, 0 };
+        kern_contact *more = realloc(a->contact, (size_t)room * sizeof *more);
+        if (!more) break;
+        a->contact = more;
+        int found = kern_contacts(t->block, t->blocks, &a->options, a->contact,
+                                  room, &fault);
+        if (found == KERN_NO_SPACE) continue;
+        if (found < 0) return fail_blocks(a, (kern_status)found, &fault);
+        a->s.contacts = found;
+        return 0;
+    }
+    return fail(a, 0, "not enough memory for the contacts of %d blocks",
+                t->blocks);
+}
+
+/* Length 0 is asked for as 1, so that NULL always means failure. */
+static void *array(int count, size_t size)
+{
+    return calloc(count > 0 ? (size_t)count : 1, size);
+}
+
+static int take_memory(struct analysis *a)
+{
+    int reals = 0, ints = 0, blocks = a->s.blocks, contacts = a->s.contacts;
+    if (blocks > MOST_BLOCKS || contacts > MOST_CONTACTS) return fail_memory(a);
+    kern_work_need(blocks, contacts, &reals, &ints);
+    if (reals < 0 || ints < 0) return fail_memory(a);
+    kern_real *real = malloc((size_t)reals * sizeof *real + 1);
+    int *index = malloc((size_t)ints * sizeof *index + 1);
+    a->work = kern_work_of(real, reals, index, ints);
+    a->force = array(contacts, sizeof *a->force);
+    a->last_force = array(contacts, sizeof *a->last_force);
+    a->limit = array(contacts, sizeof *a->limit);
+    a->motion = array(blocks, sizeof *a->motion);
+    a->collapse = array(blocks, sizeof *a->collapse);
+    return real && index && a->force && a->last_force && a->limit &&
+           a->motion && a->collapse ? 0 : fail_memory(a);
+}
+
+static void free_analysis(struct analysis *a)
+{
+    if (a->contact != a->text.contact) free(a->contact);
+    free(a->work.real);
+    free(a->work.index);
+    free(a->force);
+    free(a->last_force);
+    free(a->limit);
+    free(a->motion);
+    free(a->collapse);
+    text_free(&a->text);
+}
+
+/* Velocity of block b relative to block a where contact point k acts. */
+static kern_motion relative_motion(const struct analysis *a, int k,
+                                   kern_real shrink, const kern_motion *motion)
+{
+    const kern_contact *c = &a->s.contact[k];
+    kern_vec p = kern_contact_at(c, shrink, a->set->relative);
+    kern_motion v[2];
+    for (int i = 0; i < 2; i++) {
+        int block = i ? c->b : c->a;
+        kern_vec centre = a->s.block[block].centre;
+        v[i] = motion[block];
+        v[i].vx -= v[i].spin * (p.y - centre.y);
+        v[i].vy += v[i].spin * (p.x - centre.x);
+    }
+    v[1].vx -= v[0].vx;
+    v[1].vy -= v[0].vy;
+    v[1].spin -= v[0].spin;
+    return v[1];
+}
+
+enum meeting { RESTS, HINGES, SLIDES, OPENS };
+
+static enum meeting meeting_of(const struct analysis *a, int k,
+                               kern_real shrink, const kern_motion *motion)
+{
+    const kern_contact *c = &a->s.contact[k];
+    kern_motion v = relative_motion(a, k, shrink, motion);
+    double apart = v.vx * c->n.x + v.vy * c->n.y;
+    double along = fabs(v.vy * c->n.x - v.vx * c->n.y);
+    if (apart > c->mu * along + at_rest) return OPENS;
+    if (along > at_rest) return SLIDES;
+    double size = (double)kern_mean_size(a->s.block, a->s.blocks);
+    return fabs(v.spin) * size > at_rest ? HINGES : RESTS;
+}
+
+enum limit_by { BY_FORCE, BY_TURNING, BY_SLIDING };
+
+/* How much a contact point limits. Where a force f passes it and the blocks
+   turn against each other at rate w, moving it inward by d takes f w d from the
+   power that holds them; a kern that is closed already moves no more. A
+   structure that falls as it is has no forces: there counts what hinges, or
+   where nothing does, what slides. */
+static double limit_of(const struct analysis *a, int k, enum limit_by by)
+{
+    enum meeting how = meeting_of(a, k, a->m.margin, a->collapse);
+    kern_motion v = relative_motion(a, k, a->m.margin, a->collapse);
+    double travel = (double)a->s.contact[k].travel;
+    if (by == BY_SLIDING) return how == SLIDES ? hypot(v.vx, v.vy) : 0;
+    if (by == BY_TURNING) return how == HINGES ? fabs(v.spin) : 0;
+    if (how == OPENS) return 0;
+    if (!a->set->relative)
+        travel = fabs(travel) > a->m.margin ? copysign(1, travel) : 0;
+    double ease = -v.spin * travel; /* -t turned by 90 degrees is n */
+    return ease > 0 ? a->last_force[k].normal * ease : 0;
+}
+
+static void find_limit(struct analysis *a)
+{
+    int stands = a->measured == KERN_STANDS;
+    a->limiting = -1;
+    if (a->measured < 0 || (stands && a->m.saturated)) return;
+    for (int by = stands ? BY_FORCE : BY_TURNING;
+         by <= BY_SLIDING && a->limiting < 0; by++) {
+        double most = 0;
+        for (int k = 0; k < a->s.contacts; k++) {
+            a->limit[k] = limit_of(a, k, (enum limit_by)by);
+            if (!(a->limit[k] > most * (1 + at_rest))) continue;
+            most = a->limit[k];
+            a->limiting = k;
+        }
+    }
+}
+
+static double value_or_nan(kern_status status, kern_real value)
+{
+    return status == KERN_STANDS ? (double)value : (double)NAN;
+}
+
+/* Load factors and tilts; without gravity there are neither. */
+static void find_loads(struct analysis *a)
+{
+    for (int side = LEFT; side <= RIGHT; side++) {
+        a->load[side] = a->tilt[side] = (double)NAN;
+        if (a->verdict != KERN_STANDS) continue;
+        if (!(hypot(a->s.gravity.x, a->s.gravity.y) > 0)) continue;
+        kern_real value = 0;
+        int sign = side == LEFT ? -1 : 1;
+        kern_status status;
+        status = kern_load_factor(&a->s, shrinkage(a), NULL, sign, &a->options,
+                                  &a->work, &value, NULL);
+        a->load[side] = value_or_nan(status, value);
+        status = kern_tilt(&a->s, shrinkage(a), sign, &a->options, &a->work,
+                           &value, NULL);
+        a->tilt[side] = value_or_nan(status, value);
+    }
+}
+
+static int measure(struct analysis *a)
+{
+    kern_proof proof = { a->force, a->motion };
+    kern_proof limit = { a->last_force, a->collapse };
+    a->verdict = kern_stands(&a->s, shrinkage(a), &a->options, &a->work,
+                             &proof);
+    if (a->verdict < 0 && a->verdict != KERN_UNDECIDED)
+        return fail_blocks(a, a->verdict, &a->work.fault);
+    a->measured = kern_measure(&a->s, &a->options, &a->work, &a->m, &limit);
+    if (a->measured == KERN_BAD_STEP)
+        return fail(a, a->set->epsilon < 0 ? a->text.epsilon_line : 0,
+                    "%s, the step is %.9g", kern_status_text(a->measured),
+                    (double)a->options.epsilon);
+    if (a->measured < 0 && a->measured != KERN_UNDECIDED)
+        return fail_blocks(a, a->measured, &a->work.fault);
+    a->deficit = (double)NAN;
+    if (a->measured == KERN_FALLS) {
+        kern_real deficit = 0;
+        kern_status status;
+        status = kern_deficit(&a->s, &a->options, &a->work, &deficit);
+        a->deficit = status < 0 ? (double)NAN : (double)deficit;
+    }
+    find_limit(a);
+    find_loads(a);
+    return 0;
+}
+
+static int analyse(struct analysis *a)
+{
+    const struct settings *set = a->set;
+    if (text_load(&a->text, a->file))
+        return fail(a, a->text.line, "%s", a->text.message);
+    a->options = a->text.options;
+    a->options.relative = set->relative;
+    if (set->epsilon > 0) a->options.epsilon = set->epsilon;
+    if (set->gap > 0) a->options.gap = set->gap;
+    if (!(set->mu < 0)) a->options.mu = set->mu;
+    a->s.block = a->text.block;
+    a->s.blocks = a->text.blocks;
+    a->s.gravity = a->text.gravity;
+    if (find_contacts(a)) return -1;
+    a->s.contact = a->contact;
+    if (take_memory(a)) return -1;
+    return measure(a);
+}
+
+static const char *status_word(const struct analysis *a)
+{
+    if (a->error[0]) return "error";
+    return a->verdict == KERN_STANDS ? "stands"
+         : a->verdict == KERN_FALLS ? "falls" : "undecided";
+}
+
+static int line_points(const struct analysis *a)
+{
+    int points = 0;
+    for (int k = 0; k < a->s.contacts; k++) points += a->s.contact[k].line != 0;
+    return points;
+}
+
+/* ---- Report for a person ------------------------------------------------- */
+
+static const char *name_of(const struct analysis *a, int block, char *shown)
+{
+    return text_show(shown, a->text.name[block]);
+}
+
+static const char *plural(int count) { return count == 1 ? "" : "s"; }
+
+static void report_structure(const struct analysis *a)
+{
+    int blocks = a->s.blocks - a->text.fixed, ends = line_points(a);
+    int lines = ends / 2, points = a->s.contacts - ends;
+    printf("  structure   %d block%s on %d fixed; ", blocks, plural(blocks),
+           a->text.fixed);
+    printf("%d line contact%s and %d point%s%s\n", lines, plural(lines), points,
+           plural(points), a->text.given ? ", given by the file" : "");
+}
+
+static void report_level(const struct analysis *a)
+{
+    const char *unit = a->set->relative ? " of each contact" : "";
+    if (a->measured < 0 || a->m.level < 0) {
+        printf("  level       undecided\n");
+        return;
+    }
+    printf("  level       %-8d", a->m.level);
+    if (a->measured == KERN_FALLS)
+        printf("  falls as it is\n");
+    else if (a->m.saturated)
+        printf("  stands even with every kern closed (steps of %.4g%s)\n",
+               (double)a->m.epsilon, unit);
+    else
+        printf("  falls after %d step%s of %.4g%s\n", a->m.level,
+               plural(a->m.level), (double)a->m.epsilon, unit);
+}
+
+static void report_margin(const struct analysis *a)
+{
+    int falls = a->measured == KERN_FALLS;
+    double value = falls ? a->deficit : (double)a->m.margin;
+    printf("  %-10s  ", falls ? "deficit" : "margin");
+    if (a->measured < 0 || isnan(value)) {
+        printf("undecided\n");
+        return;
+    }
+    if (isinf(value)) {
+        printf("none      no longer contact would hold it\n");
+        return;
+    }
+    printf("%-8.4g  %s every contact %s at each end", value,
+           a->set->relative ? "share of its half that" : "length",
+           falls ? "would need more" : "can lose");
+    if (!a->set->relative)
+        printf(", %.3g %% of the mean block size",
+               100 * value / (double)kern_mean_size(a->s.block, a->s.blocks));
+    printf("\n");
+}
+
+/* The contact points that limit most, the strongest first. */
+static void report_limit(const struct analysis *a)
+{
+    static const char *const word[] = { "rests", "hinges", "slides", "opens" };
+    if (a->limiting < 0) return;
+    const char *head = a->measured == KERN_FALLS ? "gives way" : "limited by";
+    double least = 0.1 * a->limit[a->limiting];
+    for (int shown = 0; shown < 4; shown++) {
+        int best = 0;
+        for (int k = 1; k < a->s.contacts; k++)
+            if (a->limit[k] > a->limit[best]) best = k;
+        if (!(a->limit[best] > least)) return;
+        a->limit[best] = 0; /* each once */
+
+        const kern_contact *c = &a->s.contact[best];
+        kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
+        char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+        printf("  %-10s  %s and %s at (%.6g, %.6g), which %s\n", head,
+               name_of(a, c->a, one), name_of(a, c->b, two), (double)p.x,
+               (double)p.y,
+               word[meeting_of(a, best, a->m.margin, a->collapse)]);
+        head = "";
+    }
+}
+
+/* How block i moves, seen with gravity pointing down. */
+static void print_move(const struct analysis *a, const kern_motion *motion,
+                       int i)
+{
+    kern_motion v = motion[i];
+    const kern_block *b = &a->s.block[i];
+    double g = hypot(a->s.gravity.x, a->s.gravity.y);
+    double downx = g > 0 ? a->s.gravity.x / g : 0;
+    double downy = g > 0 ? a->s.gravity.y / g : -1;
+    double right = -v.vx * downy + v.vy * downx;
+    double down = v.vx * downx + v.vy * downy;
+    double size = sqrt(fabs((double)b->area)), speed = hypot(v.vx, v.vy);
+
+    /* Beyond some ten sizes a centre of rotation says less than a direction. */
+    if (fabs(v.spin) * size > 0.1 * speed)
+        printf("tipping %s about (%.4g, %.4g)\n", v.spin < 0 ? "right" : "left",
+               b->centre.x - v.vy / v.spin, b->centre.y + v.vx / v.spin);
+    else if (fabs(down) > 2 * fabs(right))
+        printf("%s\n", down > 0 ? "dropping" : "rising");
+    else
+        printf("sliding %s%s\n", right < 0 ? "left" : "right",
+               down > 0.25 * fabs(right) ? " and down"
+               : down < -0.25 * fabs(right) ? " and up" : "");
+}
+
+/* The larger of a block's speed and that of its turning. */
+static double speed_of(const struct analysis *a, const kern_motion *motion,
+                       int i)
+{
+    double size = sqrt(fabs((double)a->s.block[i].area));
+    double turning = fabs((double)motion[i].spin) * size;
+    double speed = hypot(motion[i].vx, motion[i].vy);
+    return turning > speed ? turning : speed;
+}
+
+/* Do two blocks move as one rigid body? */
+static int as_one(const struct analysis *a, const kern_motion *motion, int i,
+                  int j)
+{
+    kern_vec p = a->s.block[i].centre, q = a->s.block[j].centre;
+    kern_motion v = motion[i], w = motion[j];
+    double x = v.vx - v.spin * (q.y - p.y) - w.vx;
+    double y = v.vy + v.spin * (q.x - p.x) - w.vy;
+    double turn = (v.spin - w.spin) * hypot(q.x - p.x, q.y - p.y);
+    return hypot(x, y) < at_rest && fabs(turn) < at_rest;
+}
+
+/* The moving blocks, in groups that move as one, the fastest first. */
+static void report_collapse(const struct analysis *a)
+{
+    enum { GROUPS = 5, NAMES = 6 };
+    const kern_motion *motion = shown_motion(a);
+    const char *head = a->verdict == KERN_FALLS ? "falls by" : "would fall";
+    char *listed = motion ? array(a->s.blocks, 1) : NULL, shown[TEXT_SHOW_ROOM];
+    int rest = 0;
+    for (int group = 0; listed && group <= GROUPS; group++) {
+        int lead = -1, names = 0;
+        rest = 0;
+        for (int i = 0; i < a->s.blocks; i++) {
+            if (listed[i] || speed_of(a, motion, i) < at_rest) continue;
+            rest++;
+            if (lead < 0 || speed_of(a, motion, i) >
+                            speed_of(a, motion, lead) * (1 + at_rest)) lead = i;
+        }
+        if (lead < 0 || group == GROUPS) break;
+        printf("  %-10s  ", head);
+        head = "";
+        for (int i = 0; i < a->s.blocks; i++) {
+            if (listed[i] || speed_of(a, motion, i) < at_rest) continue;
+            if (i != lead && !as_one(a, motion, lead, i)) continue;
+            listed[i] = 1;
+            if (names++ < NAMES)
+                printf("%s%s", names > 1 ? " " : "", name_of(a, i, shown));
+        }
+        if (names > NAMES) printf(" and %d more", names - NAMES);
+        printf(" ");
+        print_move(a, motion, lead);
+    }
+    if (rest > 0)
+        printf("              and %d more block%s\n", rest, plural(rest));
+    free(listed);
+}
+
+static const char *factor_text(double value, double scale, const char *unit,
+                               char out[32])
+{
+    if (isnan(value)) return "undecided";
+    if (isinf(value)) return "any";
+    snprintf(out, 32, "%.4g%s", scale * value, unit);
+    return out;
+}
+
+static void report_loads(const struct analysis *a)
+{
+    static const double degrees = 57.295779513082321;
+    char left[32], right[32];
+    if (a->verdict != KERN_STANDS) return;
+    if (!(hypot(a->s.gravity.x, a->s.gravity.y) > 0)) return;
+    printf("  push        %s left, %s right, times the weight of every block\n",
+           factor_text(a->load[LEFT], 1, "", left),
+           factor_text(a->load[RIGHT], 1, "", right));
+    printf("  tilt        %s left, %s right\n",
+           factor_text(a->tilt[LEFT], degrees, " deg", left),
+           factor_text(a->tilt[RIGHT], degrees, " deg", right));
+}
+
+static void report_forces(const struct analysis *a)
+{
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    printf("  forces      %-10s %-10s %11s %11s %11s %11s %8s\n", "from", "on",
+           "x", "y", "normal", "tangential", "of mu");
+    for (int k = 0; k < a->s.contacts; k++) {
+        const kern_contact *c = &a->s.contact[k];
+        kern_vec p = kern_contact_at(c, shrinkage(a), a->set->relative);
+        printf("              %-10s %-10s %11.5g %11.5g", name_of(a, c->a, one),
+               name_of(a, c->b, two), (double)p.x, (double)p.y);
+        double f = (double)a->force[k].normal;
+        double r = (double)a->force[k].tangential;
+        if (a->verdict != KERN_STANDS)
+            printf(" %11s %11s %8s\n", "-", "-", "-");
+        else if (f * c->mu > 0)
+            printf(" %11.5g %11.5g %7.0f%%\n", f, r,
+                   100 * fabs(r) / (f * c->mu));
+        else
+            printf(" %11.5g %11.5g %8s\n", f, r, "-");
+    }
+}
+
+static void report_motion(const struct analysis *a)
+{
+    const kern_motion *motion = shown_motion(a);
+    char shown[TEXT_SHOW_ROOM];
+    if (!motion) {
+        printf("  motion      none\n");
+        return;
+    }
+    printf("  motion      %-10s %11s %11s %11s\n", "block", "vx", "vy", "spin");
+    for (int i = 0; i < a->s.blocks; i++) {
+        if (a->s.block[i].fixed) continue;
+        printf("              %-10s %11.5f %11.5f %11.5f\n",
+               name_of(a, i, shown), (double)motion[i].vx,
+               (double)motion[i].vy, (double)motion[i].spin);
+    }
+}
+
+static void report(const struct analysis *a)
+{
+    printf("%s: %s", a->file, status_word(a));
+    if (shrinkage(a) > 0)
+        printf(" when shrunk by %.6g%s", (double)shrinkage(a),
+               a->set->relative ? " of each contact" : "");
+    printf("\n");
+    report_structure(a);
+    report_level(a);
+    report_margin(a);
+    report_limit(a);
+    report_collapse(a);
+    report_loads(a);
+    if (a->set->forces) report_forces(a);
+    if (a->set->mechanism) report_motion(a);
+    if (a->set->files > 1) printf("\n");
+}
+
+/* ---- JSON ---------------------------------------------------------------- */
+
+/* The inside of a JSON string. What is not UTF-8 becomes U+FFFD. */
+static void json_text(const char *s)
+{
+    while (*s) {
+        int n = text_utf8(s);
+        unsigned char c = (unsigned char)*s;
+        if (n == 0) printf("\\ufffd");
+        else if (c == '"' || c == '\\') printf("\\%c", c);
+        else if (c < 0x20 || c == 0x7f) printf("\\u%04x", (unsigned)c);
+        else printf("%.*s", n, s);
+        s += n > 0 ? n : 1;
+    }
+}
+
+static void json_string(const char *key, const char *value)
+{
+    printf("\"%s\": \"", key);
+    json_text(value);
+    printf("\"");
+}
+
+/* The shortest of three forms that reads back to the same number. */
+static void json_number(const char *key, double value)
+{
+    char out[40] = "null";
+    for (int digits = 15; isfinite(value) && digits <= 17; digits++) {
+        snprintf(out, sizeof out, "%.*g", digits, value);
+        double back = strtod(out, NULL);
+        if (!(back < value) && !(back > value)) break;
+    }
+    printf(", \"%s\": %s", key, out);
+}
+
+static void json_count(const char *key, int value, int exists)
+{
+    if (exists) printf(", \"%s\": %d", key, value);
+    else printf(", \"%s\": null", key);
+}
+
+static void json_contacts(const struct analysis *a)
+{
+    double none = (double)NAN;
+    int stands = a->verdict == KERN_STANDS;
+    printf(", \"contacts\": [");
+    for (int k = 0; k < a->s.contacts; k++) {
+        const kern_contact *c = &a->s.contact[k];
+        kern_vec p = kern_contact_at(c, shrinkage(a), a->set->relative);
+        printf("%s{", k > 0 ? ", " : "");
+        json_string("a", a->text.name[c->a]);
+        printf(", ");
+        json_string("b", a->text.name[c->b]);
+        json_number("x", (double)p.x);
+        json_number("y", (double)p.y);
+        json_number("nx", (double)c->n.x);
+        json_number("ny", (double)c->n.y);
+        json_number("mu", (double)c->mu);
+        json_number("travel", (double)c->travel);
+        json_number("normal", stands ? (double)a->force[k].normal : none);
+        json_number("tangential",
+                    stands ? (double)a->force[k].tangential : none);
+        printf("}");
+    }
+    printf("]");
+}
+
+static void json_motion(const struct analysis *a)
+{
+    const kern_motion *motion = shown_motion(a);
+    if (!motion) {
+        printf(", \"motion\": null");
+        return;
+    }
+    printf(", \"motion\": [");
+    int first = 1;
+    for (int i = 0; i < a->s.blocks; i++) {
+        if (a->s.block[i].fixed) continue;
+        printf("%s{", first ? "" : ", ");
+        json_string("block", a->text.name[i]);
+        json_number("vx", (double)motion[i].vx);
+        json_number("vy", (double)motion[i].vy);
+        json_number("spin", (double)motion[i].spin);
+        printf("}");
+        first = 0;
+    }
+    printf("]");
+}
+
+static void json_error(const struct analysis *a)
+{
+    printf(", \"error\": ");
+    if (!a->error[0]) {
+        printf("null");
+        return;
+    }
+    printf("\"");
+    json_text(a->file);
+    if (a->line > 0) printf(":%d", a->line);
+    printf(": ");
+    json_text(a->error);
+    printf("\"");
+}
+
+/* A file with an error has the same keys as any other. */
+static void report_json(const struct analysis *a)
+{
+    int good = !a->error[0], known = good && a->measured >= 0;
+    int falls = known && a->measured == KERN_FALLS;
+    int lines = good ? line_points(a) : 0;
+    double none = (double)NAN;
+    printf("{");
+    json_string("file", a->file);
+    printf(", ");
+    json_string("status", status_word(a));
+    json_count("blocks", a->s.blocks - a->text.fixed, good);
+    json_count("fixed", a->text.fixed, good);
+    json_count("contact_points", a->s.contacts, good);
+    json_count("line_contacts", lines / 2, good);
+    json_count("point_contacts", a->s.contacts - lines, good);
+    json_number("epsilon", known ? (double)a->m.epsilon : none);
+    printf(", \"relative\": %s", a->set->relative ? "true" : "false");
+    json_count("level", a->m.level, known && a->m.level >= 0);
+    printf(", \"saturated\": %s",
+           !known ? "null" : a->m.saturated ? "true" : "false");
+    json_number("margin", known ? (double)a->m.margin : none);
+    json_number("deficit", falls ? a->deficit : none);
+    json_number("signed_margin",
+                falls ? -a->deficit : known ? (double)a->m.margin : none);
+    json_number("load_left", good ? a->load[LEFT] : none);
+    json_number("load_right", good ? a->load[RIGHT] : none);
+    json_number("tilt_left", good ? a->tilt[LEFT] : none);
+    json_number("tilt_right", good ? a->tilt[RIGHT] : none);
+    json_number("proof_error", good ? (double)a->work.error : none);
+    json_count("pivots", a->work.pivots, good);
+    json_count("solves", a->work.solves, good);
+    json_error(a);
+    if (good && a->set->forces) json_contacts(a);
+    if (good && a->set->mechanism) json_motion(a);
+    printf("}\n");
+}
+
+/* ---- Picture ------------------------------------------------------------- */
+
+/* The name of a file without folder and suffix. */
+static const char *stem_of(const char *path, int *length)
+{
+    const char *name = path;
+    for (const char *s = path; *s; s++)
+        if (*s == '/' || *s == '\\') name = s + 1;
+    if (strcmp(name, "-") == 0) name = "stdin";
+    const char *dot = strrchr(name, '.');
+    *length = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
+    return name;
+}
+
+/* OUT.svg for one file, OUT-NAME.svg for each of several, and OUT-NAME-2.svg
+   for the second of that name. */
+static char *svg_name(const struct analysis *a)
+{
+    const struct settings *set = a->set;
+    int out, stem, same = 1, folder;
+    const char *name = stem_of(a->file, &stem), *base = stem_of(set->svg, &out);
+    folder = (int)(base - set->svg) + out;
+    for (int i = 0; i < a->number; i++) {
+        int n;
+        const char *other = stem_of(set->file[i], &n);
+        same += n == stem && strncmp(name, other, (size_t)n) == 0;
+    }
+    size_t room = strlen(set->svg) + (size_t)stem + 16;
+    char *path = malloc(room);
+    if (!path) return NULL;
+    if (set->files == 1)
+        strcpy(path, set->svg);
+    else if (same == 1)
+        snprintf(path, room, "%.*s-%.*s%s", folder, set->svg, stem, name,
+                 set->svg + folder);
+    else
+        snprintf(path, room, "%.*s-%.*s-%d%s", folder, set->svg, stem, name,
+                 same, set->svg + folder);
+    return path;
+}
+
+static void write_caption(const struct analysis *a, char *out, size_t room)
+{
+    int stem;
+    const char *name = stem_of(a->file, &stem);
+    char level[80] = "level undecided";
+    if (a->measured == KERN_FALLS)
+        snprintf(level, sizeof level, "level 0");
+    else if (a->measured == KERN_STANDS)
+        snprintf(level, sizeof level, "level %d, margin %.4g%s", a->m.level,
+                 (double)a->m.margin,
+                 a->m.saturated ? " (every kern closed)" : "");
+    char shrunk[40] = "";
+    if (shrinkage(a) > 0)
+        snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
+                 (double)shrinkage(a));
+    snprintf(out, room, "%.*s: %s%s; %s", stem > 100 ? 100 : stem, name,
+             status_word(a), shrunk, level);
+}
+
+static int draw(const struct analysis *a)
+{
+    char caption[256];
+    write_caption(a, caption, sizeof caption);
+    int falls = a->verdict == KERN_FALLS;
+    struct draw_scene scene = { 0 };
+    scene.s = &a->s;
+    scene.names = a->text.name;
+    scene.relative = a->set->relative;
+    scene.shrink = (double)shrinkage(a);
+    scene.force = a->verdict == KERN_STANDS ? a->force : NULL;
+    scene.motion = falls || a->set->mechanism ? shown_motion(a) : NULL;
+    scene.limiting = a->limiting;
+    scene.caption = caption;
+
+    char *path = svg_name(a);
+    FILE *out = path ? fopen(path, "w") : NULL;
+    int bad = !out || draw_svg(out, &scene);
+    if (out) bad |= fclose(out) != 0;
+    if (bad) fprintf(stderr, "kern: cannot write %s: %s\n",
+                     path ? path : "the picture", strerror(errno));
+    free(path);
+    return bad;
+}
+
+/* ---- Files --------------------------------------------------------------- */
+
+/* After the first second: how far a long run has come, ten times a second. */
+static void show_progress(const struct settings *set, int number, int *shown)
+{
+    static clock_t next = CLOCKS_PER_SEC;
+    if (clock() < next || !IS_TERMINAL(2)) return;
+    next = clock() + CLOCKS_PER_SEC / 10;
+    fprintf(stderr, "\rkern: file %d of %d ", number + 1, set->files);
+    fflush(stderr);
+    *shown = 1;
+}
+
+static void clear_progress(int *shown)
+{
+    if (*shown) fprintf(stderr, "\r%*s\r", 40, "");
+    *shown = 0;
+}
+
+static int exit_status_of(const struct analysis *a)
+{
+    if (a->error[0]) return EXIT_BAD;
+    if (a->verdict < 0 || a->measured < 0 || a->m.level < 0)
+        return EXIT_UNDECIDED;
+    return a->verdict == KERN_FALLS ? EXIT_FALLS : EXIT_STANDS;
+}
+
+static int run_file(const struct settings *set, int number, int *shown)
+{
+    struct analysis a = { 0 };
+    a.set = set;
+    a.file = set->file[number];
+    a.number = number;
+    analyse(&a);
+    if (a.error[0] || IS_TERMINAL(1)) clear_progress(shown);
+    int status = exit_status_of(&a);
+    if (a.error[0]) {
+        fflush(stdout); /* so that a common log keeps the order */
+        fprintf(stderr, "%s:", a.file);
+        if (a.line > 0) fprintf(stderr, "%d:", a.line);
+        fprintf(stderr, " %s\n", a.error);
+    }
+    if (set->json) report_json(&a);
+    else if (!a.error[0]) report(&a);
+    if (set->svg && !a.error[0] && draw(&a)) status = EXIT_BAD;
+    free_analysis(&a);
+    return status;
+}
+
+static int run(const struct settings *set)
+{
+    int count[4] = { 0 }, shown = 0;
+    for (int i = 0; i < set->files; i++) {
+        show_progress(set, i, &shown);
+        count[run_file(set, i, &shown)]++;
+    }
+    clear_progress(&shown);
+    if (set->files > 1 && !set->json)
+        printf("%d files: %d stand, %d fall, %d undecided, %d bad\n",
+               set->files, count[EXIT_STANDS], count[EXIT_FALLS],
+               count[EXIT_UNDECIDED], count[EXIT_BAD]);
+    if (fflush(stdout) || ferror(stdout)) {
+        fprintf(stderr, "kern: cannot write the report: %s\n", strerror(errno));
+        return EXIT_BAD;
+    }
+    return count[EXIT_BAD] ? EXIT_BAD : count[EXIT_UNDECIDED] ? EXIT_UNDECIDED
+         : count[EXIT_FALLS] ? EXIT_FALLS : EXIT_STANDS;
+}
+
+/* ---- Command line -------------------------------------------------------- */
+
+static int bad_use(const char *what, const char *word)
+{
+    fprintf(stderr, "kern: %s %s; try kern --help\n", what, word);
+    return -1;
+}
+
+/* The value of option `name` at argv[*i]: after "=", or the next argument.
+   Returns 0 where the argument is another one. */
+static int option_value(char **argv, int *i, const char *name,
+                        const char **value)
+{
+    size_t n = strlen(name);
+    if (strncmp(argv[*i], name, n) != 0) return 0;
+    *value = NULL;
+    if (argv[*i][n] == '=' && name[1] == '-') *value = argv[*i] + n + 1;
+    else if (argv[*i][n] != '\0') return 0;
+    else if (argv[*i + 1]) *value = argv[++*i];
+    return 1;
+}
+
+static int number_option(const char *name, const char *value, int zero,
+                         kern_real *out)
+{
+    if (!value) return bad_use("a number is missing after", name);
+    if (!text_number(value, out) || *out < 0 || (!zero && !(*out > 0))) {
+        fprintf(stderr, "kern: %s takes a %s, read '%s'\n", name,
+                zero ? "number not below zero" : "positive number", value);
+        return -1;
+    }
+    return 0;
+}
+
+/* Reads argv[*i], with what belongs to it; 0 where it is fine. */
+static int read_option(struct settings *set, char **argv, int *i)
+{
+    struct { const char *name; int zero; kern_real *out; } number[] = {
+        { "--epsilon", 0, &set->epsilon }, { "-e", 0, &set->epsilon },
+        { "--mu", 1, &set->mu }, { "--gap", 0, &set->gap },
+        { "--at", 1, &set->at }
+    };
+    struct { const char *name; int *out; } flag[] = {
+        { "--relative", &set->relative }, { "-r", &set->relative },
+        { "--forces", &set->forces }, { "--mechanism", &set->mechanism },
+        { "--json", &set->json }
+    };
+    const char *word = argv[*i], *value;
+    for (size_t k = 0; k < sizeof number / sizeof *number; k++)
+        if (option_value(argv, i, number[k].name, &value))
+            return number_option(number[k].name, value, number[k].zero,
+                                 number[k].out);
+    for (size_t k = 0; k < sizeof flag / sizeof *flag; k++)
+        if (strcmp(word, flag[k].name) == 0) {
+            *flag[k].out = 1;
+            return 0;
+        }
+    if (option_value(argv, i, "--svg", &set->svg))
+        return set->svg && *set->svg ? 0
+             : bad_use("a file name is missing after", "--svg");
+    return bad_use("unknown option", word);
+}
+
+int main(int argc, char **argv)
+{
+    struct settings set = { -1, -1, -1, -1, 0, 0, 0, 0, NULL, argv, 0 };
+    int options = 1;
+    for (int i = 1; i < argc; i++) {
+        const char *word = argv[i];
+        if (!options || word[0] != '-' || word[1] == '\0') {
+            set.file[set.files++] = argv[i]; /* over arguments read already */
+        } else if (strcmp(word, "--") == 0) {
+            options = 0;
+        } else if (strcmp(word, "--help") == 0) {
+            return fputs(help, stdout) < 0 ? EXIT_BAD : EXIT_STANDS;
+        } else if (strcmp(word, "--version") == 0) {
+            return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
+        } else if (read_option(&set, argv, &i)) {
+            return EXIT_BAD;
+        }
+    }
+    if (set.files == 0) {
+        fputs("kern: no file is given\n", stderr);
+        fputs(help, stderr);
+        return EXIT_BAD;
+    }
+    if (set.relative && set.at > 1) {
+        fputs("kern: with --relative --at takes a share from 0 to 1\n", stderr);
+        return EXIT_BAD;
+    }
+    return run(&set);
+}

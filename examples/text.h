@@ -1,0 +1,645 @@
+/* text.h - reads the text format of a structure: one statement a line,
+
+       friction MU                                    default 0.4
+       gravity  GX GY                                 default 0 -9.81
+       density  D                                     of the blocks after it, 1
+       fixed    NAME  X1 Y1  X2 Y2  X3 Y3 ...         ground; a simple polygon
+       block    NAME  MASS  X1 Y1  X2 Y2  X3 Y3 ...   MASS * is area x density
+       com      NAME  X Y                             centre of mass
+       load     NAME  FX FY  X Y                      force at a point
+       torque   NAME  T
+       contact  A B  NX NY  X1 Y1 [X2 Y2] [mu MU]     normal from A into B; with
+                                                      any of these none is found
+       epsilon  E                                     step of Algorithm 1
+       tolerance GAP [ANGLE]                          ANGLE in radians
+
+   and # begins a comment. Include kern.h first, then this file, as kern.c does:
+
+       cc -O2 -o kern examples/kern.c -lm
+
+   A program uses text_load() or text_read(), then text_free(); of the rest
+   text_show(), text_number() and text_utf8() may be of use.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef TEXT_H
+#define TEXT_H
+
+#include <errno.h>
+#include <float.h>
+#include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct text_file {
+    kern_block *block;     /* polygons, masses, centres and loads in place    */
+    char **name;           /* one a block                                     */
+    int *block_line;       /* the line each block stands in                   */
+    int blocks, fixed;     /* all of them; the fixed among them               */
+    int given;             /* nonzero: contacts are those of the file alone   */
+    kern_contact *contact; /* these, with their travels                       */
+    char *own_mu;          /* nonzero: the contact has a friction of its own  */
+    int contacts;
+    kern_vec gravity;
+    kern_options options;  /* the defaults, and what the file says            */
+    int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
+    int line;              /* of the error, 0: of the file as a whole         */
+    char message[512];     /* what is wrong, with what was read               */
+    char *text;            /* a copy of the file, which the names point into  */
+    kern_vec *vertex;      /* of all blocks                                   */
+};
+
+/* Room for a word as text_show() writes it. */
+enum { TEXT_SHOWN = 40, TEXT_SHOW_ROOM = 4 * TEXT_SHOWN + 4 };
+
+/* A contact waits until the file is read: `friction` and `tolerance` may come
+   after it. */
+struct text_contact {
+    int a, b, line;
+    kern_vec n, p, q;
+    kern_real mu;          /* < 0: that of the file */
+};
+
+struct text_reader {
+    struct text_file *t;
+    char *at, *end;        /* what is left of the line */
+    const char *statement; /* its first word           */
+    kern_real density;
+    int vertices;
+    int *slot, slots;      /* names by hash: index of the block + 1, 0: none */
+    struct text_contact *contact;
+    int contacts;
+};
+
+enum text_range { TEXT_ANY, TEXT_NOT_NEGATIVE, TEXT_POSITIVE };
+
+#ifdef KERN_SINGLE
+#define TEXT_MOST ((double)FLT_MAX)
+#else
+#define TEXT_MOST DBL_MAX
+#endif
+
+/* ---- Words --------------------------------------------------------------- */
+
+/* Length of the UTF-8 character at s, 0 where there is none. Longer forms than
+   needed, surrogates and what lies beyond Unicode are none. */
+static inline int text_utf8(const char *s)
+{
+    const unsigned char *u = (const unsigned char *)s;
+    int n = u[0] < 0x80 ? 1 : u[0] < 0xc2 ? 0 : u[0] < 0xe0 ? 2
+          : u[0] < 0xf0 ? 3 : u[0] < 0xf5 ? 4 : 0;
+    for (int i = 1; i < n; i++)
+        if ((u[i] & 0xc0) != 0x80) return 0;
+    if ((u[0] == 0xe0 && u[1] < 0xa0) || (u[0] == 0xed && u[1] > 0x9f) ||
+        (u[0] == 0xf0 && u[1] < 0x90) || (u[0] == 0xf4 && u[1] > 0x8f))
+        return 0;
+    return n;
+}
+
+/* Writes a word as a terminal may see it: cut where it is long, bytes that are
+   not printable as \xNN. Returns out, which has TEXT_SHOW_ROOM bytes. */
+static inline const char *text_show(char *out, const char *word)
+{
+    char *o = out;
+    const char *s = word;
+    while (*s && s - word < TEXT_SHOWN) {
+        const unsigned char *u = (const unsigned char *)s;
+        int n = text_utf8(s);
+        int control = u[0] < 0x20 || u[0] == 0x7f ||
+                      (u[0] == 0xc2 && u[1] < 0xa0);
+        if (n == 0 || control) {
+            o += snprintf(o, 5, "\\x%02x", (unsigned)u[0]);
+            s++;
+        } else {
+            if (s - word + n > TEXT_SHOWN) break;
+            while (n-- > 0) *o++ = *s++;
+        }
+    }
+    strcpy(o, *s ? "..." : "");
+    return out;
+}
+
+/* Reads a word that is a finite number, and nothing but one: no hexadecimal
+   and no "inf". Returns 0 where it is not. The grammar is checked first, so
+   that in a process with another locale strtod() can refuse a number but not
+   misread it. */
+static inline int text_number(const char *word, kern_real *out)
+{
+    static const char digit[] = "0123456789";
+    const char *s = word + (*word == '+' || *word == '-');
+    size_t whole = strspn(s, digit), part = 0;
+    s += whole;
+    if (*s == '.') {
+        part = strspn(s + 1, digit);
+        s += 1 + part;
+    }
+    if (whole + part == 0) return 0;
+    if (*s == 'e' || *s == 'E') {
+        s += 1 + (s[1] == '+' || s[1] == '-');
+        size_t power = strspn(s, digit);
+        if (power == 0) return 0;
+        s += power;
+    }
+    char *end;
+    double value = strtod(word, &end);
+    if (*s || *end || !(value <= TEXT_MOST && value >= -TEXT_MOST)) return 0;
+    *out = (kern_real)value;
+    return 1;
+}
+
+/* The next word of the line, ended by a NUL; the empty word after the last. */
+static char *text_next(struct text_reader *r)
+{
+    static const char blank[] = " \t\r";
+    r->at += strspn(r->at, blank);
+    char *word = r->at;
+    r->at += strcspn(r->at, blank);
+    if (r->at < r->end) *r->at++ = '\0';
+    return word;
+}
+
+/* ---- Errors -------------------------------------------------------------- */
+
+static int text_fail(struct text_file *t, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vsnprintf(t->message, sizeof t->message, format, list);
+    va_end(list);
+    return -1;
+}
+
+/* The error of most statements: something else was expected than this word. */
+static int text_expect(struct text_reader *r, const char *what,
+                       const char *word)
+{
+    char shown[TEXT_SHOW_ROOM];
+    if (*word == '\0')
+        return text_fail(r->t, "%s: %s is expected, but the line ends",
+                         r->statement, what);
+    return text_fail(r->t, "%s: %s is expected, read '%s'", r->statement, what,
+                     text_show(shown, word));
+}
+
+static int text_no_memory(struct text_file *t)
+{
+    return text_fail(t, "not enough memory to read it");
+}
+
+/* ---- Parts of a statement ------------------------------------------------ */
+
+static int text_value(struct text_reader *r, const char *word,
+                      enum text_range range, kern_real *out)
+{
+    static const char *const what[] = {
+        "a number", "a number not below zero", "a positive number"
+    };
+    kern_real value;
+    if (!text_number(word, &value) ||
+        (range == TEXT_POSITIVE && !(value > 0)) ||
+        (range == TEXT_NOT_NEGATIVE && value < 0))
+        return text_expect(r, what[range], word);
+    *out = value;
+    return 0;
+}
+
+static int text_real(struct text_reader *r, enum text_range range,
+                     kern_real *out)
+{
+    return text_value(r, text_next(r), range, out);
+}
+
+static int text_vec(struct text_reader *r, kern_vec *out)
+{
+    if (text_real(r, TEXT_ANY, &out->x)) return -1;
+    return text_real(r, TEXT_ANY, &out->y);
+}
+
+/* The slot of a name: its own, or the free one where it belongs. There are
+   twice as many slots as names, so the search ends. */
+static int text_slot(const struct text_reader *r, const char *name)
+{
+    unsigned hash = 2166136261u; /* FNV-1a */
+    for (const char *s = name; *s; s++)
+        hash = ((hash ^ (unsigned char)*s) * 16777619u) & 0xffffffffu;
+    int i = (int)(hash & (unsigned)(r->slots - 1));
+    while (r->slot[i] && strcmp(r->t->name[r->slot[i] - 1], name) != 0)
+        i = (i + 1) & (r->slots - 1);
+    return i;
+}
+
+static int text_block_named(struct text_reader *r, int *index)
+{
+    char *word = text_next(r);
+    *index = r->slot[text_slot(r, word)] - 1;
+    if (*index < 0) return text_expect(r, "the name of a block above", word);
+    return 0;
+}
+
+static int text_free_block(struct text_reader *r, kern_block **out)
+{
+    int index;
+    if (text_block_named(r, &index)) return -1;
+    *out = &r->t->block[index];
+    if ((*out)->fixed)
+        return text_expect(r, "a block that is not fixed", r->t->name[index]);
+    return 0;
+}
+
+static int text_same(kern_vec p, kern_vec q)
+{
+    return p.x <= q.x && p.x >= q.x && p.y <= q.y && p.y >= q.y;
+}
+
+/* Reads vertices to the end of the line, repeated neighbours once. */
+static int text_polygon(struct text_reader *r, int *vertices)
+{
+    kern_vec *v = r->t->vertex + r->vertices;
+    int n = 0, read = 0;
+    char shown[TEXT_SHOW_ROOM];
+    for (;;) {
+        kern_vec p;
+        char *x = text_next(r);
+        if (*x == '\0') break;
+        if (text_value(r, x, TEXT_ANY, &p.x)) return -1;
+        char *y = text_next(r);
+        read++;
+        if (*y == '\0')
+            return text_fail(r->t, "%s: the number of coordinates is odd, "
+                             "vertex %d has only x = %s", r->statement, read,
+                             text_show(shown, x));
+        if (text_value(r, y, TEXT_ANY, &p.y)) return -1;
+        if (n == 0 || !text_same(p, v[n - 1])) v[n++] = p;
+    }
+    while (n > 1 && text_same(v[n - 1], v[0])) n--;
+    *vertices = n;
+    return 0;
+}
+
+/* ---- Statements ---------------------------------------------------------- */
+
+static int text_friction(struct text_reader *r)
+{
+    return text_real(r, TEXT_NOT_NEGATIVE, &r->t->options.mu);
+}
+
+static int text_gravity(struct text_reader *r)
+{
+    return text_vec(r, &r->t->gravity);
+}
+
+static int text_density(struct text_reader *r)
+{
+    return text_real(r, TEXT_POSITIVE, &r->density);
+}
+
+static int text_epsilon(struct text_reader *r)
+{
+    r->t->epsilon_line = r->t->line;
+    return text_real(r, TEXT_POSITIVE, &r->t->options.epsilon);
+}
+
+static int text_tolerance(struct text_reader *r)
+{
+    kern_options *o = &r->t->options;
+    o->angle = kern_defaults().angle;
+    if (text_real(r, TEXT_POSITIVE, &o->gap)) return -1;
+    char *word = text_next(r);
+    if (*word == '\0') return 0;
+    if (text_value(r, word, TEXT_POSITIVE, &o->angle)) return -1;
+    if (!(o->angle < (kern_real)0.5))
+        return text_expect(r, "an angle below 0.5 (in radians)", word);
+    return 0;
+}
+
+static int text_polygon_fault(struct text_reader *r, const char *name,
+                              const kern_block *b, kern_status status,
+                              const kern_fault *fault)
+{
+    char shown[TEXT_SHOW_ROOM], place[80] = "";
+    if (status == KERN_FEW_VERTICES)
+        snprintf(place, sizeof place, ", read %d different ones", b->vertices);
+    else if (fault->index >= 0 && fault->index < b->vertices)
+        snprintf(place, sizeof place, ", at its vertex %.9g %.9g",
+                 (double)b->vertex[fault->index].x,
+                 (double)b->vertex[fault->index].y);
+    return text_fail(r->t, "%s '%s': %s%s", r->statement,
+                     text_show(shown, name), kern_status_text(status), place);
+}
+
+static int text_body(struct text_reader *r, int fixed)
+{
+    struct text_file *t = r->t;
+    kern_block *b = &t->block[t->blocks];
+    char *name = text_next(r), shown[TEXT_SHOW_ROOM];
+    if (*name == '\0') return text_expect(r, "a name", name);
+    int slot = text_slot(r, name), vertices = 0, weighed = 0;
+    if (r->slot[slot])
+        return text_fail(t, "%s: the name '%s' was given in line %d already",
+                         r->statement, text_show(shown, name),
+                         t->block_line[r->slot[slot] - 1]);
+    kern_real mass = 0;
+    if (!fixed) {
+        char *word = text_next(r);
+        weighed = strcmp(word, "*") != 0;
+        if (weighed && !(text_number(word, &mass) && mass > 0))
+            return text_expect(r, "a mass (a positive number, or *)", word);
+    }
+    if (text_polygon(r, &vertices)) return -1;
+
+    kern_fault fault = { -1, -1, -1, 0 };
+    const kern_vec *v = t->vertex + r->vertices;
+    kern_status status = kern_block_init(b, v, vertices,
+                                         fixed ? 0 : r->density, &fault);
+    b->vertex = v;
+    b->vertices = vertices;
+    if (status < 0) return text_polygon_fault(r, name, b, status, &fault);
+    if (weighed) b->mass = mass;
+    if (!fixed && !(b->mass > 0 && (double)b->mass <= TEXT_MOST))
+        return text_fail(t, "%s '%s': area x density is no mass, found %g",
+                         r->statement, text_show(shown, name), (double)b->mass);
+
+    t->name[t->blocks] = name;
+    t->block_line[t->blocks++] = t->line;
+    t->fixed += fixed;
+    r->slot[slot] = t->blocks;
+    r->vertices += vertices;
+    return 0;
+}
+
+static int text_fixed(struct text_reader *r) { return text_body(r, 1); }
+static int text_block(struct text_reader *r) { return text_body(r, 0); }
+
+/* Numbers that can be read may still add up to one that cannot be held. */
+static int text_check_load(struct text_reader *r, const kern_block *b)
+{
+    double fx = (double)b->load.fx, fy = (double)b->load.fy;
+    double torque = (double)b->load.torque;
+    if (fx - fx + (fy - fy) + (torque - torque) >= 0) return 0;
+    return text_fail(r->t, "%s: the load adds up to %g %g, torque %g",
+                     r->statement, fx, fy, torque);
+}
+
+static int text_com(struct text_reader *r)
+{
+    kern_block *b;
+    kern_vec c;
+    if (text_free_block(r, &b) || text_vec(r, &c)) return -1;
+    /* Loads read above count about the old centre; they stay in their place. */
+    b->load.torque += (b->centre.x - c.x) * b->load.fy
+                    - (b->centre.y - c.y) * b->load.fx;
+    b->centre = c;
+    return text_check_load(r, b);
+}
+
+static int text_load_at(struct text_reader *r)
+{
+    kern_block *b;
+    kern_vec force, at;
+    if (text_free_block(r, &b) || text_vec(r, &force) || text_vec(r, &at))
+        return -1;
+    kern_block_load(b, force, at, 0);
+    return text_check_load(r, b);
+}
+
+static int text_torque(struct text_reader *r)
+{
+    kern_block *b;
+    kern_vec none = { 0, 0 };
+    kern_real torque = 0;
+    if (text_free_block(r, &b) || text_real(r, TEXT_ANY, &torque)) return -1;
+    kern_block_load(b, none, b->centre, torque);
+    return text_check_load(r, b);
+}
+
+static int text_contact(struct text_reader *r)
+{
+    struct text_contact *c = &r->contact[r->contacts];
+    if (text_block_named(r, &c->a) || text_block_named(r, &c->b) ||
+        text_vec(r, &c->n) || text_vec(r, &c->p))
+        return -1;
+    c->q = c->p;
+    c->mu = -1;
+    c->line = r->t->line;
+    char *word = text_next(r);
+    if (*word && strcmp(word, "mu") != 0) {
+        if (text_value(r, word, TEXT_ANY, &c->q.x) ||
+            text_real(r, TEXT_ANY, &c->q.y))
+            return -1;
+        word = text_next(r);
+    }
+    if (*word) {
+        if (strcmp(word, "mu") != 0) return text_expect(r, "mu", word);
+        if (text_real(r, TEXT_NOT_NEGATIVE, &c->mu)) return -1;
+    }
+    r->contacts++;
+    return 0;
+}
+
+/* ---- The file ------------------------------------------------------------ */
+
+static int text_line(struct text_reader *r)
+{
+    static const struct {
+        const char *name;
+        int (*read)(struct text_reader *);
+    } statement[] = {
+        { "block", text_block },       { "fixed", text_fixed },
+        { "contact", text_contact },   { "load", text_load_at },
+        { "torque", text_torque },     { "com", text_com },
+        { "density", text_density },   { "friction", text_friction },
+        { "gravity", text_gravity },   { "epsilon", text_epsilon },
+        { "tolerance", text_tolerance }
+    };
+    char *word = text_next(r), shown[TEXT_SHOW_ROOM];
+    if (*word == '\0') return 0;
+    for (size_t i = 0; i < sizeof statement / sizeof *statement; i++) {
+        if (strcmp(word, statement[i].name) != 0) continue;
+        r->statement = statement[i].name;
+        if (statement[i].read(r)) return -1;
+        word = text_next(r);
+        return *word ? text_expect(r, "the end of the line", word) : 0;
+    }
+    return text_fail(r->t, "unknown statement '%s'", text_show(shown, word));
+}
+
+/* Does the statement at s begin with this word? A count from above will do. */
+static int text_begins(const char *s, const char *word)
+{
+    return strncmp(s, word, strlen(word)) == 0;
+}
+
+/* Takes all memory at once, so that nothing moves later. A coordinate takes
+   two bytes at least: a line of n bytes holds at most n / 4 + 1 vertices. */
+static int text_make_room(struct text_reader *r, size_t length)
+{
+    struct text_file *t = r->t;
+    size_t blocks = 1, contacts = 1, vertices = 1;
+    for (size_t i = 0, n; i < length; i += n + 1) {
+        const char *line = t->text + i, *end = memchr(line, '\n', length - i);
+        n = end ? (size_t)(end - line) : length - i;
+        line += strspn(line, " \t\r");
+        contacts += (size_t)text_begins(line, "contact");
+        if (!text_begins(line, "block") && !text_begins(line, "fixed"))
+            continue;
+        blocks++;
+        vertices += n / 4 + 1;
+    }
+    for (r->slots = 4; (size_t)r->slots < 2 * blocks; ) r->slots *= 2;
+    r->slot = calloc((size_t)r->slots, sizeof *r->slot);
+    r->contact = calloc(contacts, sizeof *r->contact);
+    t->block = calloc(blocks, sizeof *t->block);
+    t->name = calloc(blocks, sizeof *t->name);
+    t->block_line = calloc(blocks, sizeof *t->block_line);
+    t->vertex = calloc(vertices, sizeof *t->vertex);
+    t->contact = calloc(2 * contacts, sizeof *t->contact);
+    t->own_mu = calloc(2 * contacts, sizeof *t->own_mu);
+    return r->slot && r->contact && t->block && t->name && t->block_line &&
+           t->vertex && t->contact && t->own_mu ? 0 : text_no_memory(t);
+}
+
+static int text_lines(struct text_reader *r, size_t length)
+{
+    struct text_file *t = r->t;
+    char *next = t->text, *stop = t->text + length;
+    while (next < stop) {
+        size_t left = (size_t)(stop - next);
+        char *line = next, *end = memchr(line, '\n', left);
+        next = end ? end + 1 : stop;
+        if (!end) end = stop;
+        t->line++;
+        if (memchr(line, '\0', (size_t)(end - line)))
+            return text_fail(t, "a NUL byte; this is not text");
+        *end = '\0';
+        r->at = line;
+        r->end = line + strcspn(line, "#");
+        *r->end = '\0';
+        if (text_line(r)) return -1;
+    }
+    if (t->line == 0) t->line = 1;
+    if (t->blocks == t->fixed)
+        return text_fail(t, "no block is free, read %d fixed up to the end",
+                         t->fixed);
+    return 0;
+}
+
+/* Makes the explicit contacts, now that the whole file is known. */
+static int text_contacts(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    t->given = r->contacts > 0;
+    for (int i = 0; i < r->contacts; i++) {
+        const struct text_contact *c = &r->contact[i];
+        char a[TEXT_SHOW_ROOM], b[TEXT_SHOW_ROOM];
+        kern_contact *out = t->contact + t->contacts;
+        int made = kern_contact_make(c->a, c->b, c->n, c->p, c->q,
+                                     c->mu < 0 ? t->options.mu : c->mu,
+                                     &t->options, out);
+        if (made < 0) {
+            t->line = c->line;
+            return text_fail(t, "contact '%s' '%s': %s, read normal %.9g %.9g, "
+                             "points %.9g %.9g and %.9g %.9g",
+                             text_show(a, t->name[c->a]),
+                             text_show(b, t->name[c->b]),
+                             kern_status_text((kern_status)made),
+                             (double)c->n.x, (double)c->n.y, (double)c->p.x,
+                             (double)c->p.y, (double)c->q.x, (double)c->q.y);
+        }
+        /* Two fixed blocks do nothing to each other. */
+        if (t->block[c->a].fixed && t->block[c->b].fixed) continue;
+        for (int k = 0; k < made; k++) t->own_mu[t->contacts++] = !(c->mu < 0);
+    }
+    kern_contact_travels(t->contact, t->contacts);
+    return 0;
+}
+
+/* Frees what text_read() or text_load() took, also after an error. */
+static inline void text_free(struct text_file *t)
+{
+    free(t->block);
+    free(t->name);
+    free(t->block_line);
+    free(t->contact);
+    free(t->own_mu);
+    free(t->text);
+    free(t->vertex);
+    t->block = NULL;
+    t->name = NULL;
+    t->block_line = NULL;
+    t->contact = NULL;
+    t->own_mu = NULL;
+    t->text = NULL;
+    t->vertex = NULL;
+}
+
+/* Reads a structure from any bytes; they may go afterwards. Returns 0, or -1
+   with `line` and `message`. Call text_free() in both cases. */
+static inline int text_read(struct text_file *t, const char *data,
+                            size_t length)
+{
+    static const struct text_file empty;
+    *t = empty;
+    t->gravity.y = (kern_real)-9.81;
+    t->options = kern_defaults();
+    if (length >= INT_MAX / 2) return text_fail(t, "the file is too long");
+    if (length >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
+        data += 3; /* a byte order mark */
+        length -= 3;
+    }
+    t->text = malloc(length + 1);
+    if (!t->text) return text_no_memory(t);
+    if (length > 0) memcpy(t->text, data, length);
+    t->text[length] = '\0';
+
+    struct text_reader r = { t, NULL, NULL, "", 1, 0, NULL, 0, NULL, 0 };
+    int bad = text_make_room(&r, length) || text_lines(&r, length) ||
+              text_contacts(&r);
+    free(r.slot);
+    free(r.contact);
+    return bad ? -1 : 0;
+}
+
+/* Reads a file to its end. Returns NULL with errno where that fails. */
+static inline char *text_slurp(FILE *in, size_t *length)
+{
+    size_t room = 1 << 16, n;
+    char *data = malloc(room);
+    *length = 0;
+    while (data && (n = fread(data + *length, 1, room - *length, in)) > 0) {
+        *length += n;
+        if (*length < room) continue;
+        char *more = realloc(data, 2 * room);
+        if (!more) free(data);
+        data = more;
+        room *= 2;
+    }
+    if (data && ferror(in)) {
+        free(data);
+        return NULL;
+    }
+    return data;
+}
+
+/* text_read() of a file, "-" for standard input. */
+static inline int text_load(struct text_file *t, const char *path)
+{
+    int standard = strcmp(path, "-") == 0;
+    size_t length;
+    errno = 0;
+    FILE *in = standard ? stdin : fopen(path, "rb");
+    char *data = in ? text_slurp(in, &length) : NULL;
+    int error = errno;
+    if (in && !standard) fclose(in);
+    if (!data) {
+        static const struct text_file empty;
+        *t = empty;
+        return text_fail(t, "cannot be read: %s", strerror(error));
+    }
+    int bad = text_read(t, data, length);
+    free(data);
+    return bad;
+}
+
+#endif /* TEXT_H */
