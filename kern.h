@@ -629,7 +629,7 @@ extern "C" {
 #define KERN_FEAS_TOL   KERN_R(1e-10)
 #define KERN_PIVOT_TOL  KERN_R(1e-10)
 #define KERN_RANK_TOL   KERN_R(1e-10)
-#define KERN_BASE_TOL   KERN_R(1e-8)
+#define KERN_BASE_TOL   KERN_R(0.02)
 #define KERN_REFINE_TOL KERN_R(1e-15)
 #define KERN_RENEW_TOL  KERN_R(1e-12)
 #define KERN_CRASH_TOL  KERN_R(1e-6)
@@ -667,7 +667,8 @@ static void kern_fault_clear(kern_fault *fault)
    turned and moved would no longer touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
 /* Turn [rad] below which a vertex is no corner, and within which of a half
-   turn it is a spike: ten times above what six digits in a file leave. */
+   turn it is a spike. A dropped vertex is off its edge by a millionth of the
+   edge at the most; much larger, and round stones would lose their shape. */
 #define KERN_TURN       KERN_R(1e-6)
 /* Most vertices of a polygon: its mean turn is then well above KERN_TURN. */
 #define KERN_VERTICES_MOST 1000000
@@ -685,6 +686,8 @@ static void kern_fault_clear(kern_fault *fault)
 #define KERN_ANGLE_MOST KERN_R(0.5)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL     KERN_R(1e-9)
+/* How many squares of coordinates may be added up and stay finite. */
+#define KERN_SQUARES    KERN_R(64)
 /* Edges that are looked at as one chunk, at the least. */
 #define KERN_CHUNK 16
 /* Heights at which an inner point of a polygon is looked for, and by how much
@@ -709,67 +712,47 @@ static kern_vec kern_vec_make(kern_real x, kern_real y)
 }
 
 static kern_vec kern_vec_add(kern_vec a, kern_vec b)
-{
-    return kern_vec_make(a.x + b.x, a.y + b.y);
-}
+{ return kern_vec_make(a.x + b.x, a.y + b.y); }
 
 static kern_vec kern_vec_sub(kern_vec a, kern_vec b)
-{
-    return kern_vec_make(a.x - b.x, a.y - b.y);
-}
+{ return kern_vec_make(a.x - b.x, a.y - b.y); }
 
 static kern_vec kern_vec_scale(kern_vec a, kern_real s)
-{
-    return kern_vec_make(a.x * s, a.y * s);
-}
+{ return kern_vec_make(a.x * s, a.y * s); }
 
 /* a + s b */
 static kern_vec kern_vec_step(kern_vec a, kern_real s, kern_vec b)
-{
-    return kern_vec_make(a.x + s * b.x, a.y + s * b.y);
-}
+{ return kern_vec_make(a.x + s * b.x, a.y + s * b.y); }
 
 static kern_real kern_vec_dot(kern_vec a, kern_vec b)
-{
-    return a.x * b.x + a.y * b.y;
-}
+{ return a.x * b.x + a.y * b.y; }
 
 static kern_real kern_vec_cross(kern_vec a, kern_vec b)
-{
-    return a.x * b.y - a.y * b.x;
-}
+{ return a.x * b.y - a.y * b.x; }
 
 /* a turned by +90 degrees */
 static kern_vec kern_vec_turn(kern_vec a)
-{
-    return kern_vec_make(-a.y, a.x);
-}
-
-static kern_vec kern_vec_mid(kern_vec a, kern_vec b)
-{
-    return kern_vec_make(a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2);
-}
+{ return kern_vec_make(-a.y, a.x); }
 
 static kern_real kern_vec_length(kern_vec a)
-{
-    return KERN_SQRT(kern_vec_dot(a, a));
-}
+{ return KERN_SQRT(kern_vec_dot(a, a)); }
 
 static kern_vec kern_vec_unit(kern_vec a)
-{
-    return kern_vec_scale(a, 1 / kern_vec_length(a));
-}
+{ return kern_vec_scale(a, 1 / kern_vec_length(a)); }
+
+static kern_vec kern_vec_mid(kern_vec a, kern_vec b)
+{ return kern_vec_step(a, KERN_R(0.5), kern_vec_sub(b, a)); }
 
 static int kern_vec_is_finite(kern_vec a)
-{
-    return kern_is_finite(a.x) && kern_is_finite(a.y);
-}
+{ return kern_is_finite(a.x) && kern_is_finite(a.y); }
 
 /* The larger coordinate, without its sign. */
 static kern_real kern_vec_largest(kern_vec a)
-{
-    return kern_max(kern_abs(a.x), kern_abs(a.y));
-}
+{ return kern_max(kern_abs(a.x), kern_abs(a.y)); }
+
+/* Is a finite, and small enough to be squared? */
+static int kern_is_moderate(kern_real a)
+{ return kern_is_finite(KERN_SQUARES * a * a); }
 
 /* By the series and not by libm, whose last digit differs between machines;
    angles below KERN_ANGLE_MOST are right to ten digits. */
@@ -811,7 +794,7 @@ static kern_status kern_fault_set(kern_fault *fault, kern_status status,
    and has the index of the corner where it starts; other indices have none.
 
    Pairs of edges that are near each other are found without memory: edges are
-   looked at in chunks of about the root of their number. The box of a chunk
+   looked at in chunks of about a third of the root of their number, whose box
    is computed on the way, each time anew. Two chunks whose boxes are apart are
    passed over as a whole, else edge by edge, so that n edges of a reasonable
    polygon cost n sqrt(n), and those of the worst one n^2. */
@@ -824,54 +807,54 @@ static kern_vec kern_polygon_at(const kern_block *block, int i)
 }
 
 static int kern_polygon_next(const kern_block *block, int i)
-{
-    return i + 1 < block->vertices ? i + 1 : 0;
-}
+{ return i + 1 < block->vertices ? i + 1 : 0; }
 
 static int kern_polygon_prev(const kern_block *block, int i)
+{ return i > 0 ? i - 1 : block->vertices - 1; }
+
+/* How vertex i turns, as the tangent of the angle over *dot: above 0 it is
+   convex, below 0 reflex. */
+static kern_real kern_polygon_turn(const kern_block *block, int i,
+                                   kern_real *dot)
 {
-    return i > 0 ? i - 1 : block->vertices - 1;
+    const kern_vec p = kern_polygon_at(block, i);
+    const kern_vec in = kern_vec_sub(
+        p, kern_polygon_at(block, kern_polygon_prev(block, i)));
+    const kern_vec out = kern_vec_sub(
+        kern_polygon_at(block, kern_polygon_next(block, i)), p);
+    *dot = kern_vec_dot(in, out);
+    return kern_vec_cross(in, out);
 }
 
 static int kern_polygon_is_corner(const kern_block *block, int i)
 {
-    const kern_vec p = kern_polygon_at(block, i);
-    const kern_vec from = kern_polygon_at(block, kern_polygon_prev(block, i));
-    const kern_vec to = kern_polygon_at(block, kern_polygon_next(block, i));
-    const kern_vec in = kern_vec_sub(p, from), out = kern_vec_sub(to, p);
-    const kern_real dot = kern_vec_dot(in, out);
-    return !(kern_abs(kern_vec_cross(in, out)) < KERN_TURN * dot);
+    kern_real dot;
+    const kern_real turn = kern_polygon_turn(block, i, &dot);
+    return !(kern_abs(turn) < KERN_TURN * dot);
+}
+
+static int kern_polygon_is_convex(const kern_block *block, int i)
+{
+    kern_real dot;
+    return kern_polygon_turn(block, i, &dot) > 0;
 }
 
 static int kern_polygon_corner_after(const kern_block *block, int i)
 {
-    int k;
-    for (k = 0; k < block->vertices; k++) {
+    const int start = i;
+    do
         i = kern_polygon_next(block, i);
-        if (kern_polygon_is_corner(block, i))
-            break;
-    }
+    while (i != start && !kern_polygon_is_corner(block, i));
     return i;
 }
 
 static int kern_polygon_corner_before(const kern_block *block, int i)
 {
-    int k;
-    for (k = 0; k < block->vertices; k++) {
+    const int start = i;
+    do
         i = kern_polygon_prev(block, i);
-        if (kern_polygon_is_corner(block, i))
-            break;
-    }
+    while (i != start && !kern_polygon_is_corner(block, i));
     return i;
-}
-
-/* How corner i turns: above 0 it is convex, below 0 reflex. */
-static kern_real kern_polygon_turn(const kern_block *block, int i)
-{
-    const kern_vec p = kern_polygon_at(block, i);
-    const kern_vec from = kern_polygon_at(block, kern_polygon_prev(block, i));
-    const kern_vec to = kern_polygon_at(block, kern_polygon_next(block, i));
-    return kern_vec_cross(kern_vec_sub(p, from), kern_vec_sub(to, p));
 }
 
 static kern_box kern_box_of(kern_vec p, kern_vec q)
@@ -925,12 +908,18 @@ static kern_box kern_polygon_edge_box(const kern_block *block, int i)
     return kern_box_of(kern_polygon_at(block, i), kern_polygon_at(block, end));
 }
 
+/* Less than the root: to look at an edge costs more than to box a vertex. */
 static int kern_polygon_chunk(const kern_block *block)
 {
     int size = KERN_CHUNK;
-    while (size < block->vertices / size)
+    while (size < block->vertices / (8 * size))
         size *= 2;
     return size;
+}
+
+static int kern_chunk_end(const kern_block *block, int first, int size)
+{
+    return size < block->vertices - first ? first + size : block->vertices;
 }
 
 /* The box of the edges from first on, at most size of them; 0: there are none.
@@ -938,23 +927,17 @@ static int kern_polygon_chunk(const kern_block *block)
 static int kern_polygon_chunk_box(const kern_block *block, int first, int size,
                                   kern_box *box)
 {
-    int i, some = 0, last = first;
-    for (i = first; i < block->vertices && i - first < size; i++) {
-        if (!some)
-            *box = kern_box_of(kern_polygon_at(block, i),
-                               kern_polygon_at(block, i));
-        if (some || kern_polygon_is_corner(block, i))
-            kern_box_add(box, kern_polygon_at(block, i));
-        if (kern_polygon_is_corner(block, i)) {
-            some = 1;
-            last = i;
-        }
-    }
-    if (some) {
-        i = kern_polygon_corner_after(block, last);
+    int i, last = kern_chunk_end(block, first, size) - 1;
+    while (last >= first && !kern_polygon_is_corner(block, last))
+        last--;
+    if (last < first)
+        return 0;
+    i = kern_polygon_corner_after(block, last);
+    *box = kern_box_of(kern_polygon_at(block, first),
+                       kern_polygon_at(block, i));
+    for (i = first + 1; i <= last; i++)
         kern_box_add(box, kern_polygon_at(block, i));
-    }
-    return some;
+    return 1;
 }
 
 /* All pairs of an edge i of a and an edge j of b whose boxes are not farther
@@ -973,8 +956,7 @@ typedef struct kern_pairs {
 static void kern_pairs_chunk_a(kern_pairs *pairs, int first)
 {
     pairs->chunk_a = first;
-    pairs->end_a = first + pairs->size_a < pairs->a->vertices ?
-                   first + pairs->size_a : pairs->a->vertices;
+    pairs->end_a = kern_chunk_end(pairs->a, first, pairs->size_a);
     pairs->some_a = kern_polygon_chunk_box(pairs->a, first, pairs->size_a,
                                            &pairs->box_a);
     if (pairs->some_a) {
@@ -1014,8 +996,7 @@ static int kern_pairs_next_chunk(kern_pairs *pairs)
             kern_box_meets(&pairs->box_a, &pairs->box_b))
             break;
     }
-    pairs->end_b = pairs->chunk_b + pairs->size_b < pairs->b->vertices ?
-                   pairs->chunk_b + pairs->size_b : pairs->b->vertices;
+    pairs->end_b = kern_chunk_end(pairs->b, pairs->chunk_b, pairs->size_b);
     pairs->i = pairs->chunk_a - 1;
     return 1;
 }
@@ -1071,13 +1052,9 @@ static kern_status kern_polygon_simple(const kern_block *block,
     kern_pairs pairs;
     int i;
     for (i = 0; i < block->vertices; i++) {
-        const kern_vec p = block->vertex[i];
-        const kern_vec in =
-            kern_vec_sub(p, block->vertex[kern_polygon_prev(block, i)]);
-        const kern_vec out =
-            kern_vec_sub(block->vertex[kern_polygon_next(block, i)], p);
-        const kern_real dot = kern_vec_dot(in, out);
-        if (kern_abs(kern_vec_cross(in, out)) <= -KERN_TURN * dot)
+        kern_real dot;
+        const kern_real turn = kern_polygon_turn(block, i, &dot);
+        if (kern_abs(turn) <= -KERN_TURN * dot)
             return kern_fault_set(fault, KERN_CROSSING, -1, i, 0);
     }
     kern_pairs_open(&pairs, block, block, 0);
@@ -1103,15 +1080,15 @@ typedef struct kern_fan {
     kern_real spread;     /* sum of areas without their signs            */
     kern_real extent;     /* largest distance from vertex 0              */
     kern_real coordinate; /* largest                                     */
-    kern_vec centre;
+    kern_vec moment;
 } kern_fan;
 
 static kern_fan kern_polygon_fan(const kern_block *block)
 {
     const kern_vec o = block->vertex[0];
-    kern_vec moment = kern_vec_make(0, 0);
     kern_fan fan;
     int i;
+    fan.moment = kern_vec_make(0, 0);
     fan.area = fan.spread = fan.extent = 0;
     fan.coordinate = kern_vec_largest(o);
     for (i = 1; i < block->vertices; i++) {
@@ -1124,9 +1101,8 @@ static kern_fan kern_polygon_fan(const kern_block *block)
         fan.extent = kern_max(fan.extent, kern_vec_length(u));
         fan.coordinate = kern_max(fan.coordinate,
                                   kern_vec_largest(block->vertex[i]));
-        moment = kern_vec_step(moment, area / 3, kern_vec_add(u, w));
+        fan.moment = kern_vec_step(fan.moment, area / 3, kern_vec_add(u, w));
     }
-    fan.centre = kern_vec_step(o, 1 / fan.area, moment);
     return fan;
 }
 
@@ -1137,11 +1113,14 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     kern_real least;
     kern_status status;
     int i;
-    for (i = 0; i < block->vertices; i++)
-        if (!kern_vec_is_finite(block->vertex[i]))
-            return kern_fault_set(fault, KERN_BAD_NUMBER, -1, i, 0);
+    for (i = 0; i < block->vertices; i++) {
+        const kern_vec p = block->vertex[i];
+        if (!kern_is_moderate(p.x) || !kern_is_moderate(p.y))
+            return kern_fault_set(fault, KERN_BAD_NUMBER, -1, i,
+                                  kern_is_moderate(p.x) ? p.y : p.x);
+    }
     fan = kern_polygon_fan(block);
-    if (!kern_is_finite(fan.spread) || !kern_is_finite(fan.extent))
+    if (!kern_is_finite(fan.spread))
         return kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, fan.coordinate);
     least = KERN_FLOOR * fan.coordinate * fan.extent;
     if (!(fan.spread > least)) /* all vertices on one line */
@@ -1149,11 +1128,12 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     status = kern_polygon_simple(block, fault);
     if (status < 0)
         return status;
-    if (!(kern_abs(fan.area) > least) || !kern_vec_is_finite(fan.centre))
+    if (!(kern_abs(fan.area) > least))
         return kern_fault_set(fault, KERN_NO_AREA, -1, -1, fan.area);
     block->area = fan.area;
-    block->centre = fan.centre;
-    return KERN_STANDS;
+    block->centre = kern_vec_step(block->vertex[0], 1 / fan.area, fan.moment);
+    return kern_vec_is_finite(block->centre) ? KERN_STANDS :
+           kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, fan.coordinate);
 }
 
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
@@ -1512,7 +1492,7 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
             depth = kern_depth(b, kern_polygon_at(a, first));
             continue;
         }
-        for (i = first; i < a->vertices && i - first < size; i++) {
+        for (i = first; i < kern_chunk_end(a, first, size); i++) {
             kern_edge e;
             if (!kern_polygon_is_corner(a, i))
                 continue;
@@ -1556,9 +1536,7 @@ static kern_real kern_overlap(const kern_block *a, const kern_block *b,
         depth = kern_overlap_boundary(b, a, gap);
     if (!(depth > 0))
         depth = kern_overlap_inner(a, b, gap);
-    if (!(depth > 0))
-        depth = kern_overlap_inner(b, a, gap);
-    return depth;
+    return depth > 0 ? depth : kern_overlap_inner(b, a, gap);
 }
 
 /* ---- lines and points ---- */
@@ -1633,9 +1611,9 @@ static int kern_search_in_corner(const kern_search *s, const kern_block *block,
                                  int j, const kern_edge *e, kern_vec v)
 {
     return (kern_vec_length(kern_vec_sub(v, e->p)) <= s->gap &&
-            kern_polygon_turn(block, j) < 0) ||
+            !kern_polygon_is_convex(block, j)) ||
            (kern_vec_length(kern_vec_sub(v, e->q)) <= s->gap &&
-            kern_polygon_turn(block, e->end) < 0);
+            !kern_polygon_is_convex(block, e->end));
 }
 
 /* Does the way from v to its neighbour lead to the outer side of the edge? */
@@ -1653,9 +1631,9 @@ static kern_status kern_search_point(kern_search *s, const kern_block *from,
 {
     const kern_vec v = kern_polygon_at(from, i);
     kern_edge e;
-    kern_vec r, n;
+    kern_vec r, n, before, after;
     kern_real along;
-    if (!(kern_polygon_turn(from, i) > 0))
+    if (!kern_polygon_is_convex(from, i))
         return KERN_STANDS;
     e = kern_edge_of(to, j);
     r = kern_vec_sub(v, e.p);
@@ -1665,14 +1643,12 @@ static kern_status kern_search_point(kern_search *s, const kern_block *from,
     if (!(along > s->foot && along < e.length - s->foot) &&
         !kern_search_in_corner(s, to, j, &e, v))
         return KERN_STANDS;
-    r = kern_polygon_at(from, kern_polygon_corner_before(from, i));
-    if (!kern_search_leads_out(s, &e, v, r))
-        return KERN_STANDS;
-    r = kern_polygon_at(from, kern_polygon_corner_after(from, i));
-    if (!kern_search_leads_out(s, &e, v, r))
-        return KERN_STANDS;
+    before = kern_polygon_at(from, kern_polygon_corner_before(from, i));
+    after = kern_polygon_at(from, kern_polygon_corner_after(from, i));
     n = to == s->a ? e.n : kern_vec_scale(e.n, -1);
-    if (kern_search_on_line(s, v, n))
+    if (!kern_search_leads_out(s, &e, v, before) ||
+        !kern_search_leads_out(s, &e, v, after) ||
+        kern_search_on_line(s, v, n))
         return KERN_STANDS;
     return kern_search_put(s, v, n, 0);
 }
@@ -1789,14 +1765,15 @@ static void kern_search_merge(kern_search *s)
 {
     int done = s->first, raw = s->first;
     while (raw < s->count) {
+        const int lead = kern_face_lead(s, raw);
         kern_face face;
         int i, rest = s->count;
-        kern_face_open(&face, &s->out[kern_face_lead(s, raw)]);
+        kern_face_open(&face, &s->out[lead]);
         for (i = s->count - 1; i >= raw; i--) {
             const int second = i;
             if (s->out[i].line)
                 i--; /* both ends at once */
-            if (kern_face_takes(&face, s, &s->out[i])) {
+            if (i == lead || kern_face_takes(&face, s, &s->out[i])) {
                 kern_face_join(&face, s, &s->out[i]);
                 continue;
             }
@@ -1835,25 +1812,18 @@ static int kern_search_pair(kern_search *s, int a, int b)
     return 1;
 }
 
-static kern_status kern_search_lines(kern_search *s)
-{
-    kern_pairs pairs;
-    kern_status status = KERN_STANDS;
-    kern_pairs_open(&pairs, s->a, s->b, s->gap);
-    while (status >= 0 && kern_pairs_next(&pairs))
-        status = kern_search_line(s, pairs.i, pairs.j);
-    s->lines = s->count;
-    return status;
-}
-
-static kern_status kern_search_points(kern_search *s)
+/* Goes over the pairs of edges, once for lines and once for points. */
+static kern_status kern_search_edges(kern_search *s, int points)
 {
     kern_pairs pairs;
     kern_status status = KERN_STANDS;
     kern_pairs_open(&pairs, s->a, s->b, s->gap);
     while (status >= 0 && kern_pairs_next(&pairs)) {
-        status = kern_search_point(s, s->a, pairs.i, s->b, pairs.j);
-        if (status >= 0)
+        if (!points)
+            status = kern_search_line(s, pairs.i, pairs.j);
+        else
+            status = kern_search_point(s, s->a, pairs.i, s->b, pairs.j);
+        if (points && status >= 0)
             status = kern_search_point(s, s->b, pairs.j, s->a, pairs.i);
     }
     return status;
@@ -1870,9 +1840,10 @@ static kern_status kern_search_touch(kern_search *s)
         return kern_fault_set(s->fault, KERN_OVERLAP, s->index_a, -1, depth);
     }
     s->first = s->count;
-    status = kern_search_lines(s);
+    status = kern_search_edges(s, 0);
+    s->lines = s->count;
     if (status >= 0)
-        status = kern_search_points(s);
+        status = kern_search_edges(s, 1);
     if (status < 0)
         return status;
     kern_search_merge(s);
@@ -1938,9 +1909,11 @@ static kern_status kern_search_check(const kern_search *s, int i,
     if (!(kern_abs(block->area) > 0))
         return kern_fault_set(s->fault, KERN_NO_AREA, i, -1, block->area);
     for (k = 0; k < block->vertices; k++) {
-        if (!kern_vec_is_finite(block->vertex[k]))
-            return kern_fault_set(s->fault, KERN_BAD_NUMBER, i, k, 0);
-        *largest = kern_max(*largest, kern_vec_largest(block->vertex[k]));
+        const kern_vec p = block->vertex[k];
+        if (!kern_is_moderate(p.x) || !kern_is_moderate(p.y))
+            return kern_fault_set(s->fault, KERN_BAD_NUMBER, i, k,
+                                  kern_is_moderate(p.x) ? p.y : p.x);
+        *largest = kern_max(*largest, kern_vec_largest(p));
     }
     return KERN_STANDS;
 }
@@ -1955,6 +1928,8 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     int i;
     if (status < 0)
         return status;
+    if (!kern_is_moderate(chosen.gap)) /* normals are weighted with it */
+        return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
     if ((blocks > 0 && !block) || (room > 0 && !out))
@@ -2852,87 +2827,156 @@ static void kern_basis_renew(kern_simplex *sx)
     kern_basis_values(sx);
 }
 
-/* ---- the dual simplex ---- */
+/* ---- phase one ---- */
+/* Every basis gives x with A x = rhs; phase one makes it non-negative. What it
+   lowers is the sum of all violations: of negative columns and of fillers that
+   are not zero, each in units of what is large for it. The prices of that sum,
 
-/* How far the variable in a position is from where it may be, in units of
-   what is large for it. Columns may not be negative, fillers must be zero. */
-static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v)
+       y = B^-T c,    c = -1 or +1 (in these units) for what violates, else 0,
+
+   tell by y.A_j > 0 how fast the sum falls when column j enters. When no
+   column lowers it and it is not zero, -y is a Farkas certificate, and the one
+   that shows the largest sum of violations: what a step of Newton's method
+   wants. */
+
+/* The weight of a violation of variable j, and in `sign` which way v, if at
+   all, violates. Columns may not be negative, fillers must be zero. */
+static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v,
+                                int *sign)
 {
     const kern_program *lp = sx->lp;
-    if (j < lp->cols)
-        return v < 0 ? -v / kern_lp_scale(lp, j, sx->unit) : KERN_R(0);
-    return kern_abs(v) / (lp->scale ? lp->scale[(j - lp->cols) / 3]
-                                    : sx->unit);
+    const kern_real scale = j < lp->cols ? kern_lp_scale(lp, j, sx->unit)
+        : lp->scale ? lp->scale[(j - lp->cols) / 3] : sx->unit;
+    *sign = v < -KERN_FEAS_TOL * scale ? -1
+            : j >= lp->cols && v > KERN_FEAS_TOL * scale ? 1 : 0;
+    return 1 / scale;
 }
 
-/* The position that leaves: the largest violation, or the first variable that
-   violates at all. KERN_OUT: none, the basis is feasible. */
-static int kern_dual_leaving(const kern_simplex *sx, int first)
+/* Prices of the violations to sx->row; returns their sum. */
+static kern_real kern_phase_one_prices(kern_simplex *sx)
 {
-    kern_real most = KERN_FEAS_TOL;
-    int i, best = KERN_OUT, least = 0;
-    for (i = 0; i < sx->lp->rows + sx->extras; i++) {
-        const int e = i - sx->lp->rows;
-        const int j = e < 0 ? sx->base[i] : sx->extra[e];
-        kern_real bad;
-        if (e < 0 && sx->spare[i] >= 0)
-            continue;
-        bad = kern_violation(sx, j, e < 0 ? sx->value[i]
-                                          : sx->value_extra[e]);
-        if (first ? bad > KERN_FEAS_TOL && (best == KERN_OUT || j < least)
-                  : bad > most) {
-            most = bad;
-            least = j;
-            best = e < 0 ? i : -2 - e;
+    kern_real sum = KERN_R(0);
+    int i, sign;
+    for (i = 0; i < sx->lp->rows; i++) {
+        sx->row[i] = KERN_R(0);
+        if (sx->spare[i] < 0) {
+            const kern_real w = kern_violation(sx, sx->base[i], sx->value[i],
+                                               &sign);
+            sx->row[i] = KERN_R(sign) * w;
+            sum += sx->row[i] * sx->value[i];
         }
     }
-    return best;
+    for (i = 0; i < sx->extras; i++) {
+        const kern_real w = kern_violation(sx, sx->extra[i],
+                                           sx->value_extra[i], &sign);
+        sx->row_extra[i] = KERN_R(sign) * w;
+        sum += sx->row_extra[i] * sx->value_extra[i];
+    }
+    return sum;
 }
 
-/* The column that enters: y . A_j < 0 as far below as possible, or the first.
-   A column that would have to carry more than lp->most is no help: the bound
-   on the forces of a jam. KERN_OUT: none, y is a Farkas certificate. */
-static int kern_dual_entering(const kern_simplex *sx, kern_real violation,
-                              int first)
+/* The column that lowers the sum fastest, or the first that lowers it. One
+   that would have to carry more than lp->most to undo it is no help: the
+   bound on the forces of a jam. */
+static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
+                                   int first, kern_real *gain)
 {
     const kern_program *lp = sx->lp;
-    kern_real least, size = KERN_R(0);
+    kern_real size = KERN_R(0);
     int i, j, best = KERN_OUT;
     for (i = 0; i < lp->rows; i++)
         size = kern_max(size, kern_abs(sx->row[i]));
-    least = -KERN_PIVOT_TOL * size;
+    *gain = KERN_PIVOT_TOL * size;
     if (lp->most > 0)
-        least = kern_min(least, -violation / lp->most);
+        *gain = kern_max(kern_min(*gain, sum / lp->most),
+                         KERN_ROUNDING * size);
     for (j = 0; j < lp->cols; j++)
         if (!kern_is_basic(sx, j)) {
-            const kern_real alpha = kern_lp_dot(lp, j, sx->row);
-            if (alpha < least) {
+            const kern_real fall = kern_lp_dot(lp, j, sx->row);
+            if (fall > *gain) {
                 best = j;
+                *gain = fall;
                 if (first)
                     return best;
-                least = alpha;
             }
         }
     return best;
 }
 
-/* One step of refinement for a row of the inverse. */
-static void kern_row_refine(kern_simplex *sx, int position)
+/* How much the slope of the sum rises when position i passes zero, on the way
+   on which the entering column takes it, and in `at` where that is. */
+static kern_real kern_break(const kern_simplex *sx, int i, kern_real *at)
 {
-    const kern_program *lp = sx->lp;
-    int i;
-    for (i = 0; i < lp->rows; i++) {
-        const int j = sx->base[i];
-        sx->alpha[i] = (position == i ? KERN_R(1) : KERN_R(0))
-            - (j < lp->cols ? kern_lp_dot(lp, j, sx->row)
-                            : sx->row[j - lp->cols]);
+    const int e = i - sx->lp->rows;
+    const int j = e < 0 ? sx->base[i] : sx->extra[e];
+    const kern_real a = e < 0 ? sx->alpha[i] : sx->alpha_extra[e];
+    const kern_real v = e < 0 ? sx->value[i] : sx->value_extra[e];
+    const kern_real size = kern_abs(a);
+    kern_real w;
+    int sign;
+    *at = KERN_R(0);
+    if ((e < 0 && sx->spare[i] >= 0) || !(size > 0))
+        return KERN_R(0);
+    w = kern_violation(sx, j, v, &sign);
+    if (sign != 0) {
+        if ((sign < 0) != (a < 0))
+            return KERN_R(0);
+        *at = v / a;
+        return j < sx->lp->cols ? w * size : 2 * w * size;
     }
-    for (i = 0; i < sx->extras; i++)
-        sx->alpha_extra[i] = (position == -2 - i ? KERN_R(1) : KERN_R(0))
-                             - kern_lp_dot(lp, sx->extra[i], sx->row);
-    kern_basis_solve_t(sx, sx->alpha, sx->alpha_extra);
-    for (i = 0; i < lp->rows; i++)
-        sx->row[i] += sx->alpha[i];
+    if (j >= sx->lp->cols)
+        return w * size;
+    if (a < 0)
+        return KERN_R(0);
+    *at = kern_max(v, KERN_R(0)) / a;
+    return w * size;
+}
+
+/* The ratio test goes on past every variable that reaches zero as long as the
+   sum still falls: a long step, which passes through degenerate corners. With
+   `first` it stops at the first, the least index of equals (Bland). */
+static int kern_phase_one_leaving(const kern_simplex *sx, kern_real gain,
+                                  int first, kern_real *step)
+{
+    const int m = sx->lp->rows, n = m + sx->extras;
+    kern_real size = KERN_R(0), last = KERN_R(-1);
+    int i, last_i = -1;
+    for (i = 0; i < n; i++)
+        size = kern_max(size, kern_abs(i < m ? sx->alpha[i]
+                                             : sx->alpha_extra[i - m]));
+    for (;;) {
+        kern_real at, rise, next = KERN_INFINITY, next_rise = KERN_R(0);
+        kern_real pivot = KERN_R(0);
+        int best = -1, least = 0;
+        for (i = 0; i < n; i++) {
+            const kern_real a = kern_abs(i < m ? sx->alpha[i]
+                                               : sx->alpha_extra[i - m]);
+            const int j = i < m ? sx->base[i] : sx->extra[i - m];
+            if (a <= KERN_PIVOT_TOL * size)
+                continue;
+            rise = kern_break(sx, i, &at);
+            if (!(rise > 0) || at < last || (at <= last && i <= last_i)
+                || at > next)
+                continue;
+            if (first ? at < next || j < least : at < next) {
+                next = at;
+                next_rise = rise;
+                pivot = a;
+                best = i;
+                least = j;
+            }
+        }
+        (void)pivot;
+        if (best < 0)
+            return KERN_OUT;
+        gain -= next_rise;
+        if (first || gain <= 0) {
+            *step = next;
+            return best < m ? best : -2 - (best - m);
+        }
+        last = next;
+        last_i = best;
+    }
 }
 
 /* A row y of the inverse turns when the matrix changes. change[j] is y.A_j's
@@ -2980,56 +3024,48 @@ static void kern_basis_move(kern_simplex *sx, int q, int position,
     sx->settled = 0;
 }
 
-/* Without costs every basis is dual feasible, so any entering column of the
-   right sign will do, and the largest makes the fewest pivots and the most
-   accurate ones. That has no proof of termination: when the budget is used up
-   the smallest indices are taken (Bland), which has one. The limit ends what
-   rounding might keep going. Returns KERN_STANDS with a feasible basis,
-   KERN_FALLS with y in sx->row, or KERN_UNDECIDED. */
-static kern_status kern_simplex_dual(kern_simplex *sx, kern_work *work,
-                                     int limit)
+/* Lowers the sum of violations until it is zero or no column lowers it. The
+   sum falls with every step that is not of length zero; when the budget is
+   used up the smallest indices are taken (Bland), which cannot cycle. The
+   limit ends what rounding might keep going. Returns KERN_STANDS with a
+   feasible basis, KERN_FALLS with y in sx->row, or KERN_UNDECIDED. */
+static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
+                                  int limit)
 {
     const kern_program *lp = sx->lp;
-    const int budget = 20 + 6 * lp->rows;
-    int count, i, q;
+    const int budget = 50 + 10 * lp->rows;
+    int count, i;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
-        int position = kern_dual_leaving(sx, first);
-        kern_real at, pivot;
-        if (position == KERN_OUT) {
-            if (sx->settled)
-                return KERN_STANDS;
-            if (!kern_basis_values(sx))
-                kern_basis_renew(sx);
-            continue;
+        const kern_real sum = kern_phase_one_prices(sx);
+        kern_real gain = KERN_R(0), step = KERN_R(0);
+        int q = KERN_OUT, position = KERN_OUT;
+        if (sum > 0) {
+            kern_basis_solve_t(sx, sx->row, sx->row_extra);
+            q = kern_phase_one_entering(sx, sum, first, &gain);
         }
-        kern_basis_row(sx, position);
-        at = position >= 0 ? sx->value[position]
-                           : sx->value_extra[-2 - position];
-        if (at > 0)
+        if (q == KERN_OUT && sx->settled) {
             for (i = 0; i < lp->rows; i++)
                 sx->row[i] = -sx->row[i];
-        q = kern_dual_entering(sx, kern_abs(at), first);
-        if (q == KERN_OUT && sx->settled) {
-            kern_basis_row(sx, position);
-            kern_row_refine(sx, position);
-            if (at > 0)
-                for (i = 0; i < lp->rows; i++)
-                    sx->row[i] = -sx->row[i];
-            return KERN_FALLS;
+            return sum > 0 ? KERN_FALLS : KERN_STANDS;
         }
-        if (q == KERN_OUT) {
+        if (q != KERN_OUT) {
+            kern_basis_column(sx, q);
+            position = kern_phase_one_leaving(sx, gain, first, &step);
+        }
+        if (position == KERN_OUT) {
+            if (sx->settled)
+                return KERN_UNDECIDED;
             if (!kern_basis_values(sx))
                 kern_basis_renew(sx);
             continue;
         }
         if (sx->extras == sx->room && position >= 0
             && sx->place[q] == KERN_OUT)
-            return KERN_NO_SPACE;
-        kern_basis_column(sx, q);
-        pivot = position >= 0 ? sx->alpha[position]
-                              : sx->alpha_extra[-2 - position];
-        kern_basis_move(sx, q, position, at / pivot);
+            return KERN_UNDECIDED;
+        if (position >= 0)
+            kern_basis_row(sx, position);
+        kern_basis_move(sx, q, position, step);
         work->pivots++;
         count++;
         if (sx->extras == sx->room || sx->pivots >= KERN_RENEW)
@@ -3325,7 +3361,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     else if (sx->stale)
         kern_basis_refactor(sx);
     kern_basis_values(sx);
-    status = kern_simplex_dual(sx, work, limit);
+    status = kern_phase_one(sx, work, limit);
     if (status == KERN_STANDS && lp->cost)
         status = kern_simplex_primal(sx, work, limit);
     if (status < 0)
@@ -3880,12 +3916,21 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     return KERN_STANDS;
 }
 
-/* Torque of a force at p about the centre of block i, in units of its size. */
-static kern_real kern_arm(const kern_block *b, kern_vec p, kern_real fx,
-                          kern_real fy)
+/* The unit of a block's torques: its size, or where kerns have grown beyond
+   it, how far. */
+static kern_real kern_lever(const kern_model *m, const kern_block *b)
+{
+    const kern_real grown = kern_max(-m->shrink, KERN_R(0));
+    const kern_real size = kern_block_size(b);
+    return m->relative ? size * (1 + grown) : size + grown;
+}
+
+/* Torque of a force at p about the centre of block b, in its unit. */
+static kern_real kern_arm(const kern_model *m, const kern_block *b,
+                          kern_vec p, kern_real fx, kern_real fy)
 {
     return ((p.x - b->centre.x) * fy - (p.y - b->centre.y) * fx)
-           / kern_block_size(b);
+           / kern_lever(m, b);
 }
 
 /* The columns of A at a shrinkage: what changes with it is the torques. */
@@ -3893,6 +3938,7 @@ static void kern_model_columns(kern_model *m, kern_real shrink)
 {
     const kern_structure *s = m->s;
     int i, edge;
+    m->shrink = shrink;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_vec p = kern_point_at(c, shrink, m->relative, m->mean);
@@ -3901,11 +3947,10 @@ static void kern_model_columns(kern_model *m, kern_real shrink)
             const kern_real mu = edge ? -c->mu : c->mu;
             a[0] = c->n.x - mu * c->n.y;
             a[1] = c->n.y + mu * c->n.x;
-            a[2] = kern_arm(s->block + c->b, p, a[0], a[1]);
-            a[3] = -kern_arm(s->block + c->a, p, a[0], a[1]);
+            a[2] = kern_arm(m, s->block + c->b, p, a[0], a[1]);
+            a[3] = -kern_arm(m, s->block + c->a, p, a[0], a[1]);
         }
     }
-    m->shrink = shrink;
 }
 
 /* The right-hand side of A x = -w, in units of all that acts. */
@@ -3929,7 +3974,7 @@ static void kern_model_loads(kern_model *m, const kern_question *q)
             m->rhs[3 * g] = -w.fx / m->weight;
             m->rhs[3 * g + 1] = -w.fy / m->weight;
             m->rhs[3 * g + 2] = -w.torque
-                                / (m->weight * kern_block_size(s->block + i));
+                                / (m->weight * kern_lever(m, s->block + i));
             m->scale[g] = kern_max(size / m->weight, KERN_LEAST_SCALE);
         }
 }
@@ -3951,23 +3996,23 @@ static void kern_model_motion(kern_model *m)
 {
     kern_real most = KERN_R(0);
     int i;
-    for (i = 0; i < m->lp.rows / 3; i++) {
-        const kern_real *y = m->y + 3 * i;
-        most = kern_max(most, kern_max(KERN_SQRT(y[0] * y[0] + y[1] * y[1]),
-                                       kern_abs(y[2])));
-    }
-    if (!(most > 0))
-        most = KERN_R(1);
     for (i = 0; i < m->s->blocks; i++) {
         kern_motion *v = m->motion + i;
-        const int g = m->group[i];
+        const kern_block *b = m->s->block + i;
+        const kern_real *y = m->y + 3 * m->group[i];
         v->vx = v->vy = v->spin = KERN_R(0);
-        if (g >= 0) {
-            v->vx = m->y[3 * g] / most;
-            v->vy = m->y[3 * g + 1] / most;
-            v->spin = m->y[3 * g + 2]
-                      / (most * kern_block_size(m->s->block + i));
-        }
+        if (m->group[i] < 0)
+            continue;
+        v->vx = y[0];
+        v->vy = y[1];
+        v->spin = y[2] / kern_lever(m, b);
+        most = kern_max(most, kern_max(KERN_SQRT(y[0] * y[0] + y[1] * y[1]),
+                                kern_abs(v->spin) * kern_block_size(b)));
+    }
+    for (i = 0; i < m->s->blocks && most > 0; i++) {
+        m->motion[i].vx /= most;
+        m->motion[i].vy /= most;
+        m->motion[i].spin /= most;
     }
 }
 
@@ -4079,9 +4124,9 @@ static kern_real kern_shrink_rate(kern_model *m, const kern_question *q)
         kern_real rate, spin = KERN_R(0);
         kern_shift(kern_travel(c, m->mean), q->shrink, m->relative, &rate);
         if (gb >= 0)
-            spin += m->y[3 * gb + 2] / kern_block_size(s->block + c->b);
+            spin += m->y[3 * gb + 2] / kern_lever(m, s->block + c->b);
         if (ga >= 0)
-            spin -= m->y[3 * ga + 2] / kern_block_size(s->block + c->a);
+            spin -= m->y[3 * ga + 2] / kern_lever(m, s->block + c->a);
         /* the arm grows along t, and t x (f n + r t) = -f */
         sum -= rate * spin * (m->x[2 * i] + m->x[2 * i + 1]);
         m->x[2 * i] = m->x[2 * i + 1] = -rate * spin;
@@ -4110,7 +4155,7 @@ static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
             w.fy = q->gravity.x * turn;
             w.torque = KERN_R(0);
         }
-        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque / kern_block_size(b))
+        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque / kern_lever(m, b))
                / m->weight;
     }
     return sum;
@@ -4142,26 +4187,38 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
-   it where the verdict changes. */
+   it where the verdict changes. Newton's method is asked where it points to:
+   what falls there falls by another mechanism, which points farther. What
+   stands there, or is too near to critical to tell, is the edge, and the
+   bracket is closed half a tolerance to each side of it. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    int round, stuck = 0;
+    const kern_real half = path->tolerance / 2;
+    int round, stuck = 0, critical = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-        const kern_real width = hi - lo, half = path->tolerance / 2;
-        kern_real at = lo + width / 2;
+        const kern_real middle = lo + (hi - lo) / 2;
+        const kern_real near_by = half * KERN_R(0.9);
+        const int narrow = hi - lo <= path->tolerance;
+        kern_real at = middle;
         kern_status status;
-        if (width <= path->tolerance)
+        if (narrow && (critical || !(r > lo + half * KERN_R(1e-4))
+                       || stuck > 2))
             break;
-        if (r > lo && r < hi && stuck % 3 != 2)
-            at = r - half > lo ? r - half * KERN_R(0.9)
-                               : kern_min(r + half * KERN_R(0.9), at);
-        at += KERN_R(stuck / 3) * half / 8;
+        if (critical)
+            at = hi > r + near_by ? r + near_by : r - near_by;
+        else if (r > lo && r < hi && stuck < 3)
+            at = r;
+        else if (r <= lo && r > lo - half && stuck < 3)
+            at = kern_min(lo + near_by, middle);
+        if (!(at > lo) || !(at < hi) || stuck > 5)
+            at = middle + KERN_R(stuck % 4) * half / 8;
         status = kern_path_ask(m, path, at);
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
+        critical |= status == KERN_UNDECIDED && at >= r && at <= r;
         stuck = status == KERN_UNDECIDED
-                || path->fails - path->holds > width * KERN_R(0.5)
+                || path->fails - path->holds > (hi - lo) * KERN_R(0.5)
                 ? stuck + 1 : 0;
     }
     if (path->fails - path->holds > 2 * path->tolerance)
@@ -4478,30 +4535,32 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     return status;
 }
 
-/* How a load or a tilt is followed: a model, a verdict where the path begins,
-   the climb, the proofs. `out` is in the path's own measure. */
-static kern_status kern_path_follow(const kern_structure *s,
-                                    const kern_options *o, kern_work *work,
-                                    kern_path *path, kern_real step,
-                                    kern_real growth, kern_real end,
-                                    kern_real *out, const kern_proof *proof)
+/* How a load or a tilt is followed: a verdict where the path begins, the
+   climb, the proofs. `out` is in the path's own measure. */
+static kern_status kern_path_follow(kern_model *m, kern_path *path,
+                                    kern_real step, kern_real growth,
+                                    kern_real end, kern_real *out,
+                                    const kern_proof *proof)
 {
-    kern_model m;
-    kern_status status = kern_model_open(&m, s, o, work);
     int never = 0;
-    if (status != KERN_STANDS)
-        return status;
-    status = kern_path_ask(&m, path, KERN_R(0));
+    kern_status status = kern_path_ask(m, path, KERN_R(0));
     if (status != KERN_STANDS) {
-        kern_proof_out(&m, proof, status);
+        kern_proof_out(m, proof, status);
         return status;
     }
-    status = kern_path_climb(&m, path, step, growth, end, &never);
+    status = kern_path_climb(m, path, step, growth, end, &never);
     if (status == KERN_STANDS)
-        status = kern_path_proofs(&m, path, never, proof);
+        status = kern_path_proofs(m, path, never, proof);
     if (status == KERN_STANDS)
         *out = never ? KERN_INFINITY : path->edge;
     return status;
+}
+
+/* Gravity and a side to turn it to. */
+static int kern_has_side(const kern_structure *s, int side)
+{
+    return (side == 1 || side == -1)
+           && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
 }
 
 KERN_API kern_status kern_load_factor(const kern_structure *s,
@@ -4511,26 +4570,29 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
                                       kern_real *factor,
                                       const kern_proof *proof)
 {
+    kern_model m;
     kern_path path;
     int i;
-    if (!factor || !s || !o || !work)
+    kern_status status = kern_model_open(&m, s, o, work);
+    if (status != KERN_STANDS)
+        return status;
+    if (!factor)
         return KERN_BAD_POINTER;
-    kern_fault_clear(&work->fault);
     if (!kern_is_finite(shrink))
         return KERN_BAD_NUMBER;
-    if (!pattern && (side < -1 || side > 1 || side == 0
-        || !(kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0)))
+    if (!pattern && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < s->blocks; i++)
-        if (!kern_is_finite(pattern[i].fx) || !kern_is_finite(pattern[i].fy)
-            || !kern_is_finite(pattern[i].torque)) {
+        if (m.group[i] >= 0 && !(kern_is_finite(pattern[i].fx)
+                                 && kern_is_finite(pattern[i].fy)
+                                 && kern_is_finite(pattern[i].torque))) {
             work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
     kern_path_open(&path, KERN_PATH_LOAD, s, shrink);
     path.q.pattern = pattern;
     path.q.side = side;
-    return kern_path_follow(s, o, work, &path, KERN_R(0.25), KERN_R(2),
+    return kern_path_follow(&m, &path, KERN_R(0.25), KERN_R(2),
                             KERN_FACTOR_MOST, factor, proof);
 }
 
@@ -4552,26 +4614,27 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
                                kern_work *work, kern_real *angle,
                                const kern_proof *proof)
 {
+    kern_model m;
     kern_path path;
-    kern_status status;
     kern_real at = KERN_R(0);
     int i, loaded = 0;
-    if (!angle || !s || !o || !work)
+    kern_status status = kern_model_open(&m, s, o, work);
+    if (status != KERN_STANDS)
+        return status;
+    if (!angle)
         return KERN_BAD_POINTER;
-    kern_fault_clear(&work->fault);
     if (!kern_is_finite(shrink))
         return KERN_BAD_NUMBER;
-    if (side < -1 || side > 1 || side == 0
-        || !(kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0))
+    if (!kern_has_side(s, side))
         return KERN_BAD_OPTION;
-    for (i = 0; s->block && i < s->blocks; i++)
-        loaded |= !s->block[i].fixed
+    for (i = 0; i < s->blocks; i++)
+        loaded |= m.group[i] >= 0
                   && kern_abs(s->block[i].load.fx)
                      + kern_abs(s->block[i].load.fy)
                      + kern_abs(s->block[i].load.torque) > 0;
     kern_path_open(&path, KERN_PATH_TILT, s, shrink);
     path.q.side = side;
-    status = kern_path_follow(s, o, work, &path,
+    status = kern_path_follow(&m, &path,
                               loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.1),
                               KERN_R(1), KERN_R(1), &at, proof);
     if (status == KERN_STANDS)

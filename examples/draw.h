@@ -40,8 +40,8 @@ struct draw_scene {
 
 #define DRAW_INK "#2b2823"     /* text                                        */
 #define DRAW_EDGE "#6a6256"    /* outlines of stones                          */
-#define DRAW_WHOLE "#a8c6dc"   /* contacts before shrinking                   */
-#define DRAW_KERN "#174a73"    /* contacts shrunk                             */
+#define DRAW_WHOLE "#a8c6dc"   /* contacts, where they are longer than kerns  */
+#define DRAW_KERN "#174a73"    /* contacts as they are, or shrunk             */
 #define DRAW_FORCE "#a8232d"   /* contact forces                              */
 #define DRAW_LOAD "#2f6b3a"    /* loads                                       */
 #define DRAW_LIMIT "#f2a900"   /* the limiting contact                        */
@@ -50,9 +50,10 @@ struct draw_scene {
 
 #define DRAW_WIDTH 720.0       /* widest page                                 */
 #define DRAW_HEIGHT 640.0      /* highest drawing on it                       */
-#define DRAW_LEAST 400.0       /* narrowest page, for the key and the caption */
+#define DRAW_LEAST 440.0       /* narrowest page, for the key and the caption */
 #define DRAW_STONE 120.0       /* largest mean stone                          */
 #define DRAW_PAD 16.0          /* white border                                */
+#define DRAW_TURN 0.2          /* radius of a torque over the mean stone      */
 
 static const char *const draw_stone[] = {
     "#e9e3d6", "#ddd5c5", "#e3dccf", "#d6cebf", "#e6dccb", "#dad6cc",
@@ -61,6 +62,20 @@ static const char *const draw_stone[] = {
 /* ---- Numbers ------------------------------------------------------------ */
 
 struct draw_pt { double x, y; };
+
+DRAW_API double draw_hypot(double x, double y)
+{
+    return sqrt(x * x + y * y);
+}
+
+DRAW_API struct draw_pt draw_vec(double x, double y)
+{
+    struct draw_pt p;
+
+    p.x = x;
+    p.y = y;
+    return p;
+}
 
 DRAW_API double draw_clamp(double v, double lo, double hi)
 {
@@ -106,8 +121,8 @@ DRAW_API int draw_utf8(const char *text, unsigned long *code)
             return 1;
         c = c << 6 | (s[i] & 0x3fUL);
     }
-    if (c < least[more] || (c < 0x20 && c != '\t') || (c >= 0xd800 && c < 0xe000)
-        || c == 0xfffe || c == 0xffff || c > 0x10ffff)
+    if (c < least[more] || (c < 0x20 && c != '\t') || c > 0x10ffff
+        || (c >= 0xd800 && c < 0xe000) || c == 0xfffe || c == 0xffff)
         return more + 1;
     *code = c;
     return more + 1;
@@ -229,8 +244,16 @@ DRAW_API double draw_paragraph(FILE *out, double x, double y, double width,
         for (;;) {
             while (text[i] && text[i] != ' ' && text[i] != '\n')
                 i++;
-            if (fits > 0 && draw_text_width(text, i, size) > width)
+            if (draw_text_width(text, i, size) > width) {
+                unsigned long c;
+
+                if (fits > 0)
+                    break;
+                do /* a word that is too long */
+                    fits += (size_t)draw_utf8(text + fits, &c);
+                while (draw_text_width(text, fits + 1, size) <= width);
                 break;
+            }
             fits = i;
             if (!text[i] || text[i] == '\n')
                 break;
@@ -240,38 +263,43 @@ DRAW_API double draw_paragraph(FILE *out, double x, double y, double width,
             draw_text(out, x, y, size, "start", text, fits);
         y += 1.4 * size;
         text += fits;
-        if (*text)
+        if (*text == ' ' || *text == '\n')
             text++;
     }
     return y;
 }
 
-/* An arrow whose head is part of its length and grows no larger than it. */
+/* A triangle of some length that points along (dx, dy), a unit vector. */
+DRAW_API void draw_head(FILE *out, struct draw_pt tip, double dx, double dy,
+                        double length, const char *colour)
+{
+    double bx = tip.x - length * dx, by = tip.y - length * dy;
+    double half = 0.36 * length;
+
+    fprintf(out, "<path d=\"M%.2f %.2fL%.2f %.2fL%.2f %.2fZ\" fill=\"%s\"/>\n",
+            draw_px(tip.x), draw_px(tip.y), draw_px(bx - half * dy),
+            draw_px(by + half * dx), draw_px(bx + half * dy),
+            draw_px(by - half * dx), colour);
+}
+
+/* An arrow whose head is part of its length and grows no larger than it; none
+   where it would be a speck. */
 DRAW_API void draw_arrow(FILE *out, struct draw_pt a, struct draw_pt b,
                          double width, const char *colour)
 {
     double dx = b.x - a.x, dy = b.y - a.y, length = sqrt(dx * dx + dy * dy);
-    double head = 3 + 3.2 * width, half;
+    double head = fmin(3 + 3.2 * width, 0.6 * length);
+    char style[100];
 
-    if (!(length > 0.3))
+    if (!(length > 2.5))
         return;
-    if (head > 0.6 * length)
-        head = 0.6 * length;
-    half = 0.36 * head;
-    if (width > 1.2 * half)
-        width = 1.2 * half;
     dx /= length;
     dy /= length;
-    fprintf(out, "<path d=\"M%.2f %.2fL%.2f %.2f\" stroke=\"%s\" "
-            "stroke-width=\"%.2f\"/><path d=\"M%.2f %.2fL%.2f %.2fL%.2f %.2fZ\" "
-            "fill=\"%s\"/>\n",
-            draw_px(a.x), draw_px(a.y), draw_px(b.x - 0.8 * head * dx),
-            draw_px(b.y - 0.8 * head * dy), colour, width,
-            draw_px(b.x), draw_px(b.y),
-            draw_px(b.x - head * dx - half * dy),
-            draw_px(b.y - head * dy + half * dx),
-            draw_px(b.x - head * dx + half * dy),
-            draw_px(b.y - head * dy - half * dx), colour);
+    snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"%.2f\"",
+             colour, fmin(width, 0.4 * head));
+    draw_line(out, a, draw_vec(b.x - 0.8 * head * dx, b.y - 0.8 * head * dy),
+              style);
+    draw_head(out, b, dx, dy, head, colour);
 }
 
 /* ---- From the model to the page ----------------------------------------- */
@@ -285,7 +313,8 @@ struct draw_view {
     double scale;              /* page over model                             */
 };
 
-DRAW_API struct draw_pt draw_place(const struct draw_view *v, double x, double y)
+DRAW_API struct draw_pt draw_place(const struct draw_view *v, double x,
+                                   double y)
 {
     struct draw_pt p;
 
@@ -416,20 +445,6 @@ struct draw_sizes {
     double line, bar, arrow;   /* widths on the page                          */
 };
 
-static double draw_hypot(double x, double y)
-{
-    return sqrt(x * x + y * y);
-}
-
-static struct draw_pt draw_vec(double x, double y)
-{
-    struct draw_pt p;
-
-    p.x = x;
-    p.y = y;
-    return p;
-}
-
 /* Is c the first end of a line contact? Its other end is c + 1. */
 static int draw_is_line(const kern_structure *s, int c)
 {
@@ -456,8 +471,10 @@ static int draw_force_ends(const struct draw_scene *d, double unit, int c,
         && !d->s->block[k->a].fixed);
 
     *from = draw_vec(p.x, p.y);
-    *to = draw_vec(p.x + (on_a ? -fx : fx) * unit, p.y + (on_a ? -fy : fy) * unit);
-    return f != 0 || r != 0;
+    if (on_a)
+        unit = -unit;
+    *to = draw_vec(p.x + fx * unit, p.y + fy * unit);
+    return fabs(f) + fabs(r) > 0;
 }
 
 /* The load of a block as an arrow that pushes on its outline from outside,
@@ -470,7 +487,7 @@ static int draw_load_ends(const kern_block *b, double unit,
     double f = draw_hypot(fx, fy), ux, uy, side, first = 0;
     int i, hits = 0;
 
-    if (b->fixed || (!(f > 0) && t == 0))
+    if (b->fixed || !(f + fabs(t) > 0))
         return 0;
     *from = *to = draw_vec(b->centre.x, b->centre.y);
     if (!(f > 0))
@@ -496,7 +513,7 @@ static int draw_load_ends(const kern_block *b, double unit,
         *to = draw_vec(b->centre.x + first * ux + side * uy,
                        b->centre.y + first * uy - side * ux);
     *from = draw_vec(to->x - fx * unit, to->y - fy * unit);
-    return hits > 0 || t == 0 ? 1 : 2;
+    return hits > 0 || !(fabs(t) > 0) ? 1 : 2;
 }
 
 /* Fixes scales and times, and the part of the model that is shown: the free
@@ -553,7 +570,7 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
         for (j = 0; j < k->vertices; j++)
             reach = fmax(reach, draw_hypot(k->vertex[j].x - k->centre.x,
                                            k->vertex[j].y - k->centre.y));
-        if (!k->fixed)
+        if (!k->fixed && k->vertex) /* others have no outline to move */
             far = fmax(far, speed + spin * reach);
     }
     if (far > 0)
@@ -571,11 +588,21 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
                            k->vertex[j].y);
             draw_widen(v, a.x, a.y);
         }
-        if (draw_load_ends(k, z->force, &a, &b)) {
+        c = draw_load_ends(k, z->force, &a, &b);
+        if (c > 0) {
             draw_widen(v, a.x, a.y);
             draw_widen(v, b.x, b.y);
         }
+        if (c == 2) { /* a torque */
+            double r = 1.2 * DRAW_TURN * z->stone;
+
+            draw_widen(v, k->centre.x - r, k->centre.y - r);
+            draw_widen(v, k->centre.x + r, k->centre.y + r);
+        }
     }
+    for (c = 0; d->force && c < s->contacts; c++)
+        if (draw_force_ends(d, z->force, c, &a, &b))
+            draw_widen(v, b.x, b.y);
     margin = 0.35 * z->stone + 0.02 * (v->high.x - v->low.x);
     v->low.x -= margin;
     v->high.x += margin;
@@ -662,7 +689,7 @@ static void draw_ghosts(const struct draw_scene *d, const struct draw_view *v,
             way = fmax(way, draw_hypot(p.x - k->vertex[j].x,
                                        p.y - k->vertex[j].y));
         }
-        if (!k->fixed && way * v->scale > 0.5) /* else it is seen to rest */
+        if (!k->fixed && way * v->scale > 1) /* else it is seen to rest */
             draw_block(v, k, &d->motion[i], z->time, "");
     }
     draw_close(v->out);
@@ -670,8 +697,8 @@ static void draw_ghosts(const struct draw_scene *d, const struct draw_view *v,
 
 /* One contact, from p to q (q = p: a point), as a bar with flat ends or, where
    it is shorter than it is wide, as a dot. */
-static void draw_bar(FILE *out, struct draw_pt p, struct draw_pt q, double width,
-                     const char *colour)
+static void draw_bar(FILE *out, struct draw_pt p, struct draw_pt q,
+                     double width, const char *colour)
 {
     char style[100];
 
@@ -750,21 +777,21 @@ static void draw_forces(const struct draw_scene *d, const struct draw_view *v,
                        z->arrow, DRAW_FORCE);
 }
 
-/* A torque, as three quarters of a turn around the centre of mass. */
+/* A torque: three quarters of a turn around the centre of mass. */
 static void draw_torque(const struct draw_view *v, const struct draw_sizes *z,
                         const kern_block *b, double torque)
 {
     struct draw_pt c = draw_place(v, b->centre.x, b->centre.y);
-    double r = 0.18 * z->stone * v->scale, way = torque > 0 ? -1 : 1;
-    double head = 3 + 3 * z->arrow;
+    double r = DRAW_TURN * z->stone * v->scale, k = r * 0.70710678;
+    double side = torque > 0 ? 1 : -1; /* of the head; the gap is below */
+    double head = fmin(3 + 4 * z->arrow, r);
 
     fprintf(v->out, "<path d=\"M%.2f %.2fA%.2f %.2f 0 1 %d %.2f %.2f\" "
             "fill=\"none\" stroke=\"" DRAW_LOAD "\" stroke-width=\"%.2f\"/>\n",
-            draw_px(c.x), draw_px(c.y + r), r, r, torque > 0 ? 0 : 1,
-            draw_px(c.x - way * r), draw_px(c.y), z->arrow);
-    draw_arrow(v->out, draw_vec(c.x - way * r, c.y),
-               draw_vec(c.x - way * r, c.y + (torque > 0 ? -1 : -1) * head),
-               z->arrow, DRAW_LOAD);
+            draw_px(c.x + side * k), draw_px(c.y + k), r, r, torque > 0 ? 0 : 1,
+            draw_px(c.x - side * k), draw_px(c.y + k), 1.3 * z->arrow);
+    draw_head(v->out, draw_vec(c.x - side * (k - 0.6 * head), c.y + k
+              + 0.55 * head), side * 0.80, 0.60, head, DRAW_LOAD);
 }
 
 static void draw_loads(const struct draw_scene *d, const struct draw_view *v,
@@ -803,24 +830,25 @@ static int draw_box_hit(struct draw_pt c, double w, double h, struct draw_pt p,
         for (j = -1; j <= 1; j += 2) {
             double slope = j * way[i], room = half[i] - j * from[i];
 
-            if (slope == 0 && room < 0)
-                return 0;
             if (slope > 0)
                 t[1] = fmin(t[1], room / slope);
-            if (slope < 0)
+            else if (slope < 0)
                 t[0] = fmax(t[0], room / slope);
+            else if (room < 0)
+                return 0;
         }
     return t[0] <= t[1];
 }
 
 /* Is there room for a box around c: inside the block and inside the view, and
-   clear of the block's outline, contacts and arrows? */
+   clear of the block's outline and contacts, and of arrows? */
 static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
                          const struct draw_sizes *z, int block,
                          struct draw_pt c, double w, double h)
 {
     const kern_block *b = &d->s->block[block];
     struct draw_pt p, q, from, to;
+    double reach = w + z->stone * v->scale, r = DRAW_TURN * z->stone * v->scale;
     int i, inside = 0;
 
     if (c.x - w / 2 < v->left || c.y - h / 2 < v->top
@@ -828,11 +856,11 @@ static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
         || c.y + h / 2 > v->top + (v->high.y - v->low.y) * v->scale)
         return 0;
     for (i = 0; i < b->vertices; i++) {
-        kern_vec r = b->vertex[i], s = b->vertex[(i + 1) % b->vertices];
+        kern_vec e = b->vertex[i], f = b->vertex[(i + 1) % b->vertices];
 
-        p = draw_place(v, r.x, r.y);
-        q = draw_place(v, s.x, s.y);
-        if (draw_box_hit(c, w + 2, h, p, q))
+        p = draw_place(v, e.x, e.y);
+        q = draw_place(v, f.x, f.y);
+        if (draw_box_hit(c, w + 2, h + 2, p, q))
             return 0;
         if ((p.y > c.y) != (q.y > c.y)
             && c.x < p.x + (q.x - p.x) * (c.y - p.y) / (q.y - p.y))
@@ -843,26 +871,32 @@ static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
     for (i = 0; i < d->s->contacts; i++) {
         const kern_contact *k = &d->s->contact[i];
 
-        if (k->a != block && k->b != block)
-            continue;
         p = q = draw_place(v, k->p.x, k->p.y);
-        if (draw_is_line(d->s, i))
-            q = draw_place(v, k[1].p.x, k[1].p.y);
-        if (draw_box_hit(c, w + z->bar, h + z->bar, p, q))
-            return 0;
+        if (k->a == block || k->b == block) {
+            if (draw_is_line(d->s, i))
+                q = draw_place(v, k[1].p.x, k[1].p.y);
+            if (draw_box_hit(c, w + 2 * z->bar, h + 2 * z->bar, p, q))
+                return 0;
+        } else if (draw_hypot(p.x - c.x, p.y - c.y) > reach) {
+            continue; /* no arrow comes from so far */
+        }
         if (d->force && draw_force_ends(d, z->force, i, &from, &to)
             && draw_box_hit(c, w + 3 * z->arrow, h + 2 * z->arrow,
                             draw_place(v, from.x, from.y),
                             draw_place(v, to.x, to.y)))
             return 0;
     }
-    return !draw_load_ends(b, z->force, &from, &to)
-        || !draw_box_hit(c, w + 2, h + 2, draw_place(v, from.x, from.y),
-                         draw_place(v, to.x, to.y));
+    i = draw_load_ends(b, z->force, &from, &to);
+    if (i > 0 && draw_box_hit(c, w + 2, h + 2, draw_place(v, from.x, from.y),
+                              draw_place(v, to.x, to.y)))
+        return 0;
+    p = draw_place(v, b->centre.x, b->centre.y);
+    return i != 2 || !draw_box_hit(c, w + 3 * r, h + 3 * r, p, p);
 }
 
 /* The place for a name nearest to the block's middle, on a raster. */
-static int draw_name_place(const struct draw_scene *d, const struct draw_view *v,
+static int draw_name_place(const struct draw_scene *d,
+                           const struct draw_view *v,
                            const struct draw_sizes *z, int block, double w,
                            double h, struct draw_pt *at)
 {
@@ -902,7 +936,8 @@ static int draw_name_place(const struct draw_scene *d, const struct draw_view *v
     return fits;
 }
 
-/* Names in one size: the largest at which all fit, else that at which most do. */
+/* Names in one size: the largest at which all fit, else that at which most
+   do. */
 static void draw_names(const struct draw_scene *d, const struct draw_view *v,
                        const struct draw_sizes *z)
 {
@@ -916,7 +951,8 @@ static void draw_names(const struct draw_scene *d, const struct draw_view *v,
         if (sizes[j] > 0.26 * z->stone * v->scale)
             continue;
         for (count = i = 0; i < blocks; i++) {
-            w = 1.1 * draw_text_width(d->names[i], strlen(d->names[i]), sizes[j]);
+            w = 1.1 * draw_text_width(d->names[i], strlen(d->names[i]),
+                                      sizes[j]);
             count += draw_name_place(d, v, z, i, w, 0.9 * sizes[j], &p);
         }
         if (count > most) {
@@ -978,9 +1014,9 @@ static void draw_key_scale(struct draw_key *key, const struct draw_view *v)
     snprintf(text, sizeof text, "length %g", length);
     p = draw_key_entry(key, w, text);
     if (key->out)
-        fprintf(key->out, "<path d=\"M%.2f %.2fv7m0 -3.5h%.2fm0 -3.5v7\" "
-                "fill=\"none\" stroke=\"" DRAW_INK "\" stroke-width=\"1.2\"/>\n",
-                p.x, p.y - 3.5, draw_px(w));
+        fprintf(key->out, "<path d=\"M%.2f %.2fv7m0 -3.5h%.2fm0 -3.5v7\" fill="
+                "\"none\" stroke=\"" DRAW_INK "\" stroke-width=\"1.2\"/>\n",
+                draw_px(p.x), draw_px(p.y - 3.5), draw_px(w));
 }
 
 static void draw_key_force(struct draw_key *key, const struct draw_view *v,
@@ -1014,8 +1050,8 @@ static void draw_key_bar(struct draw_key *key, const char *colour,
 
 /* Returns the y below the key. */
 static double draw_key_all(FILE *out, const struct draw_scene *d,
-                           const struct draw_view *v, const struct draw_sizes *z,
-                           double width, double y)
+                           const struct draw_view *v,
+                           const struct draw_sizes *z, double width, double y)
 {
     int shrunk = d->shrink > 0 || d->shrink < 0, load = 0, i;
     struct draw_key key;
@@ -1029,20 +1065,13 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
     key.y = y + 6;
     key.right = width - DRAW_PAD;
     draw_key_scale(&key, v);
+    snprintf(text, sizeof text, d->relative ? "%s by %.3g %%" : "%s by %.3g",
+             d->shrink > 0 ? "shrunk" : "grown",
+             (d->relative ? 100 : 1) * fabs(d->shrink));
     if (d->s->contacts > 0 && shrunk)
-        draw_key_bar(&key, DRAW_WHOLE, "contact");
-    if (d->s->contacts > 0) {
-        if (!shrunk)
-            snprintf(text, sizeof text, "contact");
-        else if (d->relative)
-            snprintf(text, sizeof text, "%s by %.3g %%",
-                     d->shrink > 0 ? "shrunk" : "grown",
-                     100 * fabs(d->shrink));
-        else
-            snprintf(text, sizeof text, "%s by %.3g",
-                     d->shrink > 0 ? "shrunk" : "grown", fabs(d->shrink));
-        draw_key_bar(&key, DRAW_KERN, text);
-    }
+        draw_key_bar(&key, DRAW_WHOLE, d->shrink > 0 ? "contact" : text);
+    if (d->s->contacts > 0)
+        draw_key_bar(&key, DRAW_KERN, d->shrink > 0 ? text : "contact");
     if (d->limiting >= 0) {
         p = draw_key_entry(&key, 12, "limiting");
         if (out)
@@ -1088,7 +1117,7 @@ DRAW_API int draw_svg(FILE *out, const struct draw_scene *scene)
     h = (v.high.y - v.low.y) * v.scale;
     width = ceil(w + 2 * DRAW_PAD);
     key = v.top + h + 14;
-    caption = draw_key_all(NULL, scene, &v, &z, width, key) + 10;
+    caption = draw_key_all(NULL, scene, &v, &z, width, key) + 13;
     height = caption;
     if (scene->caption)
         height = draw_paragraph(NULL, DRAW_PAD, caption, width - 2 * DRAW_PAD,
@@ -1106,18 +1135,17 @@ DRAW_API int draw_svg(FILE *out, const struct draw_scene *scene)
     draw_blocks(scene, &v, &z);
     if (scene->limiting >= 0)
         draw_limiting(scene, &v, &z, 0);
-    draw_contacts(scene, &v, &z, 0, z.bar,
-                  scene->shrink > 0 ? DRAW_WHOLE : DRAW_KERN);
-    if (scene->shrink > 0 || scene->shrink < 0)
-        draw_contacts(scene, &v, &z, scene->shrink, 0.7 * z.bar, DRAW_KERN);
+    if (scene->shrink > 0 || scene->shrink < 0) /* the longer one first */
+        draw_contacts(scene, &v, &z, fmin(scene->shrink, 0), z.bar, DRAW_WHOLE);
+    draw_contacts(scene, &v, &z, fmax(scene->shrink, 0), 0.7 * z.bar,
+                  DRAW_KERN);
     if (scene->motion && z.time > 0)
         draw_ghosts(scene, &v, &z);
     if (scene->limiting >= 0)
         draw_limiting(scene, &v, &z, 1);
     if (scene->force && z.force > 0)
         draw_forces(scene, &v, &z);
-    if (z.force > 0)
-        draw_loads(scene, &v, &z);
+    draw_loads(scene, &v, &z);
     draw_close(out);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     if (scene->names)

@@ -5,7 +5,7 @@
    tilt it bears; for a person, as JSON (one object a line), or as a picture.
 
        cc -O2 -o kern examples/kern.c -lm
-       ./kern examples/structures/wall.kern --svg wall.svg
+       ./kern --svg wall.svg examples/structures/wall-60.kern
        ./kern --help
 
    SPDX-License-Identifier: MIT */
@@ -377,6 +377,13 @@ static const char *name_of(const struct analysis *a, int block, char *shown)
 
 static const char *plural(int count) { return count == 1 ? "" : "s"; }
 
+/* A coordinate without what rounding left where it should be 0. */
+static double tidy(const struct analysis *a, double x)
+{
+    double size = (double)kern_mean_size(a->s.block, a->s.blocks);
+    return fabs(x) < 1e-9 * size ? 0 : x;
+}
+
 static void report_structure(const struct analysis *a)
 {
     int blocks = a->s.blocks - a->text.fixed, ends = line_points(a);
@@ -445,8 +452,8 @@ static void report_limit(const struct analysis *a)
         kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
         char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
         printf("  %-10s  %s and %s at (%.6g, %.6g), which %s\n", head,
-               name_of(a, c->a, one), name_of(a, c->b, two), (double)p.x,
-               (double)p.y,
+               name_of(a, c->a, one), name_of(a, c->b, two), tidy(a, p.x),
+               tidy(a, p.y),
                word[meeting_of(a, best, a->m.margin, a->collapse)]);
         head = "";
     }
@@ -468,7 +475,8 @@ static void print_move(const struct analysis *a, const kern_motion *motion,
     /* Beyond some ten sizes a centre of rotation says less than a direction. */
     if (fabs(v.spin) * size > 0.1 * speed)
         printf("tipping %s about (%.4g, %.4g)\n", v.spin < 0 ? "right" : "left",
-               b->centre.x - v.vy / v.spin, b->centre.y + v.vx / v.spin);
+               tidy(a, b->centre.x - v.vy / v.spin),
+               tidy(a, b->centre.y + v.vx / v.spin));
     else if (fabs(down) > 2 * fabs(right))
         printf("%s\n", down > 0 ? "dropping" : "rising");
     else
@@ -567,7 +575,7 @@ static void report_forces(const struct analysis *a)
         const kern_contact *c = &a->s.contact[k];
         kern_vec p = kern_contact_at(c, shrinkage(a), a->set->relative);
         printf("              %-10s %-10s %11.5g %11.5g", name_of(a, c->a, one),
-               name_of(a, c->b, two), (double)p.x, (double)p.y);
+               name_of(a, c->b, two), tidy(a, p.x), tidy(a, p.y));
         double f = (double)a->force[k].normal;
         double r = (double)a->force[k].tangential;
         if (a->verdict != KERN_STANDS)

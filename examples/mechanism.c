@@ -1,0 +1,67 @@
+/* Why does it fall? The proof of a fall is the motion of every block.
+
+       cc -O2 -o mechanism examples/mechanism.c -lm
+
+   A beam rests on a fixed pier and reaches out too far. A stone on its short
+   end should hold it down, and is too light: beam and stone turn as one about
+   the corner (1, 2) of the pier. Rates are scaled: the largest, here the
+   beam's spin times its size, is 1. */
+
+#include <stdio.h>
+
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+
+enum { BLOCKS = 3, CONTACTS = 12 };
+
+static const kern_vec corner[BLOCKS][4] = {
+    { { 0, 0 }, { 1, 0 }, { 1, 2 }, { 0, 2 } },                 /* pier  */
+    { { 0, 2 }, { 4, 2 }, { 4, 2.5 }, { 0, 2.5 } },             /* beam  */
+    { { 0, 2.5 }, { 0.8, 2.5 }, { 0.8, 3.5 }, { 0, 3.5 } },     /* stone */
+};
+static const char *const name[BLOCKS] = { "pier", "beam", "stone" };
+
+static kern_block block[BLOCKS];
+static kern_contact contact[CONTACTS];
+static kern_motion motion[BLOCKS];
+static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
+static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+
+int main(void)
+{
+    kern_options options = kern_defaults();
+    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
+                                  ints, KERN_INTS(BLOCKS, CONTACTS));
+    kern_structure s = { block, BLOCKS, contact, 0, { 0, -9.81 } };
+    kern_proof proof = { NULL, motion };
+    kern_real deficit;
+    kern_status status;
+    int i;
+
+    for (i = 0; i < BLOCKS; i++)
+        kern_block_init(&block[i], corner[i], 4, i == 0 ? 0 : 2400, NULL);
+    s.contacts = kern_contacts(block, BLOCKS, &options, contact, CONTACTS,
+                               NULL);
+    if (s.contacts < 0) {
+        printf("%s\n", kern_status_text((kern_status)s.contacts));
+        return 1;
+    }
+    status = kern_stands(&s, 0, &options, &work, &proof);
+    printf("%s\n", kern_status_text(status));
+    if (status != KERN_FALLS)
+        return 1;
+    for (i = 1; i < BLOCKS; i++)
+        printf("%-6s vx %6.3f  vy %6.3f  spin %6.3f\n", name[i], motion[i].vx,
+               motion[i].vy, motion[i].spin);
+    if (kern_deficit(&s, &options, &work, &deficit) == KERN_FALLS)
+        printf("contacts longer by %.3f m at each end would hold it\n",
+               deficit);
+    return 0;
+}
+
+/* Output:
+falls: a motion was found that no forces can stop
+beam   vx  0.177  vy -0.707  spin -0.707
+stone  vx  0.707  vy  0.424  spin -0.707
+contacts longer by 0.543 m at each end would hold it
+*/
