@@ -2852,27 +2852,58 @@ static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v,
     return 1 / scale;
 }
 
-/* Prices of the violations to sx->row; returns their sum. */
+/* What a violation costs: the price of a slot, or of an extra. */
+static kern_real kern_slot_price(const kern_simplex *sx, int r)
+{
+    int sign = 0;
+    const kern_real w = kern_violation(sx, sx->base[r], sx->value[r], &sign);
+    return sx->spare[r] < 0 ? KERN_R(sign) * w : KERN_R(0);
+}
+
+static kern_real kern_extra_price(const kern_simplex *sx, int e)
+{
+    int sign;
+    const kern_real w = kern_violation(sx, sx->extra[e], sx->value_extra[e],
+                                       &sign);
+    return KERN_R(sign) * w;
+}
+
+/* y to sx->row; returns the sum of violations. */
 static kern_real kern_phase_one_prices(kern_simplex *sx)
 {
     kern_real sum = KERN_R(0);
-    int i, sign;
+    int i;
     for (i = 0; i < sx->lp->rows; i++) {
-        sx->row[i] = KERN_R(0);
-        if (sx->spare[i] < 0) {
-            const kern_real w = kern_violation(sx, sx->base[i], sx->value[i],
-                                               &sign);
-            sx->row[i] = KERN_R(sign) * w;
-            sum += sx->row[i] * sx->value[i];
-        }
+        sx->row[i] = kern_slot_price(sx, i);
+        sum += sx->row[i] * sx->value[i];
     }
     for (i = 0; i < sx->extras; i++) {
-        const kern_real w = kern_violation(sx, sx->extra[i],
-                                           sx->value_extra[i], &sign);
-        sx->row_extra[i] = KERN_R(sign) * w;
+        sx->row_extra[i] = kern_extra_price(sx, i);
         sum += sx->row_extra[i] * sx->value_extra[i];
     }
+    if (sum > 0)
+        kern_basis_solve_t(sx, sx->row, sx->row_extra);
     return sum;
+}
+
+/* One step of refinement for y: the certificate must be zero on the basic
+   columns to the last digits. */
+static void kern_phase_one_refine(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    int i;
+    for (i = 0; i < lp->rows; i++) {
+        const int j = sx->base[i];
+        sx->alpha[i] = kern_slot_price(sx, i)
+            - (j < lp->cols ? kern_lp_dot(lp, j, sx->row)
+                            : sx->row[j - lp->cols]);
+    }
+    for (i = 0; i < sx->extras; i++)
+        sx->alpha_extra[i] = kern_extra_price(sx, i)
+                             - kern_lp_dot(lp, sx->extra[i], sx->row);
+    kern_basis_solve_t(sx, sx->alpha, sx->alpha_extra);
+    for (i = 0; i < lp->rows; i++)
+        sx->row[i] += sx->alpha[i];
 }
 
 /* The column that lowers the sum fastest, or the first that lowers it. One
@@ -2886,10 +2917,8 @@ static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
     int i, j, best = KERN_OUT;
     for (i = 0; i < lp->rows; i++)
         size = kern_max(size, kern_abs(sx->row[i]));
-    *gain = KERN_PIVOT_TOL * size;
-    if (lp->most > 0)
-        *gain = kern_max(kern_min(*gain, sum / lp->most),
-                         KERN_ROUNDING * size);
+    *gain = lp->most > 0 ? kern_max(sum / lp->most, KERN_ROUNDING * size)
+                         : KERN_PIVOT_TOL * size;
     for (j = 0; j < lp->cols; j++)
         if (!kern_is_basic(sx, j)) {
             const kern_real fall = kern_lp_dot(lp, j, sx->row);
@@ -2939,44 +2968,36 @@ static int kern_phase_one_leaving(const kern_simplex *sx, kern_real gain,
                                   int first, kern_real *step)
 {
     const int m = sx->lp->rows, n = m + sx->extras;
+    const kern_real enough = gain * KERN_R(64) * KERN_EPS;
     kern_real size = KERN_R(0), last = KERN_R(-1);
-    int i, last_i = -1;
+    int i, best = -1, last_i = -1;
     for (i = 0; i < n; i++)
         size = kern_max(size, kern_abs(i < m ? sx->alpha[i]
                                              : sx->alpha_extra[i - m]));
-    for (;;) {
+    do {
         kern_real at, rise, next = KERN_INFINITY, next_rise = KERN_R(0);
-        kern_real pivot = KERN_R(0);
-        int best = -1, least = 0;
+        int next_i = -1, least = 0;
         for (i = 0; i < n; i++) {
-            const kern_real a = kern_abs(i < m ? sx->alpha[i]
-                                               : sx->alpha_extra[i - m]);
             const int j = i < m ? sx->base[i] : sx->extra[i - m];
-            if (a <= KERN_PIVOT_TOL * size)
+            if (kern_abs(i < m ? sx->alpha[i] : sx->alpha_extra[i - m])
+                <= KERN_PIVOT_TOL * size)
                 continue;
             rise = kern_break(sx, i, &at);
             if (!(rise > 0) || at < last || (at <= last && i <= last_i)
-                || at > next)
+                || !(at < next || (first && at <= next && j < least)))
                 continue;
-            if (first ? at < next || j < least : at < next) {
-                next = at;
-                next_rise = rise;
-                pivot = a;
-                best = i;
-                least = j;
-            }
+            next = at;
+            next_rise = rise;
+            next_i = i;
+            least = j;
         }
-        (void)pivot;
-        if (best < 0)
-            return KERN_OUT;
+        if (next_i < 0)
+            break;
         gain -= next_rise;
-        if (first || gain <= 0) {
-            *step = next;
-            return best < m ? best : -2 - (best - m);
-        }
-        last = next;
-        last_i = best;
-    }
+        *step = last = next;
+        best = last_i = next_i;
+    } while (!first && gain > enough);
+    return best < 0 ? KERN_OUT : best < m ? best : -2 - (best - m);
 }
 
 /* A row y of the inverse turns when the matrix changes. change[j] is y.A_j's
@@ -3041,7 +3062,8 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         kern_real gain = KERN_R(0), step = KERN_R(0);
         int q = KERN_OUT, position = KERN_OUT;
         if (sum > 0) {
-            kern_basis_solve_t(sx, sx->row, sx->row_extra);
+            if (sx->settled)
+                kern_phase_one_refine(sx);
             q = kern_phase_one_entering(sx, sum, first, &gain);
         }
         if (q == KERN_OUT && sx->settled) {
@@ -4301,8 +4323,6 @@ static kern_status kern_steps(const kern_margin *out, int *last)
         return KERN_BAD_STEP;
     *last = (int)steps;
     *last += KERN_R(*last) < steps;
-    if (*last < 1)
-        *last = 1;
     return KERN_STANDS;
 }
 
