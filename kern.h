@@ -622,6 +622,7 @@ extern "C" {
 #define KERN_RENEW_TOL  KERN_R(1e-5)
 #define KERN_CRASH_TOL  KERN_R(1e-4)
 #define KERN_LEAST_SCALE KERN_R(1e-3)
+#define KERN_WIDTH      KERN_R(2e-3)
 #else
 #define KERN_EPS        DBL_EPSILON
 #define KERN_TOL        KERN_R(1e-9)
@@ -634,9 +635,9 @@ extern "C" {
 #define KERN_RENEW_TOL  KERN_R(1e-12)
 #define KERN_CRASH_TOL  KERN_R(1e-6)
 #define KERN_LEAST_SCALE KERN_R(1e-4)
+#define KERN_WIDTH      KERN_R(1e-6)
 #endif
 #define KERN_RENEW 40
-#define KERN_WIDTH (KERN_R(4.5e9) * KERN_EPS)
 #define KERN_EDGE_ROUNDS 200
 #define KERN_CLIMB_ROUNDS 5000
 #define KERN_SCAN 1001
@@ -3002,13 +3003,16 @@ static int kern_phase_one_leaving(const kern_simplex *sx, kern_real gain,
 
 /* A row y of the inverse turns when the matrix changes. change[j] is y.A_j's
    own rate for every column; returns the rate at which y grows, as a share of
-   its length. */
+   its length; 0 where y is not of this basis but a backend's, which bounds its
+   length. */
 static kern_real kern_row_growth(kern_simplex *sx, const kern_real *y,
                                  const kern_real *change)
 {
     const int m = sx->lp->rows, cols = sx->lp->cols;
     kern_real along = KERN_R(0), size = KERN_R(0);
     int i;
+    if (!sx->started)
+        return KERN_R(0);
     for (i = 0; i < m; i++)
         sx->alpha[i] = sx->base[i] < cols ? change[sx->base[i]] : KERN_R(0);
     for (i = 0; i < sx->extras; i++)
@@ -3374,8 +3378,10 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     int i;
     work->solves++;
 #ifdef KERN_USE_GLPK
-    if (!own && lp->rows > KERN_GLPK_ROWS)
+    if (!own && lp->rows > KERN_GLPK_ROWS) {
+        sx->started = 0;
         return kern_lp_glpk(lp, x, y, work);
+    }
 #endif
     (void)own;
     if (!sx->started)
@@ -3685,12 +3691,18 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
     return p;
 }
 
-static kern_vec kern_point_at(const kern_contact *c, kern_real shrink,
-                              int relative, kern_real mean)
+/* From the centre of block b to where contact c acts. The centre is taken off
+   first, since far from the origin a place has fewer digits than an arm. */
+static kern_vec kern_arm(const kern_contact *c, const kern_block *b,
+                         kern_real shrink, int relative, kern_real mean)
 {
-    kern_contact short_of = *c;
-    short_of.travel = kern_travel(c, mean);
-    return kern_contact_at(&short_of, shrink, relative);
+    kern_real rate;
+    const kern_real shift = kern_shift(kern_travel(c, mean), shrink, relative,
+                                       &rate);
+    kern_vec arm = kern_vec_sub(c->p, b->centre);
+    arm.x -= shift * c->n.y;
+    arm.y += shift * c->n.x;
+    return arm;
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
@@ -3716,7 +3728,6 @@ static kern_real kern_prove_forces(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
-        const kern_vec p = kern_point_at(c, q->shrink, relative, mean);
         const kern_real fx = f * c->n.x - r * c->n.y;
         const kern_real fy = f * c->n.y + r * c->n.x;
         int end;
@@ -3726,10 +3737,11 @@ static kern_real kern_prove_forces(const kern_structure *s,
         for (end = 0; end < 2; end++) {
             const int b = end ? c->b : c->a;
             const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-            const kern_vec o = s->block[b].centre;
+            const kern_vec arm = kern_arm(c, s->block + b, q->shrink, relative,
+                                          mean);
             sum[4 * b] += sign * fx;
             sum[4 * b + 1] += sign * fy;
-            sum[4 * b + 2] += sign * ((p.x - o.x) * fy - (p.y - o.y) * fx);
+            sum[4 * b + 2] += sign * (arm.x * fy - arm.y * fx);
             sum[4 * b + 3] = kern_max(sum[4 * b + 3], f);
         }
     }
@@ -3780,12 +3792,12 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_motion *a = motion + c->a, *b = motion + c->b;
-        const kern_vec p = kern_point_at(c, q->shrink, relative, mean);
-        const kern_vec oa = s->block[c->a].centre, ob = s->block[c->b].centre;
-        const kern_real vx = b->vx - b->spin * (p.y - ob.y)
-                             - (a->vx - a->spin * (p.y - oa.y));
-        const kern_real vy = b->vy + b->spin * (p.x - ob.x)
-                             - (a->vy + a->spin * (p.x - oa.x));
+        const kern_vec pa = kern_arm(c, s->block + c->a, q->shrink, relative,
+                                     mean);
+        const kern_vec pb = kern_arm(c, s->block + c->b, q->shrink, relative,
+                                     mean);
+        const kern_real vx = b->vx - b->spin * pb.y - (a->vx - a->spin * pa.y);
+        const kern_real vy = b->vy + b->spin * pb.x - (a->vy + a->spin * pa.x);
         const kern_real open = vx * c->n.x + vy * c->n.y;
         const kern_real slide = vy * c->n.x - vx * c->n.y;
         if (s->block[c->a].fixed && s->block[c->b].fixed)
@@ -3947,14 +3959,6 @@ static kern_real kern_lever(const kern_model *m, const kern_block *b)
     return m->relative ? size * (1 + grown) : size + grown;
 }
 
-/* Torque of a force at p about the centre of block b, in its unit. */
-static kern_real kern_arm(const kern_model *m, const kern_block *b,
-                          kern_vec p, kern_real fx, kern_real fy)
-{
-    return ((p.x - b->centre.x) * fy - (p.y - b->centre.y) * fx)
-           / kern_lever(m, b);
-}
-
 /* The columns of A at a shrinkage: what changes with it is the torques. */
 static void kern_model_columns(kern_model *m, kern_real shrink)
 {
@@ -3963,14 +3967,16 @@ static void kern_model_columns(kern_model *m, kern_real shrink)
     m->shrink = shrink;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const kern_vec p = kern_point_at(c, shrink, m->relative, m->mean);
+        const kern_block *ba = s->block + c->a, *bb = s->block + c->b;
+        const kern_vec pa = kern_arm(c, ba, shrink, m->relative, m->mean);
+        const kern_vec pb = kern_arm(c, bb, shrink, m->relative, m->mean);
         for (edge = 0; edge < 2; edge++) {
-            kern_real *a = m->arc + 8 * i + 4 * edge;
+            kern_real *f = m->arc + 8 * i + 4 * edge;
             const kern_real mu = edge ? -c->mu : c->mu;
-            a[0] = c->n.x - mu * c->n.y;
-            a[1] = c->n.y + mu * c->n.x;
-            a[2] = kern_arm(m, s->block + c->b, p, a[0], a[1]);
-            a[3] = -kern_arm(m, s->block + c->a, p, a[0], a[1]);
+            f[0] = c->n.x - mu * c->n.y;
+            f[1] = c->n.y + mu * c->n.x;
+            f[2] = (pb.x * f[1] - pb.y * f[0]) / kern_lever(m, bb);
+            f[3] = (pa.y * f[0] - pa.x * f[1]) / kern_lever(m, ba);
         }
     }
 }
@@ -4104,6 +4110,7 @@ typedef struct kern_path {
     kern_real tolerance;      /* width of the bracket                         */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
+    const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
 /* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
@@ -4183,6 +4190,21 @@ static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
     return sum;
 }
 
+/* Hands the proof of a verdict to the caller. */
+static void kern_proof_out(const kern_model *m, const kern_proof *proof,
+                           kern_status status)
+{
+    int i;
+    if (!proof)
+        return;
+    if (status == KERN_STANDS && proof->force)
+        for (i = 0; i < m->s->contacts; i++)
+            proof->force[i] = m->force[i];
+    if (status == KERN_FALLS && proof->motion)
+        for (i = 0; i < m->s->blocks; i++)
+            proof->motion[i] = m->motion[i];
+}
+
 /* Asks at s, and where it falls lets Newton's method say where that ends. As
    kerns close, y grows without bound where the power per unit of y is nearly
    straight: it is that which is followed. */
@@ -4192,6 +4214,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
     const kern_status status = kern_model_ask(m, &q);
     kern_real at = KERN_R(0), rate;
     int i;
+    kern_proof_out(m, path->proof, status);
     if (status == KERN_STANDS)
         path->holds = s;
     if (status != KERN_FALLS)
@@ -4211,36 +4234,40 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
    it where the verdict changes. Newton's method is asked where it points to:
    what falls there falls by another mechanism, which points farther. What
-   stands there, or is too near to critical to tell, is the edge, and the
-   bracket is closed half a tolerance to each side of it. */
+   stands there, or is too near to critical to tell, is the edge; then half a
+   tolerance to each side of it is asked, where verdicts are beyond doubt. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    const kern_real half = path->tolerance / 2;
-    int round, stuck = 0, critical = 0;
+    const kern_real aside = path->tolerance * KERN_R(0.45);
+    kern_real edge = KERN_R(0);
+    int round, stuck = 0, found = 0, below = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-        const kern_real middle = lo + (hi - lo) / 2;
-        const kern_real near_by = half * KERN_R(0.9);
-        const int narrow = hi - lo <= path->tolerance;
-        kern_real at = middle;
+        kern_real at = lo + (hi - lo) / 2;
         kern_status status;
-        if (narrow && (critical || !(r > lo + half * KERN_R(1e-4))
-                       || stuck > 2))
+        if (hi - lo <= path->tolerance && (below || stuck > 2))
             break;
-        if (critical)
-            at = hi > r + near_by ? r + near_by : r - near_by;
-        else if (r > lo && r < hi && stuck < 3)
+        if (found && hi > edge + aside)
+            at = edge + aside;
+        else if (found && !below)
+            at = edge - aside;
+        else if (!found && r > lo && r < hi && stuck < 3)
             at = r;
-        else if (r <= lo && r > lo - half && stuck < 3)
-            at = kern_min(lo + near_by, middle);
-        if (!(at > lo) || !(at < hi) || stuck > 5)
-            at = middle + KERN_R(stuck % 4) * half / 8;
+        at += KERN_R(stuck / 4) * aside / 8;
         status = kern_path_ask(m, path, at);
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
-        critical |= status == KERN_UNDECIDED && at >= r && at <= r;
-        stuck = status == KERN_UNDECIDED
-                || path->fails - path->holds > (hi - lo) * KERN_R(0.5)
+        if (!found && status != KERN_FALLS && at >= r && at <= r) {
+            found = 1;
+            edge = r;
+        } else if (found && at > edge && status == KERN_STANDS) {
+            found = 0;      /* Newton's method was short of it */
+        } else if (found && at < edge) {
+            below = status == KERN_STANDS;
+            found = status != KERN_FALLS;
+        }
+        stuck = status == KERN_UNDECIDED || (!found
+                && path->fails - path->holds > (hi - lo) * KERN_R(0.5))
                 ? stuck + 1 : 0;
     }
     if (path->fails - path->holds > 2 * path->tolerance)
@@ -4354,42 +4381,6 @@ static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
     return KERN_STANDS;
 }
 
-static void kern_proof_out(const kern_model *m, const kern_proof *proof,
-                           kern_status status)
-{
-    int i;
-    if (!proof)
-        return;
-    if (status == KERN_STANDS && proof->force)
-        for (i = 0; i < m->s->contacts; i++)
-            proof->force[i] = m->force[i];
-    if (status == KERN_FALLS && proof->motion)
-        for (i = 0; i < m->s->blocks; i++)
-            proof->motion[i] = m->motion[i];
-}
-
-/* Both proofs at the ends of a bracket, which were made on the way and are
-   asked for again only if the caller wants to see them. */
-static kern_status kern_path_proofs(kern_model *m, kern_path *path, int never,
-                                    const kern_proof *proof)
-{
-    kern_question q;
-    kern_status status = KERN_STANDS;
-    if (proof && proof->motion && !never) {
-        q = kern_path_at(path, path->fails);
-        status = kern_model_ask(m, &q);
-        if (status >= 0)
-            kern_proof_out(m, proof, status);
-    }
-    if (proof && proof->force && status >= 0) {
-        q = kern_path_at(path, path->holds);
-        status = kern_model_ask(m, &q);
-        if (status >= 0)
-            kern_proof_out(m, proof, status);
-    }
-    return status < 0 ? status : KERN_STANDS;
-}
-
 KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
                                  const kern_options *o, kern_work *work,
                                  const kern_proof *proof)
@@ -4408,9 +4399,11 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
 }
 
 static void kern_path_open(kern_path *path, kern_path_kind kind,
-                           const kern_structure *s, kern_real shrink)
+                           const kern_structure *s, kern_real shrink,
+                           const kern_proof *proof)
 {
     path->kind = kind;
+    path->proof = proof;
     path->q = kern_question_of(s, shrink);
     path->tolerance = KERN_WIDTH;
     path->holds = path->fails = path->edge = KERN_R(0);
@@ -4431,7 +4424,7 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0));
+    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0), proof);
     r.most = kern_most(&m);
     r.epsilon = kern_step(&m, o);
     r.margin = r.holds = r.fails = KERN_R(0);
@@ -4441,10 +4434,8 @@ KERN_API kern_status kern_measure(const kern_structure *s,
         return status;
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status != KERN_STANDS) {
-        if (status == KERN_FALLS) {
+        if (status == KERN_FALLS)
             *out = r;
-            kern_proof_out(&m, proof, status);
-        }
         return status;
     }
     known = kern_nested(&m);
@@ -4470,8 +4461,6 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     r.fails = path.fails;
     if (known)
         status = kern_level_scan(&m, &path, last, 1, &r);
-    if (status == KERN_STANDS)
-        status = kern_path_proofs(&m, &path, r.saturated, proof);
     if (status == KERN_STANDS)
         *out = r;
     return status;
@@ -4517,7 +4506,7 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0));
+    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0), NULL);
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status == KERN_STANDS)
         *deficit = KERN_R(0);
@@ -4559,18 +4548,13 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
    climb, the proofs. `out` is in the path's own measure. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path,
                                     kern_real step, kern_real growth,
-                                    kern_real end, kern_real *out,
-                                    const kern_proof *proof)
+                                    kern_real end, kern_real *out)
 {
     int never = 0;
     kern_status status = kern_path_ask(m, path, KERN_R(0));
-    if (status != KERN_STANDS) {
-        kern_proof_out(m, proof, status);
+    if (status != KERN_STANDS)
         return status;
-    }
     status = kern_path_climb(m, path, step, growth, end, &never);
-    if (status == KERN_STANDS)
-        status = kern_path_proofs(m, path, never, proof);
     if (status == KERN_STANDS)
         *out = never ? KERN_INFINITY : path->edge;
     return status;
@@ -4609,11 +4593,11 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
             work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
-    kern_path_open(&path, KERN_PATH_LOAD, s, shrink);
+    kern_path_open(&path, KERN_PATH_LOAD, s, shrink, proof);
     path.q.pattern = pattern;
     path.q.side = side;
     return kern_path_follow(&m, &path, KERN_R(0.25), KERN_R(2),
-                            KERN_FACTOR_MOST, factor, proof);
+                            KERN_FACTOR_MOST, factor);
 }
 
 /* The angle whose tangent is s >= 0: halved twice, then the series. */
@@ -4652,11 +4636,11 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
                   && kern_abs(s->block[i].load.fx)
                      + kern_abs(s->block[i].load.fy)
                      + kern_abs(s->block[i].load.torque) > 0;
-    kern_path_open(&path, KERN_PATH_TILT, s, shrink);
+    kern_path_open(&path, KERN_PATH_TILT, s, shrink, proof);
     path.q.side = side;
     status = kern_path_follow(&m, &path,
                               loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.1),
-                              KERN_R(1), KERN_R(1), &at, proof);
+                              KERN_R(1), KERN_R(1), &at);
     if (status == KERN_STANDS)
         *angle = 4 * kern_angle_of(kern_min(at, KERN_R(1)));
     return status;
