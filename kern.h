@@ -3733,7 +3733,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         int end;
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
-        total += f * KERN_SQRT(1 + c->mu * c->mu);
+        total += f;
         for (end = 0; end < 2; end++) {
             const int b = end ? c->b : c->a;
             const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
@@ -4066,6 +4066,34 @@ static kern_status kern_model_prove(kern_model *m, const kern_question *q,
     return status;
 }
 
+/* Forces were found, but larger than is allowed: the least there are, by
+   costs of 1. If they still are too large their prices are a motion that shows
+   that no smaller ones exist. The costs stand where forces will. */
+static kern_status kern_model_least(kern_model *m, int own)
+{
+    kern_real *one = (kern_real *)(void *)m->force;
+    kern_real total = KERN_R(0);
+    kern_status status;
+    int i;
+    for (i = 0; i < m->lp.cols; i++) {
+        one[i] = KERN_R(1);
+        total += m->x[i];
+    }
+    if (!(total > KERN_BOUND))
+        return KERN_STANDS;
+    m->lp.cost = one;
+    status = kern_program_solve(&m->simplex, own, m->x, m->y, m->work);
+    m->lp.cost = NULL;
+    if (status != KERN_STANDS)
+        return KERN_UNDECIDED;
+    total = KERN_R(0);
+    for (i = 0; i < m->lp.cols; i++)
+        total += m->x[i];
+    for (i = 0; i < m->lp.rows; i++)
+        m->y[i] = -m->y[i];
+    return total > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
+}
+
 /* Answers a question with a proof, or not at all. */
 static kern_status kern_model_ask(kern_model *m, const kern_question *q)
 {
@@ -4079,6 +4107,8 @@ static kern_status kern_model_ask(kern_model *m, const kern_question *q)
     kern_model_loads(m, q);
     for (own = 0; own < 2; own++) {
         status = kern_program_solve(&m->simplex, own, m->x, m->y, m->work);
+        if (status == KERN_STANDS)
+            status = kern_model_least(m, own);
         if (status >= 0)
             status = kern_model_prove(m, q, status);
         if (status >= 0)
@@ -4108,6 +4138,7 @@ typedef struct kern_path {
     kern_path_kind kind;
     kern_question q;          /* at s = 0; what the path changes is replaced  */
     kern_real tolerance;      /* width of the bracket                         */
+    kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
@@ -4243,14 +4274,16 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     int round, stuck = 0, found = 0, below = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
+        const int above = found && hi <= edge + aside
+            && (hi >= edge + aside / 4 || hi >= path->end);
         kern_real at = lo + (hi - lo) / 2;
         kern_status status;
-        if (hi - lo <= path->tolerance && (below || stuck > 2))
+        if (hi - lo <= path->tolerance && ((above && below) || stuck > 2))
             break;
-        if (found && hi > edge + aside)
-            at = edge + aside;
+        if (found && !above)
+            at = kern_min(edge + aside, path->end);
         else if (found && !below)
-            at = edge - aside;
+            at = kern_max(edge - aside, path->start);
         else if (!found && r > lo && r < hi && stuck < 3)
             at = r;
         at += KERN_R(stuck / 4) * aside / 8;
@@ -4303,13 +4336,13 @@ static int kern_nested(const kern_model *m)
     return 1;
 }
 
-/* Goes from a place that stands toward `end`, in steps that grow by `growth`,
-   until it falls; then finds the edge. KERN_STANDS with path->fails == end and
-   path->holds == end: it never falls. */
+/* Goes from a place that stands toward the end, in steps that grow by `growth`,
+   until it falls; then finds the edge. `never`: it stands to the end. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real step, kern_real growth,
-                                   kern_real end, int *never)
+                                   int *never)
 {
+    const kern_real end = path->end;
     kern_real at = path->holds;
     int round, tries = 0;
     *never = 0;
@@ -4406,6 +4439,7 @@ static void kern_path_open(kern_path *path, kern_path_kind kind,
     path->proof = proof;
     path->q = kern_question_of(s, shrink);
     path->tolerance = KERN_WIDTH;
+    path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = KERN_R(0);
 }
 
@@ -4417,7 +4451,6 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     kern_path path;
     kern_margin r;
     kern_status status;
-    kern_real end;
     int last = 0, known;
     if (!out)
         return KERN_BAD_POINTER;
@@ -4441,19 +4474,19 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     known = kern_nested(&m);
     if (!m.relative)
         path.tolerance *= m.mean;
-    end = r.most;
+    path.end = r.most;
     if (!known) {
         status = kern_level_scan(&m, &path, last, 0, &r);
         if (r.level > 0 && r.level <= last)
-            end = kern_min(KERN_R(r.level) * r.epsilon, r.most);
+            path.end = kern_min(KERN_R(r.level) * r.epsilon, r.most);
         path.holds = KERN_R(0);
     }
     if (status == KERN_STANDS)
         status = known ? kern_path_climb(&m, &path,
                              m.relative ? KERN_R(0.2) : KERN_R(0.08) * m.mean,
-                             KERN_R(1.25), end, &r.saturated)
+                             KERN_R(1.25), &r.saturated)
                        : kern_path_climb(&m, &path, r.most / KERN_SCAN,
-                             KERN_R(1), end, &r.saturated);
+                             KERN_R(1), &r.saturated);
     if (status != KERN_STANDS)
         return status;
     r.margin = path.edge;
@@ -4525,6 +4558,7 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
         grown = KERN_R(1);
     }
     path.tolerance *= grown;
+    path.start = -limit;
     growth = kern_nested(&m) ? KERN_R(4) : KERN_R(1.1);
     for (grown *= KERN_R(0.001); ; grown = kern_min(grown * growth, limit)) {
         status = kern_path_ask(&m, &path, -grown);
@@ -4548,13 +4582,13 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
    climb, the proofs. `out` is in the path's own measure. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path,
                                     kern_real step, kern_real growth,
-                                    kern_real end, kern_real *out)
+                                    kern_real *out)
 {
     int never = 0;
     kern_status status = kern_path_ask(m, path, KERN_R(0));
     if (status != KERN_STANDS)
         return status;
-    status = kern_path_climb(m, path, step, growth, end, &never);
+    status = kern_path_climb(m, path, step, growth, &never);
     if (status == KERN_STANDS)
         *out = never ? KERN_INFINITY : path->edge;
     return status;
@@ -4596,8 +4630,8 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
     kern_path_open(&path, KERN_PATH_LOAD, s, shrink, proof);
     path.q.pattern = pattern;
     path.q.side = side;
-    return kern_path_follow(&m, &path, KERN_R(0.25), KERN_R(2),
-                            KERN_FACTOR_MOST, factor);
+    path.end = KERN_FACTOR_MOST;
+    return kern_path_follow(&m, &path, KERN_R(0.25), KERN_R(2), factor);
 }
 
 /* The angle whose tangent is s >= 0: halved twice, then the series. */
@@ -4638,9 +4672,10 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
                      + kern_abs(s->block[i].load.torque) > 0;
     kern_path_open(&path, KERN_PATH_TILT, s, shrink, proof);
     path.q.side = side;
+    path.end = KERN_R(1);
     status = kern_path_follow(&m, &path,
                               loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.1),
-                              KERN_R(1), KERN_R(1), &at);
+                              KERN_R(1), &at);
     if (status == KERN_STANDS)
         *angle = 4 * kern_angle_of(kern_min(at, KERN_R(1)));
     return status;
