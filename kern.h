@@ -402,17 +402,22 @@ typedef struct kern_lp {
     int pivots;            /* most pivots; 0: by size                         */
 } kern_lp;
 /* ---- Sizes ------------------------------------------------------- >>sizes */
+/* Constant expressions, for arrays: of work memory for a structure of so many
+   blocks (fixed ones included) and contact points, and for a linear program
+   by itself. KERN_EXTRAS is the room for the dense part of a basis. */
 
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 
-#define KERN_EXTRAS(blocks) ((blocks) + 24 < 3 * (blocks) ? (blocks) + 24 : 3 * (blocks))
-#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 7 * (rows))
-#define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols))
-#define KERN_REALS(blocks, contacts) \
-    (KERN_EXTRAS(blocks) * KERN_EXTRAS(blocks) + 3 * KERN_EXTRAS(blocks) \
+#define KERN_EXTRAS(blocks) \
+    ((blocks) + 24 < 3 * (blocks) ? (blocks) + 24 : 3 * (blocks))
+#define KERN_REALS(blocks, contacts)                                        \
+    (KERN_EXTRAS(blocks) * KERN_EXTRAS(blocks) + 5 * KERN_EXTRAS(blocks)    \
      + 35 * (blocks) + 12 * (contacts))
 #define KERN_INTS(blocks, contacts) \
-    (2 * KERN_EXTRAS(blocks) + 26 * (blocks) + 6 * (contacts))
+    (2 * KERN_EXTRAS(blocks) + 25 * (blocks) + 6 * (contacts))
+#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows))
+#define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols))
+
 /* ---- Functions ----------------------------------------------------- >>api */
 /* Pointers must not be NULL where it does not say so: KERN_BAD_POINTER. Every
    function that takes work memory may return KERN_NO_SPACE, every one that
@@ -617,7 +622,7 @@ extern "C" {
 #define KERN_FEAS_TOL   KERN_R(1e-5)
 #define KERN_PIVOT_TOL  KERN_R(1e-5)
 #define KERN_RANK_TOL   KERN_R(1e-5)
-#define KERN_BASE_TOL   KERN_R(1e-4)
+#define KERN_BASE_TOL   KERN_R(1e-2)
 #define KERN_REFINE_TOL KERN_R(2e-7)
 #define KERN_RENEW_TOL  KERN_R(1e-5)
 #define KERN_CRASH_TOL  KERN_R(1e-4)
@@ -630,7 +635,7 @@ extern "C" {
 #define KERN_FEAS_TOL   KERN_R(1e-10)
 #define KERN_PIVOT_TOL  KERN_R(1e-10)
 #define KERN_RANK_TOL   KERN_R(1e-10)
-#define KERN_BASE_TOL   KERN_R(0.02)
+#define KERN_BASE_TOL   KERN_R(1e-2)
 #define KERN_REFINE_TOL KERN_R(1e-15)
 #define KERN_RENEW_TOL  KERN_R(1e-12)
 #define KERN_CRASH_TOL  KERN_R(1e-6)
@@ -2190,7 +2195,6 @@ typedef struct kern_simplex {
     int stale;              /* the matrix has changed since                   */
     int settled;            /* no pivot since the values were refined         */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
-    int *order;             /* groups as they were peeled                     */
     int *base;              /* variable of a slot: column, or cols + row of a
                                filler, a unit vector                          */
     int *spare;             /* slot: its row of S, or -1 where it is basic    */
@@ -2204,9 +2208,9 @@ typedef struct kern_simplex {
     kern_real *value_extra;
     kern_real *alpha;       /* entering column in terms of the basis          */
     kern_real *alpha_extra;
-    kern_real *row;         /* y of the leaving row                           */
+    kern_real *row;         /* prices y; rows + room, as temp                 */
     kern_real *row_extra;
-    kern_real *temp;        /* rows                                           */
+    kern_real *temp;        /* scratch                                        */
 } kern_simplex;
 
 #define KERN_OUT (-1)
@@ -2292,7 +2296,7 @@ static void kern_base_solve(const kern_simplex *sx, kern_real *v)
 {
     int i, s;
     for (i = 0; i < sx->groups; i++) {
-        const int g = sx->order[i];
+        const int g = sx->lp->order[i];
         const kern_real *d = sx->block + 9 * g;
         kern_real *x = v + 3 * g;
         const kern_real b0 = x[0], b1 = x[1], b2 = x[2];
@@ -2328,7 +2332,7 @@ static void kern_base_solve_t(const kern_simplex *sx, kern_real *c)
 {
     int i, s;
     for (i = sx->groups - 1; i >= 0; i--) {
-        const int g = sx->order[i];
+        const int g = sx->lp->order[i];
         const kern_real *d = sx->block + 9 * g;
         kern_real *y = c + 3 * g;
         kern_real b0, b1, b2;
@@ -2508,19 +2512,25 @@ static void kern_basis_column(kern_simplex *sx, int j)
     kern_basis_solve(sx, sx->alpha, sx->alpha_extra);
 }
 
-/* row := e' B^-1 for the variable at a position (a slot, or -2 - an extra) */
-static void kern_basis_row(kern_simplex *sx, int position)
+/* The row of B^-1 for slot s, at the spare slots: to sx->row_extra. */
+static void kern_basis_row(kern_simplex *sx, int s)
 {
-    int i;
-    for (i = 0; i < sx->lp->rows; i++)
-        sx->row[i] = KERN_R(0);
-    for (i = 0; i < sx->extras; i++)
+    const int k = sx->extras;
+    int i, e;
+    for (i = 0; i < k; i++)
         sx->row_extra[i] = KERN_R(0);
-    if (position >= 0)
-        sx->row[position] = KERN_R(1);
-    else
-        sx->row_extra[-2 - position] = KERN_R(1);
-    kern_basis_solve_t(sx, sx->row, sx->row_extra);
+    if (k == 0)
+        return;
+    for (i = 0; i < sx->lp->rows; i++)
+        sx->temp[i] = KERN_R(0);
+    sx->temp[s] = KERN_R(1);
+    kern_base_solve_t(sx, sx->temp);
+    for (e = 0; e < k; e++) {
+        const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
+        const kern_real h = kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
+        for (i = 0; i < k; i++)
+            sx->row_extra[i] -= inv[i] * h;
+    }
 }
 
 /* Slot s is left by its basic variable, and q enters as a new extra: S gains
@@ -2653,91 +2663,110 @@ static int kern_is_basic(const kern_simplex *sx, int j)
 
 /* ---- the basis from nothing ---- */
 
-/* Peels the groups: list[0..n) are the basic columns. A group is taken when
-   three of them or fewer still touch it, else the one that fewest touch. What
-   touches a group beyond the three that it takes is left over; returns how
-   many columns are. */
-static int kern_base_peel(kern_simplex *sx, int *list, int n, int *over)
+/* Sorts the basic columns list[0..n) by the first of their groups in the order
+   in which groups carry each other, so that loads pass through the base in one
+   direction, and lets every group take three. What is left over goes to
+   `over`; returns how many columns are. */
+static int kern_base_sort(kern_simplex *sx, const int *list, int n, int *over)
 {
     const kern_program *lp = sx->lp;
     const int G = sx->groups;
-    int *first = sx->link, *degree = first + G, *next = degree + G;
-    int *mine = next + 2 * n;
-    int i, s, done, queued = 0, left = 0;
+    int *first = sx->link, *rank = first + G, *next = rank + G;
+    int *mine = next + n;
+    int i, left = 0;
     for (i = 0; i < G; i++) {
         first[i] = -1;
-        degree[i] = 0;
+        rank[lp->order[i]] = i;
     }
-    for (i = n - 1; i >= 0; i--)
-        for (s = 0; s < 2; s++) {
-            const int g = lp->ends[2 * list[i] + s];
-            if (g >= 0) {
-                next[2 * i + s] = first[g];
-                first[g] = 2 * i + s;
-                degree[g]++;
-            }
-        }
-    for (i = 0; i < G; i++)
-        if (degree[i] <= 3) {
-            sx->order[queued++] = i;
-            degree[i] = -1;
-        }
-    for (done = 0; done < G; done++) {
-        int g, count = 0;
-        if (done == queued) {
-            int least = -1;
-            for (i = 0; i < G; i++)
-                if (degree[i] >= 0 && (least < 0 || degree[i] < degree[least]))
-                    least = i;
-            sx->order[queued++] = least;
-            degree[least] = -1;
-        }
-        g = sx->order[done];
-        for (i = first[g]; i >= 0; i = next[i])
-            if (list[i / 2] >= 0)
-                mine[count++] = i / 2;
-        /* positions in the list become columns for the choice */
-        for (i = 0; i < count; i++) {
-            const int at = mine[i], j = list[at];
-            const int other = lp->ends[2 * j] == g ? lp->ends[2 * j + 1]
-                                                   : lp->ends[2 * j];
-            mine[i] = j;
-            list[at] = -1;
-            if (other >= 0 && degree[other] >= 0 && --degree[other] <= 3) {
-                sx->order[queued++] = other;
-                degree[other] = -1;
-            }
-        }
+    for (i = n - 1; i >= 0; i--) {
+        const int head = lp->ends[2 * list[i]];
+        const int tail = lp->ends[2 * list[i] + 1];
+        const int g = head < 0 || (tail >= 0 && rank[tail] < rank[head])
+                      ? tail : head;
+        next[i] = first[g];
+        first[g] = i;
+    }
+    for (i = 0; i < G; i++) {
+        const int g = lp->order[i];
+        int k, count = 0;
+        for (k = first[g]; k >= 0; k = next[k])
+            mine[count++] = list[k];
         kern_base_fill(sx, g, mine, count);
-        for (i = 0; i < count; i++)
-            if (sx->place[mine[i]] == KERN_OUT)
-                over[left++] = mine[i];
+        for (k = 0; k < count; k++)
+            if (sx->place[mine[k]] == KERN_OUT)
+                over[left++] = mine[k];
     }
     return left;
 }
 
-/* A column that found no place in the base enters for the filler which it
-   replaces best. One that depends on the basis replaces none and stays out. */
-static void kern_extra_enter(kern_simplex *sx, int j)
+/* What found no place in the base, over[0..left), becomes extras: S is made at
+   the fillers' slots, and inverted where it stands (Gauss and Jordan, the
+   largest pivot of each column). A column that depends on those before it
+   leaves the basis, and a filler stays in it. */
+static void kern_extras_make(kern_simplex *sx, const int *over, int left)
 {
     const kern_program *lp = sx->lp;
-    kern_real most = KERN_RANK_TOL;
-    int r, take = -1;
-    if (sx->extras == sx->room)
-        return;
-    kern_basis_column(sx, j);
-    for (r = 0; r < lp->rows; r++)
-        if (sx->base[r] >= lp->cols && sx->spare[r] < 0) {
-            const kern_real size = kern_abs(sx->alpha[r]);
-            if (size > most) {
-                most = size;
-                take = r;
-            }
-        }
-    if (take >= 0) {
-        kern_basis_row(sx, take);
-        kern_extra_add(sx, take, j);
+    const size_t n = (size_t)sx->room;
+    int rows = 0, k = left < sx->room ? left : sx->room;
+    int r, c, i, t;
+    for (r = 0; r < lp->rows && rows < sx->room; r++)
+        if (sx->base[r] >= lp->cols)
+            sx->slot[rows++] = r;
+    if (k > rows)
+        k = rows;
+    for (c = 0; c < k; c++) {
+        sx->extra[c] = over[c];
+        for (i = 0; i < lp->rows; i++)
+            sx->temp[i] = KERN_R(0);
+        kern_lp_subtract(lp, over[c], KERN_R(-1), sx->temp);
+        kern_base_solve(sx, sx->temp);
+        for (r = 0; r < rows; r++)
+            sx->inv[(size_t)r * n + (size_t)c] = sx->temp[sx->slot[r]];
     }
+    for (t = 0; t < k; ) {
+        kern_real *pivot = sx->inv + (size_t)t * n, one;
+        int best = t;
+        for (r = t + 1; r < rows; r++)
+            if (kern_abs(sx->inv[(size_t)r * n + (size_t)t])
+                > kern_abs(sx->inv[(size_t)best * n + (size_t)t]))
+                best = r;
+        if (kern_abs(sx->inv[(size_t)best * n + (size_t)t])
+            < KERN_RANK_TOL) {
+            k--;
+            sx->extra[t] = sx->extra[k];
+            for (r = 0; r < rows; r++)
+                sx->inv[(size_t)r * n + (size_t)t] =
+                    sx->inv[(size_t)r * n + (size_t)k];
+            continue;
+        }
+        for (c = 0; c < k && best != t; c++) {
+            const kern_real swap = pivot[c];
+            pivot[c] = sx->inv[(size_t)best * n + (size_t)c];
+            sx->inv[(size_t)best * n + (size_t)c] = swap;
+        }
+        i = sx->slot[t];
+        sx->slot[t] = sx->slot[best];
+        sx->slot[best] = i;
+        one = KERN_R(1) / pivot[t];
+        pivot[t] = KERN_R(1);
+        for (c = 0; c < k; c++)
+            pivot[c] *= one;
+        for (r = 0; r < rows; r++) {
+            kern_real *row = sx->inv + (size_t)r * n;
+            const kern_real f = row[t];
+            if (r == t || (f >= 0 && f <= 0))
+                continue;
+            row[t] = KERN_R(0);
+            for (c = 0; c < k; c++)
+                row[c] -= f * pivot[c];
+        }
+        t++;
+    }
+    for (t = 0; t < k; t++) {
+        sx->place[sx->extra[t]] = -2 - t;
+        sx->spare[sx->slot[t]] = t;
+    }
+    sx->extras = k;
 }
 
 /* Chooses base and extras anew for the basic columns as they are now. */
@@ -2762,12 +2791,11 @@ static void kern_basis_refactor(kern_simplex *sx)
     }
     sx->extras = 0;
     if (sx->groups > 0)
-        left = kern_base_peel(sx, list, n, over);
+        left = kern_base_sort(sx, list, n, over);
     else
         for (left = 0; left < n; left++)
             over[left] = list[left];
-    for (i = 0; i < left; i++)
-        kern_extra_enter(sx, over[i]);
+    kern_extras_make(sx, over, left);
     sx->pivots = 0;
     sx->stale = 0;
 }
@@ -2857,8 +2885,11 @@ static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v,
 static kern_real kern_slot_price(const kern_simplex *sx, int r)
 {
     int sign = 0;
-    const kern_real w = kern_violation(sx, sx->base[r], sx->value[r], &sign);
-    return sx->spare[r] < 0 ? KERN_R(sign) * w : KERN_R(0);
+    kern_real w;
+    if (sx->spare[r] >= 0 || (sx->value[r] >= 0 && sx->base[r] < sx->lp->cols))
+        return KERN_R(0);
+    w = kern_violation(sx, sx->base[r], sx->value[r], &sign);
+    return KERN_R(sign) * w;
 }
 
 static kern_real kern_extra_price(const kern_simplex *sx, int e)
@@ -2935,7 +2966,8 @@ static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
 
 /* How much the slope of the sum rises when position i passes zero, on the way
    on which the entering column takes it, and in `at` where that is. */
-static kern_real kern_break(const kern_simplex *sx, int i, kern_real *at)
+static kern_real kern_break(const kern_simplex *sx, int i, kern_real least,
+                            kern_real *at)
 {
     const int e = i - sx->lp->rows;
     const int j = e < 0 ? sx->base[i] : sx->extra[e];
@@ -2945,7 +2977,7 @@ static kern_real kern_break(const kern_simplex *sx, int i, kern_real *at)
     kern_real w;
     int sign;
     *at = KERN_R(0);
-    if ((e < 0 && sx->spare[i] >= 0) || !(size > 0))
+    if ((e < 0 && sx->spare[i] >= 0) || !(size > least))
         return KERN_R(0);
     w = kern_violation(sx, j, v, &sign);
     if (sign != 0) {
@@ -2965,38 +2997,36 @@ static kern_real kern_break(const kern_simplex *sx, int i, kern_real *at)
 /* The ratio test goes on past every variable that reaches zero as long as the
    sum still falls: a long step, which passes through degenerate corners. With
    `first` it stops at the first, the least index of equals (Bland). */
-static int kern_phase_one_leaving(const kern_simplex *sx, kern_real gain,
-                                  int first, kern_real *step)
+static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
+                                  kern_real *step)
 {
     const int m = sx->lp->rows, n = m + sx->extras;
     const kern_real enough = gain * KERN_R(64) * KERN_EPS;
-    kern_real size = KERN_R(0), last = KERN_R(-1);
-    int i, best = -1, last_i = -1;
+    kern_real *at = sx->temp, *rise = sx->row; /* neither is in use here */
+    kern_real size = KERN_R(0);
+    int i, best = -1;
     for (i = 0; i < n; i++)
         size = kern_max(size, kern_abs(i < m ? sx->alpha[i]
                                              : sx->alpha_extra[i - m]));
+    for (i = 0; i < n; i++)
+        rise[i] = kern_break(sx, i, KERN_PIVOT_TOL * size, &at[i]);
     do {
-        kern_real at, rise, next = KERN_INFINITY, next_rise = KERN_R(0);
-        int next_i = -1, least = 0;
-        for (i = 0; i < n; i++) {
-            const int j = i < m ? sx->base[i] : sx->extra[i - m];
-            if (kern_abs(i < m ? sx->alpha[i] : sx->alpha_extra[i - m])
-                <= KERN_PIVOT_TOL * size)
-                continue;
-            rise = kern_break(sx, i, &at);
-            if (!(rise > 0) || at < last || (at <= last && i <= last_i)
-                || !(at < next || (first && at <= next && j < least)))
-                continue;
-            next = at;
-            next_rise = rise;
-            next_i = i;
-            least = j;
-        }
-        if (next_i < 0)
+        int j, next = -1, least = 0;
+        for (i = 0; i < n; i++)
+            if (rise[i] > 0) {
+                j = i < m ? sx->base[i] : sx->extra[i - m];
+                if (next < 0 || at[i] < at[next]
+                    || (first && at[i] <= at[next] && j < least)) {
+                    next = i;
+                    least = j;
+                }
+            }
+        if (next < 0)
             break;
-        gain -= next_rise;
-        *step = last = next;
-        best = last_i = next_i;
+        gain -= rise[next];
+        rise[next] = KERN_R(0);
+        *step = at[next];
+        best = next;
     } while (!first && gain > enough);
     return best < 0 ? KERN_OUT : best < m ? best : -2 - (best - m);
 }
@@ -3218,7 +3248,6 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->started = sx->stale = 0;
     sx->groups = lp->ends ? m / 3 : 0;
     sx->room = room;
-    sx->order = kern_take_ints(take, sx->groups);
     sx->base = kern_take_ints(take, m);
     sx->spare = kern_take_ints(take, m);
     sx->extra = kern_take_ints(take, room);
@@ -3231,9 +3260,9 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->value_extra = kern_take_reals(take, room);
     sx->alpha = kern_take_reals(take, m);
     sx->alpha_extra = kern_take_reals(take, room);
-    sx->row = kern_take_reals(take, m);
+    sx->row = kern_take_reals(take, m + room);
     sx->row_extra = kern_take_reals(take, room);
-    sx->temp = kern_take_reals(take, m);
+    sx->temp = kern_take_reals(take, m + room);
 }
 
 /* Of the columns mine[0..n), the three that carry `load` in group g with the
@@ -4395,6 +4424,8 @@ static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
     int k = 1;
     if (known && path->holds > out->epsilon)
         k = (int)(path->holds / out->epsilon);
+    if (known && out->saturated)
+        k = last + 1;
     for (; k <= last; k++) {
         const kern_real at = kern_min(KERN_R(k) * out->epsilon, out->most);
         const kern_question q = kern_path_at(path, at);
