@@ -101,7 +101,11 @@
    contact points: a running bond has about seven for a block, twelve with the
    joints between neighbours.
 
-@MEMORY@
+   Bytes of work memory, double (float is about half):
+
+       blocks and contact points    5, 20    10, 60   30, 140  100, 600
+       KERN_REALS, bytes             5,720    16,960    47,328   213,568
+       KERN_INTS, bytes              1,100     2,680     6,792    25,392
 
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -615,44 +619,57 @@ extern "C" {
 
 #define KERN_R(x) ((kern_real)(x))
 
+/* Tolerances. Lengths are in units of a block's size, forces in units of the
+   weight of all, so none has a unit. First double, then float.               */
 #ifdef KERN_SINGLE
-#define KERN_EPS        FLT_EPSILON
-#define KERN_TOL        KERN_R(1e-4)
-#define KERN_BOUND      KERN_R(1e3)
-#define KERN_FEAS_TOL   KERN_R(1e-5)
-#define KERN_PIVOT_TOL  KERN_R(1e-5)
-#define KERN_RANK_TOL   KERN_R(1e-5)
-#define KERN_BASE_TOL   KERN_R(1e-2)
-#define KERN_REFINE_TOL KERN_R(2e-7)
-#define KERN_RENEW_TOL  KERN_R(1e-5)
-#define KERN_CRASH_TOL  KERN_R(1e-4)
-#define KERN_LEAST_SCALE KERN_R(1e-3)
-#define KERN_WIDTH      KERN_R(2e-3)
+#define KERN_EPS FLT_EPSILON
+#define KERN_PICK(in_double, in_float) ((kern_real)(in_float))
 #else
-#define KERN_EPS        DBL_EPSILON
-#define KERN_TOL        KERN_R(1e-9)
-#define KERN_BOUND      KERN_R(1e6)
-#define KERN_FEAS_TOL   KERN_R(1e-10)
-#define KERN_PIVOT_TOL  KERN_R(1e-10)
-#define KERN_RANK_TOL   KERN_R(1e-10)
-#define KERN_BASE_TOL   KERN_R(1e-2)
-#define KERN_REFINE_TOL KERN_R(1e-15)
-#define KERN_RENEW_TOL  KERN_R(1e-12)
-#define KERN_CRASH_TOL  KERN_R(1e-6)
-#define KERN_LEAST_SCALE KERN_R(1e-4)
-#define KERN_WIDTH      KERN_R(1e-6)
+#define KERN_EPS DBL_EPSILON
+#define KERN_PICK(in_double, in_float) ((kern_real)(in_double))
 #endif
-#define KERN_RENEW 40
-#define KERN_EDGE_ROUNDS 200
-#define KERN_CLIMB_ROUNDS 5000
-#define KERN_SCAN 1001
-#define KERN_TILTS 400
-#define KERN_FACTOR_MOST KERN_R(1e6)
-#define KERN_ROUNDING (32 * KERN_EPS)
-#define KERN_BLOCKS_MOST 20000
+
+/* Residual that a proof may leave, as a share of what acts on the block. */
+#define KERN_TOL         KERN_PICK(1e-9, 1e-4)
+/* Largest forces that are taken for real, in weights: it ends the jam of
+   blocks that press as hard as they like, and asks of a motion that it closes
+   no contact faster than its power divided by this. */
+#define KERN_BOUND       KERN_PICK(1e6, 1e3)
+/* What a row of a proof may lose by rounding, as a share of its terms. */
+#define KERN_ROUNDING    (32 * KERN_EPS)
+/* A variable this far below zero is still zero. A tenth of what the proof
+   allows; less, and the simplex chases rounding. */
+#define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
+/* Least weight of a block, as a share of all, that KERN_FEAS_TOL refers to. */
+#define KERN_LEAST_SCALE KERN_PICK(1e-4, 1e-3)
+/* Pivots and gains below this share of the largest are rounding. */
+#define KERN_PIVOT_TOL   KERN_PICK(1e-10, 1e-5)
+/* A column whose part outside of the basis is less depends on it. */
+#define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
+/* Square of the share of a column that must be new to its group's block: an
+   inverse of up to ten a group. Less makes the base grow from course to
+   course, more fills the dense complement. */
+#define KERN_BASE_TOL    KERN_PICK(1e-2, 1e-2)
+/* Determinant of three columns, each about 1 long, for the crash basis. */
+#define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
+/* Residual of the basic solution at which refinement ends, and above which the
+   basis is made anew. */
+#define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
+#define KERN_RENEW_TOL   KERN_PICK(1e-12, 1e-5)
+/* Width of the bracket of a measure, in mean block sizes. */
+#define KERN_WIDTH       KERN_PICK(1e-6, 2e-3)
+
+/* Bounds of loops and counts. */
+#define KERN_RENEW         40      /* pivots until the basis is made anew     */
+#define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
+#define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
+#define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
+#define KERN_SCAN          1001    /* steps where kerns are not nested        */
+#define KERN_TILTS         400     /* steps of a tilt under loads             */
+#define KERN_FACTOR_MOST   KERN_R(1e6)
+#define KERN_BLOCKS_MOST   20000   /* the work memory still counts in int     */
 #define KERN_CONTACTS_MOST 1000000
-#define KERN_CRASH_MOST 12
-#define KERN_COUNT_MOST 100000000
+#define KERN_COUNT_MOST    100000000
 
 static kern_real kern_abs(kern_real a) { return a < 0 ? -a : a; }
 static kern_real kern_max(kern_real a, kern_real b) { return a > b ? a : b; }
@@ -2146,10 +2163,9 @@ static int kern_take_fits(const kern_take *take)
 /* minimise cost . x  where  A x = rhs,  x >= 0.
 
    The basis is kept as a cheap base B0 and a small dense complement. Columns
-   of a network (`ends` given) touch one or two groups of three rows. Groups
-   are peeled off one after the other, always one that few basic columns still
-   touch; each takes the best three of these columns. What it takes touches,
-   besides its own rows, only groups that are peeled later, so
+   of a network (`ends` given) touch one or two groups of three rows. In the
+   order in which groups carry each other, each group takes the best three of
+   the basic columns that lead from it to later groups or to none, so
 
             | D1          |     B0 is block lower triangular, its blocks D are
        B0 = | *  D2       |     3 x 3, and a solve costs a few products a
@@ -2291,7 +2307,7 @@ static kern_real kern_lp_scale(const kern_program *lp, int j, kern_real unit)
 
 /* ---- solves with the base ---- */
 
-/* v := B0^-1 v, group by group as they were peeled */
+/* v := B0^-1 v, group by group in the order of carrying */
 static void kern_base_solve(const kern_simplex *sx, kern_real *v)
 {
     int i, s;
@@ -3899,8 +3915,10 @@ static void kern_model_lay(kern_model *m, int blocks, int free_blocks,
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
                              int *indices)
 {
-    *reals = KERN_REALS(blocks, contacts);
-    *indices = KERN_INTS(blocks, contacts);
+    const int fit = blocks >= 0 && blocks <= KERN_BLOCKS_MOST
+                    && contacts >= 0 && contacts <= KERN_CONTACTS_MOST;
+    *reals = fit ? KERN_REALS(blocks, contacts) : 0;
+    *indices = fit ? KERN_INTS(blocks, contacts) : 0;
 }
 
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
