@@ -569,6 +569,10 @@ static void report_loads(const struct analysis *a)
 static void report_forces(const struct analysis *a)
 {
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    if (a->verdict != KERN_STANDS) {
+        printf("  forces      none that hold every block\n");
+        return;
+    }
     printf("  forces      %-10s %-10s %11s %11s %11s %11s %8s\n", "from", "on",
            "x", "y", "normal", "tangential", "of mu");
     for (int k = 0; k < a->s.contacts; k++) {
@@ -578,9 +582,7 @@ static void report_forces(const struct analysis *a)
                name_of(a, c->b, two), tidy(a, p.x), tidy(a, p.y));
         double f = (double)a->force[k].normal;
         double r = (double)a->force[k].tangential;
-        if (a->verdict != KERN_STANDS)
-            printf(" %11s %11s %8s\n", "-", "-", "-");
-        else if (f * c->mu > 0)
+        if (f * c->mu > 0)
             printf(" %11.5g %11.5g %7.0f%%\n", f, r,
                    100 * fabs(r) / (f * c->mu));
         else
@@ -681,7 +683,7 @@ static void json_contacts(const struct analysis *a)
         json_number("nx", (double)c->n.x);
         json_number("ny", (double)c->n.y);
         json_number("mu", (double)c->mu);
-        json_number("travel", (double)c->travel);
+        json_number("travel", fabs((double)c->travel));
         json_number("normal", stands ? (double)a->force[k].normal : none);
         json_number("tangential",
                     stands ? (double)a->force[k].tangential : none);
@@ -812,7 +814,10 @@ static void write_caption(const struct analysis *a, char *out, size_t room)
     const char *name = stem_of(a->file, &stem);
     char level[80] = "level undecided";
     if (a->measured == KERN_FALLS)
-        snprintf(level, sizeof level, "level 0");
+        snprintf(level, sizeof level,
+                 isfinite(a->deficit) ? "level 0, deficit %.4g"
+                                      : "level 0, wider contacts do not help",
+                 a->deficit);
     else if (a->measured == KERN_STANDS)
         snprintf(level, sizeof level, "level %d, margin %.4g%s", a->m.level,
                  (double)a->m.margin,
