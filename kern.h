@@ -656,8 +656,10 @@ extern "C" {
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
 #define KERN_RENEW_TOL   KERN_PICK(1e-12, 1e-5)
-/* Width of the bracket of a measure, in mean block sizes. */
+/* Width of the bracket of a measure, in mean block sizes, and how many times
+   wider it may get where neither proof can be completed nearer to critical. */
 #define KERN_WIDTH       KERN_PICK(1e-6, 2e-3)
+#define KERN_WIDEST      KERN_PICK(2, 20)
 
 /* Bounds of loops and counts. */
 #define KERN_RENEW         40      /* pivots until the basis is made anew     */
@@ -2145,14 +2147,16 @@ static kern_real *kern_take_reals(kern_take *take, int n)
 {
     const int at = take->used_reals;
     take->used_reals += n;
-    return take->used_reals <= take->reals ? take->real + at : NULL;
+    return take->real && take->used_reals <= take->reals ? take->real + at
+                                                         : NULL;
 }
 
 static int *kern_take_ints(kern_take *take, int n)
 {
     const int at = take->used_ints;
     take->used_ints += n;
-    return take->used_ints <= take->indices ? take->index + at : NULL;
+    return take->index && take->used_ints <= take->indices ? take->index + at
+                                                           : NULL;
 }
 
 static int kern_take_fits(const kern_take *take)
@@ -4316,7 +4320,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
    tolerance to each side of it is asked, where verdicts are beyond doubt. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    const kern_real aside = path->tolerance * KERN_R(0.45);
+    kern_real aside = path->tolerance * KERN_R(0.45);
     kern_real edge = KERN_R(0);
     int round, stuck = 0, found = 0, below = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
@@ -4325,7 +4329,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
             && (hi >= edge + aside / 4 || hi >= path->end);
         kern_real at = lo + (hi - lo) / 2;
         kern_status status;
-        if (hi - lo <= path->tolerance && ((above && below) || stuck > 2))
+        if ((above && below) || (hi - lo <= path->tolerance && stuck > 2)
+            || aside > path->tolerance * KERN_WIDEST / 2)
             break;
         if (found && !above)
             at = kern_min(edge + aside, path->end);
@@ -4337,20 +4342,22 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         status = kern_path_ask(m, path, at);
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
-        if (!found && status != KERN_FALLS && at >= r && at <= r) {
+        if (found && status == KERN_UNDECIDED) {
+            aside *= 2;
+        } else if (!found && status != KERN_FALLS && at >= r && at <= r) {
             found = 1;
             edge = r;
         } else if (found && at > edge && status == KERN_STANDS) {
             found = 0;      /* Newton's method was short of it */
         } else if (found && at < edge) {
             below = status == KERN_STANDS;
-            found = status != KERN_FALLS;
+            found = below;
         }
-        stuck = status == KERN_UNDECIDED || (!found
-                && path->fails - path->holds > (hi - lo) * KERN_R(0.5))
+        stuck = !found && (status == KERN_UNDECIDED
+                || path->fails - path->holds > (hi - lo) * KERN_R(0.5))
                 ? stuck + 1 : 0;
     }
-    if (path->fails - path->holds > 2 * path->tolerance)
+    if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
     return KERN_STANDS;

@@ -915,7 +915,7 @@ static int measure(const world *w, kern_margin *m)
             (double)m->margin +
             (SINGLE ? 1e-4 : 1e-6) * fmax((double)m->margin, mean);
         const double wide_as =
-            (SINGLE ? 1e-2 : 2.0001e-6) * (w->options.relative ? 1 : mean);
+            (SINGLE ? 0.04001 : 2.0001e-6) * (w->options.relative ? 1 : mean);
         CHECK_NEAR(m->fails - m->holds, 0, wide_as);
         CHECK(share_of_motion(w, (double)m->fails, motion_of) <= 1.001 ||
               share_of_motion(w, past, motion_of) <= 1.001);
