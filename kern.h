@@ -658,8 +658,8 @@ extern "C" {
 #define KERN_RENEW_TOL   KERN_PICK(1e-12, 1e-5)
 /* Width of the bracket of a measure, in mean block sizes, and how many times
    wider it may get where neither proof can be completed nearer to critical. */
-#define KERN_WIDTH       KERN_PICK(1e-6, 2e-3)
-#define KERN_WIDEST      KERN_PICK(2, 20)
+#define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
+#define KERN_WIDEST      KERN_PICK(1.4, 20)
 
 /* Bounds of loops and counts. */
 #define KERN_RENEW         40      /* pivots until the basis is made anew     */
@@ -3882,6 +3882,7 @@ typedef struct kern_model {
     kern_real *sum;           /* scratch of the proof, four a block           */
     kern_force *force;        /* of the last verdict                          */
     kern_motion *motion;
+    kern_status found;        /* what the program said, proven or not         */
 } kern_model;
 
 /* Slices of the work arrays that hold structs of numbers. */
@@ -4150,6 +4151,7 @@ static kern_status kern_model_ask(kern_model *m, const kern_question *q)
 {
     kern_status status;
     int own;
+    m->found = KERN_UNDECIDED;
     if (!m->simplex.started || q->shrink > m->shrink
         || q->shrink < m->shrink) {
         kern_model_columns(m, q->shrink);
@@ -4160,6 +4162,7 @@ static kern_status kern_model_ask(kern_model *m, const kern_question *q)
         status = kern_program_solve(&m->simplex, own, m->x, m->y, m->work);
         if (status == KERN_STANDS)
             status = kern_model_least(m, own);
+        m->found = status;
         if (status >= 0)
             status = kern_model_prove(m, q, status);
         if (status >= 0)
@@ -4299,7 +4302,10 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
     kern_proof_out(m, path->proof, status);
     if (status == KERN_STANDS)
         path->holds = s;
-    if (status != KERN_FALLS)
+    if (status == KERN_FALLS)
+        path->fails = s;
+    /* near to critical even a certificate that proves nothing tells where */
+    if (status == KERN_STANDS || m->found != KERN_FALLS)
         return status;
     for (i = 0; i < m->lp.rows; i++)
         at += m->y[i] * m->rhs[i];
@@ -4308,7 +4314,6 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
         rate -= at * kern_row_growth(&m->simplex, m->y, m->x);
     } else
         rate = kern_load_rate(m, path, &q, s);
-    path->fails = s;
     path->edge = s - at / rate;
     return status;
 }
@@ -4321,7 +4326,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
     kern_real aside = path->tolerance * KERN_R(0.45);
-    kern_real edge = KERN_R(0);
+    kern_real edge = KERN_R(0), cap = KERN_INFINITY;
     int round, stuck = 0, found = 0, below = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
@@ -4347,6 +4352,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         } else if (!found && status != KERN_FALLS && at >= r && at <= r) {
             found = 1;
             edge = r;
+            if (status == KERN_UNDECIDED && path->edge > r - aside)
+                cap = path->edge;
         } else if (found && at > edge && status == KERN_STANDS) {
             found = 0;      /* Newton's method was short of it */
         } else if (found && at < edge) {
@@ -4359,6 +4366,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     }
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
+    path->edge = kern_min(path->edge, cap);
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
     return KERN_STANDS;
 }

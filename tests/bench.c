@@ -300,10 +300,10 @@ static void wall_course(struct scene *scene, const struct wall *wall, int odd,
     }
 }
 
-/* About twice as long as high: a course for each brick of its length. */
+/* About twice as long as high, give or take a third. */
 static void make_wall(struct scene *scene, int n, const struct wall *wall)
 {
-    const int courses = (int)(sqrt((double)n) + 0.5);
+    const int courses = (int)(sqrt(n * scene_random(scene, 0.67, 1.5)) + 0.5);
     const double inset = wall->batter * LENGTH;
     const double loose = wall->loose * LENGTH;
     const double length = LENGTH * n / courses + inset * courses;
