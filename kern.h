@@ -13,8 +13,8 @@
                             >>config >>method >>measures >>limits
                             >>determinism >>references
      II   Declarations      >>decl >>types >>sizes >>api
-     III  Implementation    >>impl >>vec >>polygon >>contact >>check >>work
-                            >>lp >>statics >>proof >>model >>kern >>words
+     III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
+                            >>check >>statics >>proof >>model >>kern >>words
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -158,7 +158,8 @@
 
    Algorithm 1 moves the contact points inward step by step and solves again.
    Only the torques change, so the next solution starts from the last. The
-   margin is found by Newton's method on y (>>kern): five or six solutions.
+   margin is found by Newton's method on y (>>kern): some ten solutions, most
+   of them without a pivot.
 
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
@@ -1982,6 +1983,7 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
     kern_search s;
     kern_status status;
     int a;
+    kern_fault_clear(&ignored);
     s.fault = fault ? fault : &ignored;
     kern_fault_clear(s.fault);
     status = kern_search_open(&s, block, blocks, options, out, room);
@@ -1998,6 +2000,7 @@ KERN_API int kern_touch(const kern_block *block, int blocks, int a, int b,
     kern_fault ignored;
     kern_search s;
     kern_status status;
+    kern_fault_clear(&ignored);
     s.fault = fault ? fault : &ignored;
     kern_fault_clear(s.fault);
     status = kern_search_open(&s, block, blocks, options, out, room);
@@ -3556,7 +3559,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
 }
 
-/* ---- what is handed in ---- */
+/* ---- What is handed in ------------------------------------------ >>check */
+/* Everything that the statics reads is looked at once, before any memory is
+   used: numbers are finite, indices exist, normals have length 1. */
 
 static kern_status kern_block_check(const kern_block *b)
 {
@@ -3755,8 +3760,8 @@ static kern_vec kern_arm(const kern_contact *c, const kern_block *b,
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Both checks use the caller's data only: no column, no basis, no scaling. A
-   proof's error is given as a share of what is allowed, so up to 1 it holds.
+/* Both checks use the caller's data only, and nothing of the solver. A proof's
+   error is given as a share of what is allowed, so up to 1 it holds.
 
    Forces prove "stands": each in its cone, the residual of every equilibrium
    row within KERN_TOL of what acts on the block (or within the rounding of
@@ -3860,6 +3865,42 @@ static kern_real kern_prove_motion(const kern_structure *s,
     return need / power;
 }
 
+KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
+                                     const kern_options *o,
+                                     const kern_force *force, kern_work *work)
+{
+    kern_take take;
+    kern_question q;
+    kern_real *sum;
+    int n = 0;
+    if (!work || !force)
+        return KERN_INFINITY;
+    kern_fault_clear(&work->fault);
+    if (kern_structure_check(s, o, &work->fault, &n) != KERN_STANDS)
+        return KERN_INFINITY;
+    kern_take_open(&take, work);
+    sum = kern_take_reals(&take, 4 * s->blocks);
+    if (!kern_take_fits(&take))
+        return KERN_INFINITY;
+    q = kern_question_of(s, shrink);
+    return kern_prove_forces(s, &q, o->relative, force,
+                             kern_mean_size(s->block, s->blocks), sum);
+}
+
+KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
+                                     const kern_options *o,
+                                     const kern_motion *motion)
+{
+    kern_question q;
+    kern_fault fault;
+    int n = 0;
+    if (!motion || kern_structure_check(s, o, &fault, &n) != KERN_STANDS)
+        return KERN_INFINITY;
+    q = kern_question_of(s, shrink);
+    return kern_prove_motion(s, &q, o->relative, motion,
+                             kern_mean_size(s->block, s->blocks));
+}
+
 /* ---- The model ------------------------------------------------- >>model */
 /* Blocks and contacts become groups and columns. The model lives in the work
    memory for the length of a call; from question to question only what a
@@ -3956,7 +3997,7 @@ static void kern_model_order(kern_model *m, kern_real *height)
             for (j = i; j >= gap; j -= gap) {
                 const int h = m->order[j - gap];
                 if (height[h] > height[g]
-                    || (height[h] >= height[g] && h < g))
+                    || (h < g && height[h] >= height[g]))
                     break;
                 m->order[j] = h;
             }
@@ -4745,7 +4786,7 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
     return status;
 }
 
-/* ---- Words ------------------------------------------------------ >>words */
+/* ---- Words and defaults ------------------------------------------ >>words */
 
 KERN_API const char *kern_status_text(kern_status status)
 {
@@ -4769,45 +4810,32 @@ KERN_API kern_options kern_defaults(void)
     return o;
 }
 
-KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
-                                     const kern_options *o,
-                                     const kern_force *force, kern_work *work)
-{
-    kern_take take;
-    kern_question q;
-    kern_real *sum;
-    int n = 0;
-    if (!work || !force)
-        return KERN_INFINITY;
-    kern_fault_clear(&work->fault);
-    if (kern_structure_check(s, o, &work->fault, &n) != KERN_STANDS)
-        return KERN_INFINITY;
-    kern_take_open(&take, work);
-    sum = kern_take_reals(&take, 4 * s->blocks);
-    if (!kern_take_fits(&take))
-        return KERN_INFINITY;
-    q = kern_question_of(s, shrink);
-    return kern_prove_forces(s, &q, o->relative, force,
-                             kern_mean_size(s->block, s->blocks), sum);
-}
-
-KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
-                                     const kern_options *o,
-                                     const kern_motion *motion)
-{
-    kern_question q;
-    kern_fault fault;
-    int n = 0;
-    if (!motion || kern_structure_check(s, o, &fault, &n) != KERN_STANDS)
-        return KERN_INFINITY;
-    q = kern_question_of(s, shrink);
-    return kern_prove_motion(s, &q, o->relative, motion,
-                             kern_mean_size(s->block, s->blocks));
-}
-
 #ifdef __cplusplus
 }
 #endif
 
 #endif /* KERN_IMPLEMENTED */
 #endif /* KERN_IMPLEMENTATION */
+
+/*
+   MIT License
+
+   Copyright (c) 2026 the kern authors
+
+   Permission is hereby granted, free of charge, to any person obtaining a copy
+   of this software and associated documentation files (the "Software"), to deal
+   in the Software without restriction, including without limitation the rights
+   to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+   copies of the Software, and to permit persons to whom the Software is
+   furnished to do so, subject to the following conditions:
+
+   The above copyright notice and this permission notice shall be included in all
+   copies or substantial portions of the Software.
+
+   THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+   IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+   FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+   AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+   LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+   OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+   SOFTWARE. */
