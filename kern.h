@@ -638,6 +638,9 @@ extern "C" {
 #define KERN_BOUND       KERN_PICK(1e6, 1e3)
 /* What a row of a proof may lose by rounding, as a share of its terms. */
 #define KERN_ROUNDING    (32 * KERN_EPS)
+/* How far a certificate is lifted off the columns that it touches: some
+   roundings. In float, where KERN_BOUND is small, it is better left there. */
+#define KERN_ABOVE       KERN_PICK(8 * KERN_EPS, 0)
 /* A variable this far below zero is still zero. A tenth of what the proof
    allows; less, and the simplex chases rounding. */
 #define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
@@ -2941,24 +2944,41 @@ static kern_real kern_phase_one_prices(kern_simplex *sx)
     return sum;
 }
 
-/* One step of refinement for y: the certificate must be zero on the basic
-   columns to the last digits. */
-static void kern_phase_one_refine(kern_simplex *sx)
+/* One step of refinement for y = sx->row: the certificate -y must be zero on
+   the basic columns to the last digits, or be `above` zero, as a share of its
+   largest entry. */
+static void kern_phase_one_refine(kern_simplex *sx, kern_real above)
 {
     const kern_program *lp = sx->lp;
+    kern_real size = KERN_R(0);
     int i;
+    for (i = 0; i < lp->rows; i++)
+        size = kern_max(size, kern_abs(sx->row[i]));
     for (i = 0; i < lp->rows; i++) {
         const int j = sx->base[i];
         sx->alpha[i] = kern_slot_price(sx, i)
-            - (j < lp->cols ? kern_lp_dot(lp, j, sx->row)
+            - (j < lp->cols ? kern_lp_dot(lp, j, sx->row) + above * size
                             : sx->row[j - lp->cols]);
     }
     for (i = 0; i < sx->extras; i++)
-        sx->alpha_extra[i] = kern_extra_price(sx, i)
+        sx->alpha_extra[i] = kern_extra_price(sx, i) - above * size
                              - kern_lp_dot(lp, sx->extra[i], sx->row);
     kern_basis_solve_t(sx, sx->alpha, sx->alpha_extra);
     for (i = 0; i < lp->rows; i++)
         sx->row[i] += sx->alpha[i];
+}
+
+/* Lifts a certificate y off the columns that it touches. Rounding puts it a
+   little below zero there as often as above; a few roundings higher it costs
+   of its power no more than all of x is worth, times those roundings. */
+static void kern_certificate_lift(kern_simplex *sx, kern_real *y)
+{
+    int i;
+    for (i = 0; i < sx->lp->rows; i++)
+        sx->row[i] = -y[i];
+    kern_phase_one_refine(sx, KERN_ABOVE);
+    for (i = 0; i < sx->lp->rows; i++)
+        y[i] = -sx->row[i];
 }
 
 /* The column that lowers the sum fastest, or the first that lowers it. One
@@ -3120,7 +3140,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         int q = KERN_OUT, position = KERN_OUT;
         if (sum > 0) {
             if (sx->settled)
-                kern_phase_one_refine(sx);
+                kern_phase_one_refine(sx, KERN_R(0));
             q = kern_phase_one_entering(sx, sum, first, &gain);
         }
         if (q == KERN_OUT && sx->settled) {
@@ -4143,6 +4163,11 @@ static kern_status kern_model_prove(kern_model *m, const kern_question *q,
 {
     kern_real error = KERN_INFINITY;
     if (status == KERN_FALLS) {
+        kern_model_motion(m);
+        error = kern_prove_motion(m->s, q, m->relative, m->motion, m->mean);
+    }
+    if (status == KERN_FALLS && !(error <= 1) && m->simplex.started) {
+        kern_certificate_lift(&m->simplex, m->y);
         kern_model_motion(m);
         error = kern_prove_motion(m->s, q, m->relative, m->motion, m->mean);
     }
