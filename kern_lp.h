@@ -106,8 +106,8 @@ static int kern_glpk_run(glp_prob *p, const kern_program *lp, int method)
     how.tol_bnd = 1e-10;
     how.tol_dj = 1e-10;
     how.tol_piv = 1e-10;
-    if (lp->pivots > 0)
-        how.it_lim = lp->pivots;
+    /* it can stall on programs as degenerate as these */
+    how.it_lim = lp->pivots > 0 ? lp->pivots : 200 + 5 * (lp->rows + lp->cols);
     code = glp_simplex(p, &how);
     return code == 0 ? glp_get_status(p) : GLP_UNDEF;
 }
