@@ -218,7 +218,7 @@
 #error "kern.h: the implementation is asked for with KERN_IMPLEMENTATION"
 #endif
 #if defined(KERN_FLOAT) || defined(KERN_DOUBLE)
-#error "kern.h: float is asked for with KERN_SINGLE; without it numbers are double"
+#error "kern.h: float is asked for with KERN_SINGLE, double is the default"
 #endif
 #if defined(KERN_GLPK) || defined(USE_GLPK)
 #error "kern.h: GLPK is asked for with KERN_USE_GLPK"
@@ -282,7 +282,7 @@ typedef struct kern_vec { kern_real x, y; } kern_vec;
     X(KERN_NO_SPACE, -2, "an array is too short for the result or the work")  \
     X(KERN_BAD_POINTER, -3, "a pointer is null where an array is expected")   \
     X(KERN_BAD_NUMBER, -4, "a number is infinite or not a number")            \
-    X(KERN_BAD_COUNT, -5, "a count is negative or too large")                 \
+    X(KERN_BAD_COUNT, -5, "a count is negative or above its limit")          \
     X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
     X(KERN_NO_AREA, -7, "a polygon has no area")                              \
     X(KERN_CROSSING, -8, "a polygon crosses or touches itself")               \
@@ -361,13 +361,15 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
-    int pivots;           /* most pivots of one linear program; 0: by its size */
+    int pivots;           /* most pivots of a linear program; 0: by its size  */
 } kern_options;
 
-typedef struct kern_force { kern_real normal, tangential; } kern_force; /* [N] */
-typedef struct kern_motion { kern_real vx, vy, spin; } kern_motion; /* rates  */
+/* Of a contact point [N], and of a block: velocity of its centre and spin. */
+typedef struct kern_force { kern_real normal, tangential; } kern_force;
+typedef struct kern_motion { kern_real vx, vy, spin; } kern_motion;
 
-/* Where to put the proof: arrays of the caller, each may be NULL. */
+/* Where to put the proof: arrays of the caller, each may be NULL. Measures use
+   them on the way, so after a status below zero their contents mean nothing. */
 typedef struct kern_proof {
     kern_force *force;    /* one a contact point: written with KERN_STANDS    */
     kern_motion *motion;  /* one a block, fixed ones rest: with KERN_FALLS    */
@@ -491,7 +493,7 @@ KERN_API int kern_touch(const kern_block *block, int blocks, int a, int b,
    two contact points to out and returns how many, or KERN_SAME_BLOCK,
    KERN_BAD_BLOCK (an index below 0), KERN_BAD_NUMBER, KERN_BAD_FRICTION,
    KERN_BAD_NORMAL, KERN_BAD_LINE (p to q leaves the tangent by more than
-   options->angle), KERN_BAD_OPTION. When all are made: kern_contact_travels(). */
+   options->angle), KERN_BAD_OPTION. At the end: kern_contact_travels(). */
 KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
                                kern_vec q, kern_real mu,
                                const kern_options *options, kern_contact *out);
