@@ -523,7 +523,7 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
    most and epsilon are set, and proof->motion says how it falls.
    KERN_UNDECIDED, and KERN_BAD_STEP where most / epsilon is above 1,000,000:
    *out is as it was. [holds, fails] is at most 2e-6 of the mean block size
-   wide. Kerns of line contacts are nested, and the margin is then the only
+   wide, more only where no proof can be completed nearer to critical. Kerns of line contacts are nested, and the margin is then the only
    place where the verdict changes. Points of one interface with different
    normals are not: then the path is searched in steps of most/1001, and the
    level is the literal scan. */
@@ -665,7 +665,7 @@ extern "C" {
 /* Width of the bracket of a measure, in mean block sizes, and how many times
    wider it may get where neither proof can be completed nearer to critical. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
-#define KERN_WIDEST      KERN_PICK(1.4, 20)
+#define KERN_WIDEST      KERN_PICK(20, 20)
 
 /* Bounds of loops and counts. */
 #define KERN_RENEW         40      /* pivots until the basis is made anew     */
@@ -4393,7 +4393,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
    tolerance to each side of it is asked, where verdicts are beyond doubt. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    kern_real aside = path->tolerance * KERN_R(0.45);
+    kern_real aside = path->tolerance * KERN_R(0.45), under = aside;
     kern_real edge = KERN_R(0), cap = KERN_INFINITY;
     int round, stuck = 0, found = 0, below = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
@@ -4403,12 +4403,12 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         kern_real at = lo + (hi - lo) / 2;
         kern_status status;
         if ((above && below) || (hi - lo <= path->tolerance && stuck > 2)
-            || aside > path->tolerance * KERN_WIDEST / 2)
+            || aside + under > path->tolerance * KERN_WIDEST)
             break;
         if (found && !above)
             at = kern_min(edge + aside, path->end);
         else if (found && !below)
-            at = kern_max(edge - aside, path->start);
+            at = kern_max(edge - under, path->start);
         else if (!found && r > lo && r < hi && stuck < 3)
             at = r;
         at += KERN_R(stuck / 4) * aside / 8;
@@ -4416,7 +4416,10 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
         if (found && status == KERN_UNDECIDED) {
-            aside *= 2;
+            if (at > edge)
+                aside *= 2;
+            else
+                under *= 2;
         } else if (!found && status != KERN_FALLS && at >= r && at <= r) {
             found = 1;
             edge = r;
