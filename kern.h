@@ -478,7 +478,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    KERN_OVERLAP (fault: both blocks; value: the depth [m] that was found),
    KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES
    (fault: the block). fault may be NULL. Blocks without vertices are passed
-   over. Time: near B log B for a wall, and a few products an edge. */
+   over. Time: one test of boxes for each two blocks, and a few products for
+   each two edges that are near. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_fault *fault);
@@ -523,10 +524,11 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
    most and epsilon are set, and proof->motion says how it falls.
    KERN_UNDECIDED, and KERN_BAD_STEP where most / epsilon is above 1,000,000:
    *out is as it was. [holds, fails] is at most 2e-6 of the mean block size
-   wide, more only where no proof can be completed nearer to critical. Kerns of line contacts are nested, and the margin is then the only
-   place where the verdict changes. Points of one interface with different
-   normals are not: then the path is searched in steps of most/1001, and the
-   level is the literal scan. */
+   wide, more only where no proof can be completed nearer to critical. Kerns of
+   line contacts are nested, and the margin is then the only place where the
+   verdict changes. Points of one interface with different normals are not:
+   then the path is searched in steps of most/1001, and the level is the
+   literal scan. */
 KERN_API kern_status kern_measure(const kern_structure *s,
                                   const kern_options *options, kern_work *work,
                                   kern_margin *out, const kern_proof *proof);
