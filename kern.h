@@ -419,11 +419,11 @@ typedef struct kern_lp {
     ((blocks) + 24 < 3 * (blocks) ? (blocks) + 24 : 3 * (blocks))
 #define KERN_REALS(blocks, contacts)                                        \
     (KERN_EXTRAS(blocks) * KERN_EXTRAS(blocks) + 5 * KERN_EXTRAS(blocks)    \
-     + 35 * (blocks) + 12 * (contacts))
+     + 45 * (blocks) + 12 * (contacts) + 13)
 #define KERN_INTS(blocks, contacts) \
-    (2 * KERN_EXTRAS(blocks) + 25 * (blocks) + 6 * (contacts))
-#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows))
-#define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols))
+    (2 * KERN_EXTRAS(blocks) + 19 * (blocks) + 4 * (contacts) + 1)
+#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows) + 9)
+#define KERN_LP_INTS(rows, cols) (6 * (rows) + (cols) + 1)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* Pointers must not be NULL where it does not say so: KERN_BAD_POINTER. Every
@@ -658,6 +658,9 @@ extern "C" {
    inverse of up to ten a group. Less makes the base grow from course to
    course, more fills the dense complement. */
 #define KERN_BASE_TOL    KERN_PICK(1e-2, 1e-2)
+/* Largest entry of such an inverse with which a block is kept as it is when
+   the matrix changes. */
+#define KERN_BASE_MOST   KERN_PICK(100, 100)
 /* Determinant of three columns, each about 1 long, for the crash basis. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
 /* Residual of the basic solution at which refinement ends, and above which the
@@ -668,12 +671,16 @@ extern "C" {
    wider it may get where neither proof can be completed nearer to critical. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
 #define KERN_WIDEST      KERN_PICK(20, 20)
+/* Edges that differ by less, in the same unit, are one. */
+#define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
 
 /* Bounds of loops and counts. */
-#define KERN_RENEW         40      /* pivots until the basis is made anew     */
+#define KERN_RENEW         40      /* pivots until the base is chosen anew    */
+#define KERN_KEEP          8       /* and before it is when the matrix changes*/
 #define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
+#define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
@@ -2173,6 +2180,7 @@ static int kern_take_fits(const kern_take *take)
 {
     return take->used_reals <= take->reals && take->used_ints <= take->indices;
 }
+
 /* ---- The LP room --------------------------------------------------- >>lp */
 /* minimise cost . x  where  A x = rhs,  x >= 0.
 
@@ -2196,7 +2204,11 @@ static int kern_take_fits(const kern_take *take)
    of the number of groups for a wall. A pivot changes S by a row and a column
    at the most, and S^-1, which is what is stored, by one rank. Without `ends`
    the base is the unit matrix and S is the basis itself: the usual small dense
-   simplex, by the same code. */
+   simplex, by the same code.
+
+   Vectors over the rows have three more places at their end: there lie the
+   rows of the group that a column leads to which leads to none. Reading it
+   gives 0, what is written to it is forgotten, and no loop asks. */
 
 typedef struct kern_program {
     int rows, cols;
@@ -2205,11 +2217,12 @@ typedef struct kern_program {
                                (-u, -v, s) in the tail's                      */
     const kern_real *rhs;
     const kern_real *cost;  /* or NULL                                        */
-    const int *ends;        /* network: head and tail group of a column, -1
-                               for none; NULL: dense                          */
+    const int *ends;        /* network: head and tail group of columns 2 i and
+                               2 i + 1, rows / 3 for none; NULL: dense        */
     const int *order;       /* network: the groups, each before those that
                                carry it                                       */
-    const kern_real *scale; /* network: what is large for a group             */
+    const kern_real *weight; /* network: 1 / what is large for a group; 0 for
+                               none, after the last                           */
     kern_real most;         /* what a variable can be at the most; 0: all     */
     int pivots;             /* limit                                          */
 } kern_program;
@@ -2219,7 +2232,7 @@ typedef struct kern_simplex {
     int groups;             /* of a network, else 0                           */
     int room;               /* most extras, and the stride of inv             */
     int extras;             /* in use: the size of S                          */
-    int pivots;             /* since the last refactorisation                 */
+    int pivots;             /* since the base was chosen                      */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
     int stale;              /* the matrix has changed since                   */
@@ -2228,30 +2241,39 @@ typedef struct kern_simplex {
     int *base;              /* variable of a slot: column, or cols + row of a
                                filler, a unit vector                          */
     int *spare;             /* slot: its row of S, or -1 where it is basic    */
+    int *far;               /* slot: the group that its column leads to       */
     int *extra;             /* column of an extra                             */
     int *slot;              /* slot of a row of S                             */
     int *place;             /* column: slot, KERN_OUT, or -2 - its extra      */
-    int *link;              /* scratch: 2 groups + 5 rows                     */
-    kern_real *block;       /* D^-1, 9 a group                                */
+    int *rank;              /* group: its place in the order                  */
+    int *link;              /* scratch: groups + 1 + 2 rows                   */
+    kern_real *block;       /* 18 a group: D^-1, and what its columns do to
+                               the groups that they lead to                   */
     kern_real *inv;         /* S^-1                                           */
     kern_real *value;       /* of the variable in a slot; 0 in spare ones     */
     kern_real *value_extra;
     kern_real *alpha;       /* entering column in terms of the basis          */
     kern_real *alpha_extra;
-    kern_real *row;         /* prices y; rows + room, as temp                 */
+    kern_real *row;         /* prices y                                       */
     kern_real *row_extra;
-    kern_real *temp;        /* scratch                                        */
+    kern_real *temp;        /* scratch; rows + room, as row                   */
 } kern_simplex;
 
 #define KERN_OUT (-1)
 
 /* ---- columns ---- */
 
+static int kern_lp_head(const kern_program *lp, int j)
+{ return lp->ends[j & ~1]; }
+
+static int kern_lp_tail(const kern_program *lp, int j)
+{ return lp->ends[j | 1]; }
+
 /* The three entries of network column j in group g, one of its ends. */
 static void kern_lp_part(const kern_program *lp, int j, int g, kern_real out[3])
 {
-    const kern_real *c = lp->a + 4 * j;
-    if (lp->ends[2 * j] == g) {
+    const kern_real *c = lp->a + 4 * (size_t)j;
+    if (kern_lp_head(lp, j) == g) {
         out[0] = c[0]; out[1] = c[1]; out[2] = c[2];
     } else {
         out[0] = -c[0]; out[1] = -c[1]; out[2] = c[3];
@@ -2263,16 +2285,11 @@ static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y)
     kern_real sum = KERN_R(0);
     int i;
     if (lp->ends) {
-        const kern_real *c = lp->a + 4 * j;
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        if (head >= 0) {
-            const kern_real *h = y + 3 * head;
-            sum += c[0] * h[0] + c[1] * h[1] + c[2] * h[2];
-        }
-        if (tail >= 0) {
-            const kern_real *t = y + 3 * tail;
-            sum += c[3] * t[2] - c[0] * t[0] - c[1] * t[1];
-        }
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real *h = y + 3 * kern_lp_head(lp, j);
+        const kern_real *t = y + 3 * kern_lp_tail(lp, j);
+        sum = c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
+              + c[3] * t[2];
     } else {
         const kern_real *c = lp->a + (size_t)j * (size_t)lp->rows;
         for (i = 0; i < lp->rows; i++)
@@ -2287,16 +2304,11 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 {
     int i;
     if (lp->ends) {
-        const kern_real *c = lp->a + 4 * j;
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        if (head >= 0) {
-            kern_real *h = v + 3 * head;
-            h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
-        }
-        if (tail >= 0) {
-            kern_real *t = v + 3 * tail;
-            t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
-        }
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        kern_real *h = v + 3 * kern_lp_head(lp, j);
+        kern_real *t = v + 3 * kern_lp_tail(lp, j);
+        h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
+        t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
     } else {
         const kern_real *c = lp->a + (size_t)j * (size_t)lp->rows;
         for (i = 0; i < lp->rows; i++)
@@ -2304,86 +2316,68 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
     }
 }
 
-/* How large is large for the variable of column j: what the groups it touches
-   carry by themselves. */
-static kern_real kern_lp_scale(const kern_program *lp, int j, kern_real unit)
+/* One by how large is large for variable j: of a column, what the smaller of
+   the groups it touches carries by itself. */
+static kern_real kern_lp_weight(const kern_program *lp, int j, kern_real unit)
 {
-    kern_real scale = unit;
-    if (lp->scale) {
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        if (head >= 0)
-            scale = lp->scale[head];
-        if (tail >= 0 && (head < 0 || lp->scale[tail] < scale))
-            scale = lp->scale[tail];
-    }
-    return scale;
+    if (!lp->weight)
+        return 1 / unit;
+    if (j >= lp->cols)
+        return lp->weight[(j - lp->cols) / 3];
+    return kern_max(lp->weight[kern_lp_head(lp, j)],
+                    lp->weight[kern_lp_tail(lp, j)]);
+}
+
+/* The first of the groups of network column j in the order of carrying. */
+static int kern_lp_first(const kern_simplex *sx, int j)
+{
+    const int head = kern_lp_head(sx->lp, j), tail = kern_lp_tail(sx->lp, j);
+    if (head >= sx->groups || tail >= sx->groups)
+        return head < tail ? head : tail;
+    return sx->rank[head] < sx->rank[tail] ? head : tail;
 }
 
 /* ---- solves with the base ---- */
 
-/* v := B0^-1 v, group by group in the order of carrying */
-static void kern_base_solve(const kern_simplex *sx, kern_real *v)
+/* v := B0^-1 v, group by group in the order of carrying; v is zero in groups
+   of a lower rank than `from`. */
+static void kern_base_solve(const kern_simplex *sx, int from, kern_real *v)
 {
     int i, s;
-    for (i = 0; i < sx->groups; i++) {
+    for (i = from; i < sx->groups; i++) {
         const int g = sx->lp->order[i];
-        const kern_real *d = sx->block + 9 * g;
+        const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
+        const int *far = sx->far + 3 * g;
         kern_real *x = v + 3 * g;
         const kern_real b0 = x[0], b1 = x[1], b2 = x[2];
         if (b0 >= 0 && b0 <= 0 && b1 >= 0 && b1 <= 0 && b2 >= 0 && b2 <= 0)
             continue;
-        x[0] = d[0] * b0 + d[1] * b1 + d[2] * b2;
-        x[1] = d[3] * b0 + d[4] * b1 + d[5] * b2;
-        x[2] = d[6] * b0 + d[7] * b1 + d[8] * b2;
-        for (s = 0; s < 3; s++) {
-            const int j = sx->base[3 * g + s];
-            if (j < sx->lp->cols) {
-                const kern_real *c = sx->lp->a + 4 * j;
-                const int head = sx->lp->ends[2 * j];
-                const int tail = sx->lp->ends[2 * j + 1];
-                if (head == g) {
-                    if (tail >= 0) {
-                        kern_real *t = v + 3 * tail;
-                        t[0] += x[s] * c[0]; t[1] += x[s] * c[1];
-                        t[2] -= x[s] * c[3];
-                    }
-                } else if (head >= 0) {
-                    kern_real *h = v + 3 * head;
-                    h[0] -= x[s] * c[0]; h[1] -= x[s] * c[1];
-                    h[2] -= x[s] * c[2];
-                }
-            }
+        for (s = 0; s < 3; s++, d += 3, f += 3) {
+            kern_real *w = v + 3 * far[s];
+            const kern_real xs = d[0] * b0 + d[1] * b1 + d[2] * b2;
+            w[0] -= xs * f[0]; w[1] -= xs * f[1]; w[2] -= xs * f[2];
+            x[s] = xs;
         }
     }
 }
 
-/* c := B0^-T c, in the opposite order */
-static void kern_base_solve_t(const kern_simplex *sx, kern_real *c)
+/* c := B0^-T c, in the opposite order; c is zero in groups of a higher rank
+   than `from`. */
+static void kern_base_solve_t(const kern_simplex *sx, int from, kern_real *c)
 {
-    int i, s;
-    for (i = sx->groups - 1; i >= 0; i--) {
+    kern_real *none = c + sx->lp->rows;
+    int i;
+    none[0] = none[1] = none[2] = KERN_R(0);
+    for (i = from; i >= 0; i--) {
         const int g = sx->lp->order[i];
-        const kern_real *d = sx->block + 9 * g;
+        const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
+        const int *far = sx->far + 3 * g;
+        const kern_real *p = c + 3 * far[0], *q = c + 3 * far[1];
+        const kern_real *r = c + 3 * far[2];
         kern_real *y = c + 3 * g;
-        kern_real b0, b1, b2;
-        for (s = 0; s < 3; s++) {
-            const int j = sx->base[3 * g + s];
-            if (j < sx->lp->cols) {
-                const kern_real *col = sx->lp->a + 4 * j;
-                const int head = sx->lp->ends[2 * j];
-                const int tail = sx->lp->ends[2 * j + 1];
-                if (head == g) {
-                    if (tail >= 0) {
-                        const kern_real *t = c + 3 * tail;
-                        y[s] += col[0] * t[0] + col[1] * t[1] - col[3] * t[2];
-                    }
-                } else if (head >= 0) {
-                    const kern_real *h = c + 3 * head;
-                    y[s] -= col[0] * h[0] + col[1] * h[1] + col[2] * h[2];
-                }
-            }
-        }
-        b0 = y[0]; b1 = y[1]; b2 = y[2];
+        const kern_real b0 = y[0] - (f[0] * p[0] + f[1] * p[1] + f[2] * p[2]);
+        const kern_real b1 = y[1] - (f[3] * q[0] + f[4] * q[1] + f[5] * q[2]);
+        const kern_real b2 = y[2] - (f[6] * r[0] + f[7] * r[1] + f[8] * r[2]);
         y[0] = d[0] * b0 + d[3] * b1 + d[6] * b2;
         y[1] = d[1] * b0 + d[4] * b1 + d[7] * b2;
         y[2] = d[2] * b0 + d[5] * b1 + d[8] * b2;
@@ -2393,25 +2387,28 @@ static void kern_base_solve_t(const kern_simplex *sx, kern_real *c)
 /* ---- solves with the basis ---- */
 
 /* v := the part of B^-1 v in the slots, ve := the part in the extras */
-static void kern_basis_solve(kern_simplex *sx, kern_real *v, kern_real *ve)
+static void kern_basis_solve(kern_simplex *sx, int from, kern_real *v,
+                             kern_real *ve)
 {
     const int k = sx->extras, m = sx->lp->rows;
     int i, e;
     if (k > 0) {
         for (i = 0; i < m; i++)
             sx->temp[i] = v[i];
-        kern_base_solve(sx, sx->temp);
+        kern_base_solve(sx, from, sx->temp);
+        for (i = 0; i < k; i++)
+            sx->row_extra[i] = sx->temp[sx->slot[i]];
         for (e = 0; e < k; e++) {
             const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
             kern_real sum = KERN_R(0);
             for (i = 0; i < k; i++)
-                sum += inv[i] * sx->temp[sx->slot[i]];
+                sum += inv[i] * sx->row_extra[i];
             ve[e] = sum;
+            kern_lp_subtract(sx->lp, sx->extra[e], sum, v);
         }
-        for (e = 0; e < k; e++)
-            kern_lp_subtract(sx->lp, sx->extra[e], ve[e], v);
+        from = 0;
     }
-    kern_base_solve(sx, v);
+    kern_base_solve(sx, from, v);
     for (i = 0; i < k; i++)
         v[sx->slot[i]] = KERN_R(0);
 }
@@ -2427,7 +2424,7 @@ static void kern_basis_solve_t(kern_simplex *sx, kern_real *c, kern_real *ce)
             c[sx->slot[i]] = KERN_R(0);
         for (i = 0; i < m; i++)
             sx->temp[i] = c[i];
-        kern_base_solve_t(sx, sx->temp);
+        kern_base_solve_t(sx, sx->groups - 1, sx->temp);
         for (e = 0; e < k; e++)
             ce[e] -= kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
         for (i = 0; i < k; i++)
@@ -2435,111 +2432,376 @@ static void kern_basis_solve_t(kern_simplex *sx, kern_real *c, kern_real *ce)
         for (e = 0; e < k; e++) {
             const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
             const kern_real h = ce[e];
-            for (i = 0; i < k; i++)
-                sx->temp[i] += inv[i] * h;
+            if (h > 0 || h < 0)
+                for (i = 0; i < k; i++)
+                    sx->temp[i] += inv[i] * h;
         }
         for (i = 0; i < k; i++) {
             ce[i] = sx->temp[i];
             c[sx->slot[i]] = ce[i];
         }
     }
-    kern_base_solve_t(sx, c);
+    kern_base_solve_t(sx, sx->groups - 1, c);
 }
 
 /* ---- choosing the base ---- */
 
-/* Chooses, of the columns list[0..n) that touch group g, up to three whose
-   parts in g are far from dependent (Gram-Schmidt, largest rest first), puts
-   them into the slots of g, completes them with unit vectors and stores the
-   inverse of the 3 x 3 block. */
-static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
+/* Of the columns list[0..n), whose parts in group g are made orthogonal to
+   q[0..s), the one with the largest rest; -1 where nothing but rounding, or
+   less than KERN_BASE_TOL of every column, is left. The rest goes to best. */
+static int kern_base_farthest(const kern_simplex *sx, int g, const int *list,
+                              int n, kern_real q[3][3], int s,
+                              kern_real best[3])
 {
-    const kern_program *lp = sx->lp;
-    kern_real q[3][3], d[9], part[3], best[3], det;
-    kern_real *inv = sx->block + 9 * g;
-    int s, i, k, r;
-    for (s = 0; s < 3; s++) {
-        kern_real most = KERN_R(0), size = KERN_R(0);
-        int take = -1;
-        for (i = 0; i < n; i++) {
-            kern_real whole, rest;
-            int taken = 0;
-            for (k = 0; k < s; k++)
-                taken |= sx->base[3 * g + k] == list[i];
-            if (taken)
-                continue;
-            kern_lp_part(lp, list[i], g, part);
-            whole = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
-            for (k = 0; k < s; k++) {
-                const kern_real along = part[0] * q[k][0] + part[1] * q[k][1]
-                                        + part[2] * q[k][2];
-                for (r = 0; r < 3; r++)
-                    part[r] -= along * q[k][r];
-            }
-            rest = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
-            if (rest > most && rest > KERN_BASE_TOL * whole) {
-                most = rest;
-                take = list[i];
-                for (r = 0; r < 3; r++)
-                    best[r] = part[r];
-            }
-        }
-        if (take >= 0) {
-            sx->base[3 * g + s] = take;
-            sx->place[take] = 3 * g + s;
-            kern_lp_part(lp, take, g, part);
-        } else {
-            /* the unit vector farthest from what is there */
-            int far = 0;
-            for (i = 0; i < 3; i++) {
-                kern_real unit[3], rest;
-                for (r = 0; r < 3; r++)
-                    unit[r] = r == i ? KERN_R(1) : KERN_R(0);
-                for (k = 0; k < s; k++)
-                    for (r = 0; r < 3; r++)
-                        unit[r] -= q[k][i] * q[k][r];
-                rest = unit[0] * unit[0] + unit[1] * unit[1]
-                       + unit[2] * unit[2];
-                if (rest > most) {
-                    most = rest;
-                    far = i;
-                    for (r = 0; r < 3; r++)
-                        best[r] = unit[r];
-                }
-            }
-            sx->base[3 * g + s] = lp->cols + 3 * g + far;
+    kern_real part[3], most = KERN_R(0);
+    int i, k, r, take = -1;
+    for (i = 0; i < n; i++) {
+        kern_real whole, rest;
+        if (sx->place[list[i]] != KERN_OUT)
+            continue;
+        kern_lp_part(sx->lp, list[i], g, part);
+        whole = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
+        for (k = 0; k < s; k++) {
+            const kern_real along = part[0] * q[k][0] + part[1] * q[k][1]
+                                    + part[2] * q[k][2];
             for (r = 0; r < 3; r++)
-                part[r] = r == far ? KERN_R(1) : KERN_R(0);
+                part[r] -= along * q[k][r];
         }
-        size = KERN_SQRT(most);
-        for (r = 0; r < 3; r++) {
-            q[s][r] = best[r] / size;
-            d[3 * r + s] = part[r];
+        rest = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
+        if (rest > most && rest > KERN_BASE_TOL * whole) {
+            most = rest;
+            take = list[i];
+            for (r = 0; r < 3; r++)
+                best[r] = part[r];
         }
     }
-    det = d[0] * (d[4] * d[8] - d[5] * d[7])
-          - d[1] * (d[3] * d[8] - d[5] * d[6])
-          + d[2] * (d[3] * d[7] - d[4] * d[6]);
-    inv[0] = (d[4] * d[8] - d[5] * d[7]) / det;
-    inv[1] = (d[2] * d[7] - d[1] * d[8]) / det;
-    inv[2] = (d[1] * d[5] - d[2] * d[4]) / det;
-    inv[3] = (d[5] * d[6] - d[3] * d[8]) / det;
-    inv[4] = (d[0] * d[8] - d[2] * d[6]) / det;
-    inv[5] = (d[2] * d[3] - d[0] * d[5]) / det;
-    inv[6] = (d[3] * d[7] - d[4] * d[6]) / det;
-    inv[7] = (d[1] * d[6] - d[0] * d[7]) / det;
-    inv[8] = (d[0] * d[4] - d[1] * d[3]) / det;
+    return take;
+}
+
+/* The unit vector that is farthest from q[0..s); its rest goes to best. */
+static int kern_base_unit(kern_real q[3][3], int s, kern_real best[3])
+{
+    kern_real most = KERN_R(0);
+    int i, k, r, far = 0;
+    for (i = 0; i < 3; i++) {
+        kern_real unit[3], rest;
+        for (r = 0; r < 3; r++)
+            unit[r] = r == i ? KERN_R(1) : KERN_R(0);
+        for (k = 0; k < s; k++)
+            for (r = 0; r < 3; r++)
+                unit[r] -= q[k][i] * q[k][r];
+        rest = unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2];
+        if (rest > most) {
+            most = rest;
+            far = i;
+            for (r = 0; r < 3; r++)
+                best[r] = unit[r];
+        }
+    }
+    return far;
+}
+
+/* Makes the block of group g from the variables in its slots: its inverse,
+   and what they do elsewhere. Returns the largest entry of the inverse. */
+static kern_real kern_base_block(kern_simplex *sx, int g)
+{
+    const kern_program *lp = sx->lp;
+    kern_real *inv = sx->block + 18 * (size_t)g, *there = inv + 9;
+    kern_real d[9], part[3], det, largest = KERN_R(0);
+    int s, r;
+    for (s = 0; s < 3; s++) {
+        const int j = sx->base[3 * g + s];
+        int far = sx->groups;
+        part[0] = part[1] = part[2] = KERN_R(0);
+        if (j < lp->cols) {
+            far = kern_lp_head(lp, j) == g ? kern_lp_tail(lp, j)
+                                           : kern_lp_head(lp, j);
+            kern_lp_part(lp, j, far, there + 3 * s);
+            kern_lp_part(lp, j, g, part);
+        } else {
+            there[3 * s] = there[3 * s + 1] = there[3 * s + 2] = KERN_R(0);
+            part[j - lp->cols - 3 * g] = KERN_R(1);
+        }
+        sx->far[3 * g + s] = far;
+        for (r = 0; r < 3; r++)
+            d[3 * r + s] = part[r];
+    }
+    inv[0] = d[4] * d[8] - d[5] * d[7];
+    inv[1] = d[2] * d[7] - d[1] * d[8];
+    inv[2] = d[1] * d[5] - d[2] * d[4];
+    inv[3] = d[5] * d[6] - d[3] * d[8];
+    inv[4] = d[0] * d[8] - d[2] * d[6];
+    inv[5] = d[2] * d[3] - d[0] * d[5];
+    inv[6] = d[3] * d[7] - d[4] * d[6];
+    inv[7] = d[1] * d[6] - d[0] * d[7];
+    inv[8] = d[0] * d[4] - d[1] * d[3];
+    det = d[0] * inv[0] + d[1] * inv[3] + d[2] * inv[6];
+    if (!(kern_abs(det) > 0))
+        return KERN_INFINITY;
+    det = 1 / det;
+    for (r = 0; r < 9; r++) {
+        inv[r] *= det;
+        largest = kern_max(largest, kern_abs(inv[r]));
+    }
+    return largest;
+}
+
+/* Chooses, of the columns list[0..n) that touch group g, up to three whose
+   parts in g are far from dependent (Gram-Schmidt, largest rest first), and
+   completes them with unit vectors. */
+static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
+{
+    kern_real q[3][3];
+    int s, r;
+    for (s = 0; s < 3; s++) {
+        const int j = kern_base_farthest(sx, g, list, n, q, s, q[s]);
+        const int r0 = j < 0 ? kern_base_unit(q, s, q[s]) : 0;
+        const kern_real size = KERN_SQRT(q[s][0] * q[s][0] + q[s][1] * q[s][1]
+                                         + q[s][2] * q[s][2]);
+        sx->base[3 * g + s] = j < 0 ? sx->lp->cols + 3 * g + r0 : j;
+        if (j >= 0)
+            sx->place[j] = 3 * g + s;
+        for (r = 0; r < 3; r++)
+            q[s][r] /= size;
+    }
+    kern_base_block(sx, g);
+}
+
+/* Gives the basic columns list[0..n) to the first of their groups in the order
+   in which groups carry each other, so that loads pass through the base in one
+   direction, and lets every group take three. What is left over goes to
+   `over`; returns how many columns are. */
+static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
+{
+    int *end = sx->link;  /* of a group's columns in `over`: a counting sort */
+    int i, g, from = 0, left = 0;
+    for (g = 0; g <= sx->groups; g++)
+        end[g] = 0;
+    for (i = 0; i < n; i++)
+        end[kern_lp_first(sx, list[i]) + 1]++;
+    for (g = 0; g < sx->groups; g++)
+        end[g + 1] += end[g];
+    for (i = 0; i < n; i++)
+        over[end[kern_lp_first(sx, list[i])]++] = list[i];
+    for (g = 0; g < sx->groups; g++) {
+        kern_base_fill(sx, g, over + from, end[g] - from);
+        for (i = from; i < end[g]; i++)
+            if (sx->place[over[i]] == KERN_OUT)
+                over[left++] = over[i];
+        from = end[g];
+    }
+    return left;
+}
+
+/* ---- the complement ---- */
+
+/* Makes S of the extras, in the slots slot[0..rows). */
+static void kern_extras_make(kern_simplex *sx, int rows)
+{
+    int c, i, r;
+    for (c = 0; c < sx->extras; c++) {
+        for (i = 0; i < sx->lp->rows; i++)
+            sx->temp[i] = KERN_R(0);
+        kern_lp_subtract(sx->lp, sx->extra[c], KERN_R(-1), sx->temp);
+        kern_base_solve(sx, sx->groups > 0
+                        ? sx->rank[kern_lp_first(sx, sx->extra[c])] : 0,
+                        sx->temp);
+        for (r = 0; r < rows; r++)
+            sx->inv[(size_t)r * (size_t)sx->room + (size_t)c] =
+                sx->temp[sx->slot[r]];
+    }
+}
+
+/* The row from t on with the largest entry in column t. */
+static int kern_extras_pivot(const kern_simplex *sx, int t, int rows)
+{
+    const size_t n = (size_t)sx->room;
+    const kern_real *at = sx->inv + t;
+    int r, best = t;
+    for (r = t + 1; r < rows; r++)
+        if (kern_abs(at[(size_t)r * n]) > kern_abs(at[(size_t)best * n]))
+            best = r;
+    return best;
+}
+
+/* Inverts S where it stands (Gauss and Jordan, the largest pivot of each
+   column), choosing of the rows as many as there are extras. A column that
+   depends on those before it leaves the basis, and a filler stays in it. */
+static void kern_extras_invert(kern_simplex *sx, int rows)
+{
+    const size_t n = (size_t)sx->room;
+    int c, i, r, t, k = sx->extras;
+    for (t = 0; t < k; ) {
+        const int best = kern_extras_pivot(sx, t, rows);
+        kern_real *pivot = sx->inv + (size_t)t * n;
+        kern_real *other = sx->inv + (size_t)best * n, one;
+        if (kern_abs(other[t]) < KERN_RANK_TOL) {
+            k--;
+            sx->extra[t] = sx->extra[k];
+            for (r = 0; r < rows; r++)
+                sx->inv[(size_t)r * n + (size_t)t] =
+                    sx->inv[(size_t)r * n + (size_t)k];
+            continue;
+        }
+        for (c = 0; c < k && best != t; c++) {
+            const kern_real swap = pivot[c];
+            pivot[c] = other[c];
+            other[c] = swap;
+        }
+        i = sx->slot[t];
+        sx->slot[t] = sx->slot[best];
+        sx->slot[best] = i;
+        one = 1 / pivot[t];
+        pivot[t] = KERN_R(1);
+        for (c = 0; c < k; c++)
+            pivot[c] *= one;
+        for (r = 0; r < rows; r++) {
+            kern_real *row = sx->inv + (size_t)r * n;
+            const kern_real f = row[t];
+            if (r == t || (f >= 0 && f <= 0))
+                continue;
+            row[t] = KERN_R(0);
+            for (c = 0; c < k; c++)
+                row[c] -= f * pivot[c];
+        }
+        t++;
+    }
+    sx->extras = k;
+}
+
+/* Says which slots the extras keep spare. */
+static void kern_extras_place(kern_simplex *sx)
+{
+    int t;
+    for (t = 0; t < sx->extras; t++) {
+        sx->place[sx->extra[t]] = -2 - t;
+        sx->spare[sx->slot[t]] = t;
+    }
+}
+
+/* Chooses base and extras anew for the basic columns as they are now. */
+static void kern_basis_choose(kern_simplex *sx)
+{
+    const int m = sx->lp->rows, cols = sx->lp->cols;
+    int *list = sx->link + sx->groups + 1, *over = list + m;
+    int n = 0, i, rows = 0, left;
+    for (i = 0; i < m; i++)
+        if (sx->base[i] < cols) {
+            sx->place[sx->base[i]] = KERN_OUT;
+            if (sx->spare[i] < 0)
+                list[n++] = sx->base[i];
+        }
+    for (i = 0; i < sx->extras; i++) {
+        sx->place[sx->extra[i]] = KERN_OUT;
+        list[n++] = sx->extra[i];
+    }
+    for (i = 0; i < m; i++) {
+        sx->base[i] = cols + i;
+        sx->spare[i] = -1;
+    }
+    if (sx->groups > 0)
+        left = kern_base_choose(sx, list, n, over);
+    else
+        for (left = 0; left < n; left++)
+            over[left] = list[left];
+    for (i = 0; i < m && rows < sx->room; i++)
+        if (sx->base[i] >= cols)
+            sx->slot[rows++] = i;
+    sx->extras = left < rows ? left : rows;
+    for (i = 0; i < sx->extras; i++)
+        sx->extra[i] = over[i];
+    kern_extras_make(sx, rows);
+    kern_extras_invert(sx, rows);
+    kern_extras_place(sx);
+    sx->pivots = 0;
+}
+
+/* Makes base and complement anew where the matrix has changed, with the same
+   columns in the same places. Returns 0 where these no longer are far from
+   dependent. */
+static int kern_basis_keep(kern_simplex *sx)
+{
+    const int k = sx->extras;
+    int g;
+    for (g = 0; g < sx->groups; g++)
+        if (!(kern_base_block(sx, g) < KERN_BASE_MOST))
+            return 0;
+    kern_extras_make(sx, k);
+    kern_extras_invert(sx, k);
+    if (sx->extras < k)
+        return 0;
+    kern_extras_place(sx);
+    return 1;
+}
+
+/* The basic solution. What it leaves of the right-hand side is solved for
+   again until that is rounding: the inverse grows with every course of a wall,
+   and one solve may lose half of the digits. Returns 0 where it is not. */
+static int kern_basis_values(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    const int m = lp->rows;
+    kern_real last = KERN_INFINITY, worst = KERN_R(0), size = KERN_R(0);
+    int i, round;
+    for (round = 0; round < 5; round++) {
+        worst = size = KERN_R(0);
+        for (i = 0; i < m; i++)
+            sx->alpha[i] = lp->rhs[i];
+        for (i = 0; i < m; i++) {
+            const kern_real v = sx->value[i];
+            if (!(v > 0 || v < 0))
+                continue;
+            size = kern_max(size, kern_abs(v));
+            if (sx->base[i] < lp->cols)
+                kern_lp_subtract(lp, sx->base[i], v, sx->alpha);
+            else
+                sx->alpha[sx->base[i] - lp->cols] -= v;
+        }
+        for (i = 0; i < sx->extras; i++) {
+            size = kern_max(size, kern_abs(sx->value_extra[i]));
+            kern_lp_subtract(lp, sx->extra[i], sx->value_extra[i], sx->alpha);
+        }
+        for (i = 0; i < m; i++)
+            worst = kern_max(worst, kern_abs(sx->alpha[i]));
+        if (worst <= KERN_REFINE_TOL * size || worst >= last)
+            break;
+        last = worst;
+        kern_basis_solve(sx, 0, sx->alpha, sx->alpha_extra);
+        for (i = 0; i < m; i++)
+            sx->value[i] += sx->alpha[i];
+        for (i = 0; i < sx->extras; i++)
+            sx->value_extra[i] += sx->alpha_extra[i];
+    }
+    sx->settled = 1;
+    return worst <= KERN_RENEW_TOL * size;
+}
+
+/* Begins anew from the basic columns: after a change of the matrix, and when
+   pivots have made S larger or less accurate than it needs to be. */
+static void kern_basis_renew(kern_simplex *sx, int keep)
+{
+    int i;
+    if (!keep || !kern_basis_keep(sx))
+        kern_basis_choose(sx);
+    for (i = 0; i < sx->lp->rows; i++)
+        sx->value[i] = KERN_R(0);
+    for (i = 0; i < sx->extras; i++)
+        sx->value_extra[i] = KERN_R(0);
+    sx->stale = 0;
+    kern_basis_values(sx);
 }
 
 /* ---- exchanging columns ---- */
 
+/* Column j in terms of the basis: to sx->alpha. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
     int i;
     for (i = 0; i < sx->lp->rows; i++)
         sx->alpha[i] = KERN_R(0);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
-    kern_basis_solve(sx, sx->alpha, sx->alpha_extra);
+    kern_basis_solve(sx, sx->groups > 0 ? sx->rank[kern_lp_first(sx, j)] : 0,
+                     sx->alpha, sx->alpha_extra);
 }
 
 /* The row of B^-1 for slot s, at the spare slots: to sx->row_extra. */
@@ -2554,12 +2816,13 @@ static void kern_basis_row(kern_simplex *sx, int s)
     for (i = 0; i < sx->lp->rows; i++)
         sx->temp[i] = KERN_R(0);
     sx->temp[s] = KERN_R(1);
-    kern_base_solve_t(sx, sx->temp);
+    kern_base_solve_t(sx, sx->groups > 0 ? sx->rank[s / 3] : -1, sx->temp);
     for (e = 0; e < k; e++) {
         const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
         const kern_real h = kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
-        for (i = 0; i < k; i++)
-            sx->row_extra[i] -= inv[i] * h;
+        if (h > 0 || h < 0)
+            for (i = 0; i < k; i++)
+                sx->row_extra[i] -= inv[i] * h;
     }
 }
 
@@ -2691,201 +2954,6 @@ static int kern_is_basic(const kern_simplex *sx, int j)
     return p <= -2 || (p >= 0 && sx->spare[p] < 0);
 }
 
-/* ---- the basis from nothing ---- */
-
-/* Sorts the basic columns list[0..n) by the first of their groups in the order
-   in which groups carry each other, so that loads pass through the base in one
-   direction, and lets every group take three. What is left over goes to
-   `over`; returns how many columns are. */
-static int kern_base_sort(kern_simplex *sx, const int *list, int n, int *over)
-{
-    const kern_program *lp = sx->lp;
-    const int G = sx->groups;
-    int *first = sx->link, *rank = first + G, *next = rank + G;
-    int *mine = next + n;
-    int i, left = 0;
-    for (i = 0; i < G; i++) {
-        first[i] = -1;
-        rank[lp->order[i]] = i;
-    }
-    for (i = n - 1; i >= 0; i--) {
-        const int head = lp->ends[2 * list[i]];
-        const int tail = lp->ends[2 * list[i] + 1];
-        const int g = head < 0 || (tail >= 0 && rank[tail] < rank[head])
-                      ? tail : head;
-        next[i] = first[g];
-        first[g] = i;
-    }
-    for (i = 0; i < G; i++) {
-        const int g = lp->order[i];
-        int k, count = 0;
-        for (k = first[g]; k >= 0; k = next[k])
-            mine[count++] = list[k];
-        kern_base_fill(sx, g, mine, count);
-        for (k = 0; k < count; k++)
-            if (sx->place[mine[k]] == KERN_OUT)
-                over[left++] = mine[k];
-    }
-    return left;
-}
-
-/* What found no place in the base, over[0..left), becomes extras: S is made at
-   the fillers' slots, and inverted where it stands (Gauss and Jordan, the
-   largest pivot of each column). A column that depends on those before it
-   leaves the basis, and a filler stays in it. */
-static void kern_extras_make(kern_simplex *sx, const int *over, int left)
-{
-    const kern_program *lp = sx->lp;
-    const size_t n = (size_t)sx->room;
-    int rows = 0, k = left < sx->room ? left : sx->room;
-    int r, c, i, t;
-    for (r = 0; r < lp->rows && rows < sx->room; r++)
-        if (sx->base[r] >= lp->cols)
-            sx->slot[rows++] = r;
-    if (k > rows)
-        k = rows;
-    for (c = 0; c < k; c++) {
-        sx->extra[c] = over[c];
-        for (i = 0; i < lp->rows; i++)
-            sx->temp[i] = KERN_R(0);
-        kern_lp_subtract(lp, over[c], KERN_R(-1), sx->temp);
-        kern_base_solve(sx, sx->temp);
-        for (r = 0; r < rows; r++)
-            sx->inv[(size_t)r * n + (size_t)c] = sx->temp[sx->slot[r]];
-    }
-    for (t = 0; t < k; ) {
-        kern_real *pivot = sx->inv + (size_t)t * n, one;
-        int best = t;
-        for (r = t + 1; r < rows; r++)
-            if (kern_abs(sx->inv[(size_t)r * n + (size_t)t])
-                > kern_abs(sx->inv[(size_t)best * n + (size_t)t]))
-                best = r;
-        if (kern_abs(sx->inv[(size_t)best * n + (size_t)t])
-            < KERN_RANK_TOL) {
-            k--;
-            sx->extra[t] = sx->extra[k];
-            for (r = 0; r < rows; r++)
-                sx->inv[(size_t)r * n + (size_t)t] =
-                    sx->inv[(size_t)r * n + (size_t)k];
-            continue;
-        }
-        for (c = 0; c < k && best != t; c++) {
-            const kern_real swap = pivot[c];
-            pivot[c] = sx->inv[(size_t)best * n + (size_t)c];
-            sx->inv[(size_t)best * n + (size_t)c] = swap;
-        }
-        i = sx->slot[t];
-        sx->slot[t] = sx->slot[best];
-        sx->slot[best] = i;
-        one = KERN_R(1) / pivot[t];
-        pivot[t] = KERN_R(1);
-        for (c = 0; c < k; c++)
-            pivot[c] *= one;
-        for (r = 0; r < rows; r++) {
-            kern_real *row = sx->inv + (size_t)r * n;
-            const kern_real f = row[t];
-            if (r == t || (f >= 0 && f <= 0))
-                continue;
-            row[t] = KERN_R(0);
-            for (c = 0; c < k; c++)
-                row[c] -= f * pivot[c];
-        }
-        t++;
-    }
-    for (t = 0; t < k; t++) {
-        sx->place[sx->extra[t]] = -2 - t;
-        sx->spare[sx->slot[t]] = t;
-    }
-    sx->extras = k;
-}
-
-/* Chooses base and extras anew for the basic columns as they are now. */
-static void kern_basis_refactor(kern_simplex *sx)
-{
-    const int m = sx->lp->rows, cols = sx->lp->cols;
-    int *list = sx->link + 2 * sx->groups + 3 * m, *over = list + m;
-    int n = 0, i, left;
-    for (i = 0; i < m; i++)
-        if (sx->base[i] < cols) {
-            sx->place[sx->base[i]] = KERN_OUT;
-            if (sx->spare[i] < 0)
-                list[n++] = sx->base[i];
-        }
-    for (i = 0; i < sx->extras; i++) {
-        sx->place[sx->extra[i]] = KERN_OUT;
-        list[n++] = sx->extra[i];
-    }
-    for (i = 0; i < m; i++) {
-        sx->base[i] = cols + i;
-        sx->spare[i] = -1;
-    }
-    sx->extras = 0;
-    if (sx->groups > 0)
-        left = kern_base_sort(sx, list, n, over);
-    else
-        for (left = 0; left < n; left++)
-            over[left] = list[left];
-    kern_extras_make(sx, over, left);
-    sx->pivots = 0;
-    sx->stale = 0;
-}
-
-/* The values of the basic variables, refined until what they leave of the
-   right-hand side is rounding: the inverse grows with every course of a wall,
-   and one solve may lose half of the digits. Returns 0 where it is not. */
-static int kern_basis_values(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    const int m = lp->rows;
-    kern_real size = KERN_R(0), last = KERN_INFINITY, worst = KERN_R(0);
-    int i, round;
-    for (i = 0; i < m; i++) {
-        sx->value[i] = KERN_R(0);
-        size = kern_max(size, kern_abs(lp->rhs[i]));
-    }
-    for (i = 0; i < sx->extras; i++)
-        sx->value_extra[i] = KERN_R(0);
-    for (round = 0; round < 4; round++) {
-        worst = KERN_R(0);
-        for (i = 0; i < m; i++)
-            sx->alpha[i] = lp->rhs[i];
-        if (round > 0) {
-            for (i = 0; i < m; i++) {
-                const int j = sx->base[i];
-                if (sx->spare[i] >= 0)
-                    continue;
-                if (j < lp->cols)
-                    kern_lp_subtract(lp, j, sx->value[i], sx->alpha);
-                else
-                    sx->alpha[j - lp->cols] -= sx->value[i];
-            }
-            for (i = 0; i < sx->extras; i++)
-                kern_lp_subtract(lp, sx->extra[i], sx->value_extra[i],
-                                 sx->alpha);
-            for (i = 0; i < m; i++)
-                worst = kern_max(worst, kern_abs(sx->alpha[i]));
-            if (worst <= KERN_REFINE_TOL * size || worst >= last)
-                break;
-            last = worst;
-        }
-        kern_basis_solve(sx, sx->alpha, sx->alpha_extra);
-        for (i = 0; i < m; i++)
-            sx->value[i] += sx->alpha[i];
-        for (i = 0; i < sx->extras; i++)
-            sx->value_extra[i] += sx->alpha_extra[i];
-    }
-    sx->settled = 1;
-    return worst <= KERN_RENEW_TOL * size;
-}
-
-/* Begins anew from the basic columns: after a change of the matrix, and when
-   pivots have made S larger or less accurate than it needs to be. */
-static void kern_basis_renew(kern_simplex *sx)
-{
-    kern_basis_refactor(sx);
-    kern_basis_values(sx);
-}
-
 /* ---- phase one ---- */
 /* Every basis gives x with A x = rhs; phase one makes it non-negative. What it
    lowers is the sum of all violations: of negative columns and of fillers that
@@ -2898,36 +2966,27 @@ static void kern_basis_renew(kern_simplex *sx)
    that shows the largest sum of violations: what a step of Newton's method
    wants. */
 
-/* The weight of a violation of variable j, and in `sign` which way v, if at
-   all, violates. Columns may not be negative, fillers must be zero. */
-static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v,
-                                int *sign)
+/* What a unit of variable j costs where it has the value v: columns may not be
+   negative, fillers must be zero. */
+static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v)
 {
-    const kern_program *lp = sx->lp;
-    const kern_real scale = j < lp->cols ? kern_lp_scale(lp, j, sx->unit)
-        : lp->scale ? lp->scale[(j - lp->cols) / 3] : sx->unit;
-    *sign = v < -KERN_FEAS_TOL * scale ? -1
-            : j >= lp->cols && v > KERN_FEAS_TOL * scale ? 1 : 0;
-    return 1 / scale;
+    kern_real w;
+    if (v >= 0 && j < sx->lp->cols)
+        return KERN_R(0);
+    w = kern_lp_weight(sx->lp, j, sx->unit);
+    return v * w < -KERN_FEAS_TOL ? -w
+           : j >= sx->lp->cols && v * w > KERN_FEAS_TOL ? w : KERN_R(0);
 }
 
-/* What a violation costs: the price of a slot, or of an extra. */
-static kern_real kern_slot_price(const kern_simplex *sx, int r)
+static kern_real kern_slot_price(const kern_simplex *sx, int i)
 {
-    int sign = 0;
-    kern_real w;
-    if (sx->spare[r] >= 0 || (sx->value[r] >= 0 && sx->base[r] < sx->lp->cols))
-        return KERN_R(0);
-    w = kern_violation(sx, sx->base[r], sx->value[r], &sign);
-    return KERN_R(sign) * w;
+    return sx->spare[i] >= 0 ? KERN_R(0)
+                             : kern_violation(sx, sx->base[i], sx->value[i]);
 }
 
 static kern_real kern_extra_price(const kern_simplex *sx, int e)
 {
-    int sign;
-    const kern_real w = kern_violation(sx, sx->extra[e], sx->value_extra[e],
-                                       &sign);
-    return KERN_R(sign) * w;
+    return kern_violation(sx, sx->extra[e], sx->value_extra[e]);
 }
 
 /* y to sx->row; returns the sum of violations. */
@@ -2948,16 +3007,24 @@ static kern_real kern_phase_one_prices(kern_simplex *sx)
     return sum;
 }
 
+static kern_real kern_largest(const kern_real *v, int n)
+{
+    kern_real size = KERN_R(0);
+    int i;
+    for (i = 0; i < n; i++)
+        size = kern_max(size, kern_abs(v[i]));
+    return size;
+}
+
 /* One step of refinement for y = sx->row: the certificate -y must be zero on
    the basic columns to the last digits, or be `above` zero, as a share of its
    largest entry. */
 static void kern_phase_one_refine(kern_simplex *sx, kern_real above)
 {
     const kern_program *lp = sx->lp;
-    kern_real size = KERN_R(0);
+    const kern_real size = kern_largest(sx->row, lp->rows);
     int i;
-    for (i = 0; i < lp->rows; i++)
-        size = kern_max(size, kern_abs(sx->row[i]));
+    sx->row[lp->rows] = sx->row[lp->rows + 1] = sx->row[lp->rows + 2] = 0;
     for (i = 0; i < lp->rows; i++) {
         const int j = sx->base[i];
         sx->alpha[i] = kern_slot_price(sx, i)
@@ -2985,6 +3052,24 @@ static void kern_certificate_lift(kern_simplex *sx, kern_real *y)
         y[i] = -sx->row[i];
 }
 
+/* The column outside of the basis whose gain y.A_j - cost_j is largest above
+   *gain, or the first one above it; y is sx->row. Basic columns have none. */
+static int kern_price(const kern_simplex *sx, const kern_real *cost, int first,
+                      kern_real *gain)
+{
+    const kern_program *lp = sx->lp;
+    const kern_real *y = sx->row;
+    int j, best = KERN_OUT;
+    for (j = 0; j < lp->cols && !(first && best != KERN_OUT); j++) {
+        const kern_real d = kern_lp_dot(lp, j, y) - (cost ? cost[j] : 0);
+        if (d > *gain && !kern_is_basic(sx, j)) {
+            best = j;
+            *gain = d;
+        }
+    }
+    return best;
+}
+
 /* The column that lowers the sum fastest, or the first that lowers it. One
    that would have to carry more than lp->most to undo it is no help: the
    bound on the forces of a jam. */
@@ -2992,23 +3077,10 @@ static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
                                    int first, kern_real *gain)
 {
     const kern_program *lp = sx->lp;
-    kern_real size = KERN_R(0);
-    int i, j, best = KERN_OUT;
-    for (i = 0; i < lp->rows; i++)
-        size = kern_max(size, kern_abs(sx->row[i]));
+    const kern_real size = kern_largest(sx->row, lp->rows);
     *gain = lp->most > 0 ? kern_max(sum / lp->most, KERN_ROUNDING * size)
                          : KERN_PIVOT_TOL * size;
-    for (j = 0; j < lp->cols; j++)
-        if (!kern_is_basic(sx, j)) {
-            const kern_real fall = kern_lp_dot(lp, j, sx->row);
-            if (fall > *gain) {
-                best = j;
-                *gain = fall;
-                if (first)
-                    return best;
-            }
-        }
-    return best;
+    return kern_price(sx, NULL, first, gain);
 }
 
 /* How much the slope of the sum rises when position i passes zero, on the way
@@ -3021,24 +3093,23 @@ static kern_real kern_break(const kern_simplex *sx, int i, kern_real least,
     const kern_real a = e < 0 ? sx->alpha[i] : sx->alpha_extra[e];
     const kern_real v = e < 0 ? sx->value[i] : sx->value_extra[e];
     const kern_real size = kern_abs(a);
-    kern_real w;
-    int sign;
+    kern_real price;
     *at = KERN_R(0);
-    if ((e < 0 && sx->spare[i] >= 0) || !(size > least))
+    if (!(size > least) || (e < 0 && sx->spare[i] >= 0))
         return KERN_R(0);
-    w = kern_violation(sx, j, v, &sign);
-    if (sign != 0) {
-        if ((sign < 0) != (a < 0))
+    price = kern_violation(sx, j, v);
+    if (price < 0 || price > 0) {
+        if ((price < 0) != (a < 0))
             return KERN_R(0);
         *at = v / a;
-        return j < sx->lp->cols ? w * size : 2 * w * size;
+        return kern_abs(price) * size * (j < sx->lp->cols ? 1 : 2);
     }
-    if (j >= sx->lp->cols)
-        return w * size;
-    if (a < 0)
-        return KERN_R(0);
-    *at = kern_max(v, KERN_R(0)) / a;
-    return w * size;
+    if (j < sx->lp->cols) {
+        if (a < 0)
+            return KERN_R(0);
+        *at = kern_max(v, KERN_R(0)) / a;
+    }
+    return kern_lp_weight(sx->lp, j, sx->unit) * size;
 }
 
 /* The ratio test goes on past every variable that reaches zero as long as the
@@ -3047,34 +3118,37 @@ static kern_real kern_break(const kern_simplex *sx, int i, kern_real least,
 static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
                                   kern_real *step)
 {
-    const int m = sx->lp->rows, n = m + sx->extras;
+    const int m = sx->lp->rows;
     const kern_real enough = gain * KERN_R(64) * KERN_EPS;
+    const kern_real size = kern_max(kern_largest(sx->alpha, m),
+                               kern_largest(sx->alpha_extra, sx->extras));
     kern_real *at = sx->temp, *rise = sx->row; /* neither is in use here */
-    kern_real size = KERN_R(0);
-    int i, best = -1;
-    for (i = 0; i < n; i++)
-        size = kern_max(size, kern_abs(i < m ? sx->alpha[i]
-                                             : sx->alpha_extra[i - m]));
-    for (i = 0; i < n; i++)
-        rise[i] = kern_break(sx, i, KERN_PIVOT_TOL * size, &at[i]);
-    do {
-        int j, next = -1, least = 0;
-        for (i = 0; i < n; i++)
-            if (rise[i] > 0) {
-                j = i < m ? sx->base[i] : sx->extra[i - m];
-                if (next < 0 || at[i] < at[next]
-                    || (first && at[i] <= at[next] && j < least)) {
-                    next = i;
-                    least = j;
-                }
+    int *list = sx->link;
+    int i, n = 0, best = -1;
+    for (i = 0; i < m + sx->extras; i++) {
+        rise[n] = kern_break(sx, i, KERN_PIVOT_TOL * size, &at[n]);
+        list[n] = i;
+        n += rise[n] > 0;
+    }
+    while (n > 0 && (best < 0 || (!first && gain > enough))) {
+        int next = 0, least = 0;
+        for (i = 0; i < n; i++) {
+            const int j = list[i] < m ? sx->base[list[i]]
+                                      : sx->extra[list[i] - m];
+            if (i == 0 || at[i] < at[next]
+                || (first && at[i] <= at[next] && j < least)) {
+                next = i;
+                least = j;
             }
-        if (next < 0)
-            break;
+        }
         gain -= rise[next];
-        rise[next] = KERN_R(0);
         *step = at[next];
-        best = next;
-    } while (!first && gain > enough);
+        best = list[next];
+        n--;
+        at[next] = at[n];
+        rise[next] = rise[n];
+        list[next] = list[n];
+    }
     return best < 0 ? KERN_OUT : best < m ? best : -2 - (best - m);
 }
 
@@ -3160,7 +3234,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
             if (sx->settled)
                 return KERN_UNDECIDED;
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx);
+                kern_basis_renew(sx, 0);
             continue;
         }
         if (sx->extras == sx->room && position >= 0
@@ -3172,7 +3246,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         work->pivots++;
         count++;
         if (sx->extras == sx->room || sx->pivots >= KERN_RENEW)
-            kern_basis_renew(sx);
+            kern_basis_renew(sx, 0);
     }
     return KERN_UNDECIDED;
 }
@@ -3183,28 +3257,15 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
 static int kern_primal_entering(kern_simplex *sx, int first)
 {
     const kern_program *lp = sx->lp;
-    kern_real least, size = KERN_R(0);
-    int i, j, best = KERN_OUT;
+    kern_real least = KERN_FEAS_TOL * kern_largest(lp->cost, lp->cols);
+    int i;
     for (i = 0; i < lp->rows; i++)
         sx->row[i] = sx->base[i] < lp->cols ? lp->cost[sx->base[i]]
                                             : KERN_R(0);
     for (i = 0; i < sx->extras; i++)
         sx->row_extra[i] = lp->cost[sx->extra[i]];
     kern_basis_solve_t(sx, sx->row, sx->row_extra);
-    for (j = 0; j < lp->cols; j++)
-        size = kern_max(size, kern_abs(lp->cost[j]));
-    least = -KERN_FEAS_TOL * size;
-    for (j = 0; j < lp->cols; j++)
-        if (!kern_is_basic(sx, j)) {
-            const kern_real d = lp->cost[j] - kern_lp_dot(lp, j, sx->row);
-            if (d < least) {
-                best = j;
-                if (first)
-                    return best;
-                least = d;
-            }
-        }
-    return best;
+    return kern_price(sx, lp->cost, first, &least);
 }
 
 /* The ratio test: how far the entering variable may rise, and what leaves
@@ -3260,7 +3321,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
             return KERN_STANDS;
         if (q == KERN_OUT) {
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx);
+                kern_basis_renew(sx, 0);
             continue;
         }
         kern_basis_column(sx, q);
@@ -3278,7 +3339,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         work->pivots++;
         count++;
         if (sx->extras == sx->room || sx->pivots >= KERN_RENEW)
-            kern_basis_renew(sx);
+            kern_basis_renew(sx, 0);
     }
     return KERN_UNDECIDED;
 }
@@ -3297,19 +3358,21 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->room = room;
     sx->base = kern_take_ints(take, m);
     sx->spare = kern_take_ints(take, m);
+    sx->far = kern_take_ints(take, 3 * sx->groups);
     sx->extra = kern_take_ints(take, room);
     sx->slot = kern_take_ints(take, room);
     sx->place = kern_take_ints(take, lp->cols);
-    sx->link = kern_take_ints(take, 2 * sx->groups + 5 * m);
-    sx->block = kern_take_reals(take, 9 * sx->groups);
+    sx->rank = kern_take_ints(take, sx->groups);
+    sx->link = kern_take_ints(take, sx->groups + 1 + 2 * m);
+    sx->block = kern_take_reals(take, 18 * sx->groups);
     sx->inv = kern_take_reals(take, room * room);
     sx->value = kern_take_reals(take, m);
     sx->value_extra = kern_take_reals(take, room);
-    sx->alpha = kern_take_reals(take, m);
+    sx->alpha = kern_take_reals(take, m + 3);
     sx->alpha_extra = kern_take_reals(take, room);
-    sx->row = kern_take_reals(take, m + room);
+    sx->row = kern_take_reals(take, m + 3 + room);
     sx->row_extra = kern_take_reals(take, room);
-    sx->temp = kern_take_reals(take, m + room);
+    sx->temp = kern_take_reals(take, m + 3 + room);
 }
 
 /* Of the columns mine[0..n), the three that carry `load` in group g with the
@@ -3319,19 +3382,18 @@ static void kern_crash_choose(const kern_simplex *sx, int g, const int *mine,
                               kern_real share[3])
 {
     kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY;
-    const int step = (n + KERN_CRASH_MOST - 1) / KERN_CRASH_MOST;
-    int i, j, k, count = 0;
+    int i, j, k;
     take[0] = take[1] = take[2] = KERN_OUT;
-    for (i = 0; i < n; i += step)
-        kern_lp_part(sx->lp, mine[i], g, part[count++]);
-    for (i = 0; i < count; i++)
-        for (j = i + 1; j < count; j++) {
+    for (i = 0; i < n; i++)
+        kern_lp_part(sx->lp, mine[i], g, part[i]);
+    for (i = 0; i < n; i++)
+        for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
             const kern_real ab0 = a[1] * b[2] - a[2] * b[1];
             const kern_real ab1 = a[2] * b[0] - a[0] * b[2];
             const kern_real ab2 = a[0] * b[1] - a[1] * b[0];
             const kern_real lc = ab0 * load[0] + ab1 * load[1] + ab2 * load[2];
-            for (k = j + 1; k < count; k++) {
+            for (k = j + 1; k < n; k++) {
                 const kern_real *c = part[k];
                 const kern_real det = ab0 * c[0] + ab1 * c[1] + ab2 * c[2];
                 kern_real la, lb, least, w = lc / det;
@@ -3346,9 +3408,9 @@ static void kern_crash_choose(const kern_simplex *sx, int g, const int *mine,
                 least = kern_min(w, kern_min(la, lb));
                 if (least > best) {
                     best = least;
-                    take[0] = mine[i * step];
-                    take[1] = mine[j * step];
-                    take[2] = mine[k * step];
+                    take[0] = mine[i];
+                    take[1] = mine[j];
+                    take[2] = mine[k];
                     share[0] = la; share[1] = lb; share[2] = w;
                 }
             }
@@ -3368,56 +3430,62 @@ static int kern_crash_faces(const kern_program *lp, int j, int g,
               * (load[0] * load[0] + load[1] * load[1]);
 }
 
+/* Lets group g take three of its columns, which hang together from `first`:
+   where more face the load than are tried, evenly chosen ones. */
+static void kern_crash_group(kern_simplex *sx, int g, int first)
+{
+    const kern_program *lp = sx->lp;
+    const int *next = sx->place;
+    int mine[KERN_CRASH_MOST], take[3];
+    kern_real share[3];
+    int j, s, n = 0, facing = 0, step = 1;
+    for (j = first; j >= 0; j = next[j])
+        facing += kern_crash_faces(lp, j, g, sx->row + 3 * g);
+    step += (facing - 1) / KERN_CRASH_MOST;
+    facing = 0;
+    for (j = first; j >= 0; j = next[j])
+        if (kern_crash_faces(lp, j, g, sx->row + 3 * g)
+            && facing++ % step == 0)
+            mine[n++] = j;
+    kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
+    for (s = 0; s < 3 && take[0] != KERN_OUT; s++) {
+        sx->base[3 * g + s] = take[s];
+        kern_lp_subtract(lp, take[s], share[s], sx->row);
+    }
+}
+
 /* The crash basis: down the order, each group takes three columns to groups
    after it (or to none) that carry its load and what rests on it. Feasible at
    once for most walls. Without an order every filler is basic. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *first = sx->link, *rank = first + sx->groups;
-    int *mine = rank + sx->groups, *next = sx->place;
-    int i, j, s;
+    int *first = sx->link, *next = sx->place;
+    int i, j;
     for (i = 0; i < lp->rows; i++) {
         sx->base[i] = lp->cols + i;
         sx->spare[i] = -1;
         sx->row[i] = lp->rhs[i];
     }
-    for (i = 0; i < sx->groups; i++) {
+    for (i = 0; i < sx->groups; i++)
+        sx->rank[lp->order[i]] = i;
+    for (i = 0; i <= sx->groups; i++)
         first[i] = -1;
-        rank[lp->order[i]] = i;
-    }
     for (j = lp->cols - 1; j >= 0 && sx->groups > 0; j--) {
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        const int g = head < 0 || (tail >= 0 && rank[tail] < rank[head])
-                      ? tail : head;
-        if (g >= 0) {
-            next[j] = first[g];
-            first[g] = j;
-        }
+        const int g = kern_lp_first(sx, j);
+        next[j] = first[g];
+        first[g] = j;
     }
-    for (i = 0; i < sx->groups; i++) {
-        const int g = lp->order[i];
-        int n = 0, take[3];
-        kern_real share[3];
-        for (j = first[g]; j >= 0 && n < 4 * lp->rows; j = next[j])
-            if (kern_crash_faces(lp, j, g, sx->row + 3 * g))
-                mine[n++] = j;
-        kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
-        for (s = 0; s < 3 && take[0] != KERN_OUT; s++) {
-            sx->base[3 * g + s] = take[s];
-            kern_lp_subtract(lp, take[s], share[s], sx->row);
-        }
-    }
+    for (i = 0; i < sx->groups; i++)
+        kern_crash_group(sx, lp->order[i], first[lp->order[i]]);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
     sx->extras = 0;
     sx->started = 1;
-    sx->unit = KERN_R(0);
-    for (i = 0; i < lp->rows; i++)
-        sx->unit = kern_max(sx->unit, kern_abs(lp->rhs[i]));
+    sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
-    kern_basis_refactor(sx);
+    kern_basis_renew(sx, 0);
 }
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
@@ -3463,8 +3531,9 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     if (!sx->started)
         kern_simplex_crash(sx);
     else if (sx->stale)
-        kern_basis_refactor(sx);
-    kern_basis_values(sx);
+        kern_basis_renew(sx, sx->pivots < KERN_KEEP);
+    else
+        kern_basis_values(sx);
     status = kern_phase_one(sx, work, limit);
     if (status == KERN_STANDS && lp->cost)
         status = kern_simplex_primal(sx, work, limit);
@@ -3570,7 +3639,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.rhs = lp->rhs;
     p.cost = lp->cost;
     p.ends = p.order = NULL;
-    p.scale = NULL;
+    p.weight = NULL;
     p.most = KERN_R(0);
     p.pivots = lp->pivots;
     kern_take_open(&take, work);
@@ -3707,6 +3776,14 @@ static kern_wrench kern_pattern_on(const kern_structure *s,
     return w;
 }
 
+/* The magnitude of what acts on a block. */
+static kern_real kern_wrench_size(const kern_wrench *w, const kern_block *b)
+{
+    const kern_real torque = kern_abs(w->torque);
+    const kern_real size = KERN_SQRT(w->fx * w->fx + w->fy * w->fy);
+    return torque > 0 ? size + torque / kern_block_size(b) : size;
+}
+
 /* All that acts on block i besides its contacts, and in `size` the sum of the
    magnitudes: what its equilibrium is measured by. */
 static kern_wrench kern_wrench_on(const kern_structure *s,
@@ -3716,15 +3793,12 @@ static kern_wrench kern_wrench_on(const kern_structure *s,
     const kern_block *b = s->block + i;
     const kern_real gx = b->mass * q->gravity.x, gy = b->mass * q->gravity.y;
     kern_wrench w = b->load;
-    *size = KERN_SQRT(gx * gx + gy * gy)
-            + KERN_SQRT(w.fx * w.fx + w.fy * w.fy)
-            + kern_abs(w.torque) / kern_block_size(b);
+    *size = KERN_SQRT(gx * gx + gy * gy) + kern_wrench_size(&w, b);
     w.fx += gx;
     w.fy += gy;
     if (q->factor > 0) {
         const kern_wrench p = kern_pattern_on(s, q, i);
-        *size += q->factor * (KERN_SQRT(p.fx * p.fx + p.fy * p.fy)
-                              + kern_abs(p.torque) / kern_block_size(b));
+        *size += q->factor * kern_wrench_size(&p, b);
         w.fx += q->factor * p.fx;
         w.fy += q->factor * p.fy;
         w.torque += q->factor * p.torque;
@@ -3769,18 +3843,22 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
     return p;
 }
 
-/* From the centre of block b to where contact c acts. The centre is taken off
-   first, since far from the origin a place has fewer digits than an arm. */
-static kern_vec kern_arm(const kern_contact *c, const kern_block *b,
-                         kern_real shrink, int relative, kern_real mean)
+/* The way from c->p to where contact c acts. */
+static kern_vec kern_way(const kern_contact *c, kern_real shrink, int relative,
+                         kern_real mean)
 {
     kern_real rate;
     const kern_real shift = kern_shift(kern_travel(c, mean), shrink, relative,
                                        &rate);
-    kern_vec arm = kern_vec_sub(c->p, b->centre);
-    arm.x -= shift * c->n.y;
-    arm.y += shift * c->n.x;
-    return arm;
+    return kern_vec_make(-shift * c->n.y, shift * c->n.x);
+}
+
+/* From the centre of block b to where contact c acts. The centre is taken off
+   first, since far from the origin a place has fewer digits than an arm. */
+static kern_vec kern_arm(const kern_contact *c, const kern_block *b,
+                         kern_vec way)
+{
+    return kern_vec_add(kern_vec_sub(c->p, b->centre), way);
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
@@ -3808,6 +3886,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         const kern_real f = force[i].normal, r = force[i].tangential;
         const kern_real fx = f * c->n.x - r * c->n.y;
         const kern_real fy = f * c->n.y + r * c->n.x;
+        const kern_vec way = kern_way(c, q->shrink, relative, mean);
         int end;
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
@@ -3815,8 +3894,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         for (end = 0; end < 2; end++) {
             const int b = end ? c->b : c->a;
             const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-            const kern_vec arm = kern_arm(c, s->block + b, q->shrink, relative,
-                                          mean);
+            const kern_vec arm = kern_arm(c, s->block + b, way);
             sum[4 * b] += sign * fx;
             sum[4 * b + 1] += sign * fy;
             sum[4 * b + 2] += sign * (arm.x * fy - arm.y * fx);
@@ -3870,10 +3948,9 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_motion *a = motion + c->a, *b = motion + c->b;
-        const kern_vec pa = kern_arm(c, s->block + c->a, q->shrink, relative,
-                                     mean);
-        const kern_vec pb = kern_arm(c, s->block + c->b, q->shrink, relative,
-                                     mean);
+        const kern_vec way = kern_way(c, q->shrink, relative, mean);
+        const kern_vec pa = kern_arm(c, s->block + c->a, way);
+        const kern_vec pb = kern_arm(c, s->block + c->b, way);
         const kern_real vx = b->vx - b->spin * pb.y - (a->vx - a->spin * pa.y);
         const kern_real vy = b->vy + b->spin * pb.x - (a->vy + a->spin * pa.x);
         const kern_real open = vx * c->n.x + vy * c->n.y;
@@ -3939,11 +4016,12 @@ typedef struct kern_model {
     kern_real shrink;         /* that the columns were made for               */
     kern_program lp;
     kern_simplex simplex;
-    int *group;               /* of a block, -1 where it is fixed             */
+    int *group;               /* of a block; fixed ones: after the last       */
     int *ends, *order;
-    kern_real *arc, *rhs, *scale;
+    kern_real *arc, *rhs, *weight_of;
+    kern_real *unit;          /* of a block: 1 / the unit of its torques      */
     kern_real *x;             /* solution, two a contact point                */
-    kern_real *y;             /* certificate, three a group                   */
+    kern_real *y;             /* certificate, three a group; then three of 0  */
     kern_real *sum;           /* scratch of the proof, four a block           */
     kern_force *force;        /* of the last verdict                          */
     kern_motion *motion;
@@ -3962,13 +4040,14 @@ static void kern_model_lay(kern_model *m, int blocks, int free_blocks,
     m->lp.rows = 3 * free_blocks;
     m->lp.cols = 2 * contacts;
     m->group = kern_take_ints(take, blocks);
-    m->ends = kern_take_ints(take, 4 * contacts);
+    m->ends = kern_take_ints(take, 2 * contacts);
     m->order = kern_take_ints(take, free_blocks);
     m->arc = kern_take_reals(take, 8 * contacts);
     m->rhs = kern_take_reals(take, 3 * free_blocks);
-    m->scale = kern_take_reals(take, free_blocks);
+    m->weight_of = kern_take_reals(take, free_blocks + 1);
+    m->unit = kern_take_reals(take, blocks);
     m->x = kern_take_reals(take, 2 * contacts);
-    m->y = kern_take_reals(take, 3 * free_blocks);
+    m->y = kern_take_reals(take, 3 * free_blocks + 3);
     m->sum = kern_take_reals(take, 4 * blocks);
     m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
     m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
@@ -3976,7 +4055,7 @@ static void kern_model_lay(kern_model *m, int blocks, int free_blocks,
     m->lp.order = m->order;
     m->lp.a = m->arc;
     m->lp.rhs = m->rhs;
-    m->lp.scale = m->scale;
+    m->lp.weight = m->weight_of;
     m->lp.cost = NULL;
     m->lp.most = KERN_BOUND;
     kern_simplex_lay(&m->simplex, &m->lp, KERN_EXTRAS(free_blocks), take);
@@ -4053,47 +4132,52 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     free_blocks = 0;
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
-        m->group[i] = b->fixed ? -1 : free_blocks;
+        m->group[i] = b->fixed ? m->lp.rows / 3 : free_blocks;
         if (!b->fixed)
             m->simplex.temp[free_blocks++] = -(b->centre.x * s->gravity.x
                                                + b->centre.y * s->gravity.y);
     }
     kern_model_order(m, m->simplex.temp);
+    for (i = 0; i < 3; i++)
+        m->y[m->lp.rows + i] = KERN_R(0);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        m->ends[4 * i] = m->ends[4 * i + 2] = m->group[c->b];
-        m->ends[4 * i + 1] = m->ends[4 * i + 3] = m->group[c->a];
+        m->ends[2 * i] = m->group[c->b];
+        m->ends[2 * i + 1] = m->group[c->a];
     }
     return KERN_STANDS;
 }
 
-/* The unit of a block's torques: its size, or where kerns have grown beyond
-   it, how far. */
-static kern_real kern_lever(const kern_model *m, const kern_block *b)
-{
-    const kern_real grown = kern_max(-m->shrink, KERN_R(0));
-    const kern_real size = kern_block_size(b);
-    return m->relative ? size * (1 + grown) : size + grown;
-}
+static int kern_is_free(const kern_model *m, int block)
+{ return !m->s->block[block].fixed; }
 
-/* The columns of A at a shrinkage: what changes with it is the torques. */
+/* The columns of A at a shrinkage: what changes with it is the torques. Their
+   unit is the size of the block, or where kerns have grown beyond it, how
+   far. */
 static void kern_model_columns(kern_model *m, kern_real shrink)
 {
     const kern_structure *s = m->s;
+    const kern_real grown = kern_max(-shrink, KERN_R(0));
     int i, edge;
     m->shrink = shrink;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_real size = kern_block_size(s->block + i);
+        m->unit[i] = 1 / (m->relative ? size * (1 + grown) : size + grown);
+        if (!kern_is_free(m, i))
+            m->unit[i] = KERN_R(0);
+    }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const kern_block *ba = s->block + c->a, *bb = s->block + c->b;
-        const kern_vec pa = kern_arm(c, ba, shrink, m->relative, m->mean);
-        const kern_vec pb = kern_arm(c, bb, shrink, m->relative, m->mean);
+        const kern_vec way = kern_way(c, shrink, m->relative, m->mean);
+        const kern_vec pa = kern_arm(c, s->block + c->a, way);
+        const kern_vec pb = kern_arm(c, s->block + c->b, way);
         for (edge = 0; edge < 2; edge++) {
-            kern_real *f = m->arc + 8 * i + 4 * edge;
+            kern_real *f = m->arc + 8 * (size_t)i + 4 * edge;
             const kern_real mu = edge ? -c->mu : c->mu;
             f[0] = c->n.x - mu * c->n.y;
             f[1] = c->n.y + mu * c->n.x;
-            f[2] = (pb.x * f[1] - pb.y * f[0]) / kern_lever(m, bb);
-            f[3] = (pa.y * f[0] - pa.x * f[1]) / kern_lever(m, ba);
+            f[2] = (pb.x * f[1] - pb.y * f[0]) * m->unit[c->b];
+            f[3] = (pa.y * f[0] - pa.x * f[1]) * m->unit[c->a];
         }
     }
 }
@@ -4106,22 +4190,24 @@ static void kern_model_loads(kern_model *m, const kern_question *q)
     int i, g;
     m->weight = KERN_R(0);
     for (i = 0; i < s->blocks; i++)
-        if (m->group[i] >= 0) {
-            kern_wrench_on(s, q, i, &size);
+        if (kern_is_free(m, i)) {
+            const kern_wrench w = kern_wrench_on(s, q, i, &size);
+            g = m->group[i];
+            m->rhs[3 * g] = -w.fx;
+            m->rhs[3 * g + 1] = -w.fy;
+            m->rhs[3 * g + 2] = -w.torque * m->unit[i];
+            m->weight_of[g] = size;
             m->weight += size;
         }
     if (!(m->weight > 0))
         m->weight = KERN_R(1);
-    for (i = 0; i < s->blocks; i++)
-        if (m->group[i] >= 0) {
-            const kern_wrench w = kern_wrench_on(s, q, i, &size);
-            g = m->group[i];
-            m->rhs[3 * g] = -w.fx / m->weight;
-            m->rhs[3 * g + 1] = -w.fy / m->weight;
-            m->rhs[3 * g + 2] = -w.torque
-                                / (m->weight * kern_lever(m, s->block + i));
-            m->scale[g] = kern_max(size / m->weight, KERN_LEAST_SCALE);
-        }
+    for (g = 0; g < m->lp.rows / 3; g++) {
+        for (i = 3 * g; i < 3 * g + 3; i++)
+            m->rhs[i] /= m->weight;
+        m->weight_of[g] = 1 / kern_max(m->weight_of[g] / m->weight,
+                                       KERN_LEAST_SCALE);
+    }
+    m->weight_of[g] = KERN_R(0); /* the ground carries everything */
 }
 
 /* x as forces. What is negative by rounding is nothing. */
@@ -4145,12 +4231,9 @@ static void kern_model_motion(kern_model *m)
         kern_motion *v = m->motion + i;
         const kern_block *b = m->s->block + i;
         const kern_real *y = m->y + 3 * m->group[i];
-        v->vx = v->vy = v->spin = KERN_R(0);
-        if (m->group[i] < 0)
-            continue;
         v->vx = y[0];
         v->vy = y[1];
-        v->spin = y[2] / kern_lever(m, b);
+        v->spin = y[2] * m->unit[i];
         most = kern_max(most, kern_max(KERN_SQRT(y[0] * y[0] + y[1] * y[1]),
                                 kern_abs(v->spin) * kern_block_size(b)));
     }
@@ -4261,10 +4344,12 @@ typedef enum kern_path_kind {
 typedef struct kern_path {
     kern_path_kind kind;
     kern_question q;          /* at s = 0; what the path changes is replaced  */
+    kern_real unit;           /* of what the path counts: a block's size, or 1 */
     kern_real tolerance;      /* width of the bracket                         */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
+    kern_real reach;          /* how far the last forces would do             */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -4295,27 +4380,105 @@ static kern_question kern_path_at(const kern_path *path, kern_real s)
     return q;
 }
 
-/* Where kerns shrink A changes: y.A' goes to m->x in the place of x, after
-   y.A' x, which is returned. */
-static kern_real kern_shrink_rate(kern_model *m, const kern_question *q)
+/* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
+   if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
+   closes. One that was closed opens to the side that helps. In *rate how fast
+   it changes at `to`. */
+static kern_real kern_shrink_power(const kern_model *m, kern_real from,
+                                   kern_real to, kern_real *rate)
 {
     const kern_structure *s = m->s;
     kern_real sum = KERN_R(0);
     int i;
+    *rate = KERN_R(0);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const int ga = m->group[c->a], gb = m->group[c->b];
-        kern_real rate, spin = KERN_R(0);
-        kern_shift(kern_travel(c, m->mean), q->shrink, m->relative, &rate);
-        if (gb >= 0)
-            spin += m->y[3 * gb + 2] / kern_lever(m, s->block + c->b);
-        if (ga >= 0)
-            spin -= m->y[3 * ga + 2] / kern_lever(m, s->block + c->a);
+        const kern_real travel = kern_travel(c, m->mean);
+        const kern_real n = m->x[2 * i] + m->x[2 * i + 1];
+        kern_real was, is, work;
+        if (!(n > 0 || n < 0))
+            continue;
         /* the arm grows along t, and t x (f n + r t) = -f */
-        sum -= rate * spin * (m->x[2 * i] + m->x[2 * i + 1]);
-        m->x[2 * i] = m->x[2 * i + 1] = -rate * spin;
+        work = n * (m->y[3 * m->group[c->b] + 2] * m->unit[c->b]
+                    - m->y[3 * m->group[c->a] + 2] * m->unit[c->a]);
+        if (!m->relative && from >= kern_abs(travel))
+            work = travel > 0 ? -kern_abs(work) : kern_abs(work);
+        sum -= work * kern_shift(travel, from, m->relative, &was);
+        sum += work * kern_shift(travel, to, m->relative, &is);
+        *rate += work * is;
     }
     return sum;
+}
+
+/* How fast y grows when kerns shrink, as a share of its length. */
+static kern_real kern_shrink_growth(kern_model *m, kern_real shrink)
+{
+    const kern_structure *s = m->s;
+    kern_real *change = (kern_real *)(void *)m->force; /* not in use here */
+    int i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real spin =
+            m->y[3 * m->group[c->b] + 2] * m->unit[c->b]
+            - m->y[3 * m->group[c->a] + 2] * m->unit[c->a];
+        kern_real rate;
+        kern_shift(kern_travel(c, m->mean), shrink, m->relative, &rate);
+        change[2 * i] = change[2 * i + 1] = -rate * spin;
+    }
+    return kern_row_growth(&m->simplex, m->y, change);
+}
+
+/* Where the mechanism y that falls at s, by `power` < 0, stops to fall. As
+   kerns close, y grows without bound where the power per unit of y is nearly
+   straight: it is that which is followed, with its bends where kerns close.
+   Returns `holds` where it is not seen to stop after that. */
+static kern_real kern_shrink_edge(kern_model *m, kern_real holds, kern_real s,
+                                  kern_real power)
+{
+    const kern_real same = KERN_SAME_EDGE * (m->relative ? 1 : m->mean) / 8;
+    const kern_real growth = power * kern_shrink_growth(m, s);
+    kern_real lo = holds, hi = s, at = s, rate, left = power;
+    int round;
+    kern_shrink_power(m, s, s, &rate);
+    for (round = 0; round < KERN_BENDS; round++) {
+        const kern_real step = left / (rate - growth);
+        if (kern_abs(step) <= same)
+            return at - step;
+        at -= step;
+        if (!(at > lo && at < hi))
+            at = lo + (hi - lo) / 2;
+        left = power - (at - s) * growth + kern_shrink_power(m, s, at, &rate);
+        if (left < 0)
+            hi = at;
+        else
+            lo = at;
+    }
+    return holds;
+}
+
+/* How far kerns of line contacts can shrink with the forces just found: each
+   until it ends where its load passes. */
+static kern_real kern_shrink_reach(const kern_model *m, kern_real shrink)
+{
+    const kern_structure *s = m->s;
+    kern_real reach = KERN_INFINITY;
+    int i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real n = m->force[i].normal;
+        kern_real whole, travel, share;
+        if (!(kern_abs(c->travel) > 0) || !(n > 0))
+            continue;
+        if (!c->line || i + 1 == s->contacts || !c[1].line)
+            return shrink;
+        whole = n + m->force[i + 1].normal;
+        travel = m->relative ? KERN_R(1) : kern_abs(c->travel);
+        share = kern_abs(n - m->force[i + 1].normal) / whole;
+        if (share > KERN_TRAVEL && travel > shrink)
+            reach = kern_min(reach, travel - (travel - shrink) * share);
+        i++;
+    }
+    return reach;
 }
 
 /* y.rhs' where a load grows or gravity turns. */
@@ -4328,7 +4491,7 @@ static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
         const kern_block *b = m->s->block + i;
         const kern_real *y = m->y + 3 * m->group[i];
         kern_wrench w;
-        if (m->group[i] < 0)
+        if (!kern_is_free(m, i))
             continue;
         if (path->kind == KERN_PATH_LOAD)
             w = kern_pattern_on(m->s, q, i);
@@ -4339,7 +4502,7 @@ static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
             w.fy = q->gravity.x * turn;
             w.torque = KERN_R(0);
         }
-        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque / kern_lever(m, b))
+        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[i])
                / m->weight;
     }
     return sum;
@@ -4360,86 +4523,90 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
             proof->motion[i] = m->motion[i];
 }
 
-/* Asks at s, and where it falls lets Newton's method say where that ends. As
-   kerns close, y grows without bound where the power per unit of y is nearly
-   straight: it is that which is followed. */
+/* Asks at s. Where it falls Newton's method says where that ends; where it
+   stands while kerns shrink, the forces say how much farther they go. */
 static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_question q = kern_path_at(path, s);
     const kern_status status = kern_model_ask(m, &q);
-    kern_real at = KERN_R(0), rate;
+    kern_real power = KERN_R(0);
     int i;
     kern_proof_out(m, path->proof, status);
-    if (status == KERN_STANDS)
+    if (status == KERN_STANDS) {
         path->holds = s;
+        path->reach = path->kind == KERN_PATH_SHRINK
+                      ? kern_shrink_reach(m, s) : s;
+    }
     if (status == KERN_FALLS)
         path->fails = s;
     /* near to critical even a certificate that proves nothing tells where */
     if (status == KERN_STANDS || m->found != KERN_FALLS)
         return status;
     for (i = 0; i < m->lp.rows; i++)
-        at += m->y[i] * m->rhs[i];
-    if (path->kind == KERN_PATH_SHRINK) {
-        rate = -kern_shrink_rate(m, &q);
-        rate -= at * kern_row_growth(&m->simplex, m->y, m->x);
-    } else
-        rate = kern_load_rate(m, path, &q, s);
-    path->edge = s - at / rate;
+        power += m->y[i] * m->rhs[i];
+    path->edge = path->kind == KERN_PATH_SHRINK
+                 ? kern_shrink_edge(m, path->holds, s, power)
+                 : s - power / kern_load_rate(m, path, &q, s);
     return status;
 }
 
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
-   it where the verdict changes. Newton's method is asked where it points to:
-   what falls there falls by another mechanism, which points farther. What
-   stands there, or is too near to critical to tell, is the edge; then half a
-   tolerance to each side of it is asked, where verdicts are beyond doubt. */
+   it where the verdict changes. It is asked a little beyond where Newton's
+   method points to. What falls there by another mechanism points farther; what
+   falls by the same one has its edge there, unless it falls there too by yet
+   another. What stands beyond is nearer to the edge than thought: then in
+   steps that grow. At the end both sides of the edge are asked, half a
+   tolerance away, where verdicts are beyond doubt. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    kern_real aside = path->tolerance * KERN_R(0.45), under = aside;
-    kern_real edge = KERN_R(0), cap = KERN_INFINITY;
-    int round, stuck = 0, found = 0, below = 0;
+    const kern_real half = path->tolerance * KERN_R(0.45);
+    const kern_real same = path->unit * KERN_SAME_EDGE;
+    const kern_proof *proof = path->proof;
+    kern_real aside = half, under = half, share = KERN_R(0.5);
+    int round, known = 0; /* known: asked at the edge too */
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-        const int above = found && hi <= edge + aside
-            && (hi >= edge + aside / 4 || hi >= path->end);
-        kern_real at = lo + (hi - lo) / 2;
+        const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
+        const int inside = r >= lo && r <= hi;
+        const int near = inside && hi - r <= aside * KERN_R(1.25);
+        kern_real at;
         kern_status status;
-        if ((above && below) || (hi - lo <= path->tolerance && stuck > 2)
+        if ((known && near && lo < r && r - lo <= under * KERN_R(1.25))
+            || hi - lo <= half / 8
             || aside + under > path->tolerance * KERN_WIDEST)
             break;
-        if (found && !above)
-            at = kern_min(edge + aside, path->end);
-        else if (found && !below)
-            at = kern_max(edge - under, path->start);
-        else if (!found && r > lo && r < hi && stuck < 3)
-            at = r;
-        at += KERN_R(stuck / 4) * aside / 8;
+        if (near)
+            at = known ? kern_max(r - under, path->start) : r;
+        else if (inside && r + kern_max(aside, error) < hi)
+            at = r + kern_max(aside, error);
+        else {
+            at = lo + kern_max((hi - lo) * share, half);
+            share = kern_min(2 * share, KERN_R(0.5));
+        }
+        if (!near && !(at > lo && at < hi))
+            at = lo + (hi - lo) / 2;
+        path->proof = near && !known ? NULL : proof;
         status = kern_path_ask(m, path, at);
+        path->proof = proof;
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
-        if (found && status == KERN_UNDECIDED) {
-            if (at > edge)
-                aside *= 2;
-            else
-                under *= 2;
-        } else if (!found && status != KERN_FALLS && at >= r && at <= r) {
-            found = 1;
-            edge = r;
-            if (status == KERN_UNDECIDED && path->edge > r - aside)
-                cap = path->edge;
-        } else if (found && at > edge && status == KERN_STANDS) {
-            found = 0;      /* Newton's method was short of it */
-        } else if (found && at < edge) {
-            below = status == KERN_STANDS;
-            found = below;
+        if (near && !known) {
+            known = status != KERN_FALLS || path->edge > r - same;
+            if (known)
+                path->edge = r;
+            path->holds = lo;
+            path->fails = hi;
+        } else if (status == KERN_UNDECIDED && at > r)
+            aside *= 2;
+        else if (status == KERN_UNDECIDED)
+            under *= 2;
+        else if (status == KERN_FALLS) {
+            share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
+            known = 0;
         }
-        stuck = !found && (status == KERN_UNDECIDED
-                || path->fails - path->holds > (hi - lo) * KERN_R(0.5))
-                ? stuck + 1 : 0;
     }
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
-    path->edge = kern_min(path->edge, cap);
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
     return KERN_STANDS;
 }
@@ -4451,7 +4618,7 @@ static kern_real kern_most(const kern_model *m)
     int i;
     for (i = 0; i < m->s->contacts; i++) {
         const kern_contact *c = m->s->contact + i;
-        if (m->group[c->a] >= 0 || m->group[c->b] >= 0)
+        if (kern_is_free(m, c->a) || kern_is_free(m, c->b))
             most = kern_max(most, kern_abs(kern_travel(c, m->mean)));
     }
     return m->relative ? KERN_R(1) : most;
@@ -4464,7 +4631,7 @@ static int kern_nested(const kern_model *m)
     int i;
     for (i = 0; i < m->s->contacts; i++) {
         const kern_contact *c = m->s->contact + i;
-        if (!c->line && (m->group[c->a] >= 0 || m->group[c->b] >= 0)
+        if (!c->line && (kern_is_free(m, c->a) || kern_is_free(m, c->b))
             && kern_abs(kern_travel(c, m->mean)) > 0)
             return 0;
     }
@@ -4482,7 +4649,8 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
     int round, tries = 0;
     *never = 0;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real next = kern_min(at + step, end);
+        const kern_real next = kern_min(end, kern_max(at + step,
+            path->reach + path->tolerance * KERN_R(0.45)));
         kern_status status = kern_path_ask(m, path, next);
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
@@ -4569,15 +4737,16 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
 }
 
 static void kern_path_open(kern_path *path, kern_path_kind kind,
-                           const kern_structure *s, kern_real shrink,
+                           const kern_model *m, kern_real shrink,
                            const kern_proof *proof)
 {
     path->kind = kind;
     path->proof = proof;
-    path->q = kern_question_of(s, shrink);
-    path->tolerance = KERN_WIDTH;
+    path->q = kern_question_of(m->s, shrink);
+    path->unit = kind == KERN_PATH_SHRINK && !m->relative ? m->mean : 1;
+    path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = KERN_R(0);
+    path->holds = path->fails = path->edge = path->reach = KERN_R(0);
 }
 
 KERN_API kern_status kern_measure(const kern_structure *s,
@@ -4594,7 +4763,7 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0), proof);
+    kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), proof);
     r.most = kern_most(&m);
     r.epsilon = kern_step(&m, o);
     r.margin = r.holds = r.fails = KERN_R(0);
@@ -4609,8 +4778,6 @@ KERN_API kern_status kern_measure(const kern_structure *s,
         return status;
     }
     known = kern_nested(&m);
-    if (!m.relative)
-        path.tolerance *= m.mean;
     path.end = r.most;
     if (!known) {
         status = kern_level_scan(&m, &path, last, 0, &r);
@@ -4676,7 +4843,7 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0), NULL);
+    kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), NULL);
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status == KERN_STANDS)
         *deficit = KERN_R(0);
@@ -4694,7 +4861,6 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
         limit = least < KERN_INFINITY ? limit / least : KERN_R(1);
         grown = KERN_R(1);
     }
-    path.tolerance *= grown;
     path.start = -limit;
     growth = kern_nested(&m) ? KERN_R(4) : KERN_R(1.1);
     for (grown *= KERN_R(0.001); ; grown = kern_min(grown * growth, limit)) {
@@ -4758,13 +4924,13 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
     if (!pattern && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < s->blocks; i++)
-        if (m.group[i] >= 0 && !(kern_is_finite(pattern[i].fx)
+        if (kern_is_free(&m, i) && !(kern_is_finite(pattern[i].fx)
                                  && kern_is_finite(pattern[i].fy)
                                  && kern_is_finite(pattern[i].torque))) {
             work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
-    kern_path_open(&path, KERN_PATH_LOAD, s, shrink, proof);
+    kern_path_open(&path, KERN_PATH_LOAD, &m, shrink, proof);
     path.q.pattern = pattern;
     path.q.side = side;
     path.end = KERN_FACTOR_MOST;
@@ -4803,11 +4969,11 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
     if (!kern_has_side(s, side))
         return KERN_BAD_OPTION;
     for (i = 0; i < s->blocks; i++)
-        loaded |= m.group[i] >= 0
+        loaded |= kern_is_free(&m, i)
                   && kern_abs(s->block[i].load.fx)
                      + kern_abs(s->block[i].load.fy)
                      + kern_abs(s->block[i].load.torque) > 0;
-    kern_path_open(&path, KERN_PATH_TILT, s, shrink, proof);
+    kern_path_open(&path, KERN_PATH_TILT, &m, shrink, proof);
     path.q.side = side;
     path.end = KERN_R(1);
     status = kern_path_follow(&m, &path,
