@@ -2995,6 +2995,9 @@ static kern_real kern_phase_one_prices(kern_simplex *sx)
     kern_real sum = KERN_R(0);
     int i;
     for (i = 0; i < sx->lp->rows; i++) {
+        sx->row[i] = KERN_R(0);
+        if (sx->value[i] >= 0 && sx->base[i] < sx->lp->cols)
+            continue;
         sx->row[i] = kern_slot_price(sx, i);
         sum += sx->row[i] * sx->value[i];
     }
@@ -3052,20 +3055,46 @@ static void kern_certificate_lift(kern_simplex *sx, kern_real *y)
         y[i] = -sx->row[i];
 }
 
+/* y.A_j of columns j and j + 1, which in a network have the same ends. */
+static void kern_lp_pair(const kern_program *lp, int j, const kern_real *y,
+                         kern_real d[2])
+{
+    if (lp->ends) {
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real *h = y + 3 * lp->ends[j], *t = y + 3 * lp->ends[j + 1];
+        const kern_real u = h[0] - t[0], v = h[1] - t[1];
+        d[0] = c[0] * u + c[1] * v + c[2] * h[2] + c[3] * t[2];
+        d[1] = c[4] * u + c[5] * v + c[6] * h[2] + c[7] * t[2];
+    } else {
+        d[0] = kern_lp_dot(lp, j, y);
+        d[1] = j + 1 < lp->cols ? kern_lp_dot(lp, j + 1, y) : -KERN_INFINITY;
+    }
+}
+
 /* The column outside of the basis whose gain y.A_j - cost_j is largest above
    *gain, or the first one above it; y is sx->row. Basic columns have none. */
 static int kern_price(const kern_simplex *sx, const kern_real *cost, int first,
                       kern_real *gain)
 {
     const kern_program *lp = sx->lp;
-    const kern_real *y = sx->row;
-    int j, best = KERN_OUT;
-    for (j = 0; j < lp->cols && !(first && best != KERN_OUT); j++) {
-        const kern_real d = kern_lp_dot(lp, j, y) - (cost ? cost[j] : 0);
-        if (d > *gain && !kern_is_basic(sx, j)) {
-            best = j;
-            *gain = d;
+    kern_real most = *gain;
+    int j, k, best = KERN_OUT;
+    for (j = 0; j < lp->cols; j += 2) {
+        kern_real d[2];
+        kern_lp_pair(lp, j, sx->row, d);
+        if (cost) {
+            d[0] -= cost[j];
+            d[1] -= j + 1 < lp->cols ? cost[j + 1] : 0;
         }
+        if (!(d[0] > most || d[1] > most))
+            continue;
+        for (k = 0; k < 2; k++)
+            if (d[k] > most && !kern_is_basic(sx, j + k)) {
+                best = j + k;
+                *gain = most = d[k];
+                if (first)
+                    return best;
+            }
     }
     return best;
 }
@@ -3083,33 +3112,53 @@ static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
     return kern_price(sx, NULL, first, gain);
 }
 
-/* How much the slope of the sum rises when position i passes zero, on the way
-   on which the entering column takes it, and in `at` where that is. */
-static kern_real kern_break(const kern_simplex *sx, int i, kern_real least,
-                            kern_real *at)
+/* How much the slope of the sum rises when variable j, whose value is v and
+   which falls at the rate a, passes zero, and in `at` where that is. */
+static kern_real kern_break(const kern_simplex *sx, int j, kern_real v,
+                            kern_real a, kern_real *at)
 {
-    const int e = i - sx->lp->rows;
-    const int j = e < 0 ? sx->base[i] : sx->extra[e];
-    const kern_real a = e < 0 ? sx->alpha[i] : sx->alpha_extra[e];
-    const kern_real v = e < 0 ? sx->value[i] : sx->value_extra[e];
-    const kern_real size = kern_abs(a);
-    kern_real price;
+    const int filler = j >= sx->lp->cols;
+    const kern_real price = kern_violation(sx, j, v);
     *at = KERN_R(0);
-    if (!(size > least) || (e < 0 && sx->spare[i] >= 0))
-        return KERN_R(0);
-    price = kern_violation(sx, j, v);
     if (price < 0 || price > 0) {
         if ((price < 0) != (a < 0))
             return KERN_R(0);
         *at = v / a;
-        return kern_abs(price) * size * (j < sx->lp->cols ? 1 : 2);
+        return price * a * KERN_R(filler ? 2 : 1);
     }
-    if (j < sx->lp->cols) {
-        if (a < 0)
-            return KERN_R(0);
+    if (!filler && a < 0)
+        return KERN_R(0);
+    if (!filler)
         *at = kern_max(v, KERN_R(0)) / a;
+    return kern_lp_weight(sx->lp, j, sx->unit) * kern_abs(a);
+}
+
+/* Lists in sx->link the positions whose variables reach zero on the way on
+   which the entering column takes them, with what kern_break() says. */
+static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
+{
+    const int m = sx->lp->rows;
+    const kern_real least = KERN_PIVOT_TOL
+        * kern_max(kern_largest(sx->alpha, m),
+                   kern_largest(sx->alpha_extra, sx->extras));
+    int i, n = 0;
+    for (i = 0; i < m; i++) {
+        const kern_real a = sx->alpha[i];
+        if (!(kern_abs(a) > least) || sx->spare[i] >= 0)
+            continue;
+        rise[n] = kern_break(sx, sx->base[i], sx->value[i], a, &at[n]);
+        sx->link[n] = i;
+        n += rise[n] > 0;
     }
-    return kern_lp_weight(sx->lp, j, sx->unit) * size;
+    for (i = 0; i < sx->extras; i++) {
+        const kern_real a = sx->alpha_extra[i];
+        if (!(kern_abs(a) > least))
+            continue;
+        rise[n] = kern_break(sx, sx->extra[i], sx->value_extra[i], a, &at[n]);
+        sx->link[n] = -2 - i;
+        n += rise[n] > 0;
+    }
+    return n;
 }
 
 /* The ratio test goes on past every variable that reaches zero as long as the
@@ -3118,23 +3167,15 @@ static kern_real kern_break(const kern_simplex *sx, int i, kern_real least,
 static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
                                   kern_real *step)
 {
-    const int m = sx->lp->rows;
     const kern_real enough = gain * KERN_R(64) * KERN_EPS;
-    const kern_real size = kern_max(kern_largest(sx->alpha, m),
-                               kern_largest(sx->alpha_extra, sx->extras));
     kern_real *at = sx->temp, *rise = sx->row; /* neither is in use here */
     int *list = sx->link;
-    int i, n = 0, best = -1;
-    for (i = 0; i < m + sx->extras; i++) {
-        rise[n] = kern_break(sx, i, KERN_PIVOT_TOL * size, &at[n]);
-        list[n] = i;
-        n += rise[n] > 0;
-    }
-    while (n > 0 && (best < 0 || (!first && gain > enough))) {
-        int next = 0, least = 0;
+    int n = kern_breaks(sx, at, rise), best = KERN_OUT;
+    while (n > 0 && (best == KERN_OUT || (!first && gain > enough))) {
+        int i, next = 0, least = 0;
         for (i = 0; i < n; i++) {
-            const int j = list[i] < m ? sx->base[list[i]]
-                                      : sx->extra[list[i] - m];
+            const int j = list[i] >= 0 ? sx->base[list[i]]
+                                       : sx->extra[-2 - list[i]];
             if (i == 0 || at[i] < at[next]
                 || (first && at[i] <= at[next] && j < least)) {
                 next = i;
@@ -3149,7 +3190,7 @@ static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
         rise[next] = rise[n];
         list[next] = list[n];
     }
-    return best < 0 ? KERN_OUT : best < m ? best : -2 - (best - m);
+    return best;
 }
 
 /* A row y of the inverse turns when the matrix changes. change[j] is y.A_j's
