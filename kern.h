@@ -658,8 +658,9 @@ extern "C" {
    inverse of up to ten a group. Less makes the base grow from course to
    course, more fills the dense complement. */
 #define KERN_BASE_TOL    KERN_PICK(1e-2, 1e-2)
-/* Largest entry of such an inverse with which a block is kept as it is when
-   the matrix changes. */
+/* Largest entry of an inverse with which three columns are taken as they are,
+   and with which they are kept when the matrix changes. */
+#define KERN_BASE_GOOD   KERN_PICK(10, 10)
 #define KERN_BASE_MOST   KERN_PICK(100, 100)
 /* Determinant of three columns, each about 1 long, for the crash basis. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
@@ -2386,6 +2387,34 @@ static void kern_base_solve_t(const kern_simplex *sx, int from, kern_real *c)
 
 /* ---- solves with the basis ---- */
 
+/* ve := S^-1 v, four rows at a time: sums that do not wait for each other */
+static void kern_extras_times(const kern_simplex *sx, const kern_real *v,
+                              kern_real *ve)
+{
+    const int k = sx->extras;
+    const size_t n = (size_t)sx->room;
+    int e, i;
+    for (e = 0; e + 4 <= k; e += 4) {
+        const kern_real *a = sx->inv + (size_t)e * n, *b = a + n;
+        const kern_real *c = b + n, *d = c + n;
+        kern_real sa = KERN_R(0), sb = sa, sc = sa, sd = sa;
+        for (i = 0; i < k; i++) {
+            sa += a[i] * v[i];
+            sb += b[i] * v[i];
+            sc += c[i] * v[i];
+            sd += d[i] * v[i];
+        }
+        ve[e] = sa; ve[e + 1] = sb; ve[e + 2] = sc; ve[e + 3] = sd;
+    }
+    for (; e < k; e++) {
+        const kern_real *a = sx->inv + (size_t)e * n;
+        kern_real sum = KERN_R(0);
+        for (i = 0; i < k; i++)
+            sum += a[i] * v[i];
+        ve[e] = sum;
+    }
+}
+
 /* v := the part of B^-1 v in the slots, ve := the part in the extras */
 static void kern_basis_solve(kern_simplex *sx, int from, kern_real *v,
                              kern_real *ve)
@@ -2398,14 +2427,9 @@ static void kern_basis_solve(kern_simplex *sx, int from, kern_real *v,
         kern_base_solve(sx, from, sx->temp);
         for (i = 0; i < k; i++)
             sx->row_extra[i] = sx->temp[sx->slot[i]];
-        for (e = 0; e < k; e++) {
-            const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
-            kern_real sum = KERN_R(0);
-            for (i = 0; i < k; i++)
-                sum += inv[i] * sx->row_extra[i];
-            ve[e] = sum;
-            kern_lp_subtract(sx->lp, sx->extra[e], sum, v);
-        }
+        kern_extras_times(sx, sx->row_extra, ve);
+        for (e = 0; e < k; e++)
+            kern_lp_subtract(sx->lp, sx->extra[e], ve[e], v);
         from = 0;
     }
     kern_base_solve(sx, from, v);
@@ -2548,11 +2572,21 @@ static kern_real kern_base_block(kern_simplex *sx, int g)
 
 /* Chooses, of the columns list[0..n) that touch group g, up to three whose
    parts in g are far from dependent (Gram-Schmidt, largest rest first), and
-   completes them with unit vectors. */
+   completes them with unit vectors. Three that are as good are taken as they
+   are. */
 static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
 {
     kern_real q[3][3];
     int s, r;
+    if (n == 3) {
+        for (s = 0; s < 3; s++)
+            sx->base[3 * g + s] = list[s];
+        if (kern_base_block(sx, g) < KERN_BASE_GOOD) {
+            for (s = 0; s < 3; s++)
+                sx->place[list[s]] = 3 * g + s;
+            return;
+        }
+    }
     for (s = 0; s < 3; s++) {
         const int j = kern_base_farthest(sx, g, list, n, q, s, q[s]);
         const int r0 = j < 0 ? kern_base_unit(q, s, q[s]) : 0;
@@ -4679,19 +4713,22 @@ static int kern_nested(const kern_model *m)
     return 1;
 }
 
-/* Goes from a place that stands toward the end, in steps that grow by `growth`,
-   until it falls; then finds the edge. `never`: it stands to the end. */
+/* Goes from a place that stands toward the end, until it falls; then finds the
+   edge. Steps grow by `growth`, where that is above 1, as long as they need few
+   pivots: far beyond the edge the simplex has much to do that is of no use.
+   `never`: it stands to the end. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real step, kern_real growth,
                                    int *never)
 {
     const kern_real end = path->end;
     kern_real at = path->holds;
-    int round, tries = 0;
+    int round, pivots, tries = 0;
     *never = 0;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
         const kern_real next = kern_min(end, kern_max(at + step,
             path->reach + path->tolerance * KERN_R(0.45)));
+        const int before = m->work->pivots;
         kern_status status = kern_path_ask(m, path, next);
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
@@ -4707,7 +4744,10 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             return KERN_STANDS;
         }
         at = next;
-        step *= growth;
+        pivots = m->work->pivots - before;
+        if (growth > 1)
+            step *= pivots < 3 ? growth : pivots < 8 ? KERN_R(1.25)
+                    : pivots < 16 ? KERN_R(1) : KERN_R(0.7);
     }
     return KERN_UNDECIDED;
 }
@@ -4828,8 +4868,8 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     }
     if (status == KERN_STANDS)
         status = known ? kern_path_climb(&m, &path,
-                             m.relative ? KERN_R(0.2) : KERN_R(0.08) * m.mean,
-                             KERN_R(1.25), &r.saturated)
+                             (m.relative ? KERN_R(0.2) : KERN_R(0.12) * m.mean),
+                             KERN_R(1.6), &r.saturated)
                        : kern_path_climb(&m, &path, r.most / KERN_SCAN,
                              KERN_R(1), &r.saturated);
     if (status != KERN_STANDS)
