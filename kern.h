@@ -2238,6 +2238,7 @@ typedef struct kern_simplex {
     int started;            /* there is a basis                               */
     int stale;              /* the matrix has changed since                   */
     int settled;            /* no pivot since the values were refined         */
+    int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
     int *base;              /* variable of a slot: column, or cols + row of a
                                filler, a unit vector                          */
@@ -3026,18 +3027,23 @@ static kern_real kern_extra_price(const kern_simplex *sx, int e)
 /* y to sx->row; returns the sum of violations. */
 static kern_real kern_phase_one_prices(kern_simplex *sx)
 {
-    kern_real sum = KERN_R(0);
+    kern_real sum = KERN_R(0), part;
     int i;
+    sx->violated = 0;
     for (i = 0; i < sx->lp->rows; i++) {
         sx->row[i] = KERN_R(0);
         if (sx->value[i] >= 0 && sx->base[i] < sx->lp->cols)
             continue;
         sx->row[i] = kern_slot_price(sx, i);
-        sum += sx->row[i] * sx->value[i];
+        part = sx->row[i] * sx->value[i];
+        sx->violated += part > 0;
+        sum += part;
     }
     for (i = 0; i < sx->extras; i++) {
         sx->row_extra[i] = kern_extra_price(sx, i);
-        sum += sx->row_extra[i] * sx->value_extra[i];
+        part = sx->row_extra[i] * sx->value_extra[i];
+        sx->violated += part > 0;
+        sum += part;
     }
     if (sum > 0)
         kern_basis_solve_t(sx, sx->row, sx->row_extra);
@@ -3428,7 +3434,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows;
     sx->lp = lp;
-    sx->started = sx->stale = 0;
+    sx->started = sx->stale = sx->violated = 0;
     sx->groups = lp->ends ? m / 3 : 0;
     sx->room = room;
     sx->base = kern_take_ints(take, m);
@@ -4628,30 +4634,32 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
    it where the verdict changes. It is asked a little beyond where Newton's
    method points to. What falls there by another mechanism points farther; what
-   falls by the same one has its edge there, unless it falls there too by yet
-   another. What stands beyond is nearer to the edge than thought: then in
-   steps that grow. At the end both sides of the edge are asked, half a
-   tolerance away, where verdicts are beyond doubt. */
+   falls by the same one has its edge there. Then it is asked as far before it,
+   so that verdicts at both ends are beyond doubt. If one variable of one basis
+   changed its sign between them that is the edge; if not, it is asked at the
+   edge too, where yet another mechanism may fall. What stands beyond an edge
+   is nearer to the true one than thought: then in steps that grow. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
     const kern_real half = path->tolerance * KERN_R(0.45);
     const kern_real same = path->unit * KERN_SAME_EDGE;
     const kern_proof *proof = path->proof;
     kern_real aside = half, under = half, share = KERN_R(0.5);
-    int round, known = 0; /* known: asked at the edge too */
+    int round, known = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
         const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
         const int inside = r >= lo && r <= hi;
         const int near = inside && hi - r <= aside * KERN_R(1.25);
+        const int closed = near && r - lo <= under * KERN_R(1.25);
+        const int pivots = m->work->pivots, single = m->simplex.violated == 1;
         kern_real at;
         kern_status status;
-        if ((known && near && lo < r && r - lo <= under * KERN_R(1.25))
-            || hi - lo <= half / 8
+        if ((known && closed) || hi - lo <= half / 8
             || aside + under > path->tolerance * KERN_WIDEST)
             break;
         if (near)
-            at = known ? kern_max(r - under, path->start) : r;
+            at = closed ? r : kern_max(r - under, path->start);
         else if (inside && r + kern_max(aside, error) < hi)
             at = r + kern_max(aside, error);
         else {
@@ -4660,12 +4668,12 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         }
         if (!near && !(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
-        path->proof = near && !known ? NULL : proof;
+        path->proof = closed ? NULL : proof; /* only of the ends */
         status = kern_path_ask(m, path, at);
         path->proof = proof;
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
-        if (near && !known) {
+        if (closed) {
             known = status != KERN_FALLS || path->edge > r - same;
             if (known)
                 path->edge = r;
@@ -4675,10 +4683,10 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
             aside *= 2;
         else if (status == KERN_UNDECIDED)
             under *= 2;
-        else if (status == KERN_FALLS) {
+        else if (status == KERN_STANDS)
+            known = near && single && pivots == m->work->pivots;
+        else
             share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
-            known = 0;
-        }
     }
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
