@@ -681,6 +681,7 @@ extern "C" {
 #define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
+#define KERN_MANY          8       /* pivots between them                     */
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
@@ -4754,8 +4755,9 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         at = next;
         pivots = m->work->pivots - before;
         if (growth > 1)
-            step *= pivots < 3 ? growth : pivots < 8 ? KERN_R(1.25)
-                    : pivots < 16 ? KERN_R(1) : KERN_R(0.7);
+            step *= 3 * pivots < KERN_MANY ? growth
+                    : pivots < KERN_MANY ? KERN_R(1.25)
+                    : pivots < 2 * KERN_MANY ? KERN_R(1) : KERN_R(0.7);
     }
     return KERN_UNDECIDED;
 }
@@ -5023,7 +5025,7 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
     path.q.pattern = pattern;
     path.q.side = side;
     path.end = KERN_FACTOR_MOST;
-    return kern_path_follow(&m, &path, KERN_R(0.25), KERN_R(2), factor);
+    return kern_path_follow(&m, &path, KERN_R(0.05), KERN_R(1.6), factor);
 }
 
 /* The angle whose tangent is s >= 0: halved twice, then the series. */
@@ -5066,8 +5068,8 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
     path.q.side = side;
     path.end = KERN_R(1);
     status = kern_path_follow(&m, &path,
-                              loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.1),
-                              KERN_R(1), &at);
+                              loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125),
+                              loaded ? KERN_R(1) : KERN_R(1.6), &at);
     if (status == KERN_STANDS)
         *angle = 4 * kern_angle_of(kern_min(at, KERN_R(1)));
     return status;
