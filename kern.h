@@ -59,7 +59,7 @@
 
        kern_block_init(&block[0], ground, 4, 0, NULL);       fixed
        kern_block_init(&block[1], stone, 4, 2400, NULL);     2400 kg/m^2
-       s.contacts = kern_contacts(block, 2, &options, contact, 8, NULL);
+       s.contacts = kern_contacts(block, 2, &options, contact, 8, &work);
        if (kern_measure(&s, &options, &work, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
@@ -78,14 +78,15 @@
    is a plane: think of one unit of depth, and of a density per area.
 
    Blocks are polygons in world coordinates, so a planner that tries a stone in
-   many places moves its vertices, and everything that the library sees is
-   data which the caller can print, edit or make by other means: contacts may
-   come from polygons, a camera or a tactile sensor. A contact is a point, with
+   many places moves its vertices and fills in the block again; everything that
+   the library sees is data which the caller can print, edit or make by other
+   means: contacts may come from polygons, a camera or a tactile sensor. A contact is a point, with
    a normal n from block a into block b and the tangent t = (-n.y, n.x); a line
    contact is two points. A point carries its own direction and length of
-   shrinkage, so that lines, pairs and groups of points are one thing. Points
-   of one stone follow each other, so a stone on top is taken back by making
-   `contacts` smaller.
+   shrinkage, so that lines, pairs and groups of points are one thing. What a
+   stone touches of those before it is found by kern_touch() and follows what
+   was found before, so a stone is added by appending, and the last one taken
+   back by making `contacts` smaller.
 
    The size of a block is the square root of its area. Found contacts of a pair
    accept gaps and overlaps up to 1/1000 of the size of the smaller free block.
@@ -271,6 +272,9 @@ extern "C" {
 
 typedef struct kern_vec { kern_real x, y; } kern_vec;
 
+/* Upright rectangle: its lower left and its upper right corner [m]. */
+typedef struct kern_box { kern_vec low, high; } kern_box;
+
 /* What a call says. Zero and above is a verdict: its proof was found and
    checked. Below zero there is none, and of what the caller handed in only the
    counters and the fault of the work memory have changed. */
@@ -316,7 +320,9 @@ typedef struct kern_fault {
 typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 
 /* A stone, or a piece of ground. kern_block_init() fills it from a polygon in
-   world coordinates; mass, centre and load may be changed afterwards. */
+   world coordinates; mass, centre and load may be changed afterwards. Area,
+   centre and box belong to the place of the vertices: where these have moved,
+   it is called again. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none,
                                for a block whose contacts are given           */
@@ -324,6 +330,7 @@ typedef struct kern_block {
     int fixed;              /* nonzero: ground, exerts whatever is needed     */
     kern_real area;         /* [m^2], < 0 if the polygon runs clockwise; the
                                block's size is the square root of |area|      */
+    kern_box box;           /* of the polygon; read where there are vertices  */
     kern_real mass;         /* [kg] > 0; of fixed blocks not read             */
     kern_vec centre;        /* centre of mass [m]                             */
     kern_wrench load;       /* acts besides the weight, at the centre         */
@@ -451,8 +458,9 @@ KERN_API void kern_work_need(int blocks, int contacts,
 /* -- blocks -- */
 
 /* Fills a block from a simple polygon, convex or not, turning either way:
-   area, centroid, mass = density * |area|, no load. density 0 [kg/m^2] makes
-   it fixed. The vertices stay the caller's and must live as long as the block.
+   area, box, centroid, mass = density * |area|, no load. density 0 [kg/m^2]
+   makes it fixed. The vertices stay the caller's and must live as long as the
+   block; whoever moves them calls this again.
    fault may be NULL; its index is the vertex.
    KERN_FEW_VERTICES, KERN_BAD_COUNT, KERN_BAD_NUMBER, KERN_NO_AREA,
    KERN_CROSSING (also for repeated vertices), KERN_BAD_MASS (density < 0).
@@ -471,23 +479,32 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
 
-/* Finds the contacts between all blocks and writes them to out[0..room), pair
-   after pair. Returns how many contact points there are, or
-   KERN_NO_SPACE (nothing may be read from out; room for a few more than the
-   result is needed while the faces of a pair are merged: double it),
-   KERN_OVERLAP (fault: both blocks; value: the depth [m] that was found),
-   KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES
-   (fault: the block). fault may be NULL. Blocks without vertices are passed
-   over. Time: one test of boxes for each two blocks, and a few products for
-   each two edges that are near. */
+/* Finds the contacts between all blocks and writes them to out[0..room): for
+   b = 0, 1, 2, ... those of block b with every block a < b, a ascending, so
+   that what the last block touches comes last. Two fixed blocks have none, nor
+   has a block without vertices. Returns how many contact points there are, or
+   KERN_NO_SPACE (nothing may be read from out; while the faces of a pair are
+   merged out may have to be longer than the result: double it),
+   KERN_OVERLAP (both blocks; value: the depth [m] that was found),
+   KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
+   KERN_NO_AREA (the block), with the fault in the work memory. Of this it
+   takes 2 B ints: less than KERN_INTS(B, C).
+   Time: O(B log B + C log C), a test of boxes for each two blocks that stand
+   side by side or above each other, whichever way there are fewer, and a few
+   products for each two edges that are near. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
-                           kern_contact *out, int room, kern_fault *fault);
+                           kern_contact *out, int room, kern_work *work);
 
-/* The same for blocks a and b alone, of the same array. */
-KERN_API int kern_touch(const kern_block *block, int blocks, int a, int b,
+/* The contacts of block b alone with all others, ascending; contact.a is the
+   smaller index of the two. Contacts found so for b = 1, 2, ..., each among
+   b + 1 blocks, are those of kern_contacts(), but where a later block lies so
+   far out that the rounding of its coordinates counts. Returns the same, or
+   KERN_BAD_BLOCK (no such b).
+   Work memory: none but for the fault. Time: O(B), and the edges as above. */
+KERN_API int kern_touch(const kern_block *block, int blocks, int b,
                         const kern_options *options,
-                        kern_contact *out, int room, kern_fault *fault);
+                        kern_contact *out, int room, kern_work *work);
 
 /* Makes a contact that is given rather than found: from p to q, or at one
    point where p equals q; normal from a into b, of any length. Writes one or
@@ -796,6 +813,9 @@ static kern_real kern_vec_largest(kern_vec a)
 static int kern_is_moderate(kern_real a)
 { return kern_is_finite(KERN_SQUARES * a * a); }
 
+static int kern_vec_is_moderate(kern_vec a)
+{ return kern_is_moderate(a.x) && kern_is_moderate(a.y); }
+
 /* By the series and not by libm, whose last digit differs between machines;
    angles below KERN_ANGLE_MOST are right to ten digits. */
 static kern_real kern_sine(kern_real angle)
@@ -840,8 +860,6 @@ static kern_status kern_fault_set(kern_fault *fault, kern_status status,
    is computed on the way, each time anew. Two chunks whose boxes are apart are
    passed over as a whole, else edge by edge, so that n edges of a reasonable
    polygon cost n sqrt(n), and those of the worst one n^2. */
-
-typedef struct kern_box { kern_vec low, high; } kern_box;
 
 static kern_vec kern_polygon_at(const kern_block *block, int i)
 {
@@ -890,13 +908,13 @@ static int kern_polygon_corner_after(const kern_block *block, int i)
     return i;
 }
 
-static int kern_polygon_corner_before(const kern_block *block, int i)
+/* Holds nothing, and grows to what is added. */
+static kern_box kern_box_none(void)
 {
-    const int start = i;
-    do
-        i = kern_polygon_prev(block, i);
-    while (i != start && !kern_polygon_is_corner(block, i));
-    return i;
+    kern_box box;
+    box.low = kern_vec_make(KERN_INFINITY, KERN_INFINITY);
+    box.high = kern_vec_scale(box.low, -1);
+    return box;
 }
 
 static kern_box kern_box_of(kern_vec p, kern_vec q)
@@ -929,19 +947,20 @@ static int kern_box_meets(const kern_box *a, const kern_box *b)
            a->low.y <= b->high.y && b->low.y <= a->high.y;
 }
 
+/* Are they no farther apart than the gap? */
+static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
+{
+    return a->low.x - gap <= b->high.x && b->low.x - gap <= a->high.x &&
+           a->low.y - gap <= b->high.y && b->low.y - gap <= a->high.y;
+}
+
+static kern_real kern_box_largest(const kern_box *box)
+{ return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
+
 static int kern_box_within(const kern_box *a, const kern_box *b)
 {
     return a->low.x >= b->low.x && a->high.x <= b->high.x &&
            a->low.y >= b->low.y && a->high.y <= b->high.y;
-}
-
-static kern_box kern_polygon_box(const kern_block *block)
-{
-    kern_box box = kern_box_of(block->vertex[0], block->vertex[0]);
-    int i;
-    for (i = 1; i < block->vertices; i++)
-        kern_box_add(&box, block->vertex[i]);
-    return box;
 }
 
 static kern_box kern_polygon_edge_box(const kern_block *block, int i)
@@ -1016,7 +1035,7 @@ static void kern_pairs_open(kern_pairs *pairs, const kern_block *a,
     pairs->gap = gap;
     pairs->size_a = kern_polygon_chunk(a);
     pairs->size_b = kern_polygon_chunk(b);
-    pairs->whole_b = kern_polygon_box(b);
+    pairs->whole_b = b->box;
     kern_pairs_chunk_a(pairs, 0);
     pairs->i = pairs->end_a;
     pairs->j = pairs->end_b = 0;
@@ -1120,8 +1139,6 @@ static kern_status kern_polygon_simple(const kern_block *block,
 typedef struct kern_fan {
     kern_real area;       /* signed                                      */
     kern_real spread;     /* sum of areas without their signs            */
-    kern_real extent;     /* largest distance from vertex 0              */
-    kern_real coordinate; /* largest                                     */
     kern_vec moment;
 } kern_fan;
 
@@ -1131,8 +1148,7 @@ static kern_fan kern_polygon_fan(const kern_block *block)
     kern_fan fan;
     int i;
     fan.moment = kern_vec_make(0, 0);
-    fan.area = fan.spread = fan.extent = 0;
-    fan.coordinate = kern_vec_largest(o);
+    fan.area = fan.spread = 0;
     for (i = 1; i < block->vertices; i++) {
         const kern_vec u = kern_vec_sub(block->vertex[i], o);
         const kern_vec w = kern_vec_sub(
@@ -1140,31 +1156,32 @@ static kern_fan kern_polygon_fan(const kern_block *block)
         const kern_real area = kern_vec_cross(u, w) / 2;
         fan.area += area;
         fan.spread += kern_abs(area);
-        fan.extent = kern_max(fan.extent, kern_vec_length(u));
-        fan.coordinate = kern_max(fan.coordinate,
-                                  kern_vec_largest(block->vertex[i]));
         fan.moment = kern_vec_step(fan.moment, area / 3, kern_vec_add(u, w));
     }
     return fan;
 }
 
-/* Fills in the area and the centre if the polygon is a good one. */
+/* Fills in area, box and centre if the polygon is a good one. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_fan fan;
-    kern_real least;
+    kern_real largest, least;
     kern_status status;
     int i;
+    block->box = kern_box_none();
     for (i = 0; i < block->vertices; i++) {
         const kern_vec p = block->vertex[i];
-        if (!kern_is_moderate(p.x) || !kern_is_moderate(p.y))
+        if (!kern_vec_is_moderate(p))
             return kern_fault_set(fault, KERN_BAD_NUMBER, -1, i,
                                   kern_is_moderate(p.x) ? p.y : p.x);
+        kern_box_add(&block->box, p);
     }
     fan = kern_polygon_fan(block);
+    largest = kern_box_largest(&block->box);
     if (!kern_is_finite(fan.spread))
-        return kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, fan.coordinate);
-    least = KERN_FLOOR * fan.coordinate * fan.extent;
+        return kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, largest);
+    least = KERN_FLOOR * largest *
+            kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     if (!(fan.spread > least)) /* all vertices on one line */
         return kern_fault_set(fault, KERN_NO_AREA, -1, -1, fan.area);
     status = kern_polygon_simple(block, fault);
@@ -1175,7 +1192,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     block->area = fan.area;
     block->centre = kern_vec_step(block->vertex[0], 1 / fan.area, fan.moment);
     return kern_vec_is_finite(block->centre) ? KERN_STANDS :
-           kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, fan.coordinate);
+           kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, largest);
 }
 
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
@@ -1317,15 +1334,19 @@ static kern_vec kern_polygon_inner(const kern_block *block, kern_real y)
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   A search goes over the blocks pair by pair. Of a pair it first looks for
-   overlap, then for lines, then for points where no line is; what it finds is
-   raw and is written to the free rest of the caller's array. There the raw
-   contacts are merged to faces in place: a face never takes more room than its
-   members. The pairs know nothing of each other. */
+   A search goes over the pairs of blocks whose boxes are near each other. Of a
+   pair it first looks for overlap, then for lines, then for points where no
+   line is; what it finds is raw, and is merged to faces at once. Until the end
+   of the search a contact has one place in the array: a line stands there with
+   its middle as p, half its length as travel. The pairs know nothing of each
+   other. */
 
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
+    int upright;            /* nonzero: all blocks together are higher than
+                               wide                                        */
+    kern_real reach;        /* widest gap of any pair [m]                  */
     kern_real floor;        /* places closer than that are the same [m]    */
     kern_real mean;         /* mean block size [m]                         */
     kern_real mu, sine;     /* of the options; sine of their angle         */
@@ -1339,22 +1360,23 @@ typedef struct kern_search {
     kern_real gap;          /* widest [m]                                  */
     kern_real least;        /* a line is longer [m]                        */
     kern_real foot;         /* from there on a foot is inside its edge [m] */
-    int first, lines;       /* raw contacts: first, and first after lines  */
+    int first, lines;       /* its contacts: first, and first after lines  */
 } kern_search;
 
-/* An edge from p to q: unit direction, outer normal, length. */
+/* An edge from corner p to corner q: unit direction, outer normal, length. */
 typedef struct kern_edge {
+    int start, end;         /* indices of the corners */
     kern_vec p, q, d, n;
     kern_real length;
-    int end;                /* corner at q */
 } kern_edge;
 
-static kern_edge kern_edge_of(const kern_block *block, int i)
+static kern_edge kern_edge_of(const kern_block *block, int start, int end)
 {
     kern_edge e;
-    e.end = kern_polygon_corner_after(block, i);
-    e.p = kern_polygon_at(block, i);
-    e.q = kern_polygon_at(block, e.end);
+    e.start = start;
+    e.end = end;
+    e.p = kern_polygon_at(block, start);
+    e.q = kern_polygon_at(block, end);
     e.d = kern_vec_sub(e.q, e.p);
     e.length = kern_vec_length(e.d);
     e.d = kern_vec_scale(e.d, 1 / e.length);
@@ -1518,7 +1540,7 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
                                        kern_real gap)
 {
     const int size = kern_polygon_chunk(a);
-    const kern_box core = kern_box_grow(kern_polygon_box(b), -gap);
+    const kern_box core = kern_box_grow(b->box, -gap);
     kern_real depth = 0;
     kern_cover c;
     int first, i;
@@ -1538,7 +1560,7 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
             kern_edge e;
             if (!kern_polygon_is_corner(a, i))
                 continue;
-            e = kern_edge_of(a, i);
+            e = kern_edge_of(a, i, kern_polygon_corner_after(a, i));
             c.p = e.p;
             c.d = e.d;
             c.length = e.length;
@@ -1554,8 +1576,8 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
 static kern_real kern_overlap_inner(const kern_block *a, const kern_block *b,
                                     kern_real gap)
 {
-    const kern_box box = kern_polygon_box(a);
-    const kern_box held = kern_box_grow(kern_polygon_box(b), gap);
+    const kern_box box = a->box;
+    const kern_box held = kern_box_grow(b->box, gap);
     int k;
     if (!kern_box_within(&box, &held))
         return 0;
@@ -1583,79 +1605,79 @@ static kern_real kern_overlap(const kern_block *a, const kern_block *b,
 
 /* ---- lines and points ---- */
 
+/* Adds a raw contact, the longest first: the order in which they make faces. */
 static kern_status kern_search_put(kern_search *s, kern_vec p, kern_vec n,
-                                   int line)
+                                   kern_real half)
 {
-    kern_contact *c;
+    int i = s->count;
     if (s->count >= s->room)
         return KERN_NO_SPACE;
-    c = &s->out[s->count++];
-    c->a = s->index_a;
-    c->b = s->index_b;
-    c->line = line;
-    c->p = p;
-    c->n = n;
-    c->mu = s->mu;
-    c->travel = 0;
+    for (; i > s->first && s->out[i - 1].travel < half; i--)
+        s->out[i] = s->out[i - 1];
+    s->out[i].a = s->index_a;
+    s->out[i].b = s->index_b;
+    s->out[i].p = p;
+    s->out[i].n = n;
+    s->out[i].travel = half;
+    s->count++;
     return KERN_STANDS;
 }
 
-/* Edge i of a and edge j of b run against each other. In the frame of their
-   mean tangent t and mean normal n both are heights over s, and so is the gap
-   between them: the line contact is where it is small enough. */
-static kern_status kern_search_line(kern_search *s, int i, int j)
+/* Edge e of a and edge f of b run against each other. In the frame of their
+   mean tangent t and mean normal n both are heights over s, e rises as f falls,
+   and the gap between them opens at twice that slope: the line contact is where
+   it is small enough, midway. */
+static kern_status kern_search_line(kern_search *s, const kern_edge *e,
+                                    const kern_edge *f)
 {
-    const kern_edge e = kern_edge_of(s->a, i), f = kern_edge_of(s->b, j);
-    kern_vec n, t, eq, fp, fq, mid;
-    kern_real low, high, rise_e, rise_f, start_f;
-    kern_status status;
-    if (!(kern_vec_dot(e.n, f.n) < 0) ||
-        kern_abs(kern_vec_cross(e.n, f.n)) > s->sine)
+    kern_vec n, t, eq, fq, mid;
+    kern_real low, high, slope, gap;
+    if (!(kern_vec_dot(e->n, f->n) < 0) ||
+        kern_abs(kern_vec_cross(e->n, f->n)) > s->sine)
         return KERN_STANDS;
-    n = kern_vec_unit(kern_vec_sub(e.n, f.n));
+    n = kern_vec_unit(kern_vec_sub(e->n, f->n));
     t = kern_vec_turn(n);
-    eq = kern_vec_sub(e.q, e.p); /* from e.p on, against round-off */
-    fp = kern_vec_sub(f.p, e.p);
-    fq = kern_vec_sub(f.q, e.p);
+    eq = kern_vec_sub(e->q, e->p); /* from e->p on, against round-off */
+    fq = kern_vec_sub(f->q, e->p);
     low = kern_max(0, kern_vec_dot(fq, t));
-    high = kern_min(kern_vec_dot(eq, t), kern_vec_dot(fp, t));
+    high = kern_min(kern_vec_dot(eq, t),
+                    kern_vec_dot(kern_vec_sub(f->p, e->p), t));
+    slope = kern_vec_dot(eq, n) / kern_vec_dot(eq, t);
+    gap = kern_vec_dot(fq, n) + slope * kern_vec_dot(fq, t); /* at s = 0 */
+    kern_clip(&low, &high, gap, -2 * slope, -s->gap, s->gap);
     if (!(high - low > s->least))
         return KERN_STANDS;
-    rise_e = kern_vec_dot(eq, n) / kern_vec_dot(eq, t);
-    rise_f = kern_vec_dot(kern_vec_sub(fp, fq), n) /
-             kern_vec_dot(kern_vec_sub(fp, fq), t);
-    start_f = kern_vec_dot(fq, n) - rise_f * kern_vec_dot(fq, t);
-    kern_clip(&low, &high, start_f, rise_f - rise_e, -s->gap, s->gap);
-    if (!(high - low > s->least))
-        return KERN_STANDS;
-    rise_f = (rise_f + rise_e) / 2; /* of the midline */
-    start_f /= 2;
-    t = kern_vec_step(t, rise_f, n);
-    mid = kern_vec_step(e.p, start_f, n);
-    status = kern_search_put(s, kern_vec_step(mid, low, t), n, 1);
-    return status < 0 ? status :
-           kern_search_put(s, kern_vec_step(mid, high, t), n, 1);
+    mid = kern_vec_step(e->p, (low + high) / 2, t);
+    return kern_search_put(s, kern_vec_step(mid, gap / 2, n), n,
+                           (high - low) / 2);
+}
+
+/* One end of a raw contact or face: side is -1 or 1. */
+static kern_vec kern_contact_end(const kern_contact *c, int side)
+{
+    return kern_vec_step(c->p, KERN_R(side) * c->travel, kern_vec_turn(c->n));
 }
 
 /* Is a line contact with about this normal within the gap of p? */
 static int kern_search_on_line(const kern_search *s, kern_vec p, kern_vec n)
 {
     int i;
-    for (i = s->first; i < s->lines; i += 2)
-        if (kern_vec_dot(s->out[i].n, n) > KERN_SAME_FACE &&
-            kern_distance(p, s->out[i].p, s->out[i + 1].p) <= s->gap)
+    for (i = s->first; i < s->lines; i++) {
+        const kern_contact *c = &s->out[i];
+        if (kern_vec_dot(c->n, n) > KERN_SAME_FACE &&
+            kern_distance(p, kern_contact_end(c, -1),
+                          kern_contact_end(c, 1)) <= s->gap)
             return 1;
+    }
     return 0;
 }
 
-/* Is v in the corner that the edge makes at one of its ends? */
+/* Is v within the gap of a reflex corner p? */
 static int kern_search_in_corner(const kern_search *s, const kern_block *block,
-                                 int j, const kern_edge *e, kern_vec v)
+                                 int corner, kern_vec p, kern_vec v)
 {
-    return (kern_vec_length(kern_vec_sub(v, e->p)) <= s->gap &&
-            !kern_polygon_is_convex(block, j)) ||
-           (kern_vec_length(kern_vec_sub(v, e->q)) <= s->gap &&
-            !kern_polygon_is_convex(block, e->end));
+    return kern_vec_length(kern_vec_sub(v, p)) <= s->gap &&
+           !kern_polygon_is_convex(block, corner);
 }
 
 /* Does the way from v to its neighbour lead to the outer side of the edge? */
@@ -1666,212 +1688,203 @@ static int kern_search_leads_out(const kern_search *s, const kern_edge *e,
     return kern_vec_dot(way, e->n) >= -s->sine * kern_vec_length(way);
 }
 
-/* Vertex i of the block `from` stands on edge j of the block `to`: its foot is
+/* Vertex i of the block `from` stands on edge e of the block `to`: its foot is
    inside the edge, or it is in a corner of `to`. */
 static kern_status kern_search_point(kern_search *s, const kern_block *from,
-                                     int i, const kern_block *to, int j)
+                                     int i, const kern_block *to,
+                                     const kern_edge *e)
 {
     const kern_vec v = kern_polygon_at(from, i);
-    kern_edge e;
-    kern_vec r, n, before, after;
-    kern_real along;
-    if (!kern_polygon_is_convex(from, i))
+    const kern_vec r = kern_vec_sub(v, e->p);
+    const kern_vec n = to == s->a ? e->n : kern_vec_scale(e->n, -1);
+    const kern_real along = kern_vec_dot(r, e->d);
+    if (!(kern_abs(kern_vec_dot(r, e->n)) <= s->gap) ||
+        !kern_polygon_is_convex(from, i))
         return KERN_STANDS;
-    e = kern_edge_of(to, j);
-    r = kern_vec_sub(v, e.p);
-    if (!(kern_abs(kern_vec_dot(r, e.n)) <= s->gap))
+    if (!(along > s->foot && along < e->length - s->foot) &&
+        !kern_search_in_corner(s, to, e->start, e->p, v) &&
+        !kern_search_in_corner(s, to, e->end, e->q, v))
         return KERN_STANDS;
-    along = kern_vec_dot(r, e.d);
-    if (!(along > s->foot && along < e.length - s->foot) &&
-        !kern_search_in_corner(s, to, j, &e, v))
-        return KERN_STANDS;
-    before = kern_polygon_at(from, kern_polygon_corner_before(from, i));
-    after = kern_polygon_at(from, kern_polygon_corner_after(from, i));
-    n = to == s->a ? e.n : kern_vec_scale(e.n, -1);
-    if (!kern_search_leads_out(s, &e, v, before) ||
-        !kern_search_leads_out(s, &e, v, after) ||
+    if (!kern_search_leads_out(s, e, v,
+            kern_polygon_at(from, kern_polygon_prev(from, i))) ||
+        !kern_search_leads_out(s, e, v,
+            kern_polygon_at(from, kern_polygon_next(from, i))) ||
         kern_search_on_line(s, v, n))
         return KERN_STANDS;
     return kern_search_put(s, v, n, 0);
 }
 
+/* Edge e of a with each edge of b that is near it: for lines, or for points. */
+static kern_status kern_search_edge(kern_search *s, const kern_edge *e,
+                                    const kern_box *box, int points)
+{
+    const kern_block *b = s->b;
+    int start, end = kern_polygon_corner_after(b, b->vertices - 1);
+    kern_status status = KERN_STANDS;
+    do {
+        kern_box other;
+        start = end;
+        end = kern_polygon_corner_after(b, start);
+        other = kern_box_of(kern_polygon_at(b, start), kern_polygon_at(b, end));
+        if (kern_box_near(box, &other, s->gap)) {
+            const kern_edge f = kern_edge_of(b, start, end);
+            if (!points)
+                status = kern_search_line(s, e, &f);
+            else
+                status = kern_search_point(s, s->a, e->start, b, &f);
+            if (points && status >= 0)
+                status = kern_search_point(s, b, start, s->a, e);
+        }
+    } while (start < end && status >= 0);
+    return status;
+}
+
+/* Each edge of a that is near b. */
+static kern_status kern_search_edges(kern_search *s, int points)
+{
+    int start, end = kern_polygon_corner_after(s->a, s->a->vertices - 1);
+    kern_status status = KERN_STANDS;
+    do {
+        kern_box box;
+        start = end;
+        end = kern_polygon_corner_after(s->a, start);
+        box = kern_box_of(kern_polygon_at(s->a, start),
+                          kern_polygon_at(s->a, end));
+        if (kern_box_near(&box, &s->b->box, s->gap)) {
+            const kern_edge e = kern_edge_of(s->a, start, end);
+            status = kern_search_edge(s, &e, &box, points);
+        }
+    } while (start < end && status >= 0);
+    return status;
+}
+
+/* ---- travels ---- */
+
+static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+{
+    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
+}
+
+/* The next point contact of the interface of c, from i on. */
+static int kern_next_point(const kern_contact *contact, int contacts, int i,
+                           const kern_contact *c)
+{
+    while (i < contacts &&
+           (contact[i].line || !kern_same_interface(&contact[i], c)))
+        i++;
+    return i;
+}
+
+/* Midpoint of the two points of the interface that are farthest apart. */
+static kern_vec kern_interface_centre(const kern_contact *contact, int contacts,
+                                      int first)
+{
+    const kern_contact *c = &contact[first];
+    kern_vec centre = c->p;
+    kern_real widest = 0;
+    int i, j;
+    for (i = first; i < contacts;
+         i = kern_next_point(contact, contacts, i + 1, c)) {
+        j = kern_next_point(contact, contacts, i + 1, c);
+        for (; j < contacts; j = kern_next_point(contact, contacts, j + 1, c)) {
+            const kern_vec d = kern_vec_sub(contact[j].p, contact[i].p);
+            if (kern_vec_dot(d, d) > widest) {
+                widest = kern_vec_dot(d, d);
+                centre = kern_vec_mid(contact[i].p, contact[j].p);
+            }
+        }
+    }
+    return centre;
+}
+
+/* From each point of the interface to the foot of the centre; a lone point is
+   its own centre and stays. */
+static void kern_interface_travels(kern_contact *contact, int contacts,
+                                   int first)
+{
+    const kern_vec q = kern_interface_centre(contact, contacts, first);
+    int i;
+    for (i = first; i < contacts;
+         i = kern_next_point(contact, contacts, i + 1, &contact[first]))
+        contact[i].travel = kern_vec_dot(kern_vec_sub(q, contact[i].p),
+                                         kern_vec_turn(contact[i].n));
+}
+
 /* ---- faces ---- */
 /* The longest raw contact leads a face; all others with its normal and on its
-   line join it. They leave the array, the rest moves up to its end in order,
-   and the face is written to the place they left. What is left of raw contacts
-   is shorter, so the next one leads again, and no order need be kept. */
+   line join it. The face takes the leader's place in the array and the rest
+   moves up in order, so the next one leads again. */
 
 typedef struct kern_face {
     kern_vec p, n;          /* the leader's                               */
     kern_vec low, high;     /* outermost points along its tangent         */
     kern_real least, most;  /* where they are, from p on                  */
     kern_vec sum;           /* of normals times lengths                   */
-    int points;
 } kern_face;
-
-static kern_real kern_raw_length(const kern_contact *c)
-{
-    return c->line ? kern_vec_length(kern_vec_sub(c[1].p, c->p)) : 0;
-}
-
-static int kern_face_lead(const kern_search *s, int raw)
-{
-    kern_real longest = -1;
-    int i, lead = raw;
-    for (i = raw; i < s->count; i += s->out[i].line ? 2 : 1) {
-        const kern_real length = kern_raw_length(&s->out[i]);
-        if (length > longest) {
-            longest = length;
-            lead = i;
-        }
-    }
-    return lead;
-}
-
-static void kern_face_open(kern_face *face, const kern_contact *leader)
-{
-    face->p = leader->p;
-    face->n = leader->n;
-    face->low = face->high = leader->p;
-    face->least = face->most = 0;
-    face->sum = kern_vec_make(0, 0);
-    face->points = 0;
-}
 
 static int kern_face_takes(const kern_face *face, const kern_search *s,
                            const kern_contact *c)
 {
-    const kern_vec first = kern_vec_sub(c[0].p, face->p);
-    const kern_vec second = kern_vec_sub(c[c->line ? 1 : 0].p, face->p);
-    return kern_vec_dot(face->n, c->n) > 0 &&
-           kern_abs(kern_vec_cross(face->n, c->n)) <= s->sine &&
-           kern_abs(kern_vec_dot(first, face->n)) <= s->gap &&
-           kern_abs(kern_vec_dot(second, face->n)) <= s->gap;
-}
-
-static void kern_face_point(kern_face *face, kern_vec p)
-{
-    const kern_real at =
-        kern_vec_dot(kern_vec_sub(p, face->p), kern_vec_turn(face->n));
-    if (at < face->least) {
-        face->least = at;
-        face->low = p;
+    int side, takes = kern_vec_dot(face->n, c->n) > 0 &&
+                      kern_abs(kern_vec_cross(face->n, c->n)) <= s->sine;
+    for (side = -1; side <= 1; side += 2) {
+        const kern_vec r = kern_vec_sub(kern_contact_end(c, side), face->p);
+        takes = takes && kern_abs(kern_vec_dot(r, face->n)) <= s->gap;
     }
-    if (at > face->most) {
-        face->most = at;
-        face->high = p;
-    }
-    face->points++;
+    return takes;
 }
 
 static void kern_face_join(kern_face *face, const kern_search *s,
                            const kern_contact *c)
 {
-    const kern_real weight = c->line ? kern_raw_length(c) : s->gap;
+    const kern_real weight = c->travel > 0 ? 2 * c->travel : s->gap;
+    int side;
     face->sum = kern_vec_step(face->sum, weight, c->n);
-    kern_face_point(face, c[0].p);
-    if (c->line)
-        kern_face_point(face, c[1].p);
-}
-
-/* Writes the face to `out`; returns the number of contact points: 2, or 1 if
-   it has no extent. */
-static int kern_face_write(const kern_face *face, const kern_search *s,
-                           kern_contact *out)
-{
-    const kern_vec n = face->points > 1 ? kern_vec_unit(face->sum) : face->n;
-    const kern_vec t = kern_vec_turn(n);
-    const kern_vec mid = kern_vec_mid(face->low, face->high);
-    const kern_real half =
-        kern_vec_dot(kern_vec_sub(face->high, face->low), t) / 2;
-    const int points = 2 * half > s->foot ? 2 : 1;
-    int k;
-    for (k = 0; k < points; k++) {
-        out[k].a = s->index_a;
-        out[k].b = s->index_b;
-        out[k].mu = s->mu;
-        out[k].n = n;
-        out[k].line = points > 1;
-        out[k].p = mid;
-        out[k].travel = 0;
-    }
-    if (points > 1) {
-        out[0].p = kern_vec_step(mid, -half, t);
-        out[1].p = kern_vec_step(mid, half, t);
-    }
-    return points;
-}
-
-/* Merges the raw contacts of the pair to faces. */
-static void kern_search_merge(kern_search *s)
-{
-    int done = s->first, raw = s->first;
-    while (raw < s->count) {
-        const int lead = kern_face_lead(s, raw);
-        kern_face face;
-        int i, rest = s->count;
-        kern_face_open(&face, &s->out[lead]);
-        for (i = s->count - 1; i >= raw; i--) {
-            const int second = i;
-            if (s->out[i].line)
-                i--; /* both ends at once */
-            if (i == lead || kern_face_takes(&face, s, &s->out[i])) {
-                kern_face_join(&face, s, &s->out[i]);
-                continue;
-            }
-            s->out[--rest] = s->out[second];
-            if (second > i)
-                s->out[--rest] = s->out[i];
+    for (side = -1; side <= 1; side += 2) {
+        const kern_vec end = kern_contact_end(c, side);
+        const kern_real at = kern_vec_dot(kern_vec_sub(end, face->p),
+                                          kern_vec_turn(face->n));
+        if (at < face->least) {
+            face->least = at;
+            face->low = end;
         }
-        done += kern_face_write(&face, s, &s->out[done]);
-        raw = rest;
+        if (at > face->most) {
+            face->most = at;
+            face->high = end;
+        }
     }
-    s->count = done;
+}
+
+/* Makes a face of raw contact i and all that join it. */
+static void kern_search_face(kern_search *s, int i)
+{
+    kern_contact *leader = &s->out[i];
+    kern_face face;
+    kern_real half;
+    int k, rest = i + 1;
+    face.p = face.low = face.high = leader->p;
+    face.n = leader->n;
+    face.least = face.most = 0;
+    face.sum = kern_vec_make(0, 0);
+    kern_face_join(&face, s, leader);
+    for (k = i + 1; k < s->count; k++)
+        if (kern_face_takes(&face, s, &s->out[k]))
+            kern_face_join(&face, s, &s->out[k]);
+        else
+            s->out[rest++] = s->out[k];
+    s->count = rest;
+    leader->n = kern_vec_unit(face.sum);
+    leader->p = kern_vec_mid(face.low, face.high);
+    half = kern_vec_dot(kern_vec_sub(face.high, face.low),
+                        kern_vec_turn(leader->n)) / 2;
+    leader->line = 2 * half > s->foot;
+    leader->travel = leader->line ? half : 0;
 }
 
 /* ---- pairs of blocks ---- */
 
-/* Sets the pair and its lengths; 0: these two have no contacts. */
-static int kern_search_pair(kern_search *s, int a, int b)
-{
-    kern_real size;
-    s->index_a = a < b ? a : b;
-    s->index_b = a < b ? b : a;
-    s->a = &s->block[s->index_a];
-    s->b = &s->block[s->index_b];
-    if ((s->a->fixed && s->b->fixed) || !s->a->vertices || !s->b->vertices)
-        return 0;
-    if (s->a->fixed)
-        size = kern_block_size(s->b);
-    else if (s->b->fixed)
-        size = kern_block_size(s->a);
-    else
-        size = kern_min(kern_block_size(s->a), kern_block_size(s->b));
-    s->gap = s->user_gap > 0 ? s->user_gap : KERN_GAP * size;
-    s->gap = kern_max(s->gap, s->floor);
-    s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
-    s->foot = kern_max(KERN_FOOT * size, s->floor);
-    return 1;
-}
-
-/* Goes over the pairs of edges, once for lines and once for points. */
-static kern_status kern_search_edges(kern_search *s, int points)
-{
-    kern_pairs pairs;
-    kern_status status = KERN_STANDS;
-    kern_pairs_open(&pairs, s->a, s->b, s->gap);
-    while (status >= 0 && kern_pairs_next(&pairs)) {
-        if (!points)
-            status = kern_search_line(s, pairs.i, pairs.j);
-        else
-            status = kern_search_point(s, s->a, pairs.i, s->b, pairs.j);
-        if (points && status >= 0)
-            status = kern_search_point(s, s->b, pairs.j, s->a, pairs.i);
-    }
-    return status;
-}
-
-/* Finds the contacts of the pair and appends them. */
+/* Finds the contacts of the pair and adds them. Until the end of the search mu
+   holds their order. */
 static kern_status kern_search_touch(kern_search *s)
 {
     const kern_real depth = kern_overlap(s->a, s->b, s->gap);
@@ -1888,30 +1901,154 @@ static kern_status kern_search_touch(kern_search *s)
         status = kern_search_edges(s, 1);
     if (status < 0)
         return status;
-    kern_search_merge(s);
-    if (s->count > s->first)
-        kern_contact_travels(s->out + s->first, s->count - s->first);
-    for (i = s->first; i < s->count; i++)
-        if (kern_abs(s->out[i].travel) < KERN_TRAVEL * s->mean)
-            s->out[i].travel = 0;
+    for (i = s->first; i < s->count; i++) {
+        kern_search_face(s, i);
+        s->out[i].mu = KERN_R(i - s->first);
+    }
+    i = s->first < s->count ? kern_next_point(s->out, s->count, s->first,
+                                              &s->out[s->first]) : s->count;
+    if (i < s->count)
+        kern_interface_travels(s->out, s->count, i);
     return KERN_STANDS;
 }
 
-/* All later blocks whose boxes are near that of block a. */
-static kern_status kern_search_later(kern_search *s, int a)
+/* Finds the contacts of blocks i and j, unless they are far apart. */
+static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
-    const kern_box box_a = kern_polygon_box(&s->block[a]);
-    kern_status status = KERN_STANDS;
-    int b;
-    for (b = a + 1; b < s->blocks && status >= 0; b++) {
-        kern_box box_b;
-        if (!kern_search_pair(s, a, b))
-            continue;
-        box_b = kern_box_grow(kern_polygon_box(s->b), s->gap);
-        if (kern_box_meets(&box_a, &box_b))
-            status = kern_search_touch(s);
+    kern_real size;
+    s->index_a = i < j ? i : j;
+    s->index_b = i < j ? j : i;
+    s->a = &s->block[s->index_a];
+    s->b = &s->block[s->index_b];
+    if ((s->a->fixed && s->b->fixed) || !s->a->vertices || !s->b->vertices ||
+        !kern_box_near(&s->a->box, &s->b->box, s->reach))
+        return KERN_STANDS;
+    if (s->a->fixed)
+        size = kern_block_size(s->b);
+    else if (s->b->fixed)
+        size = kern_block_size(s->a);
+    else
+        size = kern_min(kern_block_size(s->a), kern_block_size(s->b));
+    s->gap = s->user_gap > 0 ? s->user_gap : KERN_GAP * size;
+    s->gap = kern_max(s->gap, s->floor);
+    s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
+    s->foot = kern_max(KERN_FOOT * size, s->floor);
+    return kern_search_touch(s);
+}
+
+/* ---- order ---- */
+/* All pairs of blocks that may touch are found by a sweep: blocks are taken in
+   the order of their lower ends, along the longer direction of the whole, and
+   meet those taken before whose upper ends have not been passed. A piece of
+   ground that spans everything stays among these, but is one for each block.
+
+   What is found is then put in the order of the blocks. Both sorts are the
+   same heap sort, which needs no memory and n log n steps at worst. */
+
+static kern_real kern_search_low(const kern_search *s, int i)
+{ return s->upright ? s->block[i].box.low.y : s->block[i].box.low.x; }
+
+static kern_real kern_search_high(const kern_search *s, int i)
+{ return s->upright ? s->block[i].box.high.y : s->block[i].box.high.x; }
+
+/* Of blocks[i] and blocks[j], or of contacts i and j where blocks is NULL. */
+static int kern_search_before(const kern_search *s, const int *blocks,
+                              int i, int j)
+{
+    const kern_contact *c = &s->out[i], *d = &s->out[j];
+    if (blocks)
+        return kern_search_low(s, blocks[i]) < kern_search_low(s, blocks[j]);
+    if (c->b != d->b)
+        return c->b < d->b;
+    return c->a < d->a || (c->a == d->a && c->mu < d->mu);
+}
+
+static void kern_search_swap(const kern_search *s, int *blocks, int i, int j)
+{
+    if (blocks) {
+        const int keep = blocks[i];
+        blocks[i] = blocks[j];
+        blocks[j] = keep;
+    } else {
+        const kern_contact keep = s->out[i];
+        s->out[i] = s->out[j];
+        s->out[j] = keep;
     }
-    return status;
+}
+
+static void kern_search_sort(const kern_search *s, int *blocks, int n)
+{
+    int root = n / 2, i, child;
+    while (n > 1) {
+        if (root > 0)
+            root--; /* the heap grows until all are in it ...           */
+        else        /* ... then its first goes behind it, again and again */
+            kern_search_swap(s, blocks, 0, --n);
+        for (i = root; (child = 2 * i + 1) < n; i = child) {
+            if (child + 1 < n &&
+                kern_search_before(s, blocks, child, child + 1))
+                child++;
+            if (!kern_search_before(s, blocks, i, child))
+                break;
+            kern_search_swap(s, blocks, i, child);
+        }
+    }
+}
+
+static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
+{
+    int *order = work->index, *open;
+    kern_status status = KERN_STANDS;
+    int i, k, kept, n = 0, opened = 0;
+    if (!order || work->indices / 2 < s->blocks)
+        return KERN_NO_SPACE;
+    open = order + s->blocks;
+    for (i = 0; i < s->blocks; i++)
+        if (s->block[i].vertices)
+            order[n++] = i;
+    kern_search_sort(s, order, n);
+    for (k = 0; k < n; k++) {
+        const kern_real low = kern_search_low(s, order[k]) - s->reach;
+        for (i = kept = 0; i < opened && status >= 0; i++)
+            if (kern_search_high(s, open[i]) >= low) {
+                status = kern_search_pair(s, open[i], order[k]);
+                open[kept++] = open[i];
+            }
+        if (status < 0)
+            return status;
+        open[kept++] = order[k];
+        opened = kept;
+    }
+    kern_search_sort(s, NULL, s->count);
+    return KERN_STANDS;
+}
+
+/* Gives every line the two places of its ends, from the last to the first.
+   Returns how many contact points there are. */
+static int kern_search_close(const kern_search *s)
+{
+    int i, side, points = s->count, to;
+    for (i = 0; i < s->count; i++)
+        points += s->out[i].line;
+    if (points > s->room)
+        return (int)KERN_NO_SPACE;
+    to = points;
+    for (i = s->count - 1; i >= 0; i--) {
+        const kern_contact c = s->out[i];
+        const kern_real travel =
+            kern_abs(c.travel) < KERN_TRAVEL * s->mean ? 0 : c.travel;
+        for (side = 1; side >= -1; side -= 2) {
+            kern_contact *end = &s->out[--to];
+            *end = c;
+            end->mu = s->mu;
+            end->travel = travel;
+            if (!c.line)
+                break;
+            end->p = kern_contact_end(&c, side);
+            end->travel = -KERN_R(side) * travel;
+        }
+    }
+    return points;
 }
 
 /* ---- what is read ---- */
@@ -1923,19 +2060,16 @@ static kern_status kern_options_check(const kern_options *o)
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
-    if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_R(0.5))
+    if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
         || o->epsilon < 0 || o->pivots < 0)
         return KERN_BAD_OPTION;
     return KERN_STANDS;
 }
 
-/* Checks what the search reads of block i; raises *largest to its largest
-   coordinate. */
-static kern_status kern_search_check(const kern_search *s, int i,
-                                     kern_real *largest)
+/* Checks what the search reads of block i. */
+static kern_status kern_search_check(const kern_search *s, int i)
 {
     const kern_block *block = &s->block[i];
-    int k;
     if (block->vertices < 0 || block->vertices > KERN_VERTICES_MOST)
         return kern_fault_set(s->fault, KERN_BAD_COUNT, i, -1,
                               KERN_R(block->vertices));
@@ -1946,31 +2080,58 @@ static kern_status kern_search_check(const kern_search *s, int i,
                               KERN_R(block->vertices));
     if (!block->vertex)
         return kern_fault_set(s->fault, KERN_BAD_POINTER, i, -1, 0);
-    if (!kern_is_finite(block->area))
+    if (!kern_is_finite(block->area) ||
+        !kern_vec_is_moderate(block->box.low) ||
+        !kern_vec_is_moderate(block->box.high))
         return kern_fault_set(s->fault, KERN_BAD_NUMBER, i, -1, block->area);
     if (!(kern_abs(block->area) > 0))
         return kern_fault_set(s->fault, KERN_NO_AREA, i, -1, block->area);
-    for (k = 0; k < block->vertices; k++) {
-        const kern_vec p = block->vertex[k];
-        if (!kern_is_moderate(p.x) || !kern_is_moderate(p.y))
-            return kern_fault_set(s->fault, KERN_BAD_NUMBER, i, k,
-                                  kern_is_moderate(p.x) ? p.y : p.x);
-        *largest = kern_max(*largest, kern_vec_largest(p));
+    return KERN_STANDS;
+}
+
+/* Looks at every block: how far they reach, and how large they are. */
+static kern_status kern_search_survey(kern_search *s)
+{
+    kern_real largest = 0, area = 0;
+    kern_box whole = kern_box_none();
+    int i;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *block = &s->block[i];
+        const kern_status status = kern_search_check(s, i);
+        if (status < 0)
+            return status;
+        if (!block->vertices)
+            continue;
+        kern_box_add(&whole, block->box.low);
+        kern_box_add(&whole, block->box.high);
+        largest = kern_max(largest, kern_box_largest(&block->box));
+        if (!block->fixed)
+            area = kern_max(area, kern_abs(block->area));
     }
+    s->upright = whole.high.y - whole.low.y > whole.high.x - whole.low.x;
+    s->floor = KERN_FLOOR * largest;
+    s->reach = s->user_gap > 0 ? s->user_gap : KERN_GAP * KERN_SQRT(area);
+    s->reach = kern_max(s->reach, s->floor);
+    s->mean = kern_mean_size(s->block, s->blocks);
     return KERN_STANDS;
 }
 
 static kern_status kern_search_open(kern_search *s, const kern_block *block,
                                     int blocks, const kern_options *options,
-                                    kern_contact *out, int room)
+                                    kern_contact *out, int room,
+                                    kern_work *work)
 {
-    const kern_options chosen = options ? *options : kern_defaults();
-    kern_status status = kern_options_check(&chosen);
-    kern_real largest = 0;
-    int i;
+    kern_status status;
+    if (!work)
+        return KERN_BAD_POINTER;
+    s->fault = &work->fault;
+    kern_fault_clear(s->fault);
+    if (!options)
+        return KERN_BAD_POINTER;
+    status = kern_options_check(options);
     if (status < 0)
         return status;
-    if (!kern_is_moderate(chosen.gap)) /* normals are weighted with it */
+    if (!kern_is_moderate(options->gap)) /* normals are weighted with it */
         return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
@@ -1980,55 +2141,39 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->blocks = blocks;
     s->out = out;
     s->room = room;
-    s->count = s->first = s->lines = 0;
-    for (i = 0; i < blocks && status >= 0; i++)
-        status = kern_search_check(s, i, &largest);
-    s->floor = KERN_FLOOR * largest;
-    s->mean = kern_mean_size(block, blocks);
-    s->mu = chosen.mu;
-    s->sine = kern_sine(chosen.angle);
-    s->user_gap = chosen.gap;
-    return status;
+    s->count = 0;
+    s->mu = options->mu;
+    s->sine = kern_sine(options->angle);
+    s->user_gap = options->gap;
+    return kern_search_survey(s);
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
-                           int room, kern_fault *fault)
+                           int room, kern_work *work)
 {
-    kern_fault ignored;
     kern_search s;
-    kern_status status;
-    int a;
-    kern_fault_clear(&ignored);
-    s.fault = fault ? fault : &ignored;
-    kern_fault_clear(s.fault);
-    status = kern_search_open(&s, block, blocks, options, out, room);
-    for (a = 0; a < blocks && status >= 0; a++)
-        if (block[a].vertices)
-            status = kern_search_later(&s, a);
-    return status < 0 ? (int)status : s.count;
+    kern_status status =
+        kern_search_open(&s, block, blocks, options, out, room, work);
+    if (status >= 0)
+        status = kern_search_sweep(&s, work);
+    return status < 0 ? (int)status : kern_search_close(&s);
 }
 
-KERN_API int kern_touch(const kern_block *block, int blocks, int a, int b,
+KERN_API int kern_touch(const kern_block *block, int blocks, int b,
                         const kern_options *options, kern_contact *out,
-                        int room, kern_fault *fault)
+                        int room, kern_work *work)
 {
-    kern_fault ignored;
     kern_search s;
-    kern_status status;
-    kern_fault_clear(&ignored);
-    s.fault = fault ? fault : &ignored;
-    kern_fault_clear(s.fault);
-    status = kern_search_open(&s, block, blocks, options, out, room);
-    if (status < 0)
-        return (int)status;
-    if (a < 0 || a >= blocks || b < 0 || b >= blocks)
-        return (int)KERN_BAD_BLOCK;
-    if (a == b)
-        return (int)KERN_SAME_BLOCK;
-    if (kern_search_pair(&s, a, b))
-        status = kern_search_touch(&s);
-    return status < 0 ? (int)status : s.count;
+    kern_status status =
+        kern_search_open(&s, block, blocks, options, out, room, work);
+    int a;
+    if (status >= 0 && (b < 0 || b >= blocks))
+        status = KERN_BAD_BLOCK;
+    for (a = 0; a < blocks && status >= 0; a++)
+        if (a != b)
+            status = kern_search_pair(&s, a, b);
+    return status < 0 ? (int)status : kern_search_close(&s);
 }
 
 /* ---- contacts that are given ---- */
@@ -2079,48 +2224,11 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
     return points;
 }
 
-static int kern_same_interface(const kern_contact *c, const kern_contact *d)
-{
-    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
-}
-
-/* The next point contact of the interface of c, from i on. */
-static int kern_next_point(const kern_contact *contact, int contacts, int i,
-                           const kern_contact *c)
-{
-    while (i < contacts &&
-           (contact[i].line || !kern_same_interface(&contact[i], c)))
-        i++;
-    return i;
-}
-
-/* Midpoint of the two points of the interface that are farthest apart. */
-static kern_vec kern_interface_centre(const kern_contact *contact, int contacts,
-                                      int first)
-{
-    const kern_contact *c = &contact[first];
-    kern_vec centre = c->p;
-    kern_real widest = 0;
-    int i, j;
-    for (i = first; i < contacts;
-         i = kern_next_point(contact, contacts, i + 1, c)) {
-        j = kern_next_point(contact, contacts, i + 1, c);
-        for (; j < contacts; j = kern_next_point(contact, contacts, j + 1, c)) {
-            const kern_vec d = kern_vec_sub(contact[j].p, contact[i].p);
-            if (kern_vec_dot(d, d) > widest) {
-                widest = kern_vec_dot(d, d);
-                centre = kern_vec_mid(contact[i].p, contact[j].p);
-            }
-        }
-    }
-    return centre;
-}
-
-/* The ends of a line go to its middle, the points of an interface to its
-   centre; a lone point is its own centre and stays. */
+/* The ends of a line go to its middle, points to the centre of their
+   interface. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 {
-    int i, j;
+    int i;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = &contact[i];
         if (c->line && i + 1 < contacts) {
@@ -2128,18 +2236,10 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
             c->travel = kern_vec_dot(d, kern_vec_turn(c->n)) / 2;
             c[1].travel = -c->travel;
             i++;
-        } else if (!c->line &&
-                   kern_next_point(contact, i, 0, c) >= i) {
-            const kern_vec q = kern_interface_centre(contact, contacts, i);
-            for (j = i; j < contacts;
-                 j = kern_next_point(contact, contacts, j + 1, c))
-                contact[j].travel =
-                    kern_vec_dot(kern_vec_sub(q, contact[j].p),
-                                 kern_vec_turn(contact[j].n));
-        }
+        } else if (!c->line && kern_next_point(contact, i, 0, c) >= i)
+            kern_interface_travels(contact, contacts, i);
     }
 }
-
 
 /* ---- Work arrays ------------------------------------------------- >>work */
 /* Slices are handed out one after the other. Without arrays (real NULL) they
