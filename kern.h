@@ -14,7 +14,8 @@
                             >>determinism >>references
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
-                            >>check >>statics >>proof >>model >>kern >>words
+                            >>check >>statics >>proof >>model >>kern >>plan
+                            >>words
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -243,6 +244,11 @@ typedef float kern_real;
 #define kern_lp_solve        kern_lp_solve_f32
 #define kern_mean_size       kern_mean_size_f32
 #define kern_measure         kern_measure_f32
+#define kern_plan_add        kern_plan_add_f32
+#define kern_plan_measure    kern_plan_measure_f32
+#define kern_plan_of         kern_plan_of_f32
+#define kern_plan_remove     kern_plan_remove_f32
+#define kern_plan_try        kern_plan_try_f32
 #define kern_stands          kern_stands_f32
 #define kern_status_text     kern_status_text_f32
 #define kern_tilt            kern_tilt_f32
@@ -407,6 +413,27 @@ typedef struct kern_work {
     kern_fault fault;     /* of the last call that returned less than 0       */
 } kern_work;
 
+/* What a measure leaves to the next one of nearly the same structure. */
+typedef struct kern_known {
+    int *basis;           /* columns of the last basis: 2 a contact point     */
+    int columns;          /* there are; 0: nothing is known                   */
+    kern_real holds, fails; /* where it stood and fell; 0: it stood nowhere   */
+} kern_known;
+
+/* A structure that a planner changes by one block at a time. kern_plan_of()
+   makes an empty one; options and gravity may then be set, before blocks are
+   added. Everything may be read at any time. */
+typedef struct kern_plan {
+    kern_structure s;     /* as it is now                                     */
+    kern_options options; /* kern_defaults()                                  */
+    kern_block *block;    /* arrays of the caller, which s looks at           */
+    int block_room;
+    kern_contact *contact;
+    int contact_room;
+    kern_known known;
+    kern_work *work;
+} kern_plan;
+
 /* A linear program:  minimise cost . x  where  A x = rhs  and  x >= 0. */
 typedef struct kern_lp {
     int rows, cols;
@@ -429,6 +456,7 @@ typedef struct kern_lp {
      + 45 * (blocks) + 12 * (contacts) + 13)
 #define KERN_INTS(blocks, contacts) \
     (2 * KERN_EXTRAS(blocks) + 19 * (blocks) + 4 * (contacts) + 1)
+#define KERN_PLAN_INTS(blocks) (3 * (blocks))
 #define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows) + 9)
 #define KERN_LP_INTS(rows, cols) (6 * (rows) + (cols) + 1)
 
@@ -579,6 +607,43 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
                                kern_work *work, kern_real *angle,
                                const kern_proof *proof);
 
+/* -- planning -- */
+/* A planner asks the same of many structures that differ by a stone. What was
+   found out about a structure is where the question about the next one begins:
+   no contact is searched twice, and the linear program starts from the last
+   basis, at the shrinkage where the structure was critical. Answers are those
+   of kern_measure(), and as well proven. */
+
+/* An empty plan: arrays for so many blocks and contact points, KERN_PLAN_INTS(
+   blocks) ints for the basis, and work memory for a structure of that size. */
+KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
+                                kern_contact *contact, int contacts,
+                                int *basis, kern_work *work);
+
+/* Adds a block behind the others and finds its contacts. Returns how many
+   contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
+   also where there is no room for it; the plan is then as it was. The block is
+   copied, its vertices are not. Time: O(B). */
+KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
+
+/* Takes block i away; those behind it move up, in contacts too. KERN_STANDS:
+   done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
+KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
+
+/* kern_measure() of the plan; remembers what it learns. */
+KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
+                                       const kern_proof *proof);
+
+/* What kern_plan_measure() would say with the block added; the plan stays as
+   it is. Below 0 also as kern_plan_add(). The proof is of the structure with
+   the block: one motion more, and the forces of the block's contacts, which
+   then lie behind plan->s.contacts, last. If the plan has not been measured
+   since it was changed, do that first: every try then starts from it.
+   Time: that of a few questions without a pivot, where the block does not
+   change which stones are the weakest. */
+KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
+                                   kern_margin *out, const kern_proof *proof);
+
 /* -- proofs -- */
 
 /* The error of a proof as a share of what is allowed: up to 1 it holds.
@@ -699,6 +764,7 @@ extern "C" {
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
 #define KERN_MANY          8       /* pivots between them                     */
+#define KERN_FIRST         KERN_R(0.12) /* and the first, of a block's size   */
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
@@ -2337,6 +2403,8 @@ typedef struct kern_simplex {
     int pivots;             /* since the base was chosen                      */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
+    const int *known;       /* columns of an earlier one to start from        */
+    int knowns;
     int stale;              /* the matrix has changed since                   */
     int settled;            /* no pivot since the values were refined         */
     int violated;           /* variables, when prices were last made          */
@@ -3535,7 +3603,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows;
     sx->lp = lp;
-    sx->started = sx->stale = sx->violated = 0;
+    sx->started = sx->stale = sx->violated = sx->knowns = 0;
     sx->groups = lp->ends ? m / 3 : 0;
     sx->room = room;
     sx->base = kern_take_ints(take, m);
@@ -3636,17 +3704,31 @@ static void kern_crash_group(kern_simplex *sx, int g, int first)
     }
 }
 
+/* Puts the known columns into slots that are free, where they still exist. */
+static void kern_crash_known(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    int i, slot = 0;
+    for (i = 0; i < sx->knowns; i++) {
+        while (slot < lp->rows && sx->base[slot] < lp->cols)
+            slot++;
+        if (slot < lp->rows && sx->known[i] < lp->cols)
+            sx->base[slot] = sx->known[i];
+    }
+}
+
 /* The crash basis: down the order, each group takes three columns to groups
    after it (or to none) that carry its load and what rests on it. Feasible at
-   once for most walls. Without an order every filler is basic. */
+   once for most walls. Without an order every filler is basic. Groups that
+   have known columns keep those. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *first = sx->link, *next = sx->place;
+    int *first = sx->link, *next = sx->place, *kept = sx->spare;
     int i, j;
     for (i = 0; i < lp->rows; i++) {
         sx->base[i] = lp->cols + i;
-        sx->spare[i] = -1;
+        kept[i] = 0;
         sx->row[i] = lp->rhs[i];
     }
     for (i = 0; i < sx->groups; i++)
@@ -3658,16 +3740,37 @@ static void kern_simplex_crash(kern_simplex *sx)
         next[j] = first[g];
         first[g] = j;
     }
+    for (i = 0; i < sx->knowns; i++)
+        if (sx->known[i] < lp->cols)
+            kept[kern_lp_first(sx, sx->known[i])] = 1;
     for (i = 0; i < sx->groups; i++)
-        kern_crash_group(sx, lp->order[i], first[lp->order[i]]);
+        if (!kept[lp->order[i]])
+            kern_crash_group(sx, lp->order[i], first[lp->order[i]]);
+    kern_crash_known(sx);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
-    sx->extras = 0;
+    for (i = 0; i < lp->rows; i++)
+        sx->spare[i] = -1;
+    sx->extras = sx->knowns = 0;
     sx->started = 1;
     sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
     kern_basis_renew(sx, 0);
+}
+
+/* Writes the columns of the basis to list[0..rows); returns how many. */
+static int kern_simplex_basis(const kern_simplex *sx, int *list)
+{
+    int i, n = 0;
+    if (!sx->started)
+        return 0;
+    for (i = 0; i < sx->lp->rows; i++)
+        if (sx->spare[i] < 0 && sx->base[i] < sx->lp->cols)
+            list[n++] = sx->base[i];
+    for (i = 0; i < sx->extras; i++)
+        list[n++] = sx->extra[i];
+    return n;
 }
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
@@ -4531,6 +4634,7 @@ typedef struct kern_path {
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
+    int never;                /* nonzero: it stands to the end                */
     kern_real reach;          /* how far the last forces would do             */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
@@ -4823,22 +4927,21 @@ static int kern_nested(const kern_model *m)
 }
 
 /* Goes from a place that stands toward the end, until it falls; then finds the
-   edge. Steps grow by `growth`, where that is above 1, as long as they need few
-   pivots: far beyond the edge the simplex has much to do that is of no use.
-   `never`: it stands to the end. */
+   edge. Steps grow as long as they need few pivots (far beyond the edge the
+   simplex has much to do that is of no use), or are `even` where verdicts may
+   change more than once. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step, kern_real growth,
-                                   int *never)
+                                   kern_real step, int even)
 {
-    const kern_real end = path->end;
+    const kern_real end = path->end, half = path->tolerance * KERN_R(0.45);
     kern_real at = path->holds;
-    int round, pivots, tries = 0;
-    *never = 0;
+    int round, tries;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real next = kern_min(end, kern_max(at + step,
-            path->reach + path->tolerance * KERN_R(0.45)));
+        const kern_real reach = even ? at : path->reach + half;
+        const kern_real next = kern_min(end, kern_max(at + step, reach));
         const int before = m->work->pivots;
         kern_status status = kern_path_ask(m, path, next);
+        int pivots;
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
             status = kern_path_ask(m, path, next - path->tolerance
@@ -4848,14 +4951,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (status != KERN_STANDS)
             return status;
         if (next >= end) {
-            *never = 1;
+            path->never = 1;
             path->edge = path->fails = end;
             return KERN_STANDS;
         }
         at = next;
         pivots = m->work->pivots - before;
-        if (growth > 1)
-            step *= 3 * pivots < KERN_MANY ? growth
+        if (!even)
+            step *= 3 * pivots < KERN_MANY ? KERN_R(1.6)
                     : pivots < KERN_MANY ? KERN_R(1.25)
                     : pivots < 2 * KERN_MANY ? KERN_R(1) : KERN_R(0.7);
     }
@@ -4938,17 +5041,89 @@ static void kern_path_open(kern_path *path, kern_path_kind kind,
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = path->reach = KERN_R(0);
+    path->never = 0;
 }
 
-KERN_API kern_status kern_measure(const kern_structure *s,
-                                  const kern_options *o, kern_work *work,
-                                  kern_margin *out, const kern_proof *proof)
+/* From where it held and fell before something was changed: most changes leave
+   both as they were. */
+static kern_status kern_path_resume(kern_model *m, kern_path *path,
+                                    const kern_known *known)
+{
+    const kern_real at = kern_min(known->fails, path->end);
+    kern_status status = kern_path_ask(m, path, at);
+    if (status == KERN_STANDS && at < path->end)
+        return kern_path_climb(m, path, path->unit * KERN_FIRST, 0);
+    if (status == KERN_STANDS) {
+        path->never = 1;
+        path->edge = path->fails = at;
+    }
+    if (status != KERN_FALLS)
+        return status;
+    if (path->edge > known->holds / 2) {
+        status = kern_path_edge(m, path);
+        if (status != KERN_STANDS || path->holds > 0)
+            return status;
+    }
+    status = kern_path_ask(m, path, KERN_R(0));
+    return status == KERN_STANDS ? kern_path_edge(m, path) : status;
+}
+
+static void kern_path_read(const kern_path *path, kern_margin *out)
+{
+    out->margin = path->edge;
+    out->holds = path->holds;
+    out->fails = path->fails;
+    out->saturated = path->never;
+}
+
+/* The margin where kerns are nested, and with it the level. */
+static kern_status kern_measure_nested(kern_model *m, kern_path *path,
+                                       const kern_known *known, int last,
+                                       kern_margin *out)
+{
+    kern_status status = KERN_UNDECIDED;
+    if (known && known->columns > 0 && known->fails > 0)
+        status = kern_path_resume(m, path, known);
+    if (status == KERN_UNDECIDED) {
+        status = kern_path_ask(m, path, KERN_R(0));
+        if (status == KERN_STANDS)
+            status = kern_path_climb(m, path, path->unit * KERN_FIRST, 0);
+    }
+    if (status != KERN_STANDS)
+        return status;
+    kern_path_read(path, out);
+    return kern_level_scan(m, path, last, 1, out);
+}
+
+/* The same where they are not: the literal scan, then the margin before it. */
+static kern_status kern_measure_scan(kern_model *m, kern_path *path, int last,
+                                     kern_margin *out)
+{
+    kern_status status = kern_path_ask(m, path, KERN_R(0));
+    if (status == KERN_STANDS)
+        status = kern_level_scan(m, path, last, 0, out);
+    if (out->level > 0 && out->level <= last)
+        path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
+    path->holds = KERN_R(0);
+    if (status == KERN_STANDS)
+        status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
+    if (status == KERN_STANDS)
+        kern_path_read(path, out);
+    return status;
+}
+
+/* The measure, from what is known, which becomes what is known now where it
+   is given to be `kept`. */
+static kern_status kern_measure_from(const kern_structure *s,
+                                     const kern_options *o, kern_work *work,
+                                     const kern_known *known, kern_known *kept,
+                                     kern_margin *out, const kern_proof *proof)
 {
     kern_model m;
     kern_path path;
     kern_margin r;
     kern_status status;
-    int last = 0, known;
+    int last = 0;
     if (!out)
         return KERN_BAD_POINTER;
     status = kern_model_open(&m, s, o, work);
@@ -4962,36 +5137,28 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     status = kern_steps(&r, &last);
     if (status != KERN_STANDS)
         return status;
-    status = kern_path_ask(&m, &path, KERN_R(0));
-    if (status != KERN_STANDS) {
-        if (status == KERN_FALLS)
-            *out = r;
-        return status;
-    }
-    known = kern_nested(&m);
     path.end = r.most;
-    if (!known) {
-        status = kern_level_scan(&m, &path, last, 0, &r);
-        if (r.level > 0 && r.level <= last)
-            path.end = kern_min(KERN_R(r.level) * r.epsilon, r.most);
-        path.holds = KERN_R(0);
+    if (known) {
+        m.simplex.known = known->basis;
+        m.simplex.knowns = known->columns;
     }
-    if (status == KERN_STANDS)
-        status = known ? kern_path_climb(&m, &path,
-                             (m.relative ? KERN_R(0.2) : KERN_R(0.12) * m.mean),
-                             KERN_R(1.6), &r.saturated)
-                       : kern_path_climb(&m, &path, r.most / KERN_SCAN,
-                             KERN_R(1), &r.saturated);
-    if (status != KERN_STANDS)
-        return status;
-    r.margin = path.edge;
-    r.holds = path.holds;
-    r.fails = path.fails;
-    if (known)
-        status = kern_level_scan(&m, &path, last, 1, &r);
-    if (status == KERN_STANDS)
+    status = kern_nested(&m) ? kern_measure_nested(&m, &path, known, last, &r)
+                             : kern_measure_scan(&m, &path, last, &r);
+    if (status == KERN_STANDS || status == KERN_FALLS)
         *out = r;
+    if (kept && status >= 0) {
+        kept->columns = kern_simplex_basis(&m.simplex, kept->basis);
+        kept->holds = r.holds;
+        kept->fails = r.fails;
+    }
     return status;
+}
+
+KERN_API kern_status kern_measure(const kern_structure *s,
+                                  const kern_options *o, kern_work *work,
+                                  kern_margin *out, const kern_proof *proof)
+{
+    return kern_measure_from(s, o, work, NULL, NULL, out, proof);
 }
 
 /* The extent: the longest side of the box around the free blocks. */
@@ -5075,16 +5242,14 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
 /* How a load or a tilt is followed: a verdict where the path begins, the
    climb, the proofs. `out` is in the path's own measure. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path,
-                                    kern_real step, kern_real growth,
-                                    kern_real *out)
+                                    kern_real step, int even, kern_real *out)
 {
-    int never = 0;
     kern_status status = kern_path_ask(m, path, KERN_R(0));
     if (status != KERN_STANDS)
         return status;
-    status = kern_path_climb(m, path, step, growth, &never);
+    status = kern_path_climb(m, path, step, even);
     if (status == KERN_STANDS)
-        *out = never ? KERN_INFINITY : path->edge;
+        *out = path->never ? KERN_INFINITY : path->edge;
     return status;
 }
 
@@ -5125,7 +5290,7 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
     path.q.pattern = pattern;
     path.q.side = side;
     path.end = KERN_FACTOR_MOST;
-    return kern_path_follow(&m, &path, KERN_R(0.05), KERN_R(1.6), factor);
+    return kern_path_follow(&m, &path, KERN_R(0.05), 0, factor);
 }
 
 /* The angle whose tangent is s >= 0: halved twice, then the series. */
@@ -5169,9 +5334,119 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
     path.end = KERN_R(1);
     status = kern_path_follow(&m, &path,
                               loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125),
-                              loaded ? KERN_R(1) : KERN_R(1.6), &at);
+                              loaded, &at);
     if (status == KERN_STANDS)
         *angle = 4 * kern_angle_of(kern_min(at, KERN_R(1)));
+    return status;
+}
+
+/* ---- Planning ---------------------------------------------------- >>plan */
+/* What is known of a structure is the basis that its last measure ended with,
+   by its columns, and the bracket of its margin. A block that is added on top
+   takes columns of its own (a crash basis for one group), everything else
+   keeps its own, and is asked again where it was critical. */
+
+KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
+                                kern_contact *contact, int contacts,
+                                int *basis, kern_work *work)
+{
+    kern_plan plan;
+    plan.options = kern_defaults();
+    plan.s.block = plan.block = block;
+    plan.s.contact = plan.contact = contact;
+    plan.s.blocks = plan.s.contacts = 0;
+    plan.s.gravity = kern_vec_make(0, KERN_R(-9.81));
+    plan.block_room = blocks;
+    plan.contact_room = contacts;
+    plan.known.basis = basis;
+    plan.known.columns = 0;
+    plan.known.holds = plan.known.fails = KERN_R(0);
+    plan.work = work;
+    return plan;
+}
+
+/* Whether all that a plan needs was given. */
+static int kern_plan_is_whole(const kern_plan *plan)
+{
+    return plan && plan->block && plan->contact && plan->known.basis
+           && plan->work;
+}
+
+KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
+{
+    kern_structure *s;
+    int found;
+    if (!kern_plan_is_whole(plan) || !block)
+        return (int)KERN_BAD_POINTER;
+    s = &plan->s;
+    kern_fault_clear(&plan->work->fault);
+    if (s->blocks >= plan->block_room)
+        return (int)KERN_NO_SPACE;
+    plan->block[s->blocks] = *block;
+    found = kern_touch(s->block, s->blocks + 1, s->blocks, &plan->options,
+                       plan->contact + s->contacts,
+                       plan->contact_room - s->contacts, plan->work);
+    if (found < 0)
+        return found;
+    s->blocks++;
+    s->contacts += found;
+    return found;
+}
+
+KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
+{
+    kern_structure *s;
+    int *moved, k, n = 0, columns = 0;
+    if (!kern_plan_is_whole(plan))
+        return KERN_BAD_POINTER;
+    s = &plan->s;
+    moved = plan->work->index;
+    kern_fault_clear(&plan->work->fault);
+    if (i < 0 || i >= s->blocks)
+        return KERN_BAD_BLOCK;
+    if (!moved || plan->work->indices < s->contacts)
+        return KERN_NO_SPACE;
+    for (k = 0; k < s->contacts; k++) {
+        kern_contact c = plan->contact[k];
+        moved[k] = c.a == i || c.b == i ? KERN_OUT : n;
+        c.a -= c.a > i;
+        c.b -= c.b > i;
+        if (moved[k] != KERN_OUT)
+            plan->contact[n++] = c;
+    }
+    for (k = 0; k < plan->known.columns; k++) {
+        const int j = plan->known.basis[k];
+        if (moved[j / 2] != KERN_OUT)
+            plan->known.basis[columns++] = 2 * moved[j / 2] + j % 2;
+    }
+    for (k = i; k + 1 < s->blocks; k++)
+        plan->block[k] = plan->block[k + 1];
+    s->contacts = n;
+    s->blocks--;
+    plan->known.columns = columns;
+    return KERN_STANDS;
+}
+
+KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
+                                       const kern_proof *proof)
+{
+    if (!kern_plan_is_whole(plan))
+        return KERN_BAD_POINTER;
+    return kern_measure_from(&plan->s, &plan->options, plan->work,
+                             &plan->known, &plan->known, out, proof);
+}
+
+KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
+                                   kern_margin *out, const kern_proof *proof)
+{
+    kern_status status;
+    const int found = kern_plan_add(plan, block);
+    if (found < 0)
+        return (kern_status)found;
+    status = kern_measure_from(&plan->s, &plan->options, plan->work,
+                               &plan->known, NULL, out, proof);
+    plan->s.blocks--;
+    plan->s.contacts -= found;
     return status;
 }
 
