@@ -449,8 +449,9 @@ typedef struct kern_lp {
 
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 
-#define KERN_EXTRAS(blocks) \
-    ((blocks) + 24 < 3 * (blocks) ? (blocks) + 24 : 3 * (blocks))
+#define KERN_EXTRAS(blocks)                                                  \
+    ((blocks) < 4 ? 3 * (blocks)                                            \
+     : (blocks) < 64 ? (blocks) + 8 : (blocks) / 2 + 40)
 #define KERN_REALS(blocks, contacts)                                        \
     (KERN_EXTRAS(blocks) * KERN_EXTRAS(blocks) + 5 * KERN_EXTRAS(blocks)    \
      + 45 * (blocks) + 12 * (contacts) + 13)
@@ -3681,7 +3682,8 @@ static int kern_crash_faces(const kern_program *lp, int j, int g,
 }
 
 /* Lets group g take three of its columns, which hang together from `first`:
-   where more face the load than are tried, evenly chosen ones. */
+   where more face the load than are tried, evenly chosen ones. What they
+   cannot carry by pressing is left to phase one. */
 static void kern_crash_group(kern_simplex *sx, int g, int first)
 {
     const kern_program *lp = sx->lp;
@@ -3700,7 +3702,7 @@ static void kern_crash_group(kern_simplex *sx, int g, int first)
     kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
     for (s = 0; s < 3 && take[0] != KERN_OUT; s++) {
         sx->base[3 * g + s] = take[s];
-        kern_lp_subtract(lp, take[s], share[s], sx->row);
+        kern_lp_subtract(lp, take[s], kern_max(share[s], KERN_R(0)), sx->row);
     }
 }
 
