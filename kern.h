@@ -3647,9 +3647,11 @@ static void kern_crash_choose(const kern_simplex *sx, int g, const int *mine,
             for (k = j + 1; k < n; k++) {
                 const kern_real *c = part[k];
                 const kern_real det = ab0 * c[0] + ab1 * c[1] + ab2 * c[2];
-                kern_real la, lb, least, w = lc / det;
-                if (kern_abs(det) < KERN_CRASH_TOL || w <= best)
-                    continue;
+                kern_real la, lb, least, w;
+                if (kern_abs(det) < KERN_CRASH_TOL
+                    || (det > 0 ? lc <= best * det : lc >= best * det))
+                    continue; /* lc / det would be no better */
+                w = lc / det;
                 la = (load[0] * (b[1] * c[2] - b[2] * c[1])
                       + load[1] * (b[2] * c[0] - b[0] * c[2])
                       + load[2] * (b[0] * c[1] - b[1] * c[0])) / det;
