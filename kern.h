@@ -449,9 +449,8 @@ typedef struct kern_lp {
 
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 
-#define KERN_EXTRAS(blocks)                                                  \
-    ((blocks) < 4 ? 3 * (blocks)                                            \
-     : (blocks) < 64 ? (blocks) + 8 : (blocks) / 2 + 40)
+#define KERN_EXTRAS(blocks) \
+    ((blocks) < 4 ? 3 * (blocks) : (blocks) + 8)
 #define KERN_REALS(blocks, contacts)                                        \
     (KERN_EXTRAS(blocks) * KERN_EXTRAS(blocks) + 5 * KERN_EXTRAS(blocks)    \
      + 45 * (blocks) + 12 * (contacts) + 13)
@@ -751,6 +750,9 @@ extern "C" {
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
 #define KERN_RENEW_TOL   KERN_PICK(1e-12, 1e-5)
+/* Residual of values that were followed through pivots, above which the base
+   is to be chosen more often. */
+#define KERN_DRIFT       KERN_PICK(1e-8, 1e-4)
 /* Width of the bracket of a measure, in mean block sizes, and how many times
    wider it may get where neither proof can be completed nearer to critical. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
@@ -2402,6 +2404,7 @@ typedef struct kern_simplex {
     int room;               /* most extras, and the stride of inv             */
     int extras;             /* in use: the size of S                          */
     int pivots;             /* since the base was chosen                      */
+    int interval;           /* until it is chosen again                       */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
     const int *known;       /* columns of an earlier one to start from        */
@@ -2434,6 +2437,15 @@ typedef struct kern_simplex {
 #define KERN_OUT (-1)
 
 /* ---- columns ---- */
+
+static kern_real kern_largest(const kern_real *v, int n)
+{
+    kern_real size = KERN_R(0);
+    int i;
+    for (i = 0; i < n; i++)
+        size = kern_max(size, kern_abs(v[i]));
+    return size;
+}
 
 static int kern_lp_head(const kern_program *lp, int j)
 { return lp->ends[j & ~1]; }
@@ -2939,46 +2951,51 @@ static int kern_basis_keep(kern_simplex *sx)
     return 1;
 }
 
+/* What the values leave of the right-hand side, to sx->alpha: returns its
+   largest entry as a share of the largest value. */
+static kern_real kern_basis_residual(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    kern_real size = KERN_R(0);
+    int i;
+    for (i = 0; i < lp->rows; i++)
+        sx->alpha[i] = lp->rhs[i];
+    for (i = 0; i < lp->rows; i++) {
+        const kern_real v = sx->value[i];
+        if (!(v > 0 || v < 0))
+            continue;
+        size = kern_max(size, kern_abs(v));
+        if (sx->base[i] < lp->cols)
+            kern_lp_subtract(lp, sx->base[i], v, sx->alpha);
+        else
+            sx->alpha[sx->base[i] - lp->cols] -= v;
+    }
+    for (i = 0; i < sx->extras; i++) {
+        size = kern_max(size, kern_abs(sx->value_extra[i]));
+        kern_lp_subtract(lp, sx->extra[i], sx->value_extra[i], sx->alpha);
+    }
+    return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
+}
+
 /* The basic solution. What it leaves of the right-hand side is solved for
    again until that is rounding: the inverse grows with every course of a wall,
    and one solve may lose half of the digits. Returns 0 where it is not. */
 static int kern_basis_values(kern_simplex *sx)
 {
-    const kern_program *lp = sx->lp;
-    const int m = lp->rows;
-    kern_real last = KERN_INFINITY, worst = KERN_R(0), size = KERN_R(0);
+    kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
     int i, round;
-    for (round = 0; round < 5; round++) {
-        worst = size = KERN_R(0);
-        for (i = 0; i < m; i++)
-            sx->alpha[i] = lp->rhs[i];
-        for (i = 0; i < m; i++) {
-            const kern_real v = sx->value[i];
-            if (!(v > 0 || v < 0))
-                continue;
-            size = kern_max(size, kern_abs(v));
-            if (sx->base[i] < lp->cols)
-                kern_lp_subtract(lp, sx->base[i], v, sx->alpha);
-            else
-                sx->alpha[sx->base[i] - lp->cols] -= v;
-        }
-        for (i = 0; i < sx->extras; i++) {
-            size = kern_max(size, kern_abs(sx->value_extra[i]));
-            kern_lp_subtract(lp, sx->extra[i], sx->value_extra[i], sx->alpha);
-        }
-        for (i = 0; i < m; i++)
-            worst = kern_max(worst, kern_abs(sx->alpha[i]));
-        if (worst <= KERN_REFINE_TOL * size || worst >= last)
-            break;
-        last = worst;
+    for (round = 0; round < 4 && left > KERN_REFINE_TOL
+                    && (left < last || round < 2); round++) {
         kern_basis_solve(sx, 0, sx->alpha, sx->alpha_extra);
-        for (i = 0; i < m; i++)
+        for (i = 0; i < sx->lp->rows; i++)
             sx->value[i] += sx->alpha[i];
         for (i = 0; i < sx->extras; i++)
             sx->value_extra[i] += sx->alpha_extra[i];
+        last = left;
+        left = kern_basis_residual(sx);
     }
     sx->settled = 1;
-    return worst <= KERN_RENEW_TOL * size;
+    return left <= KERN_RENEW_TOL;
 }
 
 /* Begins anew from the basic columns: after a change of the matrix, and when
@@ -3218,15 +3235,6 @@ static kern_real kern_phase_one_prices(kern_simplex *sx)
     if (sum > 0)
         kern_basis_solve_t(sx, sx->row, sx->row_extra);
     return sum;
-}
-
-static kern_real kern_largest(const kern_real *v, int n)
-{
-    kern_real size = KERN_R(0);
-    int i;
-    for (i = 0; i < n; i++)
-        size = kern_max(size, kern_abs(v[i]));
-    return size;
 }
 
 /* One step of refinement for y = sx->row: the certificate -y must be zero on
@@ -3496,8 +3504,11 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         kern_basis_move(sx, q, position, step);
         work->pivots++;
         count++;
-        if (sx->extras == sx->room || sx->pivots >= KERN_RENEW)
+        if (sx->extras == sx->room || sx->pivots >= sx->interval) {
+            if (kern_basis_residual(sx) > KERN_DRIFT)
+                sx->interval = sx->interval / 2 + 2;
             kern_basis_renew(sx, 0);
+        }
     }
     return KERN_UNDECIDED;
 }
@@ -3589,7 +3600,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         kern_basis_move(sx, q, position, step);
         work->pivots++;
         count++;
-        if (sx->extras == sx->room || sx->pivots >= KERN_RENEW)
+        if (sx->extras == sx->room || sx->pivots >= sx->interval)
             kern_basis_renew(sx, 0);
     }
     return KERN_UNDECIDED;
@@ -3683,25 +3694,39 @@ static int kern_crash_faces(const kern_program *lp, int j, int g,
               * (load[0] * load[0] + load[1] * load[1]);
 }
 
-/* Lets group g take three of its columns, which hang together from `first`:
-   where more face the load than are tried, evenly chosen ones. What they
-   cannot carry by pressing is left to phase one. */
+/* Lists at most KERN_CRASH_MOST, evenly chosen, of the columns of group g that
+   face its load, or of all where `any` is set; returns how many. They hang
+   together from `first`. */
+static int kern_crash_list(const kern_simplex *sx, int g, int first, int any,
+                           int *mine)
+{
+    const kern_real *load = sx->row + 3 * g;
+    const int *next = sx->place;
+    int j, n = 0, facing = 0, step;
+    for (j = first; j >= 0; j = next[j])
+        facing += any || kern_crash_faces(sx->lp, j, g, load);
+    step = 1 + (facing - 1) / KERN_CRASH_MOST;
+    facing = 0;
+    for (j = first; j >= 0; j = next[j])
+        if ((any || kern_crash_faces(sx->lp, j, g, load))
+            && facing++ % step == 0)
+            mine[n++] = j;
+    return n;
+}
+
+/* Lets group g take three of its columns: of those that face its load, or
+   where there are not three (the stones of an arch), of all. What they cannot
+   carry by pressing is left to phase one. */
 static void kern_crash_group(kern_simplex *sx, int g, int first)
 {
     const kern_program *lp = sx->lp;
-    const int *next = sx->place;
-    int mine[KERN_CRASH_MOST], take[3];
+    int mine[KERN_CRASH_MOST], take[3], any, s;
     kern_real share[3];
-    int j, s, n = 0, facing = 0, step = 1;
-    for (j = first; j >= 0; j = next[j])
-        facing += kern_crash_faces(lp, j, g, sx->row + 3 * g);
-    step += (facing - 1) / KERN_CRASH_MOST;
-    facing = 0;
-    for (j = first; j >= 0; j = next[j])
-        if (kern_crash_faces(lp, j, g, sx->row + 3 * g)
-            && facing++ % step == 0)
-            mine[n++] = j;
-    kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
+    take[0] = KERN_OUT;
+    for (any = 0; any < 2 && take[0] == KERN_OUT; any++) {
+        const int n = kern_crash_list(sx, g, first, any, mine);
+        kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
+    }
     for (s = 0; s < 3 && take[0] != KERN_OUT; s++) {
         sx->base[3 * g + s] = take[s];
         kern_lp_subtract(lp, take[s], kern_max(share[s], KERN_R(0)), sx->row);
@@ -3757,6 +3782,7 @@ static void kern_simplex_crash(kern_simplex *sx)
         sx->spare[i] = -1;
     sx->extras = sx->knowns = 0;
     sx->started = 1;
+    sx->interval = KERN_RENEW;
     sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
@@ -4938,6 +4964,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real step, int even)
 {
     const kern_real end = path->end, half = path->tolerance * KERN_R(0.45);
+    const kern_real least = step / 4;
     kern_real at = path->holds;
     int round, tries;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
@@ -4961,10 +4988,14 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         }
         at = next;
         pivots = m->work->pivots - before;
+        if (!even && 3 * pivots < KERN_MANY)
+            step *= KERN_R(1.6);
+        else if (!even && pivots < KERN_MANY)
+            step *= KERN_R(1.25);
+        else if (!even && pivots > 2 * KERN_MANY)
+            step *= KERN_R(0.7);
         if (!even)
-            step *= 3 * pivots < KERN_MANY ? KERN_R(1.6)
-                    : pivots < KERN_MANY ? KERN_R(1.25)
-                    : pivots < 2 * KERN_MANY ? KERN_R(1) : KERN_R(0.7);
+            step = kern_max(step, kern_max(least, at / 16));
     }
     return KERN_UNDECIDED;
 }
