@@ -4885,8 +4885,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
         const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
         const int inside = r >= lo && r <= hi;
-        const int near = inside && hi - r <= aside * KERN_R(1.25);
-        const int closed = near && r - lo <= under * KERN_R(1.25);
+        const int near = inside && hi - r <= aside * KERN_R(1.05);
+        const int closed = near && r - lo <= under * KERN_R(1.05);
         const int pivots = m->work->pivots, single = m->simplex.violated == 1;
         kern_real at;
         kern_status status;
@@ -4914,13 +4914,17 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
                 path->edge = r;
             path->holds = lo;
             path->fails = hi;
-        } else if (status == KERN_UNDECIDED && at > r)
-            aside *= 2;
-        else if (status == KERN_UNDECIDED)
-            under *= 2;
-        else if (status == KERN_STANDS)
+        } else if (status == KERN_UNDECIDED) {
+            if (near)
+                under *= 2;
+            else if (inside)
+                aside *= 2;
+            else
+                share *= KERN_R(0.7);
+        }
+        if (!closed && status == KERN_STANDS)
             known = near && single && pivots == m->work->pivots;
-        else
+        if (!closed && status == KERN_FALLS)
             share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     }
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
@@ -5144,6 +5148,8 @@ static kern_status kern_measure_scan(kern_model *m, kern_path *path, int last,
         status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
     if (status == KERN_STANDS)
         kern_path_read(path, out);
+    if (path->never && path->end < out->most) /* where the scan said it falls */
+        status = KERN_UNDECIDED;
     return status;
 }
 

@@ -1336,8 +1336,9 @@ static void compare_with_twin(const world *w, int deep)
         }
         passed++;
         if (!m.saturated) {
-            CHECK(twin_agrees(w, fmax(0, end - 1e-6 * unit), 1));
-            CHECK(twin_agrees(w, fmin(most, end + 2e-6 * unit), 0));
+            const double near = (SINGLE ? 1e-4 : 1e-6) * unit;
+            CHECK(twin_agrees(w, fmax(0, end - near), 1));
+            CHECK(twin_agrees(w, fmin(most, end + 2 * near), 0));
         }
     }
 }
