@@ -420,7 +420,11 @@ typedef struct kern_lp {
    blocks (fixed ones included) and contact points, and for a linear program
    by itself. KERN_EXTRAS is the room for the dense part of a basis. */
 
-#define KERN_INFINITY ((kern_real)(1e300 * 1e300))
+#ifdef KERN_SINGLE
+#define KERN_INFINITY (1e38f * 1e38f)
+#else
+#define KERN_INFINITY (1e300 * 1e300)
+#endif
 
 #define KERN_EXTRAS(blocks) \
     ((blocks) + 24 < 3 * (blocks) ? (blocks) + 24 : 3 * (blocks))
@@ -698,7 +702,19 @@ extern "C" {
 #define KERN_CONTACTS_MOST 1000000
 #define KERN_COUNT_MOST    100000000
 
-static kern_real kern_abs(kern_real a) { return a < 0 ? -a : a; }
+/* Without its sign, also where it is -0: on most processors one instruction,
+   which compilers do not find by themselves. */
+static kern_real kern_abs(kern_real a)
+{
+#if !defined(__GNUC__)
+    return a > 0 ? a : 0 - a;
+#elif defined(KERN_SINGLE)
+    return __builtin_fabsf(a);
+#else
+    return __builtin_fabs(a);
+#endif
+}
+
 static kern_real kern_max(kern_real a, kern_real b) { return a > b ? a : b; }
 static kern_real kern_min(kern_real a, kern_real b) { return a < b ? a : b; }
 
