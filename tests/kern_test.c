@@ -1464,6 +1464,11 @@ static void polygon_faults(void)
             CHECK_INT(polygon(&b, &fault, 1, xy, 4), KERN_BAD_NUMBER);
             CHECK_INT(fault.index, i / 2);
         }
+    /* a number, but none to reckon with */
+    memcpy(xy, square, sizeof xy);
+    xy[5] = SINGLE ? 2e10 : 2e100;
+    CHECK_INT(polygon(&b, &fault, 1, xy, 4), KERN_BAD_NUMBER);
+    CHECK_INT(fault.index, 2);
     v[0] = vec(0, 0);
     v[1] = vec(1, 0);
     v[2] = vec(0, 1);
@@ -1902,11 +1907,19 @@ static void contact_overlap(void)
 {
     static const double moon[] = {0, 0, 3, 0, 3, 3, 0, 3,
                                   0, 2, 2, 2, 2, 1, 0, 1};
+    static const double moon_again[] = {2e-4, 0, 3, 2e-4, 3, 3, 0, 3,
+                                        0,    2, 2, 2,    2, 1, 0, 1};
+    static const double wedge[] = {-1, 0.7, -1, 2.3, 1.9, 1.5};
+    double ring[200];
     static world w;
     int index[6];
     kern_work work = kern_work_of(NULL, 0, index, 6);
     int k;
-    for (k = 0; k < 7; k++) {
+    for (k = 0; k < 100; k++) {
+        ring[2 * k] = cos(2 * pi * k / 100);
+        ring[2 * k + 1] = sin(2 * pi * k / 100);
+    }
+    for (k = 0; k < 11; k++) {
         world_reset(&w);
         world_box(&w, 0, 90, 0, 91, 1); /* a bystander */
         switch (k) {
@@ -1934,6 +1947,22 @@ static void contact_overlap(void)
             world_polygon(&w, 1, moon, 8);
             world_box(&w, 1, 1, 1.25, 4, 1.75);
             break;
+        case 6: /* from side to side of a jaw, where no vertex is inside */
+            world_polygon(&w, 1, moon, 8);
+            world_box(&w, 1, 0.5, -1, 0.75, 1.5);
+            break;
+        case 7: /* a shape that is not convex, twice, a little turned */
+            world_polygon(&w, 1, moon, 8);
+            world_polygon(&w, 1, moon_again, 8);
+            break;
+        case 8: /* round, twice */
+            world_polygon(&w, 1, ring, 100);
+            world_polygon(&w, 1, ring, 100);
+            break;
+        case 9: /* a wedge pushed into a mouth, beyond its corners */
+            world_polygon(&w, 1, moon, 8);
+            world_polygon(&w, 1, wedge, 3);
+            break;
         default: /* with a fixed one */
             world_box(&w, 0, 0, 0, 1, 1);
             world_box(&w, 1, 0.2, 0.5, 0.8, 3);
@@ -1944,7 +1973,7 @@ static void contact_overlap(void)
                   KERN_OVERLAP);
         CHECK_INT(work.fault.block, 1);
         CHECK_INT(work.fault.other, 2);
-        CHECK(work.fault.value > R(1e-3));
+        CHECK(work.fault.value > R(5e-4));
         CHECK_INT(kern_touch(w.block, w.blocks, 1, &w.options, w.contact,
                              MAX_POINTS, &work),
                   KERN_OVERLAP);
