@@ -890,15 +890,6 @@ static int kern_polygon_corner_after(const kern_block *block, int i)
 
 /* ---- boxes ---- */
 
-/* Holds nothing, and grows to what is added. */
-static kern_box kern_box_none(void)
-{
-    kern_box box;
-    box.low = kern_vec_make(KERN_HUGE, KERN_HUGE);
-    box.high = kern_vec_scale(box.low, -1);
-    return box;
-}
-
 static void kern_box_add(kern_box *box, kern_vec p)
 {
     box->low.x = kern_min(box->low.x, p.x);
@@ -907,12 +898,11 @@ static void kern_box_add(kern_box *box, kern_vec p)
     box->high.y = kern_max(box->high.y, p.y);
 }
 
-static kern_box kern_box_of(kern_vec p, kern_vec q)
+/* The least box with p and q in it. */
+static void kern_box_set(kern_box *box, kern_vec p, kern_vec q)
 {
-    kern_box box;
-    box.low = box.high = p;
-    kern_box_add(&box, q);
-    return box;
+    box->low = box->high = p;
+    kern_box_add(box, q);
 }
 
 /* Are they no farther apart than the gap? Below 0: do they overlap by more? */
@@ -970,15 +960,15 @@ static int kern_one_side(const kern_vec e[2], const kern_vec f[2])
 static int kern_polygon_meets(const kern_block *block, kern_vec p, kern_vec q,
                               int first, int end)
 {
-    const kern_box box = kern_box_of(p, q);
     kern_vec way[2], edge[2];
+    kern_box box, other;
     way[0] = p;
     way[1] = q;
+    kern_box_set(&box, p, q);
     for (; first < end; first++) {
-        kern_box other;
         edge[0] = block->vertex[first];
         edge[1] = block->vertex[kern_polygon_next(block, first)];
-        other = kern_box_of(edge[0], edge[1]);
+        kern_box_set(&other, edge[0], edge[1]);
         if (kern_box_near(&box, &other, 0) && !kern_one_side(way, edge) &&
             !kern_one_side(edge, way))
             return 1;
@@ -1029,7 +1019,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     kern_status status;
     int i;
     block->area = 0; /* vertices are read, and faults told, as written */
-    block->box = kern_box_none();
+    kern_box_set(&block->box, o, o);
     for (i = 0; i < block->vertices; i++) {
         const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
         const kern_vec w = kern_vec_sub(
@@ -1154,10 +1144,9 @@ typedef struct kern_search {
 /* ---- overlap ---- */
 /* No boundary point of a may lie in b deeper than the gap. Along an edge of a
    the depth in b changes by no more than the way, so a place of some depth
-   tells how far the next one may be that is too deep. Where the blocks touch,
-   the depth is about 0 along the whole contact: there the edge of b that is
-   nearest tells more. If its end is within the gap of the way, so is the edge
-   all the way to there, for distance from what is convex is convex. */
+   tells how far the next one may be that is too deep. Two kinds of places tell
+   more, and keep the steps few: within the gap of an edge of b nothing is too
+   deep, and outside nothing is until the way meets b. */
 
 /* Does the line of an edge of a part the two, each on its own side of it but
    for the gap? Then nothing is deep, and where stones are convex there is such
@@ -1185,29 +1174,59 @@ static int kern_overlap_parted(const kern_block *a, const kern_block *b,
     return 0;
 }
 
+/* How far the way on from p in direction d, at most `most`, stays within the
+   gap of the edge of b that ends at vertex i; 0: it is not there now. */
+static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
+                                    kern_vec p, kern_vec d, kern_real most)
+{
+    const kern_vec u = b->vertex[kern_polygon_prev(b, i)];
+    const kern_vec f = kern_vec_sub(b->vertex[i], u), r = kern_vec_sub(p, u);
+    const kern_real square = kern_vec_dot(f, f);
+    const kern_real wide = gap * KERN_SQRT(square);
+    kern_real low = 0;
+    kern_clip(&low, &most, kern_vec_dot(r, f), kern_vec_dot(d, f), 0, square);
+    kern_clip(&low, &most, kern_vec_cross(r, f), kern_vec_cross(d, f), -wide,
+              wide);
+    return low > 0 ? 0 : most;
+}
+
+/* How far the way on from p in direction d, at most `most`, goes before it
+   meets b; less, but not by more than the gap. */
+static kern_real kern_overlap_free(const kern_block *b, kern_real gap,
+                                   kern_vec p, kern_vec d, kern_real most)
+{
+    kern_real low = 0, high = most, mid = most;
+    do {
+        if (kern_polygon_meets(b, p, kern_vec_step(p, mid, d), 0, b->vertices))
+            high = mid;
+        else
+            low = mid;
+        mid = (low + high) / 2;
+    } while (high - low > gap);
+    return low;
+}
+
 /* The first depth beyond the gap in b on the way from p to q, 0: none. */
 static kern_real kern_overlap_edge(const kern_block *b, kern_real gap,
                                    kern_vec p, kern_vec q)
 {
-    const kern_vec d = kern_vec_unit(kern_vec_sub(q, p));
-    const kern_box box = kern_box_of(p, q);
+    const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
+    const kern_real length = kern_vec_dot(way, d);
+    kern_real s, step;
+    kern_box box;
+    kern_box_set(&box, p, q);
     if (!kern_box_near(&box, &b->box, -gap))
         return 0;
-    while (kern_vec_dot(kern_vec_sub(q, p), d) > 0) {
-        int k, end = 0;
-        const kern_real depth = kern_polygon_depth(b, p, &end);
-        kern_real step = gap - depth + KERN_STRIDE * gap;
+    for (s = 0; s < length; s += step) {
+        const kern_vec at = kern_vec_step(p, s, d);
+        int nearest = 0;
+        const kern_real depth = kern_polygon_depth(b, at, &nearest);
         if (depth > gap)
             return depth;
-        if (depth < 0 && !kern_polygon_meets(b, p, q, 0, b->vertices))
-            return 0;
-        for (k = 0; k < 2 && depth >= -gap; k++) {
-            const kern_vec r = kern_vec_sub(b->vertex[end], p);
-            if (kern_abs(kern_vec_cross(d, r)) <= gap)
-                step = kern_max(step, kern_vec_dot(d, r));
-            end = kern_polygon_prev(b, end);
-        }
-        p = kern_vec_step(p, step, d);
+        step = kern_overlap_along(b, nearest, gap, at, d, length - s);
+        if (depth < 0 && !(step > 0))
+            step = kern_overlap_free(b, gap, at, d, length - s) + gap;
+        step = kern_max(step, gap - depth + KERN_STRIDE * gap);
     }
     return 0;
 }
@@ -1252,10 +1271,9 @@ static kern_real kern_overlap(const kern_block *a, const kern_block *b,
                 return depth;
         }
     }
-    if (kern_vec_largest(shift) > kern_block_size(a) / 4)
-        return 0;
-    /* at the same place: what covers each other has no deep boundary */
-    return kern_overlap_inner(a, b, gap);
+    /* what covers each other has no deep boundary: are they at one place? */
+    return kern_vec_largest(shift) > kern_block_size(a) / 4 ? 0 :
+           kern_overlap_inner(a, b, gap);
 }
 
 /* ---- lines and points ---- */
@@ -1285,7 +1303,7 @@ static int kern_edge_next(kern_edge *e, const kern_block *block,
         e->end = kern_polygon_corner_after(block, e->start);
         e->p = kern_polygon_at(block, e->start);
         e->q = kern_polygon_at(block, e->end);
-        own = kern_box_of(e->p, e->q);
+        kern_box_set(&own, e->p, e->q);
         if (!kern_box_near(&own, box, gap))
             continue;
         e->d = kern_vec_sub(e->q, e->p);
@@ -1372,7 +1390,8 @@ static void kern_search_edges(kern_search *s)
     kern_edge e, f;
     kern_edge_open(&e, s->a);
     while (kern_edge_next(&e, s->a, &s->b->box, s->gap)) {
-        const kern_box box = kern_box_of(e.p, e.q);
+        kern_box box;
+        kern_box_set(&box, e.p, e.q);
         kern_edge_open(&f, s->b);
         while (kern_edge_next(&f, s->b, &box, s->gap)) {
             kern_search_line(s, &e, &f);
@@ -1413,8 +1432,8 @@ static void kern_search_filter(kern_search *s)
     for (i = s->first; i < s->count; i++) {
         const kern_contact *c = &s->out[i];
         int passed = 0;
-        for (k = s->first; s->out[k].travel > c->travel; k++)
-            passed |= !(c->travel > 0) && kern_search_passes(s, &s->out[k], c);
+        for (k = s->first; !(c->travel > 0) && s->out[k].travel > 0; k++)
+            passed |= kern_search_passes(s, &s->out[k], c);
         if (!passed)
             s->out[kept++] = *c;
     }
@@ -1711,8 +1730,10 @@ static kern_status kern_search_check(const kern_block *block)
 static kern_status kern_search_survey(kern_search *s)
 {
     kern_real area = 0;
-    kern_box whole = kern_box_none();
+    kern_box whole;
     int i;
+    whole.low = kern_vec_make(KERN_HUGE, KERN_HUGE);
+    whole.high = kern_vec_scale(whole.low, -1);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_status status = kern_search_check(block);
@@ -1801,19 +1822,19 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
                                const kern_options *options, kern_contact *out)
 {
     const kern_vec d = kern_vec_sub(q, p);
-    const kern_real length = kern_vec_length(d);
-    kern_status status = options ? kern_options_check(options)
-                                 : KERN_BAD_POINTER;
+    kern_status status;
+    kern_real length;
     int line;
+    if (!options || !out)
+        return (int)KERN_BAD_POINTER;
+    status = kern_options_check(options);
     if (status < 0)
         return (int)status;
-    if (!out)
-        return (int)KERN_BAD_POINTER;
     if (a < 0 || b < 0)
         return (int)KERN_BAD_BLOCK;
     if (a == b)
         return (int)KERN_SAME_BLOCK;
-    if (!kern_vec_is_finite(normal) || !kern_is_finite(mu) ||
+    if (!kern_is_finite(normal.x + normal.y + mu) ||
         !kern_vec_is_moderate(p) || !kern_vec_is_moderate(q))
         return (int)KERN_BAD_NUMBER;
     if (mu < 0)
@@ -1823,6 +1844,7 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
     /* first made about 1 long: its square may be no number */
     normal = kern_vec_scale(normal, 1 / kern_vec_largest(normal));
     normal = kern_vec_unit(normal);
+    length = kern_vec_length(d);
     line = length > KERN_FLOOR * kern_max(kern_vec_largest(p),
                                           kern_vec_largest(q));
     if (line && kern_abs(kern_vec_dot(d, normal)) >

@@ -1989,6 +1989,16 @@ static void contact_overlap(void)
     world_box(&w, 1, 0.5, 1, 1.5, 1.9);
     CHECK_INT(world_touch(&w), 2);
     CHECK(contact_at(&w, 0, 1, 0.5, 1, 0, 1, GEO));
+    /* nor beside its jaws, however small the gap: time does not depend on it */
+    world_reset(&w);
+    world_polygon(&w, 0, moon, 8);
+    world_box(&w, 1, -0.5, 1.0001, 1.9999, 1.9999);
+    w.options.gap = R(SINGLE ? 3e-5 : 1e-13);
+    CHECK_INT(world_touch(&w), 0);
+    w.vertex[9].y = w.vertex[9].y - R(0.0002); /* a foot in the jaw */
+    CHECK_INT(kern_block_init(&w.block[1], w.vertex + 8, 4, R(1), NULL),
+              KERN_STANDS);
+    CHECK_INT(world_touch(&w), KERN_OVERLAP);
 }
 
 static void contact_given(void)
