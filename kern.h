@@ -488,15 +488,17 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    b = 0, 1, 2, ... those of block b with every block a < b, a ascending, so
    that what the last block touches comes last. Two fixed blocks have none, nor
    has a block without vertices. Returns how many contact points there are, or
-   KERN_NO_SPACE (nothing may be read from out; while the faces of a pair are
-   merged out may have to be longer than the result: double it),
+   KERN_NO_SPACE (nothing may be read from out, which may have to be a little
+   longer than the result while the faces of a pair are merged: double it),
    KERN_OVERLAP (both blocks; value: the depth [m] that was found),
    KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
    KERN_NO_AREA (the block), with the fault in the work memory. Of this it
    takes 2 B ints: less than KERN_INTS(B, C).
-   Time: O(B log B + C log C), a test of boxes for each two blocks that stand
-   side by side or above each other, whichever way there are fewer, and a few
-   products for each two edges that are near. */
+   Time: O(B log B + C log C), and a test of boxes for each two blocks that
+   stand above each other (beside, where the whole is higher than wide). For two
+   blocks whose boxes meet: a few products for each two edges that are near, and
+   some tens for each two edges where no edge of either parts them, as one does
+   between convex stones. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
@@ -1253,27 +1255,33 @@ static kern_real kern_overlap_inner(const kern_block *a, const kern_block *b,
     return 0;
 }
 
+/* The first depth beyond the gap in b of a's boundary, 0: none. */
+static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
+                                       kern_real gap)
+{
+    kern_real depth = 0;
+    int i;
+    for (i = 0; i < a->vertices && !(depth > 0); i++)
+        depth = kern_overlap_edge(b, gap, a->vertex[i],
+                                  a->vertex[kern_polygon_next(a, i)]);
+    return depth;
+}
+
 /* Depth of the overlap of a and b, 0: none deeper than the gap. */
 static kern_real kern_overlap(const kern_block *a, const kern_block *b,
                               kern_real gap)
 {
     const kern_vec shift = kern_vec_sub(a->box.low, b->box.low);
-    int k, i;
+    kern_real depth;
     if (!kern_box_near(&a->box, &b->box, -gap) ||
         kern_overlap_parted(a, b, gap) || kern_overlap_parted(b, a, gap))
         return 0;
-    for (k = 0; k < 2; k++) {
-        const kern_block *of = k ? b : a, *in = k ? a : b;
-        for (i = 0; i < of->vertices; i++) {
-            const kern_real depth = kern_overlap_edge(
-                in, gap, of->vertex[i], of->vertex[kern_polygon_next(of, i)]);
-            if (depth > 0)
-                return depth;
-        }
-    }
+    depth = kern_max(kern_overlap_boundary(a, b, gap),
+                     kern_overlap_boundary(b, a, gap));
     /* what covers each other has no deep boundary: are they at one place? */
-    return kern_vec_largest(shift) > kern_block_size(a) / 4 ? 0 :
-           kern_overlap_inner(a, b, gap);
+    if (!(depth > 0) && kern_vec_largest(shift) <= kern_block_size(a) / 4)
+        depth = kern_overlap_inner(a, b, gap);
+    return depth;
 }
 
 /* ---- lines and points ---- */

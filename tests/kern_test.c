@@ -1495,10 +1495,10 @@ static void polygon_load(void)
     CHECK_NEAR(b.load.torque, -2.5, GEO);
 }
 
-/* A hundred thousand vertices: fine, and not in quadratic time. */
+/* Convex, with a hundred thousand vertices: fine, and not in quadratic time. */
 static void polygon_of_many_vertices(void)
 {
-    const int n = 100000;
+    const int n = SINGLE ? 10000 : 100000;
     kern_vec *v = (kern_vec *)malloc(sizeof *v * (size_t)n);
     static kern_contact contact[4000]; /* room for what is merged later */
     kern_block b[2];
@@ -1511,7 +1511,7 @@ static void polygon_of_many_vertices(void)
     for (i = 0; i < n; i++)
         v[i] = vec(cos(2 * pi * i / n), sin(2 * pi * i / n));
     got = kern_block_init(&b[1], v, n, R(1), &fault);
-    /* a float cannot hold neighbours 6e-5 apart without touching */
+    /* in float, rounding may bend it in and out */
     if (!SINGLE) {
         CHECK_INT(got, KERN_STANDS);
         CHECK_NEAR(b[1].area, pi, 1e-8);
