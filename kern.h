@@ -81,13 +81,13 @@
    Blocks are polygons in world coordinates, so a planner that tries a stone in
    many places moves its vertices and fills in the block again; everything that
    the library sees is data which the caller can print, edit or make by other
-   means: contacts may come from polygons, a camera or a tactile sensor. A contact is a point, with
-   a normal n from block a into block b and the tangent t = (-n.y, n.x); a line
-   contact is two points. A point carries its own direction and length of
-   shrinkage, so that lines, pairs and groups of points are one thing. What a
-   stone touches of those before it is found by kern_touch() and follows what
-   was found before, so a stone is added by appending, and the last one taken
-   back by making `contacts` smaller.
+   means: contacts may come from polygons, a camera or a tactile sensor. A
+   contact is a point, with a normal n from block a into block b and the tangent
+   t = (-n.y, n.x); a line contact is two points. A point carries its own
+   direction and length of shrinkage, so that lines, pairs and groups of points
+   are one thing. What a stone touches of those before it is found by
+   kern_touch() and follows what was found before, so a stone is added by
+   appending, and the last one taken back by making `contacts` smaller.
 
    The size of a block is the square root of its area. Found contacts of a pair
    accept gaps and overlaps up to 1/1000 of the size of the smaller free block.
@@ -319,7 +319,7 @@ typedef struct kern_fault {
     int block;            /* index of a block, -1: none                       */
     int other;            /* the other block of an overlap, -1: none          */
     int index;            /* vertex of the polygon or contact point, -1: none */
-    kern_real value;      /* the number that was found, 0: none               */
+    kern_real value;      /* depth of an overlap [m], 0: none                 */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -447,7 +447,11 @@ typedef struct kern_lp {
    blocks (fixed ones included) and contact points, and for a linear program
    by itself. KERN_EXTRAS is the room for the dense part of a basis. */
 
-#define KERN_INFINITY ((kern_real)(1e300 * 1e300))
+#ifdef KERN_SINGLE
+#define KERN_INFINITY (1e38f * 1e38f)
+#else
+#define KERN_INFINITY (1e300 * 1e300)
+#endif
 
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : (blocks) + 8)
@@ -490,9 +494,10 @@ KERN_API void kern_work_need(int blocks, int contacts,
    makes it fixed. The vertices stay the caller's and must live as long as the
    block; whoever moves them calls this again.
    fault may be NULL; its index is the vertex.
-   KERN_FEW_VERTICES, KERN_BAD_COUNT, KERN_BAD_NUMBER, KERN_NO_AREA,
-   KERN_CROSSING (also for repeated vertices), KERN_BAD_MASS (density < 0).
-   Time: O(n sqrt n) for usual polygons of n vertices, O(n^2) at worst. */
+   KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
+   above 1e100, float: 1e10), KERN_NO_AREA, KERN_CROSSING (also for repeated
+   vertices), KERN_BAD_MASS (density < 0).
+   Time: O(n) for n vertices of a convex polygon, O(n^2) for another. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
@@ -511,15 +516,17 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    b = 0, 1, 2, ... those of block b with every block a < b, a ascending, so
    that what the last block touches comes last. Two fixed blocks have none, nor
    has a block without vertices. Returns how many contact points there are, or
-   KERN_NO_SPACE (nothing may be read from out; while the faces of a pair are
-   merged out may have to be longer than the result: double it),
+   KERN_NO_SPACE (nothing may be read from out, which may have to be a little
+   longer than the result while the faces of a pair are merged: double it),
    KERN_OVERLAP (both blocks; value: the depth [m] that was found),
    KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
    KERN_NO_AREA (the block), with the fault in the work memory. Of this it
    takes 2 B ints: less than KERN_INTS(B, C).
-   Time: O(B log B + C log C), a test of boxes for each two blocks that stand
-   side by side or above each other, whichever way there are fewer, and a few
-   products for each two edges that are near. */
+   Time: O(B log B + C log C), and a test of boxes for each two blocks that
+   stand above each other (beside, where the whole is higher than wide). For two
+   blocks whose boxes meet: a few products for each two edges that are near, and
+   some tens for each two edges where no edge of either parts them, as one does
+   between convex stones. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
@@ -546,7 +553,8 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
 
 /* Sets the travel of every point contact from the others of its interface (the
    same two blocks, in either order): toward the middle of the two that are
-   farthest apart; a lone one stays. Lines are left alone. Time: O(C^2). */
+   farthest apart; a lone one stays. The ends of a line go to its middle.
+   Time: O(C^2) times the points of an interface. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage; grown, where it is negative. */
@@ -776,7 +784,19 @@ extern "C" {
 #define KERN_CONTACTS_MOST 1000000
 #define KERN_COUNT_MOST    100000000
 
-static kern_real kern_abs(kern_real a) { return a < 0 ? -a : a; }
+/* Without its sign, also where it is -0: on most processors one instruction,
+   which compilers do not find by themselves. */
+static kern_real kern_abs(kern_real a)
+{
+#if !defined(__GNUC__)
+    return a > 0 ? a : 0 - a;
+#elif defined(KERN_SINGLE)
+    return __builtin_fabsf(a);
+#else
+    return __builtin_fabs(a);
+#endif
+}
+
 static kern_real kern_max(kern_real a, kern_real b) { return a > b ? a : b; }
 static kern_real kern_min(kern_real a, kern_real b) { return a < b ? a : b; }
 
@@ -794,6 +814,10 @@ static void kern_fault_clear(kern_fault *fault)
    of roundings of a coordinate. No gap is less; smaller, and cubes that were
    turned and moved would no longer touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
+/* Largest coordinate and gap: the moment of a polygon is still a number. */
+#define KERN_FAR        KERN_PICK(1e100, 1e10)
+/* Where the least of lengths and areas is looked for: more than any. */
+#define KERN_HUGE       KERN_PICK(DBL_MAX, FLT_MAX)
 /* Turn [rad] below which a vertex is no corner, and within which of a half
    turn it is a spike. A dropped vertex is off its edge by a millionth of the
    edge at the most; much larger, and round stones would lose their shape. */
@@ -806,6 +830,9 @@ static void kern_fault_clear(kern_fault *fault)
 /* Share of the size by which a foot must lie inside its edge, so that rounding
    makes no contacts between diagonal neighbours. */
 #define KERN_FOOT       KERN_R(1e-6)
+/* Share of the gap by which overlap may be deeper unseen, in a place of twice
+   that length. Less takes more steps along an edge. */
+#define KERN_STRIDE     KERN_R(0.0625)
 /* Cosine of 10 degrees: a vertex at a line contact belongs to it if their
    normals differ by less; across a real corner they differ by more. */
 #define KERN_SAME_FACE  KERN_R(0.98480775301220806)
@@ -814,14 +841,6 @@ static void kern_fault_clear(kern_fault *fault)
 #define KERN_ANGLE_MOST KERN_R(0.5)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL     KERN_R(1e-9)
-/* How many squares of coordinates may be added up and stay finite. */
-#define KERN_SQUARES    KERN_R(64)
-/* Edges that are looked at as one chunk, at the least. */
-#define KERN_CHUNK 16
-/* Heights at which an inner point of a polygon is looked for, and by how much
-   of their distance they lie off the round numbers that edges love. */
-#define KERN_HEIGHTS 5
-#define KERN_OFF_ROUND  KERN_R(0.381966)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
@@ -878,19 +897,16 @@ static int kern_vec_is_finite(kern_vec a)
 static kern_real kern_vec_largest(kern_vec a)
 { return kern_max(kern_abs(a.x), kern_abs(a.y)); }
 
-/* Is a finite, and small enough to be squared? */
-static int kern_is_moderate(kern_real a)
-{ return kern_is_finite(KERN_SQUARES * a * a); }
-
+/* Numbers, and none too large to reckon with? */
 static int kern_vec_is_moderate(kern_vec a)
-{ return kern_is_moderate(a.x) && kern_is_moderate(a.y); }
+{ return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
 /* By the series and not by libm, whose last digit differs between machines;
-   angles below KERN_ANGLE_MOST are right to ten digits. */
+   angles below KERN_ANGLE_MOST are right to eight digits. */
 static kern_real kern_sine(kern_real angle)
 {
     const kern_real q = angle * angle;
-    return angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42 * (1 - q / 72))));
+    return angle * (1 - q / 6 * (1 - q / 20 * (1 - q / 42)));
 }
 
 /* Keeps of the interval [*low, *high] those s for which at + s slope lies from
@@ -910,25 +926,9 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real at,
     }
 }
 
-static kern_status kern_fault_set(kern_fault *fault, kern_status status,
-                                  int block, int index, kern_real value)
-{
-    fault->block = block;
-    fault->index = index;
-    fault->value = value;
-    return status;
-}
-
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* A polygon is read counter-clockwise, whichever way it was written. Vertices
-   that hardly turn are no corners. An edge runs from a corner to the next one
-   and has the index of the corner where it starts; other indices have none.
-
-   Pairs of edges that are near each other are found without memory: edges are
-   looked at in chunks of about a third of the root of their number, whose box
-   is computed on the way, each time anew. Two chunks whose boxes are apart are
-   passed over as a whole, else edge by edge, so that n edges of a reasonable
-   polygon cost n sqrt(n), and those of the worst one n^2. */
+   that hardly turn are no corners. */
 
 static kern_vec kern_polygon_at(const kern_block *block, int i)
 {
@@ -941,31 +941,22 @@ static int kern_polygon_next(const kern_block *block, int i)
 static int kern_polygon_prev(const kern_block *block, int i)
 { return i > 0 ? i - 1 : block->vertices - 1; }
 
-/* How vertex i turns, as the tangent of the angle over *dot: above 0 it is
-   convex, below 0 reflex. */
-static kern_real kern_polygon_turn(const kern_block *block, int i,
-                                   kern_real *dot)
+/* How vertex i turns: 1 left (convex), -1 right (reflex), 0 hardly at all, and
+   2 if it turns back: a spike, or a vertex that is repeated. */
+static int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec p = kern_polygon_at(block, i);
     const kern_vec in = kern_vec_sub(
         p, kern_polygon_at(block, kern_polygon_prev(block, i)));
     const kern_vec out = kern_vec_sub(
         kern_polygon_at(block, kern_polygon_next(block, i)), p);
-    *dot = kern_vec_dot(in, out);
-    return kern_vec_cross(in, out);
-}
-
-static int kern_polygon_is_corner(const kern_block *block, int i)
-{
-    kern_real dot;
-    const kern_real turn = kern_polygon_turn(block, i, &dot);
-    return !(kern_abs(turn) < KERN_TURN * dot);
-}
-
-static int kern_polygon_is_convex(const kern_block *block, int i)
-{
-    kern_real dot;
-    return kern_polygon_turn(block, i, &dot) > 0;
+    const kern_real turn = kern_vec_cross(in, out);
+    const kern_real least = KERN_TURN * kern_vec_dot(in, out);
+    if (kern_abs(turn) < least)
+        return 0;
+    if (kern_abs(turn) <= -least)
+        return 2;
+    return turn > 0 ? 1 : -1;
 }
 
 static int kern_polygon_corner_after(const kern_block *block, int i)
@@ -973,26 +964,11 @@ static int kern_polygon_corner_after(const kern_block *block, int i)
     const int start = i;
     do
         i = kern_polygon_next(block, i);
-    while (i != start && !kern_polygon_is_corner(block, i));
+    while (i != start && kern_polygon_turn(block, i) == 0);
     return i;
 }
 
-/* Holds nothing, and grows to what is added. */
-static kern_box kern_box_none(void)
-{
-    kern_box box;
-    box.low = kern_vec_make(KERN_INFINITY, KERN_INFINITY);
-    box.high = kern_vec_scale(box.low, -1);
-    return box;
-}
-
-static kern_box kern_box_of(kern_vec p, kern_vec q)
-{
-    kern_box box;
-    box.low = kern_vec_make(kern_min(p.x, q.x), kern_min(p.y, q.y));
-    box.high = kern_vec_make(kern_max(p.x, q.x), kern_max(p.y, q.y));
-    return box;
-}
+/* ---- boxes ---- */
 
 static void kern_box_add(kern_box *box, kern_vec p)
 {
@@ -1002,266 +978,152 @@ static void kern_box_add(kern_box *box, kern_vec p)
     box->high.y = kern_max(box->high.y, p.y);
 }
 
-static kern_box kern_box_grow(kern_box box, kern_real by)
+/* The least box with p and q in it. */
+static void kern_box_set(kern_box *box, kern_vec p, kern_vec q)
 {
-    const kern_vec step = kern_vec_make(by, by);
-    box.low = kern_vec_sub(box.low, step);
-    box.high = kern_vec_add(box.high, step);
-    return box;
+    box->low = box->high = p;
+    kern_box_add(box, q);
 }
 
-static int kern_box_meets(const kern_box *a, const kern_box *b)
-{
-    return a->low.x <= b->high.x && b->low.x <= a->high.x &&
-           a->low.y <= b->high.y && b->low.y <= a->high.y;
-}
-
-/* Are they no farther apart than the gap? */
+/* Are they no farther apart than the gap? Below 0: do they overlap by more? */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
     return a->low.x - gap <= b->high.x && b->low.x - gap <= a->high.x &&
            a->low.y - gap <= b->high.y && b->low.y - gap <= a->high.y;
 }
 
+/* The largest coordinate, without its sign. */
 static kern_real kern_box_largest(const kern_box *box)
 { return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
 
-static int kern_box_within(const kern_box *a, const kern_box *b)
-{
-    return a->low.x >= b->low.x && a->high.x <= b->high.x &&
-           a->low.y >= b->low.y && a->high.y <= b->high.y;
-}
+/* ---- places ---- */
 
-static kern_box kern_polygon_edge_box(const kern_block *block, int i)
+/* Distance of p from the boundary, below 0 where it is outside, and the vertex
+   at which the nearest edge ends. */
+static kern_real kern_polygon_depth(const kern_block *block, kern_vec p,
+                                    int *nearest)
 {
-    const int end = kern_polygon_corner_after(block, i);
-    return kern_box_of(kern_polygon_at(block, i), kern_polygon_at(block, end));
-}
-
-/* Less than the root: to look at an edge costs more than to box a vertex. */
-static int kern_polygon_chunk(const kern_block *block)
-{
-    int size = KERN_CHUNK;
-    while (size < block->vertices / (8 * size))
-        size *= 2;
-    return size;
-}
-
-static int kern_chunk_end(const kern_block *block, int first, int size)
-{
-    return size < block->vertices - first ? first + size : block->vertices;
-}
-
-/* The box of the edges from first on, at most size of them; 0: there are none.
-   Dropped vertices lie on edges, so the box of all vertices will do. */
-static int kern_polygon_chunk_box(const kern_block *block, int first, int size,
-                                  kern_box *box)
-{
-    int i, last = kern_chunk_end(block, first, size) - 1;
-    while (last >= first && !kern_polygon_is_corner(block, last))
-        last--;
-    if (last < first)
-        return 0;
-    i = kern_polygon_corner_after(block, last);
-    *box = kern_box_of(kern_polygon_at(block, first),
-                       kern_polygon_at(block, i));
-    for (i = first + 1; i <= last; i++)
-        kern_box_add(box, kern_polygon_at(block, i));
-    return 1;
-}
-
-/* All pairs of an edge i of a and an edge j of b whose boxes are not farther
-   apart than the gap; of a polygon with itself, each pair once. */
-typedef struct kern_pairs {
-    const kern_block *a, *b;
-    kern_real gap;
-    int i, j;               /* the pair                                    */
-    int chunk_a, chunk_b;   /* first edge of the chunk                     */
-    int size_a, size_b;     /* edges in a chunk                            */
-    int end_a, end_b;       /* after the last edge of the chunk            */
-    int some_a;             /* nonzero: the chunk of a is worth a look     */
-    kern_box whole_b, box_a, box_b, edge; /* those of a grown by the gap   */
-} kern_pairs;
-
-static void kern_pairs_chunk_a(kern_pairs *pairs, int first)
-{
-    pairs->chunk_a = first;
-    pairs->end_a = kern_chunk_end(pairs->a, first, pairs->size_a);
-    pairs->some_a = kern_polygon_chunk_box(pairs->a, first, pairs->size_a,
-                                           &pairs->box_a);
-    if (pairs->some_a) {
-        pairs->box_a = kern_box_grow(pairs->box_a, pairs->gap);
-        pairs->some_a = kern_box_meets(&pairs->box_a, &pairs->whole_b);
-    }
-    pairs->chunk_b = (pairs->a == pairs->b ? first : 0) - pairs->size_b;
-}
-
-static void kern_pairs_open(kern_pairs *pairs, const kern_block *a,
-                            const kern_block *b, kern_real gap)
-{
-    pairs->a = a;
-    pairs->b = b;
-    pairs->gap = gap;
-    pairs->size_a = kern_polygon_chunk(a);
-    pairs->size_b = kern_polygon_chunk(b);
-    pairs->whole_b = b->box;
-    kern_pairs_chunk_a(pairs, 0);
-    pairs->i = pairs->end_a;
-    pairs->j = pairs->end_b = 0;
-}
-
-/* Goes to the next two chunks that are near each other; 0: there are none. */
-static int kern_pairs_next_chunk(kern_pairs *pairs)
-{
-    for (;;) {
-        pairs->chunk_b += pairs->size_b;
-        while (!pairs->some_a || pairs->chunk_b >= pairs->b->vertices) {
-            if (pairs->end_a >= pairs->a->vertices)
-                return 0;
-            kern_pairs_chunk_a(pairs, pairs->end_a);
-            pairs->chunk_b += pairs->size_b;
+    kern_vec u = kern_vec_sub(block->vertex[block->vertices - 1], p);
+    kern_real least = KERN_HUGE;
+    int i, inside = 0;
+    for (i = 0; i < block->vertices; i++) {
+        const kern_vec v = kern_vec_sub(block->vertex[i], p);
+        const kern_vec d = kern_vec_sub(v, u);
+        const kern_real whole = kern_vec_dot(d, d);
+        const kern_real along =
+            kern_min(kern_max(-kern_vec_dot(u, d), 0), whole);
+        const kern_vec r = kern_vec_step(u, along / whole, d);
+        const kern_real square = kern_vec_dot(r, r);
+        if (square < least) {
+            least = square;
+            *nearest = i;
         }
-        if (kern_polygon_chunk_box(pairs->b, pairs->chunk_b, pairs->size_b,
-                                   &pairs->box_b) &&
-            kern_box_meets(&pairs->box_a, &pairs->box_b))
-            break;
+        if ((u.y > 0) != (v.y > 0) &&
+            (kern_vec_cross(u, v) > 0) == (v.y > u.y))
+            inside = !inside;
+        u = v;
     }
-    pairs->end_b = kern_chunk_end(pairs->b, pairs->chunk_b, pairs->size_b);
-    pairs->i = pairs->chunk_a - 1;
-    return 1;
+    return inside ? KERN_SQRT(least) : -KERN_SQRT(least);
 }
 
-/* Goes to the next edge of a that is near the chunk of b; 0: there is none. */
-static int kern_pairs_next_edge(kern_pairs *pairs)
+/* Does way f lie on one side of the line of way e, and not on it? */
+static int kern_one_side(const kern_vec e[2], const kern_vec f[2])
 {
-    while (++pairs->i < pairs->end_a) {
-        if (!kern_polygon_is_corner(pairs->a, pairs->i))
-            continue;
-        pairs->edge = kern_polygon_edge_box(pairs->a, pairs->i);
-        pairs->edge = kern_box_grow(pairs->edge, pairs->gap);
-        if (kern_box_meets(&pairs->edge, &pairs->box_b))
-            break;
+    const kern_vec d = kern_vec_sub(e[1], e[0]);
+    const kern_real from = kern_vec_cross(d, kern_vec_sub(f[0], e[0]));
+    const kern_real to = kern_vec_cross(d, kern_vec_sub(f[1], e[0]));
+    return (from > 0 && to > 0) || (from < 0 && to < 0);
+}
+
+/* Does the way from p to q touch one of the edges from `first` up to `end`?
+   Ways whose boxes meet do, unless one lies on one side of the other. */
+static int kern_polygon_meets(const kern_block *block, kern_vec p, kern_vec q,
+                              int first, int end)
+{
+    kern_vec way[2], edge[2];
+    kern_box box, other;
+    way[0] = p;
+    way[1] = q;
+    kern_box_set(&box, p, q);
+    for (; first < end; first++) {
+        edge[0] = block->vertex[first];
+        edge[1] = block->vertex[kern_polygon_next(block, first)];
+        kern_box_set(&other, edge[0], edge[1]);
+        if (kern_box_near(&box, &other, 0) && !kern_one_side(way, edge) &&
+            !kern_one_side(edge, way))
+            return 1;
     }
-    pairs->j = pairs->chunk_b - 1;
-    if (pairs->a == pairs->b && pairs->j < pairs->i)
-        pairs->j = pairs->i;
-    return pairs->i < pairs->end_a;
+    return 0;
 }
 
-static int kern_pairs_next(kern_pairs *pairs)
-{
-    for (;;) {
-        while (++pairs->j < pairs->end_b) {
-            kern_box box;
-            if (!kern_polygon_is_corner(pairs->b, pairs->j))
-                continue;
-            box = kern_polygon_edge_box(pairs->b, pairs->j);
-            if (kern_box_meets(&pairs->edge, &box))
-                return 1;
-        }
-        while (!kern_pairs_next_edge(pairs))
-            if (!kern_pairs_next_chunk(pairs))
-                return 0;
-    }
-}
+/* ---- what a polygon must be ---- */
 
-/* On the same side of the line from p to q, and not on it? */
-static int kern_same_side(kern_vec p, kern_vec q, kern_vec a, kern_vec b)
-{
-    const kern_vec d = kern_vec_sub(q, p);
-    const kern_real left = kern_vec_cross(d, kern_vec_sub(a, p));
-    const kern_real right = kern_vec_cross(d, kern_vec_sub(b, p));
-    return (left > 0 && right > 0) || (left < 0 && right < 0);
-}
-
-/* Two edges whose boxes meet touch unless one lies on one side of the other;
-   neighbours touch by right unless they turn back, which is a spike. */
+/* A polygon that turns one way only and has one lowest place is convex. In any
+   other no edge may touch another, but for its neighbours, which do so by right
+   unless they turn back. */
 static kern_status kern_polygon_simple(const kern_block *block,
                                        kern_fault *fault)
 {
-    kern_pairs pairs;
-    int i;
-    for (i = 0; i < block->vertices; i++) {
-        kern_real dot;
-        const kern_real turn = kern_polygon_turn(block, i, &dot);
-        if (kern_abs(turn) <= -KERN_TURN * dot)
-            return kern_fault_set(fault, KERN_CROSSING, -1, i, 0);
+    const int n = block->vertices;
+    int i, left = 0, right = 0, lowest = 0;
+    for (i = 0; i < n; i++) {
+        const int turn = kern_polygon_turn(block, i);
+        const kern_real y = block->vertex[i].y;
+        fault->index = i;
+        if (turn == 2)
+            return KERN_CROSSING;
+        left |= turn > 0;
+        right |= turn < 0;
+        lowest += block->vertex[kern_polygon_prev(block, i)].y >= y &&
+                  block->vertex[kern_polygon_next(block, i)].y > y;
     }
-    kern_pairs_open(&pairs, block, block, 0);
-    while (kern_pairs_next(&pairs)) {
-        const int end = kern_polygon_corner_after(block, pairs.i);
-        const int other = kern_polygon_corner_after(block, pairs.j);
-        const kern_vec p = kern_polygon_at(block, pairs.i);
-        const kern_vec q = kern_polygon_at(block, end);
-        const kern_vec r = kern_polygon_at(block, pairs.j);
-        const kern_vec s = kern_polygon_at(block, other);
-        if (end == pairs.j || other == pairs.i)
-            continue;
-        if (!kern_same_side(p, q, r, s) && !kern_same_side(r, s, p, q))
-            return kern_fault_set(fault, KERN_CROSSING, -1, pairs.i, 0);
+    for (i = 0; i < n && ((left && right) || lowest > 1); i++) {
+        fault->index = i;
+        if (kern_polygon_meets(block, block->vertex[i],
+                               block->vertex[kern_polygon_next(block, i)],
+                               i + 2, n - (i == 0)))
+            return KERN_CROSSING;
     }
+    fault->index = -1;
     return KERN_STANDS;
 }
 
-/* What the triangles between vertex 0 and the edges add up to. Everything is
-   measured from vertex 0, against round-off far from the origin. */
-typedef struct kern_fan {
-    kern_real area;       /* signed                                      */
-    kern_real spread;     /* sum of areas without their signs            */
-    kern_vec moment;
-} kern_fan;
-
-static kern_fan kern_polygon_fan(const kern_block *block)
-{
-    const kern_vec o = block->vertex[0];
-    kern_fan fan;
-    int i;
-    fan.moment = kern_vec_make(0, 0);
-    fan.area = fan.spread = 0;
-    for (i = 1; i < block->vertices; i++) {
-        const kern_vec u = kern_vec_sub(block->vertex[i], o);
-        const kern_vec w = kern_vec_sub(
-            block->vertex[kern_polygon_next(block, i)], o);
-        const kern_real area = kern_vec_cross(u, w) / 2;
-        fan.area += area;
-        fan.spread += kern_abs(area);
-        fan.moment = kern_vec_step(fan.moment, area / 3, kern_vec_add(u, w));
-    }
-    return fan;
-}
-
-/* Fills in area, box and centre if the polygon is a good one. */
+/* Fills in area, box and centre if the polygon is a good one. The area is added
+   up from the triangles between vertex 0 and the edges: measured from there,
+   against round-off far from the origin. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
-    kern_fan fan;
-    kern_real largest, least;
+    const kern_vec o = block->vertex[0];
+    kern_real area = 0, spread = 0, least; /* spread: areas without signs */
+    kern_vec moment = kern_vec_make(0, 0);
     kern_status status;
     int i;
-    block->box = kern_box_none();
+    block->area = 0; /* vertices are read, and faults told, as written */
+    kern_box_set(&block->box, o, o);
     for (i = 0; i < block->vertices; i++) {
-        const kern_vec p = block->vertex[i];
+        const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
+        const kern_vec w = kern_vec_sub(
+            block->vertex[kern_polygon_next(block, i)], o);
+        const kern_real part = kern_vec_cross(u, w) / 2;
+        fault->index = i;
         if (!kern_vec_is_moderate(p))
-            return kern_fault_set(fault, KERN_BAD_NUMBER, -1, i,
-                                  kern_is_moderate(p.x) ? p.y : p.x);
+            return KERN_BAD_NUMBER;
         kern_box_add(&block->box, p);
+        area += part;
+        spread += kern_abs(part);
+        moment = kern_vec_step(moment, part / 3, kern_vec_add(u, w));
     }
-    fan = kern_polygon_fan(block);
-    largest = kern_box_largest(&block->box);
-    if (!kern_is_finite(fan.spread))
-        return kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, largest);
-    least = KERN_FLOOR * largest *
+    fault->index = -1;
+    least = KERN_FLOOR * kern_box_largest(&block->box) *
             kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
-    if (!(fan.spread > least)) /* all vertices on one line */
-        return kern_fault_set(fault, KERN_NO_AREA, -1, -1, fan.area);
+    if (!(spread > least)) /* all vertices on one line */
+        return KERN_NO_AREA;
     status = kern_polygon_simple(block, fault);
     if (status < 0)
         return status;
-    if (!(kern_abs(fan.area) > least))
-        return kern_fault_set(fault, KERN_NO_AREA, -1, -1, fan.area);
-    block->area = fan.area;
-    block->centre = kern_vec_step(block->vertex[0], 1 / fan.area, fan.moment);
-    return kern_vec_is_finite(block->centre) ? KERN_STANDS :
-           kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, largest);
+    block->area = area;
+    block->centre = kern_vec_step(o, 1 / area, moment);
+    return kern_abs(area) > least ? KERN_STANDS : KERN_NO_AREA;
 }
 
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
@@ -1275,25 +1137,22 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
         fault = &ignored;
     kern_fault_clear(fault);
     if (vertices < 0 || vertices > KERN_VERTICES_MOST)
-        return kern_fault_set(fault, KERN_BAD_COUNT, -1, -1,
-                              KERN_R(vertices));
+        return KERN_BAD_COUNT;
     if (vertices < 3)
-        return kern_fault_set(fault, KERN_FEW_VERTICES, -1, -1,
-                              KERN_R(vertices));
+        return KERN_FEW_VERTICES;
     if (!block || !vertex)
         return KERN_BAD_POINTER;
-    if (!kern_is_finite(density) || density < 0)
-        return kern_fault_set(fault, KERN_BAD_MASS, -1, -1, density);
+    if (!(density >= 0))
+        return KERN_BAD_MASS;
     made.vertex = vertex;
     made.vertices = vertices;
-    made.area = 0; /* unknown: vertices are read, and faults told, as written */
     status = kern_polygon_measure(&made, fault);
     if (status < 0)
         return status;
     made.fixed = !(density > 0);
     made.mass = density * kern_abs(made.area);
     if (!kern_is_finite(made.mass) || (!made.fixed && !(made.mass > 0)))
-        return kern_fault_set(fault, KERN_BAD_MASS, -1, -1, made.mass);
+        return KERN_BAD_MASS;
     made.load.fx = made.load.fy = made.load.torque = 0;
     *block = made;
     return KERN_STANDS;
@@ -1327,75 +1186,6 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
     return sized ? sum / KERN_R(sized) : 0;
 }
 
-static int kern_polygon_holds(const kern_block *block, kern_vec p)
-{
-    int i, inside = 0;
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec u = block->vertex[i];
-        const kern_vec v = block->vertex[kern_polygon_next(block, i)];
-        if ((u.y > p.y) != (v.y > p.y) &&
-            ((kern_vec_cross(kern_vec_sub(v, u), kern_vec_sub(p, u)) > 0) ==
-             (v.y > u.y)))
-            inside = !inside;
-    }
-    return inside;
-}
-
-/* Distance of p from the way between u and v. */
-static kern_real kern_distance(kern_vec p, kern_vec u, kern_vec v)
-{
-    const kern_vec d = kern_vec_sub(v, u), r = kern_vec_sub(p, u);
-    const kern_real along = kern_vec_dot(r, d), whole = kern_vec_dot(d, d);
-    kern_real share = 0;
-    if (along > 0)
-        share = along < whole ? along / whole : 1;
-    return kern_vec_length(kern_vec_sub(r, kern_vec_scale(d, share)));
-}
-
-static kern_real kern_polygon_distance(const kern_block *block, kern_vec p)
-{
-    kern_real least = kern_distance(p, block->vertex[0], block->vertex[1]);
-    int i;
-    for (i = 1; i < block->vertices; i++)
-        least = kern_min(least, kern_distance(p, block->vertex[i],
-                         block->vertex[kern_polygon_next(block, i)]));
-    return least;
-}
-
-/* Middle of the widest way through the polygon at the height y. Seen counter-
-   clockwise it is entered through edges that go down. */
-static kern_vec kern_polygon_inner(const kern_block *block, kern_real y)
-{
-    kern_vec best = block->vertex[0];
-    kern_real widest = 0;
-    int i, j;
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec u = kern_polygon_at(block, i);
-        const kern_vec v =
-            kern_polygon_at(block, kern_polygon_next(block, i));
-        kern_real x, wide = -1;
-        if (!(u.y > y && v.y <= y))
-            continue;
-        x = u.x + (v.x - u.x) * ((y - u.y) / (v.y - u.y));
-        for (j = 0; j < block->vertices; j++) {
-            const kern_vec p = kern_polygon_at(block, j);
-            const kern_vec q =
-                kern_polygon_at(block, kern_polygon_next(block, j));
-            kern_real way;
-            if (!(p.y <= y && q.y > y))
-                continue;
-            way = p.x + (q.x - p.x) * ((y - p.y) / (q.y - p.y)) - x;
-            if (way > 0 && (wide < 0 || way < wide))
-                wide = way;
-        }
-        if (wide > widest) {
-            widest = wide;
-            best = kern_vec_make(x + wide / 2, y);
-        }
-    }
-    return best;
-}
-
 /* ---- Contacts ------------------------------------------------- >>contact */
 /*      line               point              corner in a corner
         ___________             \  b  /         | b
@@ -1404,11 +1194,11 @@ static kern_vec kern_polygon_inner(const kern_block *block, kern_real y)
        |     a         |       a   o              ___|  at one place
 
    A search goes over the pairs of blocks whose boxes are near each other. Of a
-   pair it first looks for overlap, then for lines, then for points where no
-   line is; what it finds is raw, and is merged to faces at once. Until the end
-   of the search a contact has one place in the array: a line stands there with
-   its middle as p, half its length as travel. The pairs know nothing of each
-   other. */
+   pair it first looks for overlap, then for lines and points at each two edges
+   that are near each other; what it finds is raw, and is merged to faces at
+   once. Until the end of the search a contact has one place in the array: a
+   line stands there with its middle as p, half its length as travel. The pairs
+   know nothing of each other. */
 
 typedef struct kern_search {
     const kern_block *block;
@@ -1417,7 +1207,6 @@ typedef struct kern_search {
                                wide                                        */
     kern_real reach;        /* widest gap of any pair [m]                  */
     kern_real floor;        /* places closer than that are the same [m]    */
-    kern_real mean;         /* mean block size [m]                         */
     kern_real mu, sine;     /* of the options; sine of their angle         */
     kern_real user_gap;     /* 0: by the size of the pair                  */
     kern_contact *out;
@@ -1429,258 +1218,198 @@ typedef struct kern_search {
     kern_real gap;          /* widest [m]                                  */
     kern_real least;        /* a line is longer [m]                        */
     kern_real foot;         /* from there on a foot is inside its edge [m] */
-    int first, lines;       /* its contacts: first, and first after lines  */
+    int first;              /* of its contacts                             */
 } kern_search;
 
-/* An edge from corner p to corner q: unit direction, outer normal, length. */
-typedef struct kern_edge {
-    int start, end;         /* indices of the corners */
-    kern_vec p, q, d, n;
-    kern_real length;
-} kern_edge;
-
-static kern_edge kern_edge_of(const kern_block *block, int start, int end)
-{
-    kern_edge e;
-    e.start = start;
-    e.end = end;
-    e.p = kern_polygon_at(block, start);
-    e.q = kern_polygon_at(block, end);
-    e.d = kern_vec_sub(e.q, e.p);
-    e.length = kern_vec_length(e.d);
-    e.d = kern_vec_scale(e.d, 1 / e.length);
-    e.n = kern_vec_make(e.d.y, -e.d.x);
-    return e;
-}
-
 /* ---- overlap ---- */
-/* No boundary point of a may lie inside b and deeper than the gap. Along an
-   edge of a the places within the gap of one edge of b are an interval: the
-   edge of b, grown by the gap, is convex. The intervals of all edges of b
-   cover part of the edge of a; each part they leave uncovered lies inside b
-   or outside as a whole, for the way in or out is covered. So one place of it
-   tells, exactly, also where no vertex is inside (crossing bars).
+/* No boundary point of a may lie in b deeper than the gap. Along an edge of a
+   the depth in b changes by no more than the way, so a place of some depth
+   tells how far the next one may be that is too deep. Two kinds of places tell
+   more, and keep the steps few: within the gap of an edge of b nothing is too
+   deep, and outside nothing is until the way meets b. */
 
-   Edges of a are taken in chunks; most chunks are far from b, or so far from
-   its boundary that one place tells for the chunk. Two blocks at nearly the
-   same place cover each other: then an inner point of one lies in the other. */
-
-typedef struct kern_cover {
-    const kern_block *b;
-    kern_vec p, d;          /* the edge of a, and its unit direction */
-    kern_real length;
-    kern_real gap;
-    int first, last;        /* edges of b that matter                */
-} kern_cover;
-
-/* Widens [*low, *high] to hold the part of [from, to] that is on the edge. */
-static void kern_cover_join(const kern_cover *c, kern_real from, kern_real to,
-                            kern_real *low, kern_real *high)
+/* Does the line of an edge of a part the two, each on its own side of it but
+   for the gap? Then nothing is deep, and where stones are convex there is such
+   an edge wherever nothing is. */
+static int kern_overlap_parted(const kern_block *a, const kern_block *b,
+                               kern_real gap)
 {
-    from = kern_max(from, 0);
-    to = kern_min(to, c->length);
-    if (from > to)
-        return;
-    *low = kern_min(*low, from);
-    *high = kern_max(*high, to);
-}
-
-static void kern_cover_disc(const kern_cover *c, kern_vec centre,
-                            kern_real *low, kern_real *high)
-{
-    const kern_real off = kern_vec_cross(c->d, centre);
-    const kern_real along = kern_vec_dot(c->d, centre);
-    const kern_real square = (c->gap - off) * (c->gap + off);
-    if (square >= 0) {
-        const kern_real half = KERN_SQRT(square);
-        kern_cover_join(c, along - half, along + half, low, high);
-    }
-}
-
-/* Interval of the places p + s d within the gap of edge j of b, 0: none. */
-static int kern_cover_span(const kern_cover *c, int j, kern_real *low,
-                           kern_real *high)
-{
-    const kern_vec u = kern_vec_sub(c->b->vertex[j], c->p);
-    const kern_vec v = kern_vec_sub(
-        c->b->vertex[kern_polygon_next(c->b, j)], c->p);
-    const kern_vec f = kern_vec_sub(v, u);
-    const kern_real hu = kern_vec_cross(c->d, u), hv = kern_vec_cross(c->d, v);
-    const kern_real length = kern_vec_length(f);
-    kern_real from = 0, to = c->length;
-    if ((hu > c->gap && hv > c->gap) || (hu < -c->gap && hv < -c->gap))
-        return 0;
-    *low = c->length;
-    *high = 0;
-    kern_cover_disc(c, u, low, high);
-    kern_cover_disc(c, v, low, high);
-    if (length > 0) {
-        kern_clip(&from, &to, -kern_vec_dot(f, u), kern_vec_dot(f, c->d), 0,
-                  length * length);
-        kern_clip(&from, &to, -kern_vec_cross(f, u),
-                  kern_vec_cross(f, c->d), -c->gap * length,
-                  c->gap * length);
-        kern_cover_join(c, from, to, low, high);
-    }
-    return *low <= *high;
-}
-
-/* How far the edge is covered from s on without a break. Where blocks touch
-   their boundaries run against each other, so b's edges are tried backward
-   first; each round that goes on is followed by one the other way. */
-static kern_real kern_cover_reach(const kern_cover *c, kern_real s)
-{
-    int backward = 1, further = 1;
-    while (further) {
-        int k;
-        further = 0;
-        for (k = c->first; k <= c->last; k++) {
-            const int j = backward ? c->last - (k - c->first) : k;
-            kern_real low, high;
-            if (kern_cover_span(c, j, &low, &high) && low <= s && high > s) {
-                s = high;
-                further = 1;
+    int i, j, k;
+    for (i = 0; i < a->vertices; i++) {
+        const kern_vec p = kern_polygon_at(a, i);
+        const kern_vec d = kern_vec_unit(kern_vec_sub(
+            kern_polygon_at(a, kern_polygon_next(a, i)), p));
+        int parts = 1;
+        for (k = 0; k < 2; k++) {
+            const kern_block *block = k ? a : b;
+            for (j = 0; j < block->vertices && parts; j++) {
+                const kern_real inner =
+                    kern_vec_cross(d, kern_vec_sub(block->vertex[j], p));
+                parts = (k ? -inner : inner) <= gap / 2;
             }
         }
-        backward = !backward;
-    }
-    return s;
-}
-
-/* Where the next interval beyond s begins, at most `to`. */
-static kern_real kern_cover_next(const kern_cover *c, kern_real s, kern_real to)
-{
-    int j;
-    for (j = c->first; j <= c->last; j++) {
-        kern_real low, high;
-        if (kern_cover_span(c, j, &low, &high) && low > s)
-            to = kern_min(to, low);
-    }
-    return to;
-}
-
-/* Depth of place p of one block in block b, 0 where it is not inside. */
-static kern_real kern_depth(const kern_block *b, kern_vec p)
-{
-    return kern_polygon_holds(b, p) ? kern_polygon_distance(b, p) : 0;
-}
-
-/* The first depth beyond the gap on the edge, 0: none. The core is b's box
-   less the gap: what is deep lies in it. */
-static kern_real kern_cover_depth(const kern_cover *c, const kern_box *core)
-{
-    kern_real s = 0, to = c->length;
-    kern_clip(&s, &to, c->p.x, c->d.x, core->low.x, core->high.x);
-    kern_clip(&s, &to, c->p.y, c->d.y, core->low.y, core->high.y);
-    while (s < to) {
-        kern_real next, depth;
-        s = kern_cover_reach(c, s);
-        if (!(s < to))
-            break;
-        next = kern_cover_next(c, s, to);
-        depth = kern_depth(c->b, kern_vec_step(c->p, s + (next - s) / 2, c->d));
-        if (depth > c->gap)
-            return depth;
-        s = next;
+        if (parts)
+            return 1;
     }
     return 0;
 }
 
-/* Sets the first and the last edge of b whose box meets the given one; 0:
-   there is none. */
-static int kern_cover_range(kern_cover *c, const kern_box *box)
+/* How far the way on from p in direction d, at most `most`, stays within the
+   gap of the edge of b that ends at vertex i; 0: it is not there now. */
+static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
+                                    kern_vec p, kern_vec d, kern_real most)
 {
-    int j, some = 0;
-    for (j = 0; j < c->b->vertices; j++) {
-        const kern_box edge = kern_box_of(
-            c->b->vertex[j], c->b->vertex[kern_polygon_next(c->b, j)]);
-        if (!kern_box_meets(&edge, box))
-            continue;
-        if (!some)
-            c->first = j;
-        c->last = j;
-        some = 1;
-    }
-    return some;
+    const kern_vec u = b->vertex[kern_polygon_prev(b, i)];
+    const kern_vec f = kern_vec_sub(b->vertex[i], u), r = kern_vec_sub(p, u);
+    const kern_real square = kern_vec_dot(f, f);
+    const kern_real wide = gap * KERN_SQRT(square);
+    kern_real low = 0;
+    kern_clip(&low, &most, kern_vec_dot(r, f), kern_vec_dot(d, f), 0, square);
+    kern_clip(&low, &most, kern_vec_cross(r, f), kern_vec_cross(d, f), -wide,
+              wide);
+    return low > 0 ? 0 : most;
 }
 
-/* Depth beyond the gap of a's boundary in b, 0: none. */
-static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
-                                       kern_real gap)
+/* How far the way on from p in direction d, at most `most`, goes before it
+   meets b; less, but not by more than the gap. */
+static kern_real kern_overlap_free(const kern_block *b, kern_real gap,
+                                   kern_vec p, kern_vec d, kern_real most)
 {
-    const int size = kern_polygon_chunk(a);
-    const kern_box core = kern_box_grow(b->box, -gap);
-    kern_real depth = 0;
-    kern_cover c;
-    int first, i;
-    c.b = b;
-    c.gap = gap;
-    for (first = 0; first < a->vertices && !(depth > gap); first += size) {
-        kern_box box;
-        if (!kern_polygon_chunk_box(a, first, size, &box) ||
-            !kern_box_meets(&box, &core))
-            continue;
-        box = kern_box_grow(box, gap);
-        if (!kern_cover_range(&c, &box)) {
-            depth = kern_depth(b, kern_polygon_at(a, first));
-            continue;
-        }
-        for (i = first; i < kern_chunk_end(a, first, size); i++) {
-            kern_edge e;
-            if (!kern_polygon_is_corner(a, i))
-                continue;
-            e = kern_edge_of(a, i, kern_polygon_corner_after(a, i));
-            c.p = e.p;
-            c.d = e.d;
-            c.length = e.length;
-            depth = kern_cover_depth(&c, &core);
-            if (depth > gap)
-                break;
-        }
-    }
-    return depth > gap ? depth : 0;
+    kern_real low = 0, high = most, mid = most;
+    do {
+        if (kern_polygon_meets(b, p, kern_vec_step(p, mid, d), 0, b->vertices))
+            high = mid;
+        else
+            low = mid;
+        mid = (low + high) / 2;
+    } while (high - low > gap);
+    return low;
 }
 
-/* Depth in b of an inner point of a, where a may be held by b altogether. */
+/* The first depth beyond the gap in b on the way from p to q, 0: none. */
+static kern_real kern_overlap_edge(const kern_block *b, kern_real gap,
+                                   kern_vec p, kern_vec q)
+{
+    const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
+    const kern_real length = kern_vec_dot(way, d);
+    kern_real s, step;
+    kern_box box;
+    kern_box_set(&box, p, q);
+    if (!kern_box_near(&box, &b->box, -gap))
+        return 0;
+    for (s = 0; s < length; s += step) {
+        const kern_vec at = kern_vec_step(p, s, d);
+        int nearest = 0;
+        const kern_real depth = kern_polygon_depth(b, at, &nearest);
+        if (depth > gap)
+            return depth;
+        step = kern_overlap_along(b, nearest, gap, at, d, length - s);
+        if (depth < 0 && !(step > 0))
+            step = kern_overlap_free(b, gap, at, d, length - s) + gap;
+        step = kern_max(step, gap - depth + KERN_STRIDE * gap);
+    }
+    return 0;
+}
+
+/* The first depth in b of an inner point of a. Every polygon has a vertex whose
+   triangle with its neighbours lies inside; in a round one it is flat, and
+   triangles of vertices farther apart are tried first. */
 static kern_real kern_overlap_inner(const kern_block *a, const kern_block *b,
                                     kern_real gap)
 {
-    const kern_box box = a->box;
-    const kern_box held = kern_box_grow(b->box, gap);
-    int k;
-    if (!kern_box_within(&box, &held))
-        return 0;
-    for (k = 1; k <= KERN_HEIGHTS; k++) {
-        const kern_real share = (KERN_R(k) - KERN_OFF_ROUND) / KERN_HEIGHTS;
-        const kern_vec p = kern_polygon_inner(
-            a, box.low.y + share * (box.high.y - box.low.y));
-        const kern_real depth = kern_depth(b, p);
-        if (depth > gap && kern_depth(a, p) > gap)
-            return depth;
-    }
+    const int n = a->vertices;
+    int step, i, j;
+    for (step = n / 3; step > 0; step /= 2)
+        for (i = 0; i < n; i++) {
+            const kern_vec sum = kern_vec_add(
+                kern_vec_add(a->vertex[i], a->vertex[(i + step) % n]),
+                a->vertex[(i + 2 * step) % n]);
+            const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
+            const kern_real depth = kern_min(kern_polygon_depth(a, at, &j),
+                                             kern_polygon_depth(b, at, &j));
+            if (depth > gap)
+                return depth;
+        }
     return 0;
 }
 
+/* The first depth beyond the gap in b of a's boundary, 0: none. */
+static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
+                                       kern_real gap)
+{
+    kern_real depth = 0;
+    int i;
+    for (i = 0; i < a->vertices && !(depth > 0); i++)
+        depth = kern_overlap_edge(b, gap, a->vertex[i],
+                                  a->vertex[kern_polygon_next(a, i)]);
+    return depth;
+}
+
+/* Depth of the overlap of a and b, 0: none deeper than the gap. */
 static kern_real kern_overlap(const kern_block *a, const kern_block *b,
                               kern_real gap)
 {
-    kern_real depth = kern_overlap_boundary(a, b, gap);
-    if (!(depth > 0))
-        depth = kern_overlap_boundary(b, a, gap);
-    if (!(depth > 0))
+    const kern_vec shift = kern_vec_sub(a->box.low, b->box.low);
+    kern_real depth;
+    if (!kern_box_near(&a->box, &b->box, -gap) ||
+        kern_overlap_parted(a, b, gap) || kern_overlap_parted(b, a, gap))
+        return 0;
+    depth = kern_max(kern_overlap_boundary(a, b, gap),
+                     kern_overlap_boundary(b, a, gap));
+    /* what covers each other has no deep boundary: are they at one place? */
+    if (!(depth > 0) && kern_vec_largest(shift) <= kern_block_size(a) / 4)
         depth = kern_overlap_inner(a, b, gap);
-    return depth > 0 ? depth : kern_overlap_inner(b, a, gap);
+    return depth;
 }
 
 /* ---- lines and points ---- */
 
-/* Adds a raw contact, the longest first: the order in which they make faces. */
-static kern_status kern_search_put(kern_search *s, kern_vec p, kern_vec n,
-                                   kern_real half)
+/* An edge from corner p to corner q: unit direction and length; direction from
+   p to the vertex before. */
+typedef struct kern_edge {
+    int start, end;         /* indices of the corners */
+    kern_vec p, q, d, back;
+    kern_real length;
+} kern_edge;
+
+/* Before the first edge. */
+static void kern_edge_open(kern_edge *e, const kern_block *block)
 {
-    int i = s->count;
-    if (s->count >= s->room)
-        return KERN_NO_SPACE;
+    e->start = -1;
+    e->end = kern_polygon_corner_after(block, block->vertices - 1);
+}
+
+/* Goes to the next edge that is near the box; 0: there is none. */
+static int kern_edge_next(kern_edge *e, const kern_block *block,
+                          const kern_box *box, kern_real gap)
+{
+    while (e->start < e->end) { /* the last one ends where the first began */
+        kern_box own;
+        e->start = e->end;
+        e->end = kern_polygon_corner_after(block, e->start);
+        e->p = kern_polygon_at(block, e->start);
+        e->q = kern_polygon_at(block, e->end);
+        kern_box_set(&own, e->p, e->q);
+        if (!kern_box_near(&own, box, gap))
+            continue;
+        e->d = kern_vec_sub(e->q, e->p);
+        e->length = kern_vec_length(e->d);
+        e->d = kern_vec_scale(e->d, 1 / e->length);
+        e->back = kern_vec_unit(kern_vec_sub(
+            kern_polygon_at(block, kern_polygon_prev(block, e->start)), e->p));
+        return 1;
+    }
+    return 0;
+}
+
+/* Adds a raw contact, the longest first: the order in which they make faces.
+   What finds no room is only counted. */
+static void kern_search_put(kern_search *s, kern_vec p, kern_vec n,
+                            kern_real half)
+{
+    int i = s->count++;
+    if (i >= s->room)
+        return;
     for (; i > s->first && s->out[i - 1].travel < half; i--)
         s->out[i] = s->out[i - 1];
     s->out[i].a = s->index_a;
@@ -1688,38 +1417,81 @@ static kern_status kern_search_put(kern_search *s, kern_vec p, kern_vec n,
     s->out[i].p = p;
     s->out[i].n = n;
     s->out[i].travel = half;
-    s->count++;
-    return KERN_STANDS;
 }
 
 /* Edge e of a and edge f of b run against each other. In the frame of their
    mean tangent t and mean normal n both are heights over s, e rises as f falls,
    and the gap between them opens at twice that slope: the line contact is where
    it is small enough, midway. */
-static kern_status kern_search_line(kern_search *s, const kern_edge *e,
-                                    const kern_edge *f)
+static void kern_search_line(kern_search *s, const kern_edge *e,
+                             const kern_edge *f)
 {
-    kern_vec n, t, eq, fq, mid;
-    kern_real low, high, slope, gap;
-    if (!(kern_vec_dot(e->n, f->n) < 0) ||
-        kern_abs(kern_vec_cross(e->n, f->n)) > s->sine)
-        return KERN_STANDS;
-    n = kern_vec_unit(kern_vec_sub(e->n, f->n));
-    t = kern_vec_turn(n);
-    eq = kern_vec_sub(e->q, e->p); /* from e->p on, against round-off */
-    fq = kern_vec_sub(f->q, e->p);
-    low = kern_max(0, kern_vec_dot(fq, t));
-    high = kern_min(kern_vec_dot(eq, t),
-                    kern_vec_dot(kern_vec_sub(f->p, e->p), t));
-    slope = kern_vec_dot(eq, n) / kern_vec_dot(eq, t);
-    gap = kern_vec_dot(fq, n) + slope * kern_vec_dot(fq, t); /* at s = 0 */
+    const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
+    kern_vec n, t, mid;
+    kern_real at, cosine, slope, low, high, gap;
+    if (!(kern_vec_dot(e->d, f->d) < 0) ||
+        kern_abs(kern_vec_cross(e->d, f->d)) > s->sine)
+        return;
+    t = kern_vec_unit(kern_vec_sub(e->d, f->d));
+    n = kern_vec_scale(kern_vec_turn(t), -1);
+    cosine = kern_vec_dot(e->d, t); /* and of f the opposite */
+    slope = kern_vec_dot(e->d, n) / cosine;
+    at = kern_vec_dot(r, t);
+    low = kern_max(0, at);
+    high = kern_min(e->length * cosine, at + f->length * cosine);
+    gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     kern_clip(&low, &high, gap, -2 * slope, -s->gap, s->gap);
     if (!(high - low > s->least))
-        return KERN_STANDS;
+        return;
     mid = kern_vec_step(e->p, (low + high) / 2, t);
-    return kern_search_put(s, kern_vec_step(mid, gap / 2, n), n,
-                           (high - low) / 2);
+    kern_search_put(s, kern_vec_step(mid, gap / 2, n), n, (high - low) / 2);
 }
+
+/* The corner where f starts stands on edge e of the block `to`: it is convex
+   and within the gap, its foot is inside e or e ends there in a reflex corner,
+   and both its own edges lead to the outer side. */
+static void kern_search_point(kern_search *s, const kern_edge *f,
+                              const kern_block *to, const kern_edge *e)
+{
+    const kern_vec r = kern_vec_sub(f->p, e->p);
+    const kern_vec t = kern_vec_sub(f->p, e->q);
+    const kern_real along = kern_vec_dot(r, e->d), square = s->gap * s->gap;
+    if (kern_vec_cross(f->back, f->d) > 0 ||
+        kern_abs(kern_vec_cross(r, e->d)) > s->gap ||
+        kern_vec_cross(f->d, e->d) < -s->sine ||
+        kern_vec_cross(f->back, e->d) < -s->sine)
+        return;
+    if ((along > s->foot && along < e->length - s->foot) ||
+        (kern_vec_dot(r, r) <= square &&
+         kern_polygon_turn(to, e->start) < 0) ||
+        (kern_vec_dot(t, t) <= square &&
+         kern_polygon_turn(to, e->end) < 0))
+        kern_search_put(s, f->p, kern_vec_scale(kern_vec_turn(e->d),
+                                                to == s->a ? -1 : 1), 0);
+}
+
+/* Looks for lines and points at each two edges that are near each other. */
+static void kern_search_edges(kern_search *s)
+{
+    kern_edge e, f;
+    kern_edge_open(&e, s->a);
+    while (kern_edge_next(&e, s->a, &s->b->box, s->gap)) {
+        kern_box box;
+        kern_box_set(&box, e.p, e.q);
+        kern_edge_open(&f, s->b);
+        while (kern_edge_next(&f, s->b, &box, s->gap)) {
+            kern_search_line(s, &e, &f);
+            kern_search_point(s, &e, s->b, &f);
+            kern_search_point(s, &f, s->a, &e);
+        }
+    }
+}
+
+/* ---- faces ---- */
+/* A point that a line contact with about its normal passes belongs to it. Of
+   the rest, the longest raw contact leads a face; all others with its normal
+   and on its line join it. The face takes the leader's place in the array and
+   the rest moves up in order, so the next one leads again. */
 
 /* One end of a raw contact or face: side is -1 or 1. */
 static kern_vec kern_contact_end(const kern_contact *c, int side)
@@ -1727,201 +1499,63 @@ static kern_vec kern_contact_end(const kern_contact *c, int side)
     return kern_vec_step(c->p, KERN_R(side) * c->travel, kern_vec_turn(c->n));
 }
 
-/* Is a line contact with about this normal within the gap of p? */
-static int kern_search_on_line(const kern_search *s, kern_vec p, kern_vec n)
+/* Does the line contact pass within the gap of the point, about as inclined? */
+static int kern_search_passes(const kern_search *s, const kern_contact *line,
+                              const kern_contact *point)
 {
-    int i;
-    for (i = s->first; i < s->lines; i++) {
+    const kern_vec r = kern_vec_sub(point->p, line->p);
+    const kern_real off = kern_vec_dot(r, line->n);
+    const kern_real beyond = kern_max(
+        kern_abs(kern_vec_cross(line->n, r)) - line->travel, 0);
+    return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE &&
+           off * off + beyond * beyond <= s->gap * s->gap;
+}
+
+/* Leaves out the points that belong to a line. */
+static void kern_search_filter(kern_search *s)
+{
+    int i, k, kept = s->first;
+    for (i = s->first; i < s->count; i++) {
         const kern_contact *c = &s->out[i];
-        if (kern_vec_dot(c->n, n) > KERN_SAME_FACE &&
-            kern_distance(p, kern_contact_end(c, -1),
-                          kern_contact_end(c, 1)) <= s->gap)
-            return 1;
+        int passed = 0;
+        for (k = s->first; !(c->travel > 0) && s->out[k].travel > 0; k++)
+            passed |= kern_search_passes(s, &s->out[k], c);
+        if (!passed)
+            s->out[kept++] = *c;
     }
-    return 0;
+    s->count = kept;
 }
-
-/* Is v within the gap of a reflex corner p? */
-static int kern_search_in_corner(const kern_search *s, const kern_block *block,
-                                 int corner, kern_vec p, kern_vec v)
-{
-    return kern_vec_length(kern_vec_sub(v, p)) <= s->gap &&
-           !kern_polygon_is_convex(block, corner);
-}
-
-/* Does the way from v to its neighbour lead to the outer side of the edge? */
-static int kern_search_leads_out(const kern_search *s, const kern_edge *e,
-                                 kern_vec v, kern_vec neighbour)
-{
-    const kern_vec way = kern_vec_sub(neighbour, v);
-    return kern_vec_dot(way, e->n) >= -s->sine * kern_vec_length(way);
-}
-
-/* Vertex i of the block `from` stands on edge e of the block `to`: its foot is
-   inside the edge, or it is in a corner of `to`. */
-static kern_status kern_search_point(kern_search *s, const kern_block *from,
-                                     int i, const kern_block *to,
-                                     const kern_edge *e)
-{
-    const kern_vec v = kern_polygon_at(from, i);
-    const kern_vec r = kern_vec_sub(v, e->p);
-    const kern_vec n = to == s->a ? e->n : kern_vec_scale(e->n, -1);
-    const kern_real along = kern_vec_dot(r, e->d);
-    if (!(kern_abs(kern_vec_dot(r, e->n)) <= s->gap) ||
-        !kern_polygon_is_convex(from, i))
-        return KERN_STANDS;
-    if (!(along > s->foot && along < e->length - s->foot) &&
-        !kern_search_in_corner(s, to, e->start, e->p, v) &&
-        !kern_search_in_corner(s, to, e->end, e->q, v))
-        return KERN_STANDS;
-    if (!kern_search_leads_out(s, e, v,
-            kern_polygon_at(from, kern_polygon_prev(from, i))) ||
-        !kern_search_leads_out(s, e, v,
-            kern_polygon_at(from, kern_polygon_next(from, i))) ||
-        kern_search_on_line(s, v, n))
-        return KERN_STANDS;
-    return kern_search_put(s, v, n, 0);
-}
-
-/* Edge e of a with each edge of b that is near it: for lines, or for points. */
-static kern_status kern_search_edge(kern_search *s, const kern_edge *e,
-                                    const kern_box *box, int points)
-{
-    const kern_block *b = s->b;
-    int start, end = kern_polygon_corner_after(b, b->vertices - 1);
-    kern_status status = KERN_STANDS;
-    do {
-        kern_box other;
-        start = end;
-        end = kern_polygon_corner_after(b, start);
-        other = kern_box_of(kern_polygon_at(b, start), kern_polygon_at(b, end));
-        if (kern_box_near(box, &other, s->gap)) {
-            const kern_edge f = kern_edge_of(b, start, end);
-            if (!points)
-                status = kern_search_line(s, e, &f);
-            else
-                status = kern_search_point(s, s->a, e->start, b, &f);
-            if (points && status >= 0)
-                status = kern_search_point(s, b, start, s->a, e);
-        }
-    } while (start < end && status >= 0);
-    return status;
-}
-
-/* Each edge of a that is near b. */
-static kern_status kern_search_edges(kern_search *s, int points)
-{
-    int start, end = kern_polygon_corner_after(s->a, s->a->vertices - 1);
-    kern_status status = KERN_STANDS;
-    do {
-        kern_box box;
-        start = end;
-        end = kern_polygon_corner_after(s->a, start);
-        box = kern_box_of(kern_polygon_at(s->a, start),
-                          kern_polygon_at(s->a, end));
-        if (kern_box_near(&box, &s->b->box, s->gap)) {
-            const kern_edge e = kern_edge_of(s->a, start, end);
-            status = kern_search_edge(s, &e, &box, points);
-        }
-    } while (start < end && status >= 0);
-    return status;
-}
-
-/* ---- travels ---- */
-
-static int kern_same_interface(const kern_contact *c, const kern_contact *d)
-{
-    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
-}
-
-/* The next point contact of the interface of c, from i on. */
-static int kern_next_point(const kern_contact *contact, int contacts, int i,
-                           const kern_contact *c)
-{
-    while (i < contacts &&
-           (contact[i].line || !kern_same_interface(&contact[i], c)))
-        i++;
-    return i;
-}
-
-/* Midpoint of the two points of the interface that are farthest apart. */
-static kern_vec kern_interface_centre(const kern_contact *contact, int contacts,
-                                      int first)
-{
-    const kern_contact *c = &contact[first];
-    kern_vec centre = c->p;
-    kern_real widest = 0;
-    int i, j;
-    for (i = first; i < contacts;
-         i = kern_next_point(contact, contacts, i + 1, c)) {
-        j = kern_next_point(contact, contacts, i + 1, c);
-        for (; j < contacts; j = kern_next_point(contact, contacts, j + 1, c)) {
-            const kern_vec d = kern_vec_sub(contact[j].p, contact[i].p);
-            if (kern_vec_dot(d, d) > widest) {
-                widest = kern_vec_dot(d, d);
-                centre = kern_vec_mid(contact[i].p, contact[j].p);
-            }
-        }
-    }
-    return centre;
-}
-
-/* From each point of the interface to the foot of the centre; a lone point is
-   its own centre and stays. */
-static void kern_interface_travels(kern_contact *contact, int contacts,
-                                   int first)
-{
-    const kern_vec q = kern_interface_centre(contact, contacts, first);
-    int i;
-    for (i = first; i < contacts;
-         i = kern_next_point(contact, contacts, i + 1, &contact[first]))
-        contact[i].travel = kern_vec_dot(kern_vec_sub(q, contact[i].p),
-                                         kern_vec_turn(contact[i].n));
-}
-
-/* ---- faces ---- */
-/* The longest raw contact leads a face; all others with its normal and on its
-   line join it. The face takes the leader's place in the array and the rest
-   moves up in order, so the next one leads again. */
 
 typedef struct kern_face {
-    kern_vec p, n;          /* the leader's                               */
+    const kern_contact *lead;
     kern_vec low, high;     /* outermost points along its tangent         */
-    kern_real least, most;  /* where they are, from p on                  */
+    kern_real least, most;  /* where they are, from its p on              */
     kern_vec sum;           /* of normals times lengths                   */
 } kern_face;
 
-static int kern_face_takes(const kern_face *face, const kern_search *s,
-                           const kern_contact *c)
+/* Takes a raw contact into the face; 0: it belongs to another. */
+static int kern_face_join(kern_face *face, const kern_search *s,
+                          const kern_contact *c)
 {
-    int side, takes = kern_vec_dot(face->n, c->n) > 0 &&
-                      kern_abs(kern_vec_cross(face->n, c->n)) <= s->sine;
-    for (side = -1; side <= 1; side += 2) {
-        const kern_vec r = kern_vec_sub(kern_contact_end(c, side), face->p);
-        takes = takes && kern_abs(kern_vec_dot(r, face->n)) <= s->gap;
+    const kern_vec n = face->lead->n, r = kern_vec_sub(c->p, face->lead->p);
+    const kern_real cosine = kern_vec_dot(n, c->n);
+    const kern_real sine = kern_abs(kern_vec_cross(n, c->n));
+    const kern_real along = kern_vec_cross(n, r);
+    const kern_real half = c->travel * cosine;
+    if (!(cosine > 0) || sine > s->sine ||
+        kern_abs(kern_vec_dot(n, r)) + c->travel * sine > s->gap)
+        return 0;
+    if (along - half < face->least) {
+        face->least = along - half;
+        face->low = kern_contact_end(c, -1);
     }
-    return takes;
-}
-
-static void kern_face_join(kern_face *face, const kern_search *s,
-                           const kern_contact *c)
-{
-    const kern_real weight = c->travel > 0 ? 2 * c->travel : s->gap;
-    int side;
-    face->sum = kern_vec_step(face->sum, weight, c->n);
-    for (side = -1; side <= 1; side += 2) {
-        const kern_vec end = kern_contact_end(c, side);
-        const kern_real at = kern_vec_dot(kern_vec_sub(end, face->p),
-                                          kern_vec_turn(face->n));
-        if (at < face->least) {
-            face->least = at;
-            face->low = end;
-        }
-        if (at > face->most) {
-            face->most = at;
-            face->high = end;
-        }
+    if (along + half > face->most) {
+        face->most = along + half;
+        face->high = kern_contact_end(c, 1);
     }
+    face->sum = kern_vec_step(face->sum,
+                              c->travel > 0 ? 2 * c->travel : s->gap, c->n);
+    return 1;
 }
 
 /* Makes a face of raw contact i and all that join it. */
@@ -1931,23 +1565,50 @@ static void kern_search_face(kern_search *s, int i)
     kern_face face;
     kern_real half;
     int k, rest = i + 1;
-    face.p = face.low = face.high = leader->p;
-    face.n = leader->n;
+    face.lead = leader;
+    face.low = face.high = leader->p;
     face.least = face.most = 0;
     face.sum = kern_vec_make(0, 0);
     kern_face_join(&face, s, leader);
     for (k = i + 1; k < s->count; k++)
-        if (kern_face_takes(&face, s, &s->out[k]))
-            kern_face_join(&face, s, &s->out[k]);
-        else
+        if (!kern_face_join(&face, s, &s->out[k]))
             s->out[rest++] = s->out[k];
     s->count = rest;
     leader->n = kern_vec_unit(face.sum);
     leader->p = kern_vec_mid(face.low, face.high);
-    half = kern_vec_dot(kern_vec_sub(face.high, face.low),
-                        kern_vec_turn(leader->n)) / 2;
+    half = kern_vec_cross(leader->n, kern_vec_sub(face.high, face.low)) / 2;
     leader->line = 2 * half > s->foot;
     leader->travel = leader->line ? half : 0;
+}
+
+/* ---- travels ---- */
+
+static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+{
+    return !d->line && ((c->a == d->a && c->b == d->b) ||
+                        (c->a == d->b && c->b == d->a));
+}
+
+/* Travel of point i: to the foot of the midpoint of the two points of its
+   interface that are farthest apart. A lone one stays. */
+static kern_real kern_point_travel(const kern_contact *contact, int contacts,
+                                   int i)
+{
+    const kern_contact *c = &contact[i];
+    kern_vec centre = c->p;
+    kern_real widest = 0;
+    int j, k;
+    for (j = 0; j < contacts; j++)
+        for (k = kern_same_interface(c, &contact[j]) ? j + 1 : contacts;
+             k < contacts; k++) {
+            const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
+            const kern_real square = kern_vec_dot(d, d);
+            if (square > widest && kern_same_interface(c, &contact[k])) {
+                widest = square;
+                centre = kern_vec_mid(contact[j].p, contact[k].p);
+            }
+        }
+    return kern_vec_cross(c->n, kern_vec_sub(centre, c->p));
 }
 
 /* ---- pairs of blocks ---- */
@@ -1957,34 +1618,36 @@ static void kern_search_face(kern_search *s, int i)
 static kern_status kern_search_touch(kern_search *s)
 {
     const kern_real depth = kern_overlap(s->a, s->b, s->gap);
-    kern_status status;
     int i;
     if (depth > 0) {
+        s->fault->block = s->index_a;
         s->fault->other = s->index_b;
-        return kern_fault_set(s->fault, KERN_OVERLAP, s->index_a, -1, depth);
+        s->fault->value = depth;
+        return KERN_OVERLAP;
     }
     s->first = s->count;
-    status = kern_search_edges(s, 0);
-    s->lines = s->count;
-    if (status >= 0)
-        status = kern_search_edges(s, 1);
-    if (status < 0)
-        return status;
+    kern_search_edges(s);
+    if (s->count > s->room)
+        return KERN_NO_SPACE;
+    if (s->count == s->first)
+        return KERN_STANDS;
+    kern_search_filter(s);
     for (i = s->first; i < s->count; i++) {
         kern_search_face(s, i);
         s->out[i].mu = KERN_R(i - s->first);
     }
-    i = s->first < s->count ? kern_next_point(s->out, s->count, s->first,
-                                              &s->out[s->first]) : s->count;
-    if (i < s->count)
-        kern_interface_travels(s->out, s->count, i);
+    for (i = s->first; i < s->count; i++)
+        if (!s->out[i].line)
+            s->out[i].travel = kern_point_travel(s->out + s->first,
+                                                 s->count - s->first,
+                                                 i - s->first);
     return KERN_STANDS;
 }
 
 /* Finds the contacts of blocks i and j, unless they are far apart. */
 static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
-    kern_real size;
+    kern_real area = KERN_HUGE, size;
     s->index_a = i < j ? i : j;
     s->index_b = i < j ? j : i;
     s->a = &s->block[s->index_a];
@@ -1992,12 +1655,11 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     if ((s->a->fixed && s->b->fixed) || !s->a->vertices || !s->b->vertices ||
         !kern_box_near(&s->a->box, &s->b->box, s->reach))
         return KERN_STANDS;
-    if (s->a->fixed)
-        size = kern_block_size(s->b);
-    else if (s->b->fixed)
-        size = kern_block_size(s->a);
-    else
-        size = kern_min(kern_block_size(s->a), kern_block_size(s->b));
+    if (!s->a->fixed)
+        area = kern_abs(s->a->area);
+    if (!s->b->fixed)
+        area = kern_min(area, kern_abs(s->b->area));
+    size = KERN_SQRT(area);
     s->gap = s->user_gap > 0 ? s->user_gap : KERN_GAP * size;
     s->gap = kern_max(s->gap, s->floor);
     s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
@@ -2104,17 +1766,14 @@ static int kern_search_close(const kern_search *s)
     to = points;
     for (i = s->count - 1; i >= 0; i--) {
         const kern_contact c = s->out[i];
-        const kern_real travel =
-            kern_abs(c.travel) < KERN_TRAVEL * s->mean ? 0 : c.travel;
         for (side = 1; side >= -1; side -= 2) {
             kern_contact *end = &s->out[--to];
             *end = c;
             end->mu = s->mu;
-            end->travel = travel;
             if (!c.line)
                 break;
             end->p = kern_contact_end(&c, side);
-            end->travel = -KERN_R(side) * travel;
+            end->travel = -KERN_R(side) * c.travel;
         }
     }
     return points;
@@ -2124,8 +1783,7 @@ static int kern_search_close(const kern_search *s)
 
 static kern_status kern_options_check(const kern_options *o)
 {
-    if (!kern_is_finite(o->mu) || !kern_is_finite(o->gap)
-        || !kern_is_finite(o->angle) || !kern_is_finite(o->epsilon))
+    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
@@ -2135,53 +1793,51 @@ static kern_status kern_options_check(const kern_options *o)
     return KERN_STANDS;
 }
 
-/* Checks what the search reads of block i. */
-static kern_status kern_search_check(const kern_search *s, int i)
+/* Checks what the search reads of a block. */
+static kern_status kern_search_check(const kern_block *block)
 {
-    const kern_block *block = &s->block[i];
     if (block->vertices < 0 || block->vertices > KERN_VERTICES_MOST)
-        return kern_fault_set(s->fault, KERN_BAD_COUNT, i, -1,
-                              KERN_R(block->vertices));
+        return KERN_BAD_COUNT;
     if (!block->vertices)
         return KERN_STANDS;
     if (block->vertices < 3)
-        return kern_fault_set(s->fault, KERN_FEW_VERTICES, i, -1,
-                              KERN_R(block->vertices));
+        return KERN_FEW_VERTICES;
     if (!block->vertex)
-        return kern_fault_set(s->fault, KERN_BAD_POINTER, i, -1, 0);
+        return KERN_BAD_POINTER;
     if (!kern_is_finite(block->area) ||
-        !kern_vec_is_moderate(block->box.low) ||
-        !kern_vec_is_moderate(block->box.high))
-        return kern_fault_set(s->fault, KERN_BAD_NUMBER, i, -1, block->area);
-    if (!(kern_abs(block->area) > 0))
-        return kern_fault_set(s->fault, KERN_NO_AREA, i, -1, block->area);
-    return KERN_STANDS;
+        !(block->box.low.x <= block->box.high.x) ||
+        !(block->box.low.y <= block->box.high.y) ||
+        kern_box_largest(&block->box) > KERN_FAR)
+        return KERN_BAD_NUMBER;
+    return kern_abs(block->area) > 0 ? KERN_STANDS : KERN_NO_AREA;
 }
 
 /* Looks at every block: how far they reach, and how large they are. */
 static kern_status kern_search_survey(kern_search *s)
 {
-    kern_real largest = 0, area = 0;
-    kern_box whole = kern_box_none();
+    kern_real area = 0;
+    kern_box whole;
     int i;
+    whole.low = kern_vec_make(KERN_HUGE, KERN_HUGE);
+    whole.high = kern_vec_scale(whole.low, -1);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
-        const kern_status status = kern_search_check(s, i);
-        if (status < 0)
+        const kern_status status = kern_search_check(block);
+        if (status < 0) {
+            s->fault->block = i;
             return status;
+        }
         if (!block->vertices)
             continue;
         kern_box_add(&whole, block->box.low);
         kern_box_add(&whole, block->box.high);
-        largest = kern_max(largest, kern_box_largest(&block->box));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
     s->upright = whole.high.y - whole.low.y > whole.high.x - whole.low.x;
-    s->floor = KERN_FLOOR * largest;
+    s->floor = KERN_FLOOR * kern_box_largest(&whole);
     s->reach = s->user_gap > 0 ? s->user_gap : KERN_GAP * KERN_SQRT(area);
     s->reach = kern_max(s->reach, s->floor);
-    s->mean = kern_mean_size(s->block, s->blocks);
     return KERN_STANDS;
 }
 
@@ -2200,7 +1856,7 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     status = kern_options_check(options);
     if (status < 0)
         return status;
-    if (!kern_is_moderate(options->gap)) /* normals are weighted with it */
+    if (options->gap > KERN_FAR)
         return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
@@ -2251,23 +1907,21 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
                                kern_vec q, kern_real mu,
                                const kern_options *options, kern_contact *out)
 {
-    const kern_options chosen = options ? *options : kern_defaults();
     const kern_vec d = kern_vec_sub(q, p);
-    const kern_real length = kern_vec_length(d);
-    const kern_real near_by =
-        KERN_FLOOR * kern_max(kern_vec_largest(p), kern_vec_largest(q));
-    kern_real along;
-    int k, points;
-    if (kern_options_check(&chosen) < 0)
-        return (int)kern_options_check(&chosen);
-    if (!out)
+    kern_status status;
+    kern_real length;
+    int line;
+    if (!options || !out)
         return (int)KERN_BAD_POINTER;
+    status = kern_options_check(options);
+    if (status < 0)
+        return (int)status;
     if (a < 0 || b < 0)
         return (int)KERN_BAD_BLOCK;
     if (a == b)
         return (int)KERN_SAME_BLOCK;
-    if (!kern_vec_is_finite(normal) || !kern_is_finite(mu) ||
-        !kern_vec_is_finite(p) || !kern_is_finite(length))
+    if (!kern_is_finite(normal.x + normal.y + mu) ||
+        !kern_vec_is_moderate(p) || !kern_vec_is_moderate(q))
         return (int)KERN_BAD_NUMBER;
     if (mu < 0)
         return (int)KERN_BAD_FRICTION;
@@ -2276,37 +1930,41 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
     /* first made about 1 long: its square may be no number */
     normal = kern_vec_scale(normal, 1 / kern_vec_largest(normal));
     normal = kern_vec_unit(normal);
-    points = length > near_by ? 2 : 1;
-    if (points > 1 && kern_abs(kern_vec_dot(d, normal)) >
-                      kern_sine(chosen.angle) * length)
+    length = kern_vec_length(d);
+    line = length > KERN_FLOOR * kern_max(kern_vec_largest(p),
+                                          kern_vec_largest(q));
+    if (line && kern_abs(kern_vec_dot(d, normal)) >
+                kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
-    along = points > 1 ? kern_vec_dot(d, kern_vec_turn(normal)) : 0;
-    for (k = 0; k < points; k++) {
-        out[k].a = a;
-        out[k].b = b;
-        out[k].line = points > 1;
-        out[k].p = (k > 0) == (along < 0) ? p : q;
-        out[k].n = normal;
-        out[k].mu = mu;
-        out[k].travel = (k > 0 ? -1 : 1) * kern_abs(along) / 2;
+    out->a = a;
+    out->b = b;
+    out->line = line;
+    out->p = p;
+    out->n = normal;
+    out->mu = mu;
+    out->travel = line ? kern_vec_cross(normal, d) / 2 : 0;
+    if (line) {
+        out[1] = *out;
+        out[1].p = q;
+        out[1].travel = -out->travel;
     }
-    return points;
+    return 1 + line;
 }
 
-/* The ends of a line go to its middle, points to the centre of their
-   interface. */
+/* The ends of a line go to its middle. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 {
     int i;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = &contact[i];
-        if (c->line && i + 1 < contacts) {
+        if (!c->line) {
+            c->travel = kern_point_travel(contact, contacts, i);
+        } else if (i + 1 < contacts) {
             const kern_vec d = kern_vec_sub(c[1].p, c->p);
-            c->travel = kern_vec_dot(d, kern_vec_turn(c->n)) / 2;
+            c->travel = kern_vec_cross(c->n, d) / 2;
             c[1].travel = -c->travel;
             i++;
-        } else if (!c->line && kern_next_point(contact, i, 0, c) >= i)
-            kern_interface_travels(contact, contacts, i);
+        }
     }
 }
 
