@@ -170,10 +170,41 @@
                what carries it. In metres, so large stones weigh more; relative
                mode counts shares of each contact instead
    load factor the largest sideways acceleration, in units of gravity
-   tilt        the angle to which the ground may turn
+   tilt        the angle to which the ground may turn; without loads
+               tan(tilt) is the load factor, below 90 degrees
    deficit     how much is missing, where it falls
    mechanism   which stones go first, and how
-   All of these belong to the weakest place of a structure.
+   profile     how much worse it gets after that: every stone's own margin or
+               load factor, their mean, and the mean of the weaker half
+
+   All but the profile belong to the weakest place of a structure. Use them for
+   what must not fall at all. Shaking moves every stone, and whether half of a
+   wall comes down is another question than when its first stone does. In a
+   shaking test of 272 structures, each at 20 levels, these ranked the levels
+   of collapse (Spearman's rank correlation; 1 would be perfect):
+
+                                     contacts     kern_near()
+       margin, level                   0.23           0.40
+       load factor, tilt               0.45           0.67
+       margin, mean of the profile     0.43           0.62
+       load factor, mean               0.56           0.71
+       load factor, weaker half        0.59           0.75
+
+   A stone that rocks soon meets the next one, or comes down on an edge that
+   was a hair off its bed: contacts that a little motion closes count nearly as
+   much as those that are closed. That is what kern_near() is for; it is not
+   for verdicts, since a gap carries nothing yet. The weaker half, as half of
+   the stones must move before one speaks of collapse. To foretell shaking:
+
+       options = kern_near(&options, kern_mean_size(block, blocks));
+       find the contacts with these, then
+       kern_profile(&s, side, &options, &work, value, &c) for side 1 and -1,
+       and take the mean of both c.weak
+
+   The load factors of single stones also tell which of them move first: in
+   four structures of five the first to move is in the weakest quarter. No
+   friction coefficient is safe to trust: where stones slide before they tip,
+   as in low walls, all load factors are near mu, and the margins tell more.
 
 
    LIMITS                                                            >>limits
