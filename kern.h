@@ -202,9 +202,9 @@
        and take the mean of both c.weak
 
    The load factors of single stones also tell which of them move first: in
-   four structures of five the first to move is in the weakest quarter. No
-   friction coefficient is safe to trust: where stones slide before they tip,
-   as in low walls, all load factors are near mu, and the margins tell more.
+   four structures of five the first to move is in the weakest quarter. Where
+   stones slide before they tip, as in low walls, all load factors end at mu,
+   and rank less well. examples/study has the whole comparison.
 
 
    LIMITS                                                            >>limits
