@@ -73,6 +73,9 @@ DRAW_API void plot_begin(struct plot *p, FILE *out, const char *title,
     p->width = plot_width;
     p->height = plot_height;
     draw_begin(out, p->left + p->width + 24 + extra, p->top + p->height + 48);
+    fprintf(out, "<clipPath id=\"field\"><rect x=\"%.1f\" y=\"%.1f\" width="
+            "\"%.1f\" height=\"%.1f\"/></clipPath>\n", p->left, p->top,
+            p->width, p->height);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     plot_axes(p, xstep, ystep);
     plot_text(p, p->left, 20, 12.5, "start", title);
@@ -98,10 +101,11 @@ DRAW_API void plot_curve(const struct plot *p, const double *x,
                          const double *y, int n, const char *colour,
                          double width)
 {
-    fprintf(p->out, "<polyline fill=\"none\" stroke=\"%s\" stroke-width="
-            "\"%.2f\" stroke-linejoin=\"round\" points=\"", colour, width);
+    fprintf(p->out, "<polyline clip-path=\"url(#field)\" fill=\"none\" stroke="
+            "\"%s\" stroke-width=\"%.2f\" stroke-linejoin=\"round\" points=\"",
+            colour, width);
     for (int i = 0; i < n; i++) {
-        struct draw_pt q = plot_place(p, x[i], fmin(y[i], p->y1));
+        struct draw_pt q = plot_place(p, x[i], y[i]);
         fprintf(p->out, "%s%.2f,%.2f", i ? " " : "", draw_px(q.x),
                 draw_px(q.y));
     }

@@ -223,10 +223,15 @@ static void bootstrap(const double *a, const double *b, int n, double *room,
     ends[1] = found[RESAMPLES - 1 - RESAMPLES / 40];
 }
 
-/* The halves: every second structure. */
+/* One of two halves, in no order that families or sizes might have. */
+static int half_of(int entry)
+{
+    return (int)((unsigned)entry * 2654435761u >> 16 & 1);
+}
+
 static void choose_half(const struct study *y, int half, char *chosen)
 {
-    for (int i = 0; i < y->entries; i++) chosen[i] = i % 2 == half;
+    for (int i = 0; i < y->entries; i++) chosen[i] = half_of(i) == half;
 }
 
 static void table_overall(const struct study *y, double *room, char *chosen)
@@ -337,7 +342,8 @@ static int tune_one(const struct study *y, double gap, double angle,
     }
     for (int half = 0; half < 2; half++) {
         int k = 0;
-        for (int i = half; i < n; i += 2) {
+        for (int i = 0; i < n; i++) {
+            if (half_of(i) != half) continue;
             a[k] = value[i];
             b[k++] = y->entry[i].level;
         }
