@@ -15,7 +15,7 @@
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
                             >>check >>statics >>proof >>model >>kern >>profile
-                            >>words
+                            >>plan >>words
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -60,7 +60,7 @@
 
        kern_block_init(&block[0], ground, 4, 0, NULL);       fixed
        kern_block_init(&block[1], stone, 4, 2400, NULL);     2400 kg/m^2
-       s.contacts = kern_contacts(block, 2, &options, contact, 8, NULL);
+       s.contacts = kern_contacts(block, 2, &options, contact, 8, &work);
        if (kern_measure(&s, &options, &work, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
@@ -79,14 +79,15 @@
    is a plane: think of one unit of depth, and of a density per area.
 
    Blocks are polygons in world coordinates, so a planner that tries a stone in
-   many places moves its vertices, and everything that the library sees is
-   data which the caller can print, edit or make by other means: contacts may
-   come from polygons, a camera or a tactile sensor. A contact is a point, with
+   many places moves its vertices and fills in the block again; everything that
+   the library sees is data which the caller can print, edit or make by other
+   means: contacts may come from polygons, a camera or a tactile sensor. A contact is a point, with
    a normal n from block a into block b and the tangent t = (-n.y, n.x); a line
    contact is two points. A point carries its own direction and length of
-   shrinkage, so that lines, pairs and groups of points are one thing. Points
-   of one stone follow each other, so a stone on top is taken back by making
-   `contacts` smaller.
+   shrinkage, so that lines, pairs and groups of points are one thing. What a
+   stone touches of those before it is found by kern_touch() and follows what
+   was found before, so a stone is added by appending, and the last one taken
+   back by making `contacts` smaller.
 
    The size of a block is the square root of its area. Found contacts of a pair
    accept gaps and overlaps up to 1/1000 of the size of the smaller free block.
@@ -275,6 +276,11 @@ typedef float kern_real;
 #define kern_mean_size       kern_mean_size_f32
 #define kern_measure         kern_measure_f32
 #define kern_near            kern_near_f32
+#define kern_plan_add        kern_plan_add_f32
+#define kern_plan_measure    kern_plan_measure_f32
+#define kern_plan_of         kern_plan_of_f32
+#define kern_plan_remove     kern_plan_remove_f32
+#define kern_plan_try        kern_plan_try_f32
 #define kern_profile         kern_profile_f32
 #define kern_stands          kern_stands_f32
 #define kern_status_text     kern_status_text_f32
@@ -304,6 +310,9 @@ extern "C" {
 /* ---- Types ------------------------------------------------------- >>types */
 
 typedef struct kern_vec { kern_real x, y; } kern_vec;
+
+/* Upright rectangle: its lower left and its upper right corner [m]. */
+typedef struct kern_box { kern_vec low, high; } kern_box;
 
 /* What a call says. Zero and above is a verdict: its proof was found and
    checked. Below zero there is none, and of what the caller handed in only the
@@ -350,7 +359,9 @@ typedef struct kern_fault {
 typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 
 /* A stone, or a piece of ground. kern_block_init() fills it from a polygon in
-   world coordinates; mass, centre and load may be changed afterwards. */
+   world coordinates; mass, centre and load may be changed afterwards. Area,
+   centre and box belong to the place of the vertices: where these have moved,
+   it is called again. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none,
                                for a block whose contacts are given           */
@@ -358,6 +369,7 @@ typedef struct kern_block {
     int fixed;              /* nonzero: ground, exerts whatever is needed     */
     kern_real area;         /* [m^2], < 0 if the polygon runs clockwise; the
                                block's size is the square root of |area|      */
+    kern_box box;           /* of the polygon; read where there are vertices  */
     kern_real mass;         /* [kg] > 0; of fixed blocks not read             */
     kern_vec centre;        /* centre of mass [m]                             */
     kern_wrench load;       /* acts besides the weight, at the centre         */
@@ -443,6 +455,27 @@ typedef struct kern_work {
     kern_fault fault;     /* of the last call that returned less than 0       */
 } kern_work;
 
+/* What a measure leaves to the next one of nearly the same structure. */
+typedef struct kern_known {
+    int *basis;           /* columns of the last basis: 2 a contact point     */
+    int columns;          /* there are; 0: nothing is known                   */
+    kern_real holds, fails; /* where it stood and fell; 0: it stood nowhere   */
+} kern_known;
+
+/* A structure that a planner changes by one block at a time. kern_plan_of()
+   makes an empty one; options and gravity may then be set, before blocks are
+   added. Everything may be read at any time. */
+typedef struct kern_plan {
+    kern_structure s;     /* as it is now                                     */
+    kern_options options; /* kern_defaults()                                  */
+    kern_block *block;    /* arrays of the caller, which s looks at           */
+    int block_room;
+    kern_contact *contact;
+    int contact_room;
+    kern_known known;
+    kern_work *work;
+} kern_plan;
+
 /* A linear program:  minimise cost . x  where  A x = rhs  and  x >= 0. */
 typedef struct kern_lp {
     int rows, cols;
@@ -458,15 +491,17 @@ typedef struct kern_lp {
 
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 
-#define KERN_EXTRAS(blocks) \
-    ((blocks) + 24 < 3 * (blocks) ? (blocks) + 24 : 3 * (blocks))
+#define KERN_EXTRAS(blocks)                                                  \
+    ((blocks) < 4 ? 3 * (blocks)                                            \
+     : (blocks) < 64 ? (blocks) + 8 : (blocks) / 2 + 40)
 #define KERN_REALS(blocks, contacts)                                        \
     (KERN_EXTRAS(blocks) * KERN_EXTRAS(blocks) + 5 * KERN_EXTRAS(blocks)    \
-     + 35 * (blocks) + 12 * (contacts))
+     + 45 * (blocks) + 12 * (contacts) + 13)
 #define KERN_INTS(blocks, contacts) \
-    (2 * KERN_EXTRAS(blocks) + 25 * (blocks) + 6 * (contacts))
-#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows))
-#define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols))
+    (2 * KERN_EXTRAS(blocks) + 19 * (blocks) + 4 * (contacts) + 1)
+#define KERN_PLAN_INTS(blocks) (3 * (blocks))
+#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows) + 9)
+#define KERN_LP_INTS(rows, cols) (6 * (rows) + (cols) + 1)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* Pointers must not be NULL where it does not say so: KERN_BAD_POINTER. Every
@@ -500,8 +535,9 @@ KERN_API void kern_work_need(int blocks, int contacts,
 /* -- blocks -- */
 
 /* Fills a block from a simple polygon, convex or not, turning either way:
-   area, centroid, mass = density * |area|, no load. density 0 [kg/m^2] makes
-   it fixed. The vertices stay the caller's and must live as long as the block.
+   area, box, centroid, mass = density * |area|, no load. density 0 [kg/m^2]
+   makes it fixed. The vertices stay the caller's and must live as long as the
+   block; whoever moves them calls this again.
    fault may be NULL; its index is the vertex.
    KERN_FEW_VERTICES, KERN_BAD_COUNT, KERN_BAD_NUMBER, KERN_NO_AREA,
    KERN_CROSSING (also for repeated vertices), KERN_BAD_MASS (density < 0).
@@ -520,23 +556,32 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
 
-/* Finds the contacts between all blocks and writes them to out[0..room), pair
-   after pair. Returns how many contact points there are, or
-   KERN_NO_SPACE (nothing may be read from out; room for a few more than the
-   result is needed while the faces of a pair are merged: double it),
-   KERN_OVERLAP (fault: both blocks; value: the depth [m] that was found),
-   KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES
-   (fault: the block). fault may be NULL. Blocks without vertices are passed
-   over. Time: one test of boxes for each two blocks, and a few products for
-   each two edges that are near. */
+/* Finds the contacts between all blocks and writes them to out[0..room): for
+   b = 0, 1, 2, ... those of block b with every block a < b, a ascending, so
+   that what the last block touches comes last. Two fixed blocks have none, nor
+   has a block without vertices. Returns how many contact points there are, or
+   KERN_NO_SPACE (nothing may be read from out; while the faces of a pair are
+   merged out may have to be longer than the result: double it),
+   KERN_OVERLAP (both blocks; value: the depth [m] that was found),
+   KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
+   KERN_NO_AREA (the block), with the fault in the work memory. Of this it
+   takes 2 B ints: less than KERN_INTS(B, C).
+   Time: O(B log B + C log C), a test of boxes for each two blocks that stand
+   side by side or above each other, whichever way there are fewer, and a few
+   products for each two edges that are near. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
-                           kern_contact *out, int room, kern_fault *fault);
+                           kern_contact *out, int room, kern_work *work);
 
-/* The same for blocks a and b alone, of the same array. */
-KERN_API int kern_touch(const kern_block *block, int blocks, int a, int b,
+/* The contacts of block b alone with all others, ascending; contact.a is the
+   smaller index of the two. Contacts found so for b = 1, 2, ..., each among
+   b + 1 blocks, are those of kern_contacts(), but where a later block lies so
+   far out that the rounding of its coordinates counts. Returns the same, or
+   KERN_BAD_BLOCK (no such b).
+   Work memory: none but for the fault. Time: O(B), and the edges as above. */
+KERN_API int kern_touch(const kern_block *block, int blocks, int b,
                         const kern_options *options,
-                        kern_contact *out, int room, kern_fault *fault);
+                        kern_contact *out, int room, kern_work *work);
 
 /* Makes a contact that is given rather than found: from p to q, or at one
    point where p equals q; normal from a into b, of any length. Writes one or
@@ -620,12 +665,50 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
    one that does not stand as it is 0, a fixed one KERN_INFINITY. A structure
    that falls as it is has a profile too. KERN_STANDS: all was written; below
    0: *out is as it was, and value means nothing. KERN_BAD_OPTION: no such side,
-   or no gravity. KERN_UNDECIDED: a verdict it needs is. Every verdict on the way is proven. Time: for each mechanism a few solutions, with
-   fewer and fewer blocks; altogether 3 to 5 times that of the margin. */
+   or no gravity. KERN_UNDECIDED: a verdict it needs is. Every verdict on the
+   way is proven. Time: for each mechanism a few solutions, with fewer and fewer
+   blocks; altogether 3 to 5 times that of the margin. */
 KERN_API kern_status kern_profile(const kern_structure *s, int side,
                                   const kern_options *options,
                                   kern_work *work, kern_real *value,
                                   kern_collapse *out);
+
+/* -- planning -- */
+/* A planner asks the same of many structures that differ by a stone. What was
+   found out about a structure is where the question about the next one begins:
+   no contact is searched twice, and the linear program starts from the last
+   basis, at the shrinkage where the structure was critical. Answers are those
+   of kern_measure(), and as well proven. */
+
+/* An empty plan: arrays for so many blocks and contact points, KERN_PLAN_INTS(
+   blocks) ints for the basis, and work memory for a structure of that size. */
+KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
+                                kern_contact *contact, int contacts,
+                                int *basis, kern_work *work);
+
+/* Adds a block behind the others and finds its contacts. Returns how many
+   contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
+   also where there is no room for it; the plan is then as it was. The block is
+   copied, its vertices are not. Time: O(B). */
+KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
+
+/* Takes block i away; those behind it move up, in contacts too. KERN_STANDS:
+   done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
+KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
+
+/* kern_measure() of the plan; remembers what it learns. */
+KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
+                                       const kern_proof *proof);
+
+/* What kern_plan_measure() would say with the block added; the plan stays as
+   it is. Below 0 also as kern_plan_add(). The proof is of the structure with
+   the block: one motion more, and the forces of the block's contacts, which
+   then lie behind plan->s.contacts, last. If the plan has not been measured
+   since it was changed, do that first: every try then starts from it.
+   Time: that of a few questions without a pivot, where the block does not
+   change which stones are the weakest. */
+KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
+                                   kern_margin *out, const kern_proof *proof);
 
 /* -- proofs -- */
 
@@ -723,6 +806,10 @@ extern "C" {
    inverse of up to ten a group. Less makes the base grow from course to
    course, more fills the dense complement. */
 #define KERN_BASE_TOL    KERN_PICK(1e-2, 1e-2)
+/* Largest entry of an inverse with which three columns are taken as they are,
+   and with which they are kept when the matrix changes. */
+#define KERN_BASE_GOOD   KERN_PICK(10, 10)
+#define KERN_BASE_MOST   KERN_PICK(100, 100)
 /* Determinant of three columns, each about 1 long, for the crash basis. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
 /* Residual of the basic solution at which refinement ends, and above which the
@@ -733,15 +820,21 @@ extern "C" {
    wider it may get where neither proof can be completed nearer to critical. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
 #define KERN_WIDEST      KERN_PICK(20, 20)
+/* Edges that differ by less, in the same unit, are one. */
+#define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 
 /* Bounds of loops and counts. */
-#define KERN_RENEW         40      /* pivots until the basis is made anew     */
+#define KERN_RENEW         40      /* pivots until the base is chosen anew    */
+#define KERN_KEEP          8       /* and before it is when the matrix changes*/
 #define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
+#define KERN_MANY          8       /* pivots between them                     */
+#define KERN_FIRST         KERN_R(0.12) /* and the first, of a block's size   */
+#define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
@@ -861,6 +954,9 @@ static kern_real kern_vec_largest(kern_vec a)
 static int kern_is_moderate(kern_real a)
 { return kern_is_finite(KERN_SQUARES * a * a); }
 
+static int kern_vec_is_moderate(kern_vec a)
+{ return kern_is_moderate(a.x) && kern_is_moderate(a.y); }
+
 /* By the series and not by libm, whose last digit differs between machines;
    angles below KERN_ANGLE_MOST are right to ten digits. */
 static kern_real kern_sine(kern_real angle)
@@ -905,8 +1001,6 @@ static kern_status kern_fault_set(kern_fault *fault, kern_status status,
    is computed on the way, each time anew. Two chunks whose boxes are apart are
    passed over as a whole, else edge by edge, so that n edges of a reasonable
    polygon cost n sqrt(n), and those of the worst one n^2. */
-
-typedef struct kern_box { kern_vec low, high; } kern_box;
 
 static kern_vec kern_polygon_at(const kern_block *block, int i)
 {
@@ -955,13 +1049,13 @@ static int kern_polygon_corner_after(const kern_block *block, int i)
     return i;
 }
 
-static int kern_polygon_corner_before(const kern_block *block, int i)
+/* Holds nothing, and grows to what is added. */
+static kern_box kern_box_none(void)
 {
-    const int start = i;
-    do
-        i = kern_polygon_prev(block, i);
-    while (i != start && !kern_polygon_is_corner(block, i));
-    return i;
+    kern_box box;
+    box.low = kern_vec_make(KERN_INFINITY, KERN_INFINITY);
+    box.high = kern_vec_scale(box.low, -1);
+    return box;
 }
 
 static kern_box kern_box_of(kern_vec p, kern_vec q)
@@ -994,19 +1088,20 @@ static int kern_box_meets(const kern_box *a, const kern_box *b)
            a->low.y <= b->high.y && b->low.y <= a->high.y;
 }
 
+/* Are they no farther apart than the gap? */
+static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
+{
+    return a->low.x - gap <= b->high.x && b->low.x - gap <= a->high.x &&
+           a->low.y - gap <= b->high.y && b->low.y - gap <= a->high.y;
+}
+
+static kern_real kern_box_largest(const kern_box *box)
+{ return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
+
 static int kern_box_within(const kern_box *a, const kern_box *b)
 {
     return a->low.x >= b->low.x && a->high.x <= b->high.x &&
            a->low.y >= b->low.y && a->high.y <= b->high.y;
-}
-
-static kern_box kern_polygon_box(const kern_block *block)
-{
-    kern_box box = kern_box_of(block->vertex[0], block->vertex[0]);
-    int i;
-    for (i = 1; i < block->vertices; i++)
-        kern_box_add(&box, block->vertex[i]);
-    return box;
 }
 
 static kern_box kern_polygon_edge_box(const kern_block *block, int i)
@@ -1081,7 +1176,7 @@ static void kern_pairs_open(kern_pairs *pairs, const kern_block *a,
     pairs->gap = gap;
     pairs->size_a = kern_polygon_chunk(a);
     pairs->size_b = kern_polygon_chunk(b);
-    pairs->whole_b = kern_polygon_box(b);
+    pairs->whole_b = b->box;
     kern_pairs_chunk_a(pairs, 0);
     pairs->i = pairs->end_a;
     pairs->j = pairs->end_b = 0;
@@ -1185,8 +1280,6 @@ static kern_status kern_polygon_simple(const kern_block *block,
 typedef struct kern_fan {
     kern_real area;       /* signed                                      */
     kern_real spread;     /* sum of areas without their signs            */
-    kern_real extent;     /* largest distance from vertex 0              */
-    kern_real coordinate; /* largest                                     */
     kern_vec moment;
 } kern_fan;
 
@@ -1196,8 +1289,7 @@ static kern_fan kern_polygon_fan(const kern_block *block)
     kern_fan fan;
     int i;
     fan.moment = kern_vec_make(0, 0);
-    fan.area = fan.spread = fan.extent = 0;
-    fan.coordinate = kern_vec_largest(o);
+    fan.area = fan.spread = 0;
     for (i = 1; i < block->vertices; i++) {
         const kern_vec u = kern_vec_sub(block->vertex[i], o);
         const kern_vec w = kern_vec_sub(
@@ -1205,31 +1297,32 @@ static kern_fan kern_polygon_fan(const kern_block *block)
         const kern_real area = kern_vec_cross(u, w) / 2;
         fan.area += area;
         fan.spread += kern_abs(area);
-        fan.extent = kern_max(fan.extent, kern_vec_length(u));
-        fan.coordinate = kern_max(fan.coordinate,
-                                  kern_vec_largest(block->vertex[i]));
         fan.moment = kern_vec_step(fan.moment, area / 3, kern_vec_add(u, w));
     }
     return fan;
 }
 
-/* Fills in the area and the centre if the polygon is a good one. */
+/* Fills in area, box and centre if the polygon is a good one. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_fan fan;
-    kern_real least;
+    kern_real largest, least;
     kern_status status;
     int i;
+    block->box = kern_box_none();
     for (i = 0; i < block->vertices; i++) {
         const kern_vec p = block->vertex[i];
-        if (!kern_is_moderate(p.x) || !kern_is_moderate(p.y))
+        if (!kern_vec_is_moderate(p))
             return kern_fault_set(fault, KERN_BAD_NUMBER, -1, i,
                                   kern_is_moderate(p.x) ? p.y : p.x);
+        kern_box_add(&block->box, p);
     }
     fan = kern_polygon_fan(block);
+    largest = kern_box_largest(&block->box);
     if (!kern_is_finite(fan.spread))
-        return kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, fan.coordinate);
-    least = KERN_FLOOR * fan.coordinate * fan.extent;
+        return kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, largest);
+    least = KERN_FLOOR * largest *
+            kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     if (!(fan.spread > least)) /* all vertices on one line */
         return kern_fault_set(fault, KERN_NO_AREA, -1, -1, fan.area);
     status = kern_polygon_simple(block, fault);
@@ -1240,7 +1333,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     block->area = fan.area;
     block->centre = kern_vec_step(block->vertex[0], 1 / fan.area, fan.moment);
     return kern_vec_is_finite(block->centre) ? KERN_STANDS :
-           kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, fan.coordinate);
+           kern_fault_set(fault, KERN_BAD_NUMBER, -1, 0, largest);
 }
 
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
@@ -1382,15 +1475,19 @@ static kern_vec kern_polygon_inner(const kern_block *block, kern_real y)
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   A search goes over the blocks pair by pair. Of a pair it first looks for
-   overlap, then for lines, then for points where no line is; what it finds is
-   raw and is written to the free rest of the caller's array. There the raw
-   contacts are merged to faces in place: a face never takes more room than its
-   members. The pairs know nothing of each other. */
+   A search goes over the pairs of blocks whose boxes are near each other. Of a
+   pair it first looks for overlap, then for lines, then for points where no
+   line is; what it finds is raw, and is merged to faces at once. Until the end
+   of the search a contact has one place in the array: a line stands there with
+   its middle as p, half its length as travel. The pairs know nothing of each
+   other. */
 
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
+    int upright;            /* nonzero: all blocks together are higher than
+                               wide                                        */
+    kern_real reach;        /* widest gap of any pair [m]                  */
     kern_real floor;        /* places closer than that are the same [m]    */
     kern_real mean;         /* mean block size [m]                         */
     kern_real mu, sine;     /* of the options; sine of their angle         */
@@ -1404,22 +1501,23 @@ typedef struct kern_search {
     kern_real gap;          /* widest [m]                                  */
     kern_real least;        /* a line is longer [m]                        */
     kern_real foot;         /* from there on a foot is inside its edge [m] */
-    int first, lines;       /* raw contacts: first, and first after lines  */
+    int first, lines;       /* its contacts: first, and first after lines  */
 } kern_search;
 
-/* An edge from p to q: unit direction, outer normal, length. */
+/* An edge from corner p to corner q: unit direction, outer normal, length. */
 typedef struct kern_edge {
+    int start, end;         /* indices of the corners */
     kern_vec p, q, d, n;
     kern_real length;
-    int end;                /* corner at q */
 } kern_edge;
 
-static kern_edge kern_edge_of(const kern_block *block, int i)
+static kern_edge kern_edge_of(const kern_block *block, int start, int end)
 {
     kern_edge e;
-    e.end = kern_polygon_corner_after(block, i);
-    e.p = kern_polygon_at(block, i);
-    e.q = kern_polygon_at(block, e.end);
+    e.start = start;
+    e.end = end;
+    e.p = kern_polygon_at(block, start);
+    e.q = kern_polygon_at(block, end);
     e.d = kern_vec_sub(e.q, e.p);
     e.length = kern_vec_length(e.d);
     e.d = kern_vec_scale(e.d, 1 / e.length);
@@ -1583,7 +1681,7 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
                                        kern_real gap)
 {
     const int size = kern_polygon_chunk(a);
-    const kern_box core = kern_box_grow(kern_polygon_box(b), -gap);
+    const kern_box core = kern_box_grow(b->box, -gap);
     kern_real depth = 0;
     kern_cover c;
     int first, i;
@@ -1603,7 +1701,7 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
             kern_edge e;
             if (!kern_polygon_is_corner(a, i))
                 continue;
-            e = kern_edge_of(a, i);
+            e = kern_edge_of(a, i, kern_polygon_corner_after(a, i));
             c.p = e.p;
             c.d = e.d;
             c.length = e.length;
@@ -1619,8 +1717,8 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
 static kern_real kern_overlap_inner(const kern_block *a, const kern_block *b,
                                     kern_real gap)
 {
-    const kern_box box = kern_polygon_box(a);
-    const kern_box held = kern_box_grow(kern_polygon_box(b), gap);
+    const kern_box box = a->box;
+    const kern_box held = kern_box_grow(b->box, gap);
     int k;
     if (!kern_box_within(&box, &held))
         return 0;
@@ -1648,79 +1746,79 @@ static kern_real kern_overlap(const kern_block *a, const kern_block *b,
 
 /* ---- lines and points ---- */
 
+/* Adds a raw contact, the longest first: the order in which they make faces. */
 static kern_status kern_search_put(kern_search *s, kern_vec p, kern_vec n,
-                                   int line)
+                                   kern_real half)
 {
-    kern_contact *c;
+    int i = s->count;
     if (s->count >= s->room)
         return KERN_NO_SPACE;
-    c = &s->out[s->count++];
-    c->a = s->index_a;
-    c->b = s->index_b;
-    c->line = line;
-    c->p = p;
-    c->n = n;
-    c->mu = s->mu;
-    c->travel = 0;
+    for (; i > s->first && s->out[i - 1].travel < half; i--)
+        s->out[i] = s->out[i - 1];
+    s->out[i].a = s->index_a;
+    s->out[i].b = s->index_b;
+    s->out[i].p = p;
+    s->out[i].n = n;
+    s->out[i].travel = half;
+    s->count++;
     return KERN_STANDS;
 }
 
-/* Edge i of a and edge j of b run against each other. In the frame of their
-   mean tangent t and mean normal n both are heights over s, and so is the gap
-   between them: the line contact is where it is small enough. */
-static kern_status kern_search_line(kern_search *s, int i, int j)
+/* Edge e of a and edge f of b run against each other. In the frame of their
+   mean tangent t and mean normal n both are heights over s, e rises as f falls,
+   and the gap between them opens at twice that slope: the line contact is where
+   it is small enough, midway. */
+static kern_status kern_search_line(kern_search *s, const kern_edge *e,
+                                    const kern_edge *f)
 {
-    const kern_edge e = kern_edge_of(s->a, i), f = kern_edge_of(s->b, j);
-    kern_vec n, t, eq, fp, fq, mid;
-    kern_real low, high, rise_e, rise_f, start_f;
-    kern_status status;
-    if (!(kern_vec_dot(e.n, f.n) < 0) ||
-        kern_abs(kern_vec_cross(e.n, f.n)) > s->sine)
+    kern_vec n, t, eq, fq, mid;
+    kern_real low, high, slope, gap;
+    if (!(kern_vec_dot(e->n, f->n) < 0) ||
+        kern_abs(kern_vec_cross(e->n, f->n)) > s->sine)
         return KERN_STANDS;
-    n = kern_vec_unit(kern_vec_sub(e.n, f.n));
+    n = kern_vec_unit(kern_vec_sub(e->n, f->n));
     t = kern_vec_turn(n);
-    eq = kern_vec_sub(e.q, e.p); /* from e.p on, against round-off */
-    fp = kern_vec_sub(f.p, e.p);
-    fq = kern_vec_sub(f.q, e.p);
+    eq = kern_vec_sub(e->q, e->p); /* from e->p on, against round-off */
+    fq = kern_vec_sub(f->q, e->p);
     low = kern_max(0, kern_vec_dot(fq, t));
-    high = kern_min(kern_vec_dot(eq, t), kern_vec_dot(fp, t));
+    high = kern_min(kern_vec_dot(eq, t),
+                    kern_vec_dot(kern_vec_sub(f->p, e->p), t));
+    slope = kern_vec_dot(eq, n) / kern_vec_dot(eq, t);
+    gap = kern_vec_dot(fq, n) + slope * kern_vec_dot(fq, t); /* at s = 0 */
+    kern_clip(&low, &high, gap, -2 * slope, -s->gap, s->gap);
     if (!(high - low > s->least))
         return KERN_STANDS;
-    rise_e = kern_vec_dot(eq, n) / kern_vec_dot(eq, t);
-    rise_f = kern_vec_dot(kern_vec_sub(fp, fq), n) /
-             kern_vec_dot(kern_vec_sub(fp, fq), t);
-    start_f = kern_vec_dot(fq, n) - rise_f * kern_vec_dot(fq, t);
-    kern_clip(&low, &high, start_f, rise_f - rise_e, -s->gap, s->gap);
-    if (!(high - low > s->least))
-        return KERN_STANDS;
-    rise_f = (rise_f + rise_e) / 2; /* of the midline */
-    start_f /= 2;
-    t = kern_vec_step(t, rise_f, n);
-    mid = kern_vec_step(e.p, start_f, n);
-    status = kern_search_put(s, kern_vec_step(mid, low, t), n, 1);
-    return status < 0 ? status :
-           kern_search_put(s, kern_vec_step(mid, high, t), n, 1);
+    mid = kern_vec_step(e->p, (low + high) / 2, t);
+    return kern_search_put(s, kern_vec_step(mid, gap / 2, n), n,
+                           (high - low) / 2);
+}
+
+/* One end of a raw contact or face: side is -1 or 1. */
+static kern_vec kern_contact_end(const kern_contact *c, int side)
+{
+    return kern_vec_step(c->p, KERN_R(side) * c->travel, kern_vec_turn(c->n));
 }
 
 /* Is a line contact with about this normal within the gap of p? */
 static int kern_search_on_line(const kern_search *s, kern_vec p, kern_vec n)
 {
     int i;
-    for (i = s->first; i < s->lines; i += 2)
-        if (kern_vec_dot(s->out[i].n, n) > KERN_SAME_FACE &&
-            kern_distance(p, s->out[i].p, s->out[i + 1].p) <= s->gap)
+    for (i = s->first; i < s->lines; i++) {
+        const kern_contact *c = &s->out[i];
+        if (kern_vec_dot(c->n, n) > KERN_SAME_FACE &&
+            kern_distance(p, kern_contact_end(c, -1),
+                          kern_contact_end(c, 1)) <= s->gap)
             return 1;
+    }
     return 0;
 }
 
-/* Is v in the corner that the edge makes at one of its ends? */
+/* Is v within the gap of a reflex corner p? */
 static int kern_search_in_corner(const kern_search *s, const kern_block *block,
-                                 int j, const kern_edge *e, kern_vec v)
+                                 int corner, kern_vec p, kern_vec v)
 {
-    return (kern_vec_length(kern_vec_sub(v, e->p)) <= s->gap &&
-            !kern_polygon_is_convex(block, j)) ||
-           (kern_vec_length(kern_vec_sub(v, e->q)) <= s->gap &&
-            !kern_polygon_is_convex(block, e->end));
+    return kern_vec_length(kern_vec_sub(v, p)) <= s->gap &&
+           !kern_polygon_is_convex(block, corner);
 }
 
 /* Does the way from v to its neighbour lead to the outer side of the edge? */
@@ -1731,212 +1829,203 @@ static int kern_search_leads_out(const kern_search *s, const kern_edge *e,
     return kern_vec_dot(way, e->n) >= -s->sine * kern_vec_length(way);
 }
 
-/* Vertex i of the block `from` stands on edge j of the block `to`: its foot is
+/* Vertex i of the block `from` stands on edge e of the block `to`: its foot is
    inside the edge, or it is in a corner of `to`. */
 static kern_status kern_search_point(kern_search *s, const kern_block *from,
-                                     int i, const kern_block *to, int j)
+                                     int i, const kern_block *to,
+                                     const kern_edge *e)
 {
     const kern_vec v = kern_polygon_at(from, i);
-    kern_edge e;
-    kern_vec r, n, before, after;
-    kern_real along;
-    if (!kern_polygon_is_convex(from, i))
+    const kern_vec r = kern_vec_sub(v, e->p);
+    const kern_vec n = to == s->a ? e->n : kern_vec_scale(e->n, -1);
+    const kern_real along = kern_vec_dot(r, e->d);
+    if (!(kern_abs(kern_vec_dot(r, e->n)) <= s->gap) ||
+        !kern_polygon_is_convex(from, i))
         return KERN_STANDS;
-    e = kern_edge_of(to, j);
-    r = kern_vec_sub(v, e.p);
-    if (!(kern_abs(kern_vec_dot(r, e.n)) <= s->gap))
+    if (!(along > s->foot && along < e->length - s->foot) &&
+        !kern_search_in_corner(s, to, e->start, e->p, v) &&
+        !kern_search_in_corner(s, to, e->end, e->q, v))
         return KERN_STANDS;
-    along = kern_vec_dot(r, e.d);
-    if (!(along > s->foot && along < e.length - s->foot) &&
-        !kern_search_in_corner(s, to, j, &e, v))
-        return KERN_STANDS;
-    before = kern_polygon_at(from, kern_polygon_corner_before(from, i));
-    after = kern_polygon_at(from, kern_polygon_corner_after(from, i));
-    n = to == s->a ? e.n : kern_vec_scale(e.n, -1);
-    if (!kern_search_leads_out(s, &e, v, before) ||
-        !kern_search_leads_out(s, &e, v, after) ||
+    if (!kern_search_leads_out(s, e, v,
+            kern_polygon_at(from, kern_polygon_prev(from, i))) ||
+        !kern_search_leads_out(s, e, v,
+            kern_polygon_at(from, kern_polygon_next(from, i))) ||
         kern_search_on_line(s, v, n))
         return KERN_STANDS;
     return kern_search_put(s, v, n, 0);
 }
 
+/* Edge e of a with each edge of b that is near it: for lines, or for points. */
+static kern_status kern_search_edge(kern_search *s, const kern_edge *e,
+                                    const kern_box *box, int points)
+{
+    const kern_block *b = s->b;
+    int start, end = kern_polygon_corner_after(b, b->vertices - 1);
+    kern_status status = KERN_STANDS;
+    do {
+        kern_box other;
+        start = end;
+        end = kern_polygon_corner_after(b, start);
+        other = kern_box_of(kern_polygon_at(b, start), kern_polygon_at(b, end));
+        if (kern_box_near(box, &other, s->gap)) {
+            const kern_edge f = kern_edge_of(b, start, end);
+            if (!points)
+                status = kern_search_line(s, e, &f);
+            else
+                status = kern_search_point(s, s->a, e->start, b, &f);
+            if (points && status >= 0)
+                status = kern_search_point(s, b, start, s->a, e);
+        }
+    } while (start < end && status >= 0);
+    return status;
+}
+
+/* Each edge of a that is near b. */
+static kern_status kern_search_edges(kern_search *s, int points)
+{
+    int start, end = kern_polygon_corner_after(s->a, s->a->vertices - 1);
+    kern_status status = KERN_STANDS;
+    do {
+        kern_box box;
+        start = end;
+        end = kern_polygon_corner_after(s->a, start);
+        box = kern_box_of(kern_polygon_at(s->a, start),
+                          kern_polygon_at(s->a, end));
+        if (kern_box_near(&box, &s->b->box, s->gap)) {
+            const kern_edge e = kern_edge_of(s->a, start, end);
+            status = kern_search_edge(s, &e, &box, points);
+        }
+    } while (start < end && status >= 0);
+    return status;
+}
+
+/* ---- travels ---- */
+
+static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+{
+    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
+}
+
+/* The next point contact of the interface of c, from i on. */
+static int kern_next_point(const kern_contact *contact, int contacts, int i,
+                           const kern_contact *c)
+{
+    while (i < contacts &&
+           (contact[i].line || !kern_same_interface(&contact[i], c)))
+        i++;
+    return i;
+}
+
+/* Midpoint of the two points of the interface that are farthest apart. */
+static kern_vec kern_interface_centre(const kern_contact *contact, int contacts,
+                                      int first)
+{
+    const kern_contact *c = &contact[first];
+    kern_vec centre = c->p;
+    kern_real widest = 0;
+    int i, j;
+    for (i = first; i < contacts;
+         i = kern_next_point(contact, contacts, i + 1, c)) {
+        j = kern_next_point(contact, contacts, i + 1, c);
+        for (; j < contacts; j = kern_next_point(contact, contacts, j + 1, c)) {
+            const kern_vec d = kern_vec_sub(contact[j].p, contact[i].p);
+            if (kern_vec_dot(d, d) > widest) {
+                widest = kern_vec_dot(d, d);
+                centre = kern_vec_mid(contact[i].p, contact[j].p);
+            }
+        }
+    }
+    return centre;
+}
+
+/* From each point of the interface to the foot of the centre; a lone point is
+   its own centre and stays. */
+static void kern_interface_travels(kern_contact *contact, int contacts,
+                                   int first)
+{
+    const kern_vec q = kern_interface_centre(contact, contacts, first);
+    int i;
+    for (i = first; i < contacts;
+         i = kern_next_point(contact, contacts, i + 1, &contact[first]))
+        contact[i].travel = kern_vec_dot(kern_vec_sub(q, contact[i].p),
+                                         kern_vec_turn(contact[i].n));
+}
+
 /* ---- faces ---- */
 /* The longest raw contact leads a face; all others with its normal and on its
-   line join it. They leave the array, the rest moves up to its end in order,
-   and the face is written to the place they left. What is left of raw contacts
-   is shorter, so the next one leads again, and no order need be kept. */
+   line join it. The face takes the leader's place in the array and the rest
+   moves up in order, so the next one leads again. */
 
 typedef struct kern_face {
     kern_vec p, n;          /* the leader's                               */
     kern_vec low, high;     /* outermost points along its tangent         */
     kern_real least, most;  /* where they are, from p on                  */
     kern_vec sum;           /* of normals times lengths                   */
-    int points;
 } kern_face;
-
-static kern_real kern_raw_length(const kern_contact *c)
-{
-    return c->line ? kern_vec_length(kern_vec_sub(c[1].p, c->p)) : 0;
-}
-
-static int kern_face_lead(const kern_search *s, int raw)
-{
-    kern_real longest = -1;
-    int i, lead = raw;
-    for (i = raw; i < s->count; i += s->out[i].line ? 2 : 1) {
-        const kern_real length = kern_raw_length(&s->out[i]);
-        if (length > longest) {
-            longest = length;
-            lead = i;
-        }
-    }
-    return lead;
-}
-
-static void kern_face_open(kern_face *face, const kern_contact *leader)
-{
-    face->p = leader->p;
-    face->n = leader->n;
-    face->low = face->high = leader->p;
-    face->least = face->most = 0;
-    face->sum = kern_vec_make(0, 0);
-    face->points = 0;
-}
 
 static int kern_face_takes(const kern_face *face, const kern_search *s,
                            const kern_contact *c)
 {
-    const kern_vec first = kern_vec_sub(c[0].p, face->p);
-    const kern_vec second = kern_vec_sub(c[c->line ? 1 : 0].p, face->p);
-    return kern_vec_dot(face->n, c->n) > 0 &&
-           kern_abs(kern_vec_cross(face->n, c->n)) <= s->sine &&
-           kern_abs(kern_vec_dot(first, face->n)) <= s->gap &&
-           kern_abs(kern_vec_dot(second, face->n)) <= s->gap;
-}
-
-static void kern_face_point(kern_face *face, kern_vec p)
-{
-    const kern_real at =
-        kern_vec_dot(kern_vec_sub(p, face->p), kern_vec_turn(face->n));
-    if (at < face->least) {
-        face->least = at;
-        face->low = p;
+    int side, takes = kern_vec_dot(face->n, c->n) > 0 &&
+                      kern_abs(kern_vec_cross(face->n, c->n)) <= s->sine;
+    for (side = -1; side <= 1; side += 2) {
+        const kern_vec r = kern_vec_sub(kern_contact_end(c, side), face->p);
+        takes = takes && kern_abs(kern_vec_dot(r, face->n)) <= s->gap;
     }
-    if (at > face->most) {
-        face->most = at;
-        face->high = p;
-    }
-    face->points++;
+    return takes;
 }
 
 static void kern_face_join(kern_face *face, const kern_search *s,
                            const kern_contact *c)
 {
-    const kern_real weight = c->line ? kern_raw_length(c) : s->gap;
+    const kern_real weight = c->travel > 0 ? 2 * c->travel : s->gap;
+    int side;
     face->sum = kern_vec_step(face->sum, weight, c->n);
-    kern_face_point(face, c[0].p);
-    if (c->line)
-        kern_face_point(face, c[1].p);
-}
-
-/* Writes the face to `out`; returns the number of contact points: 2, or 1 if
-   it has no extent. */
-static int kern_face_write(const kern_face *face, const kern_search *s,
-                           kern_contact *out)
-{
-    const kern_vec n = face->points > 1 ? kern_vec_unit(face->sum) : face->n;
-    const kern_vec t = kern_vec_turn(n);
-    const kern_vec mid = kern_vec_mid(face->low, face->high);
-    const kern_real half =
-        kern_vec_dot(kern_vec_sub(face->high, face->low), t) / 2;
-    const int points = 2 * half > s->foot ? 2 : 1;
-    int k;
-    for (k = 0; k < points; k++) {
-        out[k].a = s->index_a;
-        out[k].b = s->index_b;
-        out[k].mu = s->mu;
-        out[k].n = n;
-        out[k].line = points > 1;
-        out[k].p = mid;
-        out[k].travel = 0;
-    }
-    if (points > 1) {
-        out[0].p = kern_vec_step(mid, -half, t);
-        out[1].p = kern_vec_step(mid, half, t);
-    }
-    return points;
-}
-
-/* Merges the raw contacts of the pair to faces. */
-static void kern_search_merge(kern_search *s)
-{
-    int done = s->first, raw = s->first;
-    while (raw < s->count) {
-        const int lead = kern_face_lead(s, raw);
-        kern_face face;
-        int i, rest = s->count;
-        kern_face_open(&face, &s->out[lead]);
-        for (i = s->count - 1; i >= raw; i--) {
-            const int second = i;
-            if (s->out[i].line)
-                i--; /* both ends at once */
-            if (i == lead || kern_face_takes(&face, s, &s->out[i])) {
-                kern_face_join(&face, s, &s->out[i]);
-                continue;
-            }
-            s->out[--rest] = s->out[second];
-            if (second > i)
-                s->out[--rest] = s->out[i];
+    for (side = -1; side <= 1; side += 2) {
+        const kern_vec end = kern_contact_end(c, side);
+        const kern_real at = kern_vec_dot(kern_vec_sub(end, face->p),
+                                          kern_vec_turn(face->n));
+        if (at < face->least) {
+            face->least = at;
+            face->low = end;
         }
-        done += kern_face_write(&face, s, &s->out[done]);
-        raw = rest;
+        if (at > face->most) {
+            face->most = at;
+            face->high = end;
+        }
     }
-    s->count = done;
+}
+
+/* Makes a face of raw contact i and all that join it. */
+static void kern_search_face(kern_search *s, int i)
+{
+    kern_contact *leader = &s->out[i];
+    kern_face face;
+    kern_real half;
+    int k, rest = i + 1;
+    face.p = face.low = face.high = leader->p;
+    face.n = leader->n;
+    face.least = face.most = 0;
+    face.sum = kern_vec_make(0, 0);
+    kern_face_join(&face, s, leader);
+    for (k = i + 1; k < s->count; k++)
+        if (kern_face_takes(&face, s, &s->out[k]))
+            kern_face_join(&face, s, &s->out[k]);
+        else
+            s->out[rest++] = s->out[k];
+    s->count = rest;
+    leader->n = kern_vec_unit(face.sum);
+    leader->p = kern_vec_mid(face.low, face.high);
+    half = kern_vec_dot(kern_vec_sub(face.high, face.low),
+                        kern_vec_turn(leader->n)) / 2;
+    leader->line = 2 * half > s->foot;
+    leader->travel = leader->line ? half : 0;
 }
 
 /* ---- pairs of blocks ---- */
 
-/* Sets the pair and its lengths; 0: these two have no contacts. */
-static int kern_search_pair(kern_search *s, int a, int b)
-{
-    kern_real size;
-    s->index_a = a < b ? a : b;
-    s->index_b = a < b ? b : a;
-    s->a = &s->block[s->index_a];
-    s->b = &s->block[s->index_b];
-    if ((s->a->fixed && s->b->fixed) || !s->a->vertices || !s->b->vertices)
-        return 0;
-    if (s->a->fixed)
-        size = kern_block_size(s->b);
-    else if (s->b->fixed)
-        size = kern_block_size(s->a);
-    else
-        size = kern_min(kern_block_size(s->a), kern_block_size(s->b));
-    s->gap = s->user_gap > 0 ? s->user_gap : KERN_GAP * size;
-    s->gap = kern_max(s->gap, s->floor);
-    s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
-    s->foot = kern_max(KERN_FOOT * size, s->floor);
-    return 1;
-}
-
-/* Goes over the pairs of edges, once for lines and once for points. */
-static kern_status kern_search_edges(kern_search *s, int points)
-{
-    kern_pairs pairs;
-    kern_status status = KERN_STANDS;
-    kern_pairs_open(&pairs, s->a, s->b, s->gap);
-    while (status >= 0 && kern_pairs_next(&pairs)) {
-        if (!points)
-            status = kern_search_line(s, pairs.i, pairs.j);
-        else
-            status = kern_search_point(s, s->a, pairs.i, s->b, pairs.j);
-        if (points && status >= 0)
-            status = kern_search_point(s, s->b, pairs.j, s->a, pairs.i);
-    }
-    return status;
-}
-
-/* Finds the contacts of the pair and appends them. */
+/* Finds the contacts of the pair and adds them. Until the end of the search mu
+   holds their order. */
 static kern_status kern_search_touch(kern_search *s)
 {
     const kern_real depth = kern_overlap(s->a, s->b, s->gap);
@@ -1953,30 +2042,154 @@ static kern_status kern_search_touch(kern_search *s)
         status = kern_search_edges(s, 1);
     if (status < 0)
         return status;
-    kern_search_merge(s);
-    if (s->count > s->first)
-        kern_contact_travels(s->out + s->first, s->count - s->first);
-    for (i = s->first; i < s->count; i++)
-        if (kern_abs(s->out[i].travel) < KERN_TRAVEL * s->mean)
-            s->out[i].travel = 0;
+    for (i = s->first; i < s->count; i++) {
+        kern_search_face(s, i);
+        s->out[i].mu = KERN_R(i - s->first);
+    }
+    i = s->first < s->count ? kern_next_point(s->out, s->count, s->first,
+                                              &s->out[s->first]) : s->count;
+    if (i < s->count)
+        kern_interface_travels(s->out, s->count, i);
     return KERN_STANDS;
 }
 
-/* All later blocks whose boxes are near that of block a. */
-static kern_status kern_search_later(kern_search *s, int a)
+/* Finds the contacts of blocks i and j, unless they are far apart. */
+static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
-    const kern_box box_a = kern_polygon_box(&s->block[a]);
-    kern_status status = KERN_STANDS;
-    int b;
-    for (b = a + 1; b < s->blocks && status >= 0; b++) {
-        kern_box box_b;
-        if (!kern_search_pair(s, a, b))
-            continue;
-        box_b = kern_box_grow(kern_polygon_box(s->b), s->gap);
-        if (kern_box_meets(&box_a, &box_b))
-            status = kern_search_touch(s);
+    kern_real size;
+    s->index_a = i < j ? i : j;
+    s->index_b = i < j ? j : i;
+    s->a = &s->block[s->index_a];
+    s->b = &s->block[s->index_b];
+    if ((s->a->fixed && s->b->fixed) || !s->a->vertices || !s->b->vertices ||
+        !kern_box_near(&s->a->box, &s->b->box, s->reach))
+        return KERN_STANDS;
+    if (s->a->fixed)
+        size = kern_block_size(s->b);
+    else if (s->b->fixed)
+        size = kern_block_size(s->a);
+    else
+        size = kern_min(kern_block_size(s->a), kern_block_size(s->b));
+    s->gap = s->user_gap > 0 ? s->user_gap : KERN_GAP * size;
+    s->gap = kern_max(s->gap, s->floor);
+    s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
+    s->foot = kern_max(KERN_FOOT * size, s->floor);
+    return kern_search_touch(s);
+}
+
+/* ---- order ---- */
+/* All pairs of blocks that may touch are found by a sweep: blocks are taken in
+   the order of their lower ends, along the longer direction of the whole, and
+   meet those taken before whose upper ends have not been passed. A piece of
+   ground that spans everything stays among these, but is one for each block.
+
+   What is found is then put in the order of the blocks. Both sorts are the
+   same heap sort, which needs no memory and n log n steps at worst. */
+
+static kern_real kern_search_low(const kern_search *s, int i)
+{ return s->upright ? s->block[i].box.low.y : s->block[i].box.low.x; }
+
+static kern_real kern_search_high(const kern_search *s, int i)
+{ return s->upright ? s->block[i].box.high.y : s->block[i].box.high.x; }
+
+/* Of blocks[i] and blocks[j], or of contacts i and j where blocks is NULL. */
+static int kern_search_before(const kern_search *s, const int *blocks,
+                              int i, int j)
+{
+    const kern_contact *c = &s->out[i], *d = &s->out[j];
+    if (blocks)
+        return kern_search_low(s, blocks[i]) < kern_search_low(s, blocks[j]);
+    if (c->b != d->b)
+        return c->b < d->b;
+    return c->a < d->a || (c->a == d->a && c->mu < d->mu);
+}
+
+static void kern_search_swap(const kern_search *s, int *blocks, int i, int j)
+{
+    if (blocks) {
+        const int keep = blocks[i];
+        blocks[i] = blocks[j];
+        blocks[j] = keep;
+    } else {
+        const kern_contact keep = s->out[i];
+        s->out[i] = s->out[j];
+        s->out[j] = keep;
     }
-    return status;
+}
+
+static void kern_search_sort(const kern_search *s, int *blocks, int n)
+{
+    int root = n / 2, i, child;
+    while (n > 1) {
+        if (root > 0)
+            root--; /* the heap grows until all are in it ...           */
+        else        /* ... then its first goes behind it, again and again */
+            kern_search_swap(s, blocks, 0, --n);
+        for (i = root; (child = 2 * i + 1) < n; i = child) {
+            if (child + 1 < n &&
+                kern_search_before(s, blocks, child, child + 1))
+                child++;
+            if (!kern_search_before(s, blocks, i, child))
+                break;
+            kern_search_swap(s, blocks, i, child);
+        }
+    }
+}
+
+static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
+{
+    int *order = work->index, *open;
+    kern_status status = KERN_STANDS;
+    int i, k, kept, n = 0, opened = 0;
+    if (!order || work->indices / 2 < s->blocks)
+        return KERN_NO_SPACE;
+    open = order + s->blocks;
+    for (i = 0; i < s->blocks; i++)
+        if (s->block[i].vertices)
+            order[n++] = i;
+    kern_search_sort(s, order, n);
+    for (k = 0; k < n; k++) {
+        const kern_real low = kern_search_low(s, order[k]) - s->reach;
+        for (i = kept = 0; i < opened && status >= 0; i++)
+            if (kern_search_high(s, open[i]) >= low) {
+                status = kern_search_pair(s, open[i], order[k]);
+                open[kept++] = open[i];
+            }
+        if (status < 0)
+            return status;
+        open[kept++] = order[k];
+        opened = kept;
+    }
+    kern_search_sort(s, NULL, s->count);
+    return KERN_STANDS;
+}
+
+/* Gives every line the two places of its ends, from the last to the first.
+   Returns how many contact points there are. */
+static int kern_search_close(const kern_search *s)
+{
+    int i, side, points = s->count, to;
+    for (i = 0; i < s->count; i++)
+        points += s->out[i].line;
+    if (points > s->room)
+        return (int)KERN_NO_SPACE;
+    to = points;
+    for (i = s->count - 1; i >= 0; i--) {
+        const kern_contact c = s->out[i];
+        const kern_real travel =
+            kern_abs(c.travel) < KERN_TRAVEL * s->mean ? 0 : c.travel;
+        for (side = 1; side >= -1; side -= 2) {
+            kern_contact *end = &s->out[--to];
+            *end = c;
+            end->mu = s->mu;
+            end->travel = travel;
+            if (!c.line)
+                break;
+            end->p = kern_contact_end(&c, side);
+            end->travel = -KERN_R(side) * travel;
+        }
+    }
+    return points;
 }
 
 /* ---- what is read ---- */
@@ -1988,19 +2201,16 @@ static kern_status kern_options_check(const kern_options *o)
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
-    if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_R(0.5))
+    if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
         || o->epsilon < 0 || o->pivots < 0)
         return KERN_BAD_OPTION;
     return KERN_STANDS;
 }
 
-/* Checks what the search reads of block i; raises *largest to its largest
-   coordinate. */
-static kern_status kern_search_check(const kern_search *s, int i,
-                                     kern_real *largest)
+/* Checks what the search reads of block i. */
+static kern_status kern_search_check(const kern_search *s, int i)
 {
     const kern_block *block = &s->block[i];
-    int k;
     if (block->vertices < 0 || block->vertices > KERN_VERTICES_MOST)
         return kern_fault_set(s->fault, KERN_BAD_COUNT, i, -1,
                               KERN_R(block->vertices));
@@ -2011,31 +2221,58 @@ static kern_status kern_search_check(const kern_search *s, int i,
                               KERN_R(block->vertices));
     if (!block->vertex)
         return kern_fault_set(s->fault, KERN_BAD_POINTER, i, -1, 0);
-    if (!kern_is_finite(block->area))
+    if (!kern_is_finite(block->area) ||
+        !kern_vec_is_moderate(block->box.low) ||
+        !kern_vec_is_moderate(block->box.high))
         return kern_fault_set(s->fault, KERN_BAD_NUMBER, i, -1, block->area);
     if (!(kern_abs(block->area) > 0))
         return kern_fault_set(s->fault, KERN_NO_AREA, i, -1, block->area);
-    for (k = 0; k < block->vertices; k++) {
-        const kern_vec p = block->vertex[k];
-        if (!kern_is_moderate(p.x) || !kern_is_moderate(p.y))
-            return kern_fault_set(s->fault, KERN_BAD_NUMBER, i, k,
-                                  kern_is_moderate(p.x) ? p.y : p.x);
-        *largest = kern_max(*largest, kern_vec_largest(p));
+    return KERN_STANDS;
+}
+
+/* Looks at every block: how far they reach, and how large they are. */
+static kern_status kern_search_survey(kern_search *s)
+{
+    kern_real largest = 0, area = 0;
+    kern_box whole = kern_box_none();
+    int i;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *block = &s->block[i];
+        const kern_status status = kern_search_check(s, i);
+        if (status < 0)
+            return status;
+        if (!block->vertices)
+            continue;
+        kern_box_add(&whole, block->box.low);
+        kern_box_add(&whole, block->box.high);
+        largest = kern_max(largest, kern_box_largest(&block->box));
+        if (!block->fixed)
+            area = kern_max(area, kern_abs(block->area));
     }
+    s->upright = whole.high.y - whole.low.y > whole.high.x - whole.low.x;
+    s->floor = KERN_FLOOR * largest;
+    s->reach = s->user_gap > 0 ? s->user_gap : KERN_GAP * KERN_SQRT(area);
+    s->reach = kern_max(s->reach, s->floor);
+    s->mean = kern_mean_size(s->block, s->blocks);
     return KERN_STANDS;
 }
 
 static kern_status kern_search_open(kern_search *s, const kern_block *block,
                                     int blocks, const kern_options *options,
-                                    kern_contact *out, int room)
+                                    kern_contact *out, int room,
+                                    kern_work *work)
 {
-    const kern_options chosen = options ? *options : kern_defaults();
-    kern_status status = kern_options_check(&chosen);
-    kern_real largest = 0;
-    int i;
+    kern_status status;
+    if (!work)
+        return KERN_BAD_POINTER;
+    s->fault = &work->fault;
+    kern_fault_clear(s->fault);
+    if (!options)
+        return KERN_BAD_POINTER;
+    status = kern_options_check(options);
     if (status < 0)
         return status;
-    if (!kern_is_moderate(chosen.gap)) /* normals are weighted with it */
+    if (!kern_is_moderate(options->gap)) /* normals are weighted with it */
         return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
@@ -2045,55 +2282,39 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->blocks = blocks;
     s->out = out;
     s->room = room;
-    s->count = s->first = s->lines = 0;
-    for (i = 0; i < blocks && status >= 0; i++)
-        status = kern_search_check(s, i, &largest);
-    s->floor = KERN_FLOOR * largest;
-    s->mean = kern_mean_size(block, blocks);
-    s->mu = chosen.mu;
-    s->sine = kern_sine(chosen.angle);
-    s->user_gap = chosen.gap;
-    return status;
+    s->count = 0;
+    s->mu = options->mu;
+    s->sine = kern_sine(options->angle);
+    s->user_gap = options->gap;
+    return kern_search_survey(s);
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
-                           int room, kern_fault *fault)
+                           int room, kern_work *work)
 {
-    kern_fault ignored;
     kern_search s;
-    kern_status status;
-    int a;
-    kern_fault_clear(&ignored);
-    s.fault = fault ? fault : &ignored;
-    kern_fault_clear(s.fault);
-    status = kern_search_open(&s, block, blocks, options, out, room);
-    for (a = 0; a < blocks && status >= 0; a++)
-        if (block[a].vertices)
-            status = kern_search_later(&s, a);
-    return status < 0 ? (int)status : s.count;
+    kern_status status =
+        kern_search_open(&s, block, blocks, options, out, room, work);
+    if (status >= 0)
+        status = kern_search_sweep(&s, work);
+    return status < 0 ? (int)status : kern_search_close(&s);
 }
 
-KERN_API int kern_touch(const kern_block *block, int blocks, int a, int b,
+KERN_API int kern_touch(const kern_block *block, int blocks, int b,
                         const kern_options *options, kern_contact *out,
-                        int room, kern_fault *fault)
+                        int room, kern_work *work)
 {
-    kern_fault ignored;
     kern_search s;
-    kern_status status;
-    kern_fault_clear(&ignored);
-    s.fault = fault ? fault : &ignored;
-    kern_fault_clear(s.fault);
-    status = kern_search_open(&s, block, blocks, options, out, room);
-    if (status < 0)
-        return (int)status;
-    if (a < 0 || a >= blocks || b < 0 || b >= blocks)
-        return (int)KERN_BAD_BLOCK;
-    if (a == b)
-        return (int)KERN_SAME_BLOCK;
-    if (kern_search_pair(&s, a, b))
-        status = kern_search_touch(&s);
-    return status < 0 ? (int)status : s.count;
+    kern_status status =
+        kern_search_open(&s, block, blocks, options, out, room, work);
+    int a;
+    if (status >= 0 && (b < 0 || b >= blocks))
+        status = KERN_BAD_BLOCK;
+    for (a = 0; a < blocks && status >= 0; a++)
+        if (a != b)
+            status = kern_search_pair(&s, a, b);
+    return status < 0 ? (int)status : kern_search_close(&s);
 }
 
 /* ---- contacts that are given ---- */
@@ -2144,48 +2365,11 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
     return points;
 }
 
-static int kern_same_interface(const kern_contact *c, const kern_contact *d)
-{
-    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
-}
-
-/* The next point contact of the interface of c, from i on. */
-static int kern_next_point(const kern_contact *contact, int contacts, int i,
-                           const kern_contact *c)
-{
-    while (i < contacts &&
-           (contact[i].line || !kern_same_interface(&contact[i], c)))
-        i++;
-    return i;
-}
-
-/* Midpoint of the two points of the interface that are farthest apart. */
-static kern_vec kern_interface_centre(const kern_contact *contact, int contacts,
-                                      int first)
-{
-    const kern_contact *c = &contact[first];
-    kern_vec centre = c->p;
-    kern_real widest = 0;
-    int i, j;
-    for (i = first; i < contacts;
-         i = kern_next_point(contact, contacts, i + 1, c)) {
-        j = kern_next_point(contact, contacts, i + 1, c);
-        for (; j < contacts; j = kern_next_point(contact, contacts, j + 1, c)) {
-            const kern_vec d = kern_vec_sub(contact[j].p, contact[i].p);
-            if (kern_vec_dot(d, d) > widest) {
-                widest = kern_vec_dot(d, d);
-                centre = kern_vec_mid(contact[i].p, contact[j].p);
-            }
-        }
-    }
-    return centre;
-}
-
-/* The ends of a line go to its middle, the points of an interface to its
-   centre; a lone point is its own centre and stays. */
+/* The ends of a line go to its middle, points to the centre of their
+   interface. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 {
-    int i, j;
+    int i;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = &contact[i];
         if (c->line && i + 1 < contacts) {
@@ -2193,18 +2377,10 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
             c->travel = kern_vec_dot(d, kern_vec_turn(c->n)) / 2;
             c[1].travel = -c->travel;
             i++;
-        } else if (!c->line &&
-                   kern_next_point(contact, i, 0, c) >= i) {
-            const kern_vec q = kern_interface_centre(contact, contacts, i);
-            for (j = i; j < contacts;
-                 j = kern_next_point(contact, contacts, j + 1, c))
-                contact[j].travel =
-                    kern_vec_dot(kern_vec_sub(q, contact[j].p),
-                                 kern_vec_turn(contact[j].n));
-        }
+        } else if (!c->line && kern_next_point(contact, i, 0, c) >= i)
+            kern_interface_travels(contact, contacts, i);
     }
 }
-
 
 /* ---- Work arrays ------------------------------------------------- >>work */
 /* Slices are handed out one after the other. Without arrays (real NULL) they
@@ -2247,6 +2423,7 @@ static int kern_take_fits(const kern_take *take)
 {
     return take->used_reals <= take->reals && take->used_ints <= take->indices;
 }
+
 /* ---- The LP room --------------------------------------------------- >>lp */
 /* minimise cost . x  where  A x = rhs,  x >= 0.
 
@@ -2270,7 +2447,11 @@ static int kern_take_fits(const kern_take *take)
    of the number of groups for a wall. A pivot changes S by a row and a column
    at the most, and S^-1, which is what is stored, by one rank. Without `ends`
    the base is the unit matrix and S is the basis itself: the usual small dense
-   simplex, by the same code. */
+   simplex, by the same code.
+
+   Vectors over the rows have three more places at their end: there lie the
+   rows of the group that a column leads to which leads to none. Reading it
+   gives 0, what is written to it is forgotten, and no loop asks. */
 
 typedef struct kern_program {
     int rows, cols;
@@ -2279,11 +2460,12 @@ typedef struct kern_program {
                                (-u, -v, s) in the tail's                      */
     const kern_real *rhs;
     const kern_real *cost;  /* or NULL                                        */
-    const int *ends;        /* network: head and tail group of a column, -1
-                               for none; NULL: dense                          */
+    const int *ends;        /* network: head and tail group of columns 2 i and
+                               2 i + 1, rows / 3 for none; NULL: dense        */
     const int *order;       /* network: the groups, each before those that
                                carry it                                       */
-    const kern_real *scale; /* network: what is large for a group             */
+    const kern_real *weight; /* network: 1 / what is large for a group; 0 for
+                               none, after the last                           */
     kern_real most;         /* what a variable can be at the most; 0: all     */
     int pivots;             /* limit                                          */
 } kern_program;
@@ -2293,39 +2475,51 @@ typedef struct kern_simplex {
     int groups;             /* of a network, else 0                           */
     int room;               /* most extras, and the stride of inv             */
     int extras;             /* in use: the size of S                          */
-    int pivots;             /* since the last refactorisation                 */
+    int pivots;             /* since the base was chosen                      */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
+    const int *known;       /* columns of an earlier one to start from        */
+    int knowns;
     int stale;              /* the matrix has changed since                   */
     int settled;            /* no pivot since the values were refined         */
+    int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
     int *base;              /* variable of a slot: column, or cols + row of a
                                filler, a unit vector                          */
     int *spare;             /* slot: its row of S, or -1 where it is basic    */
+    int *far;               /* slot: the group that its column leads to       */
     int *extra;             /* column of an extra                             */
     int *slot;              /* slot of a row of S                             */
     int *place;             /* column: slot, KERN_OUT, or -2 - its extra      */
-    int *link;              /* scratch: 2 groups + 5 rows                     */
-    kern_real *block;       /* D^-1, 9 a group                                */
+    int *rank;              /* group: its place in the order                  */
+    int *link;              /* scratch: groups + 1 + 2 rows                   */
+    kern_real *block;       /* 18 a group: D^-1, and what its columns do to
+                               the groups that they lead to                   */
     kern_real *inv;         /* S^-1                                           */
     kern_real *value;       /* of the variable in a slot; 0 in spare ones     */
     kern_real *value_extra;
     kern_real *alpha;       /* entering column in terms of the basis          */
     kern_real *alpha_extra;
-    kern_real *row;         /* prices y; rows + room, as temp                 */
+    kern_real *row;         /* prices y                                       */
     kern_real *row_extra;
-    kern_real *temp;        /* scratch                                        */
+    kern_real *temp;        /* scratch; rows + room, as row                   */
 } kern_simplex;
 
 #define KERN_OUT (-1)
 
 /* ---- columns ---- */
 
+static int kern_lp_head(const kern_program *lp, int j)
+{ return lp->ends[j & ~1]; }
+
+static int kern_lp_tail(const kern_program *lp, int j)
+{ return lp->ends[j | 1]; }
+
 /* The three entries of network column j in group g, one of its ends. */
 static void kern_lp_part(const kern_program *lp, int j, int g, kern_real out[3])
 {
-    const kern_real *c = lp->a + 4 * j;
-    if (lp->ends[2 * j] == g) {
+    const kern_real *c = lp->a + 4 * (size_t)j;
+    if (kern_lp_head(lp, j) == g) {
         out[0] = c[0]; out[1] = c[1]; out[2] = c[2];
     } else {
         out[0] = -c[0]; out[1] = -c[1]; out[2] = c[3];
@@ -2337,16 +2531,11 @@ static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y)
     kern_real sum = KERN_R(0);
     int i;
     if (lp->ends) {
-        const kern_real *c = lp->a + 4 * j;
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        if (head >= 0) {
-            const kern_real *h = y + 3 * head;
-            sum += c[0] * h[0] + c[1] * h[1] + c[2] * h[2];
-        }
-        if (tail >= 0) {
-            const kern_real *t = y + 3 * tail;
-            sum += c[3] * t[2] - c[0] * t[0] - c[1] * t[1];
-        }
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real *h = y + 3 * kern_lp_head(lp, j);
+        const kern_real *t = y + 3 * kern_lp_tail(lp, j);
+        sum = c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
+              + c[3] * t[2];
     } else {
         const kern_real *c = lp->a + (size_t)j * (size_t)lp->rows;
         for (i = 0; i < lp->rows; i++)
@@ -2361,16 +2550,11 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 {
     int i;
     if (lp->ends) {
-        const kern_real *c = lp->a + 4 * j;
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        if (head >= 0) {
-            kern_real *h = v + 3 * head;
-            h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
-        }
-        if (tail >= 0) {
-            kern_real *t = v + 3 * tail;
-            t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
-        }
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        kern_real *h = v + 3 * kern_lp_head(lp, j);
+        kern_real *t = v + 3 * kern_lp_tail(lp, j);
+        h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
+        t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
     } else {
         const kern_real *c = lp->a + (size_t)j * (size_t)lp->rows;
         for (i = 0; i < lp->rows; i++)
@@ -2378,86 +2562,68 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
     }
 }
 
-/* How large is large for the variable of column j: what the groups it touches
-   carry by themselves. */
-static kern_real kern_lp_scale(const kern_program *lp, int j, kern_real unit)
+/* One by how large is large for variable j: of a column, what the smaller of
+   the groups it touches carries by itself. */
+static kern_real kern_lp_weight(const kern_program *lp, int j, kern_real unit)
 {
-    kern_real scale = unit;
-    if (lp->scale) {
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        if (head >= 0)
-            scale = lp->scale[head];
-        if (tail >= 0 && (head < 0 || lp->scale[tail] < scale))
-            scale = lp->scale[tail];
-    }
-    return scale;
+    if (!lp->weight)
+        return 1 / unit;
+    if (j >= lp->cols)
+        return lp->weight[(j - lp->cols) / 3];
+    return kern_max(lp->weight[kern_lp_head(lp, j)],
+                    lp->weight[kern_lp_tail(lp, j)]);
+}
+
+/* The first of the groups of network column j in the order of carrying. */
+static int kern_lp_first(const kern_simplex *sx, int j)
+{
+    const int head = kern_lp_head(sx->lp, j), tail = kern_lp_tail(sx->lp, j);
+    if (head >= sx->groups || tail >= sx->groups)
+        return head < tail ? head : tail;
+    return sx->rank[head] < sx->rank[tail] ? head : tail;
 }
 
 /* ---- solves with the base ---- */
 
-/* v := B0^-1 v, group by group in the order of carrying */
-static void kern_base_solve(const kern_simplex *sx, kern_real *v)
+/* v := B0^-1 v, group by group in the order of carrying; v is zero in groups
+   of a lower rank than `from`. */
+static void kern_base_solve(const kern_simplex *sx, int from, kern_real *v)
 {
     int i, s;
-    for (i = 0; i < sx->groups; i++) {
+    for (i = from; i < sx->groups; i++) {
         const int g = sx->lp->order[i];
-        const kern_real *d = sx->block + 9 * g;
+        const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
+        const int *far = sx->far + 3 * g;
         kern_real *x = v + 3 * g;
         const kern_real b0 = x[0], b1 = x[1], b2 = x[2];
         if (b0 >= 0 && b0 <= 0 && b1 >= 0 && b1 <= 0 && b2 >= 0 && b2 <= 0)
             continue;
-        x[0] = d[0] * b0 + d[1] * b1 + d[2] * b2;
-        x[1] = d[3] * b0 + d[4] * b1 + d[5] * b2;
-        x[2] = d[6] * b0 + d[7] * b1 + d[8] * b2;
-        for (s = 0; s < 3; s++) {
-            const int j = sx->base[3 * g + s];
-            if (j < sx->lp->cols) {
-                const kern_real *c = sx->lp->a + 4 * j;
-                const int head = sx->lp->ends[2 * j];
-                const int tail = sx->lp->ends[2 * j + 1];
-                if (head == g) {
-                    if (tail >= 0) {
-                        kern_real *t = v + 3 * tail;
-                        t[0] += x[s] * c[0]; t[1] += x[s] * c[1];
-                        t[2] -= x[s] * c[3];
-                    }
-                } else if (head >= 0) {
-                    kern_real *h = v + 3 * head;
-                    h[0] -= x[s] * c[0]; h[1] -= x[s] * c[1];
-                    h[2] -= x[s] * c[2];
-                }
-            }
+        for (s = 0; s < 3; s++, d += 3, f += 3) {
+            kern_real *w = v + 3 * far[s];
+            const kern_real xs = d[0] * b0 + d[1] * b1 + d[2] * b2;
+            w[0] -= xs * f[0]; w[1] -= xs * f[1]; w[2] -= xs * f[2];
+            x[s] = xs;
         }
     }
 }
 
-/* c := B0^-T c, in the opposite order */
-static void kern_base_solve_t(const kern_simplex *sx, kern_real *c)
+/* c := B0^-T c, in the opposite order; c is zero in groups of a higher rank
+   than `from`. */
+static void kern_base_solve_t(const kern_simplex *sx, int from, kern_real *c)
 {
-    int i, s;
-    for (i = sx->groups - 1; i >= 0; i--) {
+    kern_real *none = c + sx->lp->rows;
+    int i;
+    none[0] = none[1] = none[2] = KERN_R(0);
+    for (i = from; i >= 0; i--) {
         const int g = sx->lp->order[i];
-        const kern_real *d = sx->block + 9 * g;
+        const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
+        const int *far = sx->far + 3 * g;
+        const kern_real *p = c + 3 * far[0], *q = c + 3 * far[1];
+        const kern_real *r = c + 3 * far[2];
         kern_real *y = c + 3 * g;
-        kern_real b0, b1, b2;
-        for (s = 0; s < 3; s++) {
-            const int j = sx->base[3 * g + s];
-            if (j < sx->lp->cols) {
-                const kern_real *col = sx->lp->a + 4 * j;
-                const int head = sx->lp->ends[2 * j];
-                const int tail = sx->lp->ends[2 * j + 1];
-                if (head == g) {
-                    if (tail >= 0) {
-                        const kern_real *t = c + 3 * tail;
-                        y[s] += col[0] * t[0] + col[1] * t[1] - col[3] * t[2];
-                    }
-                } else if (head >= 0) {
-                    const kern_real *h = c + 3 * head;
-                    y[s] -= col[0] * h[0] + col[1] * h[1] + col[2] * h[2];
-                }
-            }
-        }
-        b0 = y[0]; b1 = y[1]; b2 = y[2];
+        const kern_real b0 = y[0] - (f[0] * p[0] + f[1] * p[1] + f[2] * p[2]);
+        const kern_real b1 = y[1] - (f[3] * q[0] + f[4] * q[1] + f[5] * q[2]);
+        const kern_real b2 = y[2] - (f[6] * r[0] + f[7] * r[1] + f[8] * r[2]);
         y[0] = d[0] * b0 + d[3] * b1 + d[6] * b2;
         y[1] = d[1] * b0 + d[4] * b1 + d[7] * b2;
         y[2] = d[2] * b0 + d[5] * b1 + d[8] * b2;
@@ -2466,26 +2632,52 @@ static void kern_base_solve_t(const kern_simplex *sx, kern_real *c)
 
 /* ---- solves with the basis ---- */
 
+/* ve := S^-1 v, four rows at a time: sums that do not wait for each other */
+static void kern_extras_times(const kern_simplex *sx, const kern_real *v,
+                              kern_real *ve)
+{
+    const int k = sx->extras;
+    const size_t n = (size_t)sx->room;
+    int e, i;
+    for (e = 0; e + 4 <= k; e += 4) {
+        const kern_real *a = sx->inv + (size_t)e * n, *b = a + n;
+        const kern_real *c = b + n, *d = c + n;
+        kern_real sa = KERN_R(0), sb = sa, sc = sa, sd = sa;
+        for (i = 0; i < k; i++) {
+            sa += a[i] * v[i];
+            sb += b[i] * v[i];
+            sc += c[i] * v[i];
+            sd += d[i] * v[i];
+        }
+        ve[e] = sa; ve[e + 1] = sb; ve[e + 2] = sc; ve[e + 3] = sd;
+    }
+    for (; e < k; e++) {
+        const kern_real *a = sx->inv + (size_t)e * n;
+        kern_real sum = KERN_R(0);
+        for (i = 0; i < k; i++)
+            sum += a[i] * v[i];
+        ve[e] = sum;
+    }
+}
+
 /* v := the part of B^-1 v in the slots, ve := the part in the extras */
-static void kern_basis_solve(kern_simplex *sx, kern_real *v, kern_real *ve)
+static void kern_basis_solve(kern_simplex *sx, int from, kern_real *v,
+                             kern_real *ve)
 {
     const int k = sx->extras, m = sx->lp->rows;
     int i, e;
     if (k > 0) {
         for (i = 0; i < m; i++)
             sx->temp[i] = v[i];
-        kern_base_solve(sx, sx->temp);
-        for (e = 0; e < k; e++) {
-            const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
-            kern_real sum = KERN_R(0);
-            for (i = 0; i < k; i++)
-                sum += inv[i] * sx->temp[sx->slot[i]];
-            ve[e] = sum;
-        }
+        kern_base_solve(sx, from, sx->temp);
+        for (i = 0; i < k; i++)
+            sx->row_extra[i] = sx->temp[sx->slot[i]];
+        kern_extras_times(sx, sx->row_extra, ve);
         for (e = 0; e < k; e++)
             kern_lp_subtract(sx->lp, sx->extra[e], ve[e], v);
+        from = 0;
     }
-    kern_base_solve(sx, v);
+    kern_base_solve(sx, from, v);
     for (i = 0; i < k; i++)
         v[sx->slot[i]] = KERN_R(0);
 }
@@ -2501,7 +2693,7 @@ static void kern_basis_solve_t(kern_simplex *sx, kern_real *c, kern_real *ce)
             c[sx->slot[i]] = KERN_R(0);
         for (i = 0; i < m; i++)
             sx->temp[i] = c[i];
-        kern_base_solve_t(sx, sx->temp);
+        kern_base_solve_t(sx, sx->groups - 1, sx->temp);
         for (e = 0; e < k; e++)
             ce[e] -= kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
         for (i = 0; i < k; i++)
@@ -2509,111 +2701,386 @@ static void kern_basis_solve_t(kern_simplex *sx, kern_real *c, kern_real *ce)
         for (e = 0; e < k; e++) {
             const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
             const kern_real h = ce[e];
-            for (i = 0; i < k; i++)
-                sx->temp[i] += inv[i] * h;
+            if (h > 0 || h < 0)
+                for (i = 0; i < k; i++)
+                    sx->temp[i] += inv[i] * h;
         }
         for (i = 0; i < k; i++) {
             ce[i] = sx->temp[i];
             c[sx->slot[i]] = ce[i];
         }
     }
-    kern_base_solve_t(sx, c);
+    kern_base_solve_t(sx, sx->groups - 1, c);
 }
 
 /* ---- choosing the base ---- */
 
-/* Chooses, of the columns list[0..n) that touch group g, up to three whose
-   parts in g are far from dependent (Gram-Schmidt, largest rest first), puts
-   them into the slots of g, completes them with unit vectors and stores the
-   inverse of the 3 x 3 block. */
-static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
+/* Of the columns list[0..n), whose parts in group g are made orthogonal to
+   q[0..s), the one with the largest rest; -1 where nothing but rounding, or
+   less than KERN_BASE_TOL of every column, is left. The rest goes to best. */
+static int kern_base_farthest(const kern_simplex *sx, int g, const int *list,
+                              int n, kern_real q[3][3], int s,
+                              kern_real best[3])
 {
-    const kern_program *lp = sx->lp;
-    kern_real q[3][3], d[9], part[3], best[3], det;
-    kern_real *inv = sx->block + 9 * g;
-    int s, i, k, r;
-    for (s = 0; s < 3; s++) {
-        kern_real most = KERN_R(0), size = KERN_R(0);
-        int take = -1;
-        for (i = 0; i < n; i++) {
-            kern_real whole, rest;
-            int taken = 0;
-            for (k = 0; k < s; k++)
-                taken |= sx->base[3 * g + k] == list[i];
-            if (taken)
-                continue;
-            kern_lp_part(lp, list[i], g, part);
-            whole = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
-            for (k = 0; k < s; k++) {
-                const kern_real along = part[0] * q[k][0] + part[1] * q[k][1]
-                                        + part[2] * q[k][2];
-                for (r = 0; r < 3; r++)
-                    part[r] -= along * q[k][r];
-            }
-            rest = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
-            if (rest > most && rest > KERN_BASE_TOL * whole) {
-                most = rest;
-                take = list[i];
-                for (r = 0; r < 3; r++)
-                    best[r] = part[r];
-            }
-        }
-        if (take >= 0) {
-            sx->base[3 * g + s] = take;
-            sx->place[take] = 3 * g + s;
-            kern_lp_part(lp, take, g, part);
-        } else {
-            /* the unit vector farthest from what is there */
-            int far = 0;
-            for (i = 0; i < 3; i++) {
-                kern_real unit[3], rest;
-                for (r = 0; r < 3; r++)
-                    unit[r] = r == i ? KERN_R(1) : KERN_R(0);
-                for (k = 0; k < s; k++)
-                    for (r = 0; r < 3; r++)
-                        unit[r] -= q[k][i] * q[k][r];
-                rest = unit[0] * unit[0] + unit[1] * unit[1]
-                       + unit[2] * unit[2];
-                if (rest > most) {
-                    most = rest;
-                    far = i;
-                    for (r = 0; r < 3; r++)
-                        best[r] = unit[r];
-                }
-            }
-            sx->base[3 * g + s] = lp->cols + 3 * g + far;
+    kern_real part[3], most = KERN_R(0);
+    int i, k, r, take = -1;
+    for (i = 0; i < n; i++) {
+        kern_real whole, rest;
+        if (sx->place[list[i]] != KERN_OUT)
+            continue;
+        kern_lp_part(sx->lp, list[i], g, part);
+        whole = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
+        for (k = 0; k < s; k++) {
+            const kern_real along = part[0] * q[k][0] + part[1] * q[k][1]
+                                    + part[2] * q[k][2];
             for (r = 0; r < 3; r++)
-                part[r] = r == far ? KERN_R(1) : KERN_R(0);
+                part[r] -= along * q[k][r];
         }
-        size = KERN_SQRT(most);
-        for (r = 0; r < 3; r++) {
-            q[s][r] = best[r] / size;
-            d[3 * r + s] = part[r];
+        rest = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
+        if (rest > most && rest > KERN_BASE_TOL * whole) {
+            most = rest;
+            take = list[i];
+            for (r = 0; r < 3; r++)
+                best[r] = part[r];
         }
     }
-    det = d[0] * (d[4] * d[8] - d[5] * d[7])
-          - d[1] * (d[3] * d[8] - d[5] * d[6])
-          + d[2] * (d[3] * d[7] - d[4] * d[6]);
-    inv[0] = (d[4] * d[8] - d[5] * d[7]) / det;
-    inv[1] = (d[2] * d[7] - d[1] * d[8]) / det;
-    inv[2] = (d[1] * d[5] - d[2] * d[4]) / det;
-    inv[3] = (d[5] * d[6] - d[3] * d[8]) / det;
-    inv[4] = (d[0] * d[8] - d[2] * d[6]) / det;
-    inv[5] = (d[2] * d[3] - d[0] * d[5]) / det;
-    inv[6] = (d[3] * d[7] - d[4] * d[6]) / det;
-    inv[7] = (d[1] * d[6] - d[0] * d[7]) / det;
-    inv[8] = (d[0] * d[4] - d[1] * d[3]) / det;
+    return take;
+}
+
+/* The unit vector that is farthest from q[0..s); its rest goes to best. */
+static int kern_base_unit(kern_real q[3][3], int s, kern_real best[3])
+{
+    kern_real most = KERN_R(0);
+    int i, k, r, far = 0;
+    for (i = 0; i < 3; i++) {
+        kern_real unit[3], rest;
+        for (r = 0; r < 3; r++)
+            unit[r] = r == i ? KERN_R(1) : KERN_R(0);
+        for (k = 0; k < s; k++)
+            for (r = 0; r < 3; r++)
+                unit[r] -= q[k][i] * q[k][r];
+        rest = unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2];
+        if (rest > most) {
+            most = rest;
+            far = i;
+            for (r = 0; r < 3; r++)
+                best[r] = unit[r];
+        }
+    }
+    return far;
+}
+
+/* Makes the block of group g from the variables in its slots: its inverse,
+   and what they do elsewhere. Returns the largest entry of the inverse. */
+static kern_real kern_base_block(kern_simplex *sx, int g)
+{
+    const kern_program *lp = sx->lp;
+    kern_real *inv = sx->block + 18 * (size_t)g, *there = inv + 9;
+    kern_real d[9], part[3], det, largest = KERN_R(0);
+    int s, r;
+    for (s = 0; s < 3; s++) {
+        const int j = sx->base[3 * g + s];
+        int far = sx->groups;
+        part[0] = part[1] = part[2] = KERN_R(0);
+        if (j < lp->cols) {
+            far = kern_lp_head(lp, j) == g ? kern_lp_tail(lp, j)
+                                           : kern_lp_head(lp, j);
+            kern_lp_part(lp, j, far, there + 3 * s);
+            kern_lp_part(lp, j, g, part);
+        } else {
+            there[3 * s] = there[3 * s + 1] = there[3 * s + 2] = KERN_R(0);
+            part[j - lp->cols - 3 * g] = KERN_R(1);
+        }
+        sx->far[3 * g + s] = far;
+        for (r = 0; r < 3; r++)
+            d[3 * r + s] = part[r];
+    }
+    inv[0] = d[4] * d[8] - d[5] * d[7];
+    inv[1] = d[2] * d[7] - d[1] * d[8];
+    inv[2] = d[1] * d[5] - d[2] * d[4];
+    inv[3] = d[5] * d[6] - d[3] * d[8];
+    inv[4] = d[0] * d[8] - d[2] * d[6];
+    inv[5] = d[2] * d[3] - d[0] * d[5];
+    inv[6] = d[3] * d[7] - d[4] * d[6];
+    inv[7] = d[1] * d[6] - d[0] * d[7];
+    inv[8] = d[0] * d[4] - d[1] * d[3];
+    det = d[0] * inv[0] + d[1] * inv[3] + d[2] * inv[6];
+    if (!(kern_abs(det) > 0))
+        return KERN_INFINITY;
+    det = 1 / det;
+    for (r = 0; r < 9; r++) {
+        inv[r] *= det;
+        largest = kern_max(largest, kern_abs(inv[r]));
+    }
+    return largest;
+}
+
+/* Chooses, of the columns list[0..n) that touch group g, up to three whose
+   parts in g are far from dependent (Gram-Schmidt, largest rest first), and
+   completes them with unit vectors. Three that are as good are taken as they
+   are. */
+static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
+{
+    kern_real q[3][3];
+    int s, r;
+    if (n == 3) {
+        for (s = 0; s < 3; s++)
+            sx->base[3 * g + s] = list[s];
+        if (kern_base_block(sx, g) < KERN_BASE_GOOD) {
+            for (s = 0; s < 3; s++)
+                sx->place[list[s]] = 3 * g + s;
+            return;
+        }
+    }
+    for (s = 0; s < 3; s++) {
+        const int j = kern_base_farthest(sx, g, list, n, q, s, q[s]);
+        const int r0 = j < 0 ? kern_base_unit(q, s, q[s]) : 0;
+        const kern_real size = KERN_SQRT(q[s][0] * q[s][0] + q[s][1] * q[s][1]
+                                         + q[s][2] * q[s][2]);
+        sx->base[3 * g + s] = j < 0 ? sx->lp->cols + 3 * g + r0 : j;
+        if (j >= 0)
+            sx->place[j] = 3 * g + s;
+        for (r = 0; r < 3; r++)
+            q[s][r] /= size;
+    }
+    kern_base_block(sx, g);
+}
+
+/* Gives the basic columns list[0..n) to the first of their groups in the order
+   in which groups carry each other, so that loads pass through the base in one
+   direction, and lets every group take three. What is left over goes to
+   `over`; returns how many columns are. */
+static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
+{
+    int *end = sx->link;  /* of a group's columns in `over`: a counting sort */
+    int i, g, from = 0, left = 0;
+    for (g = 0; g <= sx->groups; g++)
+        end[g] = 0;
+    for (i = 0; i < n; i++)
+        end[kern_lp_first(sx, list[i]) + 1]++;
+    for (g = 0; g < sx->groups; g++)
+        end[g + 1] += end[g];
+    for (i = 0; i < n; i++)
+        over[end[kern_lp_first(sx, list[i])]++] = list[i];
+    for (g = 0; g < sx->groups; g++) {
+        kern_base_fill(sx, g, over + from, end[g] - from);
+        for (i = from; i < end[g]; i++)
+            if (sx->place[over[i]] == KERN_OUT)
+                over[left++] = over[i];
+        from = end[g];
+    }
+    return left;
+}
+
+/* ---- the complement ---- */
+
+/* Makes S of the extras, in the slots slot[0..rows). */
+static void kern_extras_make(kern_simplex *sx, int rows)
+{
+    int c, i, r;
+    for (c = 0; c < sx->extras; c++) {
+        for (i = 0; i < sx->lp->rows; i++)
+            sx->temp[i] = KERN_R(0);
+        kern_lp_subtract(sx->lp, sx->extra[c], KERN_R(-1), sx->temp);
+        kern_base_solve(sx, sx->groups > 0
+                        ? sx->rank[kern_lp_first(sx, sx->extra[c])] : 0,
+                        sx->temp);
+        for (r = 0; r < rows; r++)
+            sx->inv[(size_t)r * (size_t)sx->room + (size_t)c] =
+                sx->temp[sx->slot[r]];
+    }
+}
+
+/* The row from t on with the largest entry in column t. */
+static int kern_extras_pivot(const kern_simplex *sx, int t, int rows)
+{
+    const size_t n = (size_t)sx->room;
+    const kern_real *at = sx->inv + t;
+    int r, best = t;
+    for (r = t + 1; r < rows; r++)
+        if (kern_abs(at[(size_t)r * n]) > kern_abs(at[(size_t)best * n]))
+            best = r;
+    return best;
+}
+
+/* Inverts S where it stands (Gauss and Jordan, the largest pivot of each
+   column), choosing of the rows as many as there are extras. A column that
+   depends on those before it leaves the basis, and a filler stays in it. */
+static void kern_extras_invert(kern_simplex *sx, int rows)
+{
+    const size_t n = (size_t)sx->room;
+    int c, i, r, t, k = sx->extras;
+    for (t = 0; t < k; ) {
+        const int best = kern_extras_pivot(sx, t, rows);
+        kern_real *pivot = sx->inv + (size_t)t * n;
+        kern_real *other = sx->inv + (size_t)best * n, one;
+        if (kern_abs(other[t]) < KERN_RANK_TOL) {
+            k--;
+            sx->extra[t] = sx->extra[k];
+            for (r = 0; r < rows; r++)
+                sx->inv[(size_t)r * n + (size_t)t] =
+                    sx->inv[(size_t)r * n + (size_t)k];
+            continue;
+        }
+        for (c = 0; c < k && best != t; c++) {
+            const kern_real swap = pivot[c];
+            pivot[c] = other[c];
+            other[c] = swap;
+        }
+        i = sx->slot[t];
+        sx->slot[t] = sx->slot[best];
+        sx->slot[best] = i;
+        one = 1 / pivot[t];
+        pivot[t] = KERN_R(1);
+        for (c = 0; c < k; c++)
+            pivot[c] *= one;
+        for (r = 0; r < rows; r++) {
+            kern_real *row = sx->inv + (size_t)r * n;
+            const kern_real f = row[t];
+            if (r == t || (f >= 0 && f <= 0))
+                continue;
+            row[t] = KERN_R(0);
+            for (c = 0; c < k; c++)
+                row[c] -= f * pivot[c];
+        }
+        t++;
+    }
+    sx->extras = k;
+}
+
+/* Says which slots the extras keep spare. */
+static void kern_extras_place(kern_simplex *sx)
+{
+    int t;
+    for (t = 0; t < sx->extras; t++) {
+        sx->place[sx->extra[t]] = -2 - t;
+        sx->spare[sx->slot[t]] = t;
+    }
+}
+
+/* Chooses base and extras anew for the basic columns as they are now. */
+static void kern_basis_choose(kern_simplex *sx)
+{
+    const int m = sx->lp->rows, cols = sx->lp->cols;
+    int *list = sx->link + sx->groups + 1, *over = list + m;
+    int n = 0, i, rows = 0, left;
+    for (i = 0; i < m; i++)
+        if (sx->base[i] < cols) {
+            sx->place[sx->base[i]] = KERN_OUT;
+            if (sx->spare[i] < 0)
+                list[n++] = sx->base[i];
+        }
+    for (i = 0; i < sx->extras; i++) {
+        sx->place[sx->extra[i]] = KERN_OUT;
+        list[n++] = sx->extra[i];
+    }
+    for (i = 0; i < m; i++) {
+        sx->base[i] = cols + i;
+        sx->spare[i] = -1;
+    }
+    if (sx->groups > 0)
+        left = kern_base_choose(sx, list, n, over);
+    else
+        for (left = 0; left < n; left++)
+            over[left] = list[left];
+    for (i = 0; i < m && rows < sx->room; i++)
+        if (sx->base[i] >= cols)
+            sx->slot[rows++] = i;
+    sx->extras = left < rows ? left : rows;
+    for (i = 0; i < sx->extras; i++)
+        sx->extra[i] = over[i];
+    kern_extras_make(sx, rows);
+    kern_extras_invert(sx, rows);
+    kern_extras_place(sx);
+    sx->pivots = 0;
+}
+
+/* Makes base and complement anew where the matrix has changed, with the same
+   columns in the same places. Returns 0 where these no longer are far from
+   dependent. */
+static int kern_basis_keep(kern_simplex *sx)
+{
+    const int k = sx->extras;
+    int g;
+    for (g = 0; g < sx->groups; g++)
+        if (!(kern_base_block(sx, g) < KERN_BASE_MOST))
+            return 0;
+    kern_extras_make(sx, k);
+    kern_extras_invert(sx, k);
+    if (sx->extras < k)
+        return 0;
+    kern_extras_place(sx);
+    return 1;
+}
+
+/* The basic solution. What it leaves of the right-hand side is solved for
+   again until that is rounding: the inverse grows with every course of a wall,
+   and one solve may lose half of the digits. Returns 0 where it is not. */
+static int kern_basis_values(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    const int m = lp->rows;
+    kern_real last = KERN_INFINITY, worst = KERN_R(0), size = KERN_R(0);
+    int i, round;
+    for (round = 0; round < 5; round++) {
+        worst = size = KERN_R(0);
+        for (i = 0; i < m; i++)
+            sx->alpha[i] = lp->rhs[i];
+        for (i = 0; i < m; i++) {
+            const kern_real v = sx->value[i];
+            if (!(v > 0 || v < 0))
+                continue;
+            size = kern_max(size, kern_abs(v));
+            if (sx->base[i] < lp->cols)
+                kern_lp_subtract(lp, sx->base[i], v, sx->alpha);
+            else
+                sx->alpha[sx->base[i] - lp->cols] -= v;
+        }
+        for (i = 0; i < sx->extras; i++) {
+            size = kern_max(size, kern_abs(sx->value_extra[i]));
+            kern_lp_subtract(lp, sx->extra[i], sx->value_extra[i], sx->alpha);
+        }
+        for (i = 0; i < m; i++)
+            worst = kern_max(worst, kern_abs(sx->alpha[i]));
+        if (worst <= KERN_REFINE_TOL * size || worst >= last)
+            break;
+        last = worst;
+        kern_basis_solve(sx, 0, sx->alpha, sx->alpha_extra);
+        for (i = 0; i < m; i++)
+            sx->value[i] += sx->alpha[i];
+        for (i = 0; i < sx->extras; i++)
+            sx->value_extra[i] += sx->alpha_extra[i];
+    }
+    sx->settled = 1;
+    return worst <= KERN_RENEW_TOL * size;
+}
+
+/* Begins anew from the basic columns: after a change of the matrix, and when
+   pivots have made S larger or less accurate than it needs to be. */
+static void kern_basis_renew(kern_simplex *sx, int keep)
+{
+    int i;
+    if (!keep || !kern_basis_keep(sx))
+        kern_basis_choose(sx);
+    for (i = 0; i < sx->lp->rows; i++)
+        sx->value[i] = KERN_R(0);
+    for (i = 0; i < sx->extras; i++)
+        sx->value_extra[i] = KERN_R(0);
+    sx->stale = 0;
+    kern_basis_values(sx);
 }
 
 /* ---- exchanging columns ---- */
 
+/* Column j in terms of the basis: to sx->alpha. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
     int i;
     for (i = 0; i < sx->lp->rows; i++)
         sx->alpha[i] = KERN_R(0);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
-    kern_basis_solve(sx, sx->alpha, sx->alpha_extra);
+    kern_basis_solve(sx, sx->groups > 0 ? sx->rank[kern_lp_first(sx, j)] : 0,
+                     sx->alpha, sx->alpha_extra);
 }
 
 /* The row of B^-1 for slot s, at the spare slots: to sx->row_extra. */
@@ -2628,12 +3095,13 @@ static void kern_basis_row(kern_simplex *sx, int s)
     for (i = 0; i < sx->lp->rows; i++)
         sx->temp[i] = KERN_R(0);
     sx->temp[s] = KERN_R(1);
-    kern_base_solve_t(sx, sx->temp);
+    kern_base_solve_t(sx, sx->groups > 0 ? sx->rank[s / 3] : -1, sx->temp);
     for (e = 0; e < k; e++) {
         const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
         const kern_real h = kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
-        for (i = 0; i < k; i++)
-            sx->row_extra[i] -= inv[i] * h;
+        if (h > 0 || h < 0)
+            for (i = 0; i < k; i++)
+                sx->row_extra[i] -= inv[i] * h;
     }
 }
 
@@ -2765,201 +3233,6 @@ static int kern_is_basic(const kern_simplex *sx, int j)
     return p <= -2 || (p >= 0 && sx->spare[p] < 0);
 }
 
-/* ---- the basis from nothing ---- */
-
-/* Sorts the basic columns list[0..n) by the first of their groups in the order
-   in which groups carry each other, so that loads pass through the base in one
-   direction, and lets every group take three. What is left over goes to
-   `over`; returns how many columns are. */
-static int kern_base_sort(kern_simplex *sx, const int *list, int n, int *over)
-{
-    const kern_program *lp = sx->lp;
-    const int G = sx->groups;
-    int *first = sx->link, *rank = first + G, *next = rank + G;
-    int *mine = next + n;
-    int i, left = 0;
-    for (i = 0; i < G; i++) {
-        first[i] = -1;
-        rank[lp->order[i]] = i;
-    }
-    for (i = n - 1; i >= 0; i--) {
-        const int head = lp->ends[2 * list[i]];
-        const int tail = lp->ends[2 * list[i] + 1];
-        const int g = head < 0 || (tail >= 0 && rank[tail] < rank[head])
-                      ? tail : head;
-        next[i] = first[g];
-        first[g] = i;
-    }
-    for (i = 0; i < G; i++) {
-        const int g = lp->order[i];
-        int k, count = 0;
-        for (k = first[g]; k >= 0; k = next[k])
-            mine[count++] = list[k];
-        kern_base_fill(sx, g, mine, count);
-        for (k = 0; k < count; k++)
-            if (sx->place[mine[k]] == KERN_OUT)
-                over[left++] = mine[k];
-    }
-    return left;
-}
-
-/* What found no place in the base, over[0..left), becomes extras: S is made at
-   the fillers' slots, and inverted where it stands (Gauss and Jordan, the
-   largest pivot of each column). A column that depends on those before it
-   leaves the basis, and a filler stays in it. */
-static void kern_extras_make(kern_simplex *sx, const int *over, int left)
-{
-    const kern_program *lp = sx->lp;
-    const size_t n = (size_t)sx->room;
-    int rows = 0, k = left < sx->room ? left : sx->room;
-    int r, c, i, t;
-    for (r = 0; r < lp->rows && rows < sx->room; r++)
-        if (sx->base[r] >= lp->cols)
-            sx->slot[rows++] = r;
-    if (k > rows)
-        k = rows;
-    for (c = 0; c < k; c++) {
-        sx->extra[c] = over[c];
-        for (i = 0; i < lp->rows; i++)
-            sx->temp[i] = KERN_R(0);
-        kern_lp_subtract(lp, over[c], KERN_R(-1), sx->temp);
-        kern_base_solve(sx, sx->temp);
-        for (r = 0; r < rows; r++)
-            sx->inv[(size_t)r * n + (size_t)c] = sx->temp[sx->slot[r]];
-    }
-    for (t = 0; t < k; ) {
-        kern_real *pivot = sx->inv + (size_t)t * n, one;
-        int best = t;
-        for (r = t + 1; r < rows; r++)
-            if (kern_abs(sx->inv[(size_t)r * n + (size_t)t])
-                > kern_abs(sx->inv[(size_t)best * n + (size_t)t]))
-                best = r;
-        if (kern_abs(sx->inv[(size_t)best * n + (size_t)t])
-            < KERN_RANK_TOL) {
-            k--;
-            sx->extra[t] = sx->extra[k];
-            for (r = 0; r < rows; r++)
-                sx->inv[(size_t)r * n + (size_t)t] =
-                    sx->inv[(size_t)r * n + (size_t)k];
-            continue;
-        }
-        for (c = 0; c < k && best != t; c++) {
-            const kern_real swap = pivot[c];
-            pivot[c] = sx->inv[(size_t)best * n + (size_t)c];
-            sx->inv[(size_t)best * n + (size_t)c] = swap;
-        }
-        i = sx->slot[t];
-        sx->slot[t] = sx->slot[best];
-        sx->slot[best] = i;
-        one = KERN_R(1) / pivot[t];
-        pivot[t] = KERN_R(1);
-        for (c = 0; c < k; c++)
-            pivot[c] *= one;
-        for (r = 0; r < rows; r++) {
-            kern_real *row = sx->inv + (size_t)r * n;
-            const kern_real f = row[t];
-            if (r == t || (f >= 0 && f <= 0))
-                continue;
-            row[t] = KERN_R(0);
-            for (c = 0; c < k; c++)
-                row[c] -= f * pivot[c];
-        }
-        t++;
-    }
-    for (t = 0; t < k; t++) {
-        sx->place[sx->extra[t]] = -2 - t;
-        sx->spare[sx->slot[t]] = t;
-    }
-    sx->extras = k;
-}
-
-/* Chooses base and extras anew for the basic columns as they are now. */
-static void kern_basis_refactor(kern_simplex *sx)
-{
-    const int m = sx->lp->rows, cols = sx->lp->cols;
-    int *list = sx->link + 2 * sx->groups + 3 * m, *over = list + m;
-    int n = 0, i, left;
-    for (i = 0; i < m; i++)
-        if (sx->base[i] < cols) {
-            sx->place[sx->base[i]] = KERN_OUT;
-            if (sx->spare[i] < 0)
-                list[n++] = sx->base[i];
-        }
-    for (i = 0; i < sx->extras; i++) {
-        sx->place[sx->extra[i]] = KERN_OUT;
-        list[n++] = sx->extra[i];
-    }
-    for (i = 0; i < m; i++) {
-        sx->base[i] = cols + i;
-        sx->spare[i] = -1;
-    }
-    sx->extras = 0;
-    if (sx->groups > 0)
-        left = kern_base_sort(sx, list, n, over);
-    else
-        for (left = 0; left < n; left++)
-            over[left] = list[left];
-    kern_extras_make(sx, over, left);
-    sx->pivots = 0;
-    sx->stale = 0;
-}
-
-/* The values of the basic variables, refined until what they leave of the
-   right-hand side is rounding: the inverse grows with every course of a wall,
-   and one solve may lose half of the digits. Returns 0 where it is not. */
-static int kern_basis_values(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    const int m = lp->rows;
-    kern_real size = KERN_R(0), last = KERN_INFINITY, worst = KERN_R(0);
-    int i, round;
-    for (i = 0; i < m; i++) {
-        sx->value[i] = KERN_R(0);
-        size = kern_max(size, kern_abs(lp->rhs[i]));
-    }
-    for (i = 0; i < sx->extras; i++)
-        sx->value_extra[i] = KERN_R(0);
-    for (round = 0; round < 4; round++) {
-        worst = KERN_R(0);
-        for (i = 0; i < m; i++)
-            sx->alpha[i] = lp->rhs[i];
-        if (round > 0) {
-            for (i = 0; i < m; i++) {
-                const int j = sx->base[i];
-                if (sx->spare[i] >= 0)
-                    continue;
-                if (j < lp->cols)
-                    kern_lp_subtract(lp, j, sx->value[i], sx->alpha);
-                else
-                    sx->alpha[j - lp->cols] -= sx->value[i];
-            }
-            for (i = 0; i < sx->extras; i++)
-                kern_lp_subtract(lp, sx->extra[i], sx->value_extra[i],
-                                 sx->alpha);
-            for (i = 0; i < m; i++)
-                worst = kern_max(worst, kern_abs(sx->alpha[i]));
-            if (worst <= KERN_REFINE_TOL * size || worst >= last)
-                break;
-            last = worst;
-        }
-        kern_basis_solve(sx, sx->alpha, sx->alpha_extra);
-        for (i = 0; i < m; i++)
-            sx->value[i] += sx->alpha[i];
-        for (i = 0; i < sx->extras; i++)
-            sx->value_extra[i] += sx->alpha_extra[i];
-    }
-    sx->settled = 1;
-    return worst <= KERN_RENEW_TOL * size;
-}
-
-/* Begins anew from the basic columns: after a change of the matrix, and when
-   pivots have made S larger or less accurate than it needs to be. */
-static void kern_basis_renew(kern_simplex *sx)
-{
-    kern_basis_refactor(sx);
-    kern_basis_values(sx);
-}
-
 /* ---- phase one ---- */
 /* Every basis gives x with A x = rhs; phase one makes it non-negative. What it
    lowers is the sum of all violations: of negative columns and of fillers that
@@ -2972,54 +3245,62 @@ static void kern_basis_renew(kern_simplex *sx)
    that shows the largest sum of violations: what a step of Newton's method
    wants. */
 
-/* The weight of a violation of variable j, and in `sign` which way v, if at
-   all, violates. Columns may not be negative, fillers must be zero. */
-static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v,
-                                int *sign)
+/* What a unit of variable j costs where it has the value v: columns may not be
+   negative, fillers must be zero. */
+static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v)
 {
-    const kern_program *lp = sx->lp;
-    const kern_real scale = j < lp->cols ? kern_lp_scale(lp, j, sx->unit)
-        : lp->scale ? lp->scale[(j - lp->cols) / 3] : sx->unit;
-    *sign = v < -KERN_FEAS_TOL * scale ? -1
-            : j >= lp->cols && v > KERN_FEAS_TOL * scale ? 1 : 0;
-    return 1 / scale;
+    kern_real w;
+    if (v >= 0 && j < sx->lp->cols)
+        return KERN_R(0);
+    w = kern_lp_weight(sx->lp, j, sx->unit);
+    return v * w < -KERN_FEAS_TOL ? -w
+           : j >= sx->lp->cols && v * w > KERN_FEAS_TOL ? w : KERN_R(0);
 }
 
-/* What a violation costs: the price of a slot, or of an extra. */
-static kern_real kern_slot_price(const kern_simplex *sx, int r)
+static kern_real kern_slot_price(const kern_simplex *sx, int i)
 {
-    int sign = 0;
-    kern_real w;
-    if (sx->spare[r] >= 0 || (sx->value[r] >= 0 && sx->base[r] < sx->lp->cols))
-        return KERN_R(0);
-    w = kern_violation(sx, sx->base[r], sx->value[r], &sign);
-    return KERN_R(sign) * w;
+    return sx->spare[i] >= 0 ? KERN_R(0)
+                             : kern_violation(sx, sx->base[i], sx->value[i]);
 }
 
 static kern_real kern_extra_price(const kern_simplex *sx, int e)
 {
-    int sign;
-    const kern_real w = kern_violation(sx, sx->extra[e], sx->value_extra[e],
-                                       &sign);
-    return KERN_R(sign) * w;
+    return kern_violation(sx, sx->extra[e], sx->value_extra[e]);
 }
 
 /* y to sx->row; returns the sum of violations. */
 static kern_real kern_phase_one_prices(kern_simplex *sx)
 {
-    kern_real sum = KERN_R(0);
+    kern_real sum = KERN_R(0), part;
     int i;
+    sx->violated = 0;
     for (i = 0; i < sx->lp->rows; i++) {
+        sx->row[i] = KERN_R(0);
+        if (sx->value[i] >= 0 && sx->base[i] < sx->lp->cols)
+            continue;
         sx->row[i] = kern_slot_price(sx, i);
-        sum += sx->row[i] * sx->value[i];
+        part = sx->row[i] * sx->value[i];
+        sx->violated += part > 0;
+        sum += part;
     }
     for (i = 0; i < sx->extras; i++) {
         sx->row_extra[i] = kern_extra_price(sx, i);
-        sum += sx->row_extra[i] * sx->value_extra[i];
+        part = sx->row_extra[i] * sx->value_extra[i];
+        sx->violated += part > 0;
+        sum += part;
     }
     if (sum > 0)
         kern_basis_solve_t(sx, sx->row, sx->row_extra);
     return sum;
+}
+
+static kern_real kern_largest(const kern_real *v, int n)
+{
+    kern_real size = KERN_R(0);
+    int i;
+    for (i = 0; i < n; i++)
+        size = kern_max(size, kern_abs(v[i]));
+    return size;
 }
 
 /* One step of refinement for y = sx->row: the certificate -y must be zero on
@@ -3028,10 +3309,9 @@ static kern_real kern_phase_one_prices(kern_simplex *sx)
 static void kern_phase_one_refine(kern_simplex *sx, kern_real above)
 {
     const kern_program *lp = sx->lp;
-    kern_real size = KERN_R(0);
+    const kern_real size = kern_largest(sx->row, lp->rows);
     int i;
-    for (i = 0; i < lp->rows; i++)
-        size = kern_max(size, kern_abs(sx->row[i]));
+    sx->row[lp->rows] = sx->row[lp->rows + 1] = sx->row[lp->rows + 2] = 0;
     for (i = 0; i < lp->rows; i++) {
         const int j = sx->base[i];
         sx->alpha[i] = kern_slot_price(sx, i)
@@ -3059,6 +3339,50 @@ static void kern_certificate_lift(kern_simplex *sx, kern_real *y)
         y[i] = -sx->row[i];
 }
 
+/* y.A_j of columns j and j + 1, which in a network have the same ends. */
+static void kern_lp_pair(const kern_program *lp, int j, const kern_real *y,
+                         kern_real d[2])
+{
+    if (lp->ends) {
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real *h = y + 3 * lp->ends[j], *t = y + 3 * lp->ends[j + 1];
+        const kern_real u = h[0] - t[0], v = h[1] - t[1];
+        d[0] = c[0] * u + c[1] * v + c[2] * h[2] + c[3] * t[2];
+        d[1] = c[4] * u + c[5] * v + c[6] * h[2] + c[7] * t[2];
+    } else {
+        d[0] = kern_lp_dot(lp, j, y);
+        d[1] = j + 1 < lp->cols ? kern_lp_dot(lp, j + 1, y) : -KERN_INFINITY;
+    }
+}
+
+/* The column outside of the basis whose gain y.A_j - cost_j is largest above
+   *gain, or the first one above it; y is sx->row. Basic columns have none. */
+static int kern_price(const kern_simplex *sx, const kern_real *cost, int first,
+                      kern_real *gain)
+{
+    const kern_program *lp = sx->lp;
+    kern_real most = *gain;
+    int j, k, best = KERN_OUT;
+    for (j = 0; j < lp->cols; j += 2) {
+        kern_real d[2];
+        kern_lp_pair(lp, j, sx->row, d);
+        if (cost) {
+            d[0] -= cost[j];
+            d[1] -= j + 1 < lp->cols ? cost[j + 1] : 0;
+        }
+        if (!(d[0] > most || d[1] > most))
+            continue;
+        for (k = 0; k < 2; k++)
+            if (d[k] > most && !kern_is_basic(sx, j + k)) {
+                best = j + k;
+                *gain = most = d[k];
+                if (first)
+                    return best;
+            }
+    }
+    return best;
+}
+
 /* The column that lowers the sum fastest, or the first that lowers it. One
    that would have to carry more than lp->most to undo it is no help: the
    bound on the forces of a jam. */
@@ -3066,53 +3390,59 @@ static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
                                    int first, kern_real *gain)
 {
     const kern_program *lp = sx->lp;
-    kern_real size = KERN_R(0);
-    int i, j, best = KERN_OUT;
-    for (i = 0; i < lp->rows; i++)
-        size = kern_max(size, kern_abs(sx->row[i]));
+    const kern_real size = kern_largest(sx->row, lp->rows);
     *gain = lp->most > 0 ? kern_max(sum / lp->most, KERN_ROUNDING * size)
                          : KERN_PIVOT_TOL * size;
-    for (j = 0; j < lp->cols; j++)
-        if (!kern_is_basic(sx, j)) {
-            const kern_real fall = kern_lp_dot(lp, j, sx->row);
-            if (fall > *gain) {
-                best = j;
-                *gain = fall;
-                if (first)
-                    return best;
-            }
-        }
-    return best;
+    return kern_price(sx, NULL, first, gain);
 }
 
-/* How much the slope of the sum rises when position i passes zero, on the way
-   on which the entering column takes it, and in `at` where that is. */
-static kern_real kern_break(const kern_simplex *sx, int i, kern_real least,
-                            kern_real *at)
+/* How much the slope of the sum rises when variable j, whose value is v and
+   which falls at the rate a, passes zero, and in `at` where that is. */
+static kern_real kern_break(const kern_simplex *sx, int j, kern_real v,
+                            kern_real a, kern_real *at)
 {
-    const int e = i - sx->lp->rows;
-    const int j = e < 0 ? sx->base[i] : sx->extra[e];
-    const kern_real a = e < 0 ? sx->alpha[i] : sx->alpha_extra[e];
-    const kern_real v = e < 0 ? sx->value[i] : sx->value_extra[e];
-    const kern_real size = kern_abs(a);
-    kern_real w;
-    int sign;
+    const int filler = j >= sx->lp->cols;
+    const kern_real price = kern_violation(sx, j, v);
     *at = KERN_R(0);
-    if ((e < 0 && sx->spare[i] >= 0) || !(size > least))
-        return KERN_R(0);
-    w = kern_violation(sx, j, v, &sign);
-    if (sign != 0) {
-        if ((sign < 0) != (a < 0))
+    if (price < 0 || price > 0) {
+        if ((price < 0) != (a < 0))
             return KERN_R(0);
         *at = v / a;
-        return j < sx->lp->cols ? w * size : 2 * w * size;
+        return price * a * KERN_R(filler ? 2 : 1);
     }
-    if (j >= sx->lp->cols)
-        return w * size;
-    if (a < 0)
+    if (!filler && a < 0)
         return KERN_R(0);
-    *at = kern_max(v, KERN_R(0)) / a;
-    return w * size;
+    if (!filler)
+        *at = kern_max(v, KERN_R(0)) / a;
+    return kern_lp_weight(sx->lp, j, sx->unit) * kern_abs(a);
+}
+
+/* Lists in sx->link the positions whose variables reach zero on the way on
+   which the entering column takes them, with what kern_break() says. */
+static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
+{
+    const int m = sx->lp->rows;
+    const kern_real least = KERN_PIVOT_TOL
+        * kern_max(kern_largest(sx->alpha, m),
+                   kern_largest(sx->alpha_extra, sx->extras));
+    int i, n = 0;
+    for (i = 0; i < m; i++) {
+        const kern_real a = sx->alpha[i];
+        if (!(kern_abs(a) > least) || sx->spare[i] >= 0)
+            continue;
+        rise[n] = kern_break(sx, sx->base[i], sx->value[i], a, &at[n]);
+        sx->link[n] = i;
+        n += rise[n] > 0;
+    }
+    for (i = 0; i < sx->extras; i++) {
+        const kern_real a = sx->alpha_extra[i];
+        if (!(kern_abs(a) > least))
+            continue;
+        rise[n] = kern_break(sx, sx->extra[i], sx->value_extra[i], a, &at[n]);
+        sx->link[n] = -2 - i;
+        n += rise[n] > 0;
+    }
+    return n;
 }
 
 /* The ratio test goes on past every variable that reaches zero as long as the
@@ -3121,35 +3451,30 @@ static kern_real kern_break(const kern_simplex *sx, int i, kern_real least,
 static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
                                   kern_real *step)
 {
-    const int m = sx->lp->rows, n = m + sx->extras;
     const kern_real enough = gain * KERN_R(64) * KERN_EPS;
     kern_real *at = sx->temp, *rise = sx->row; /* neither is in use here */
-    kern_real size = KERN_R(0);
-    int i, best = -1;
-    for (i = 0; i < n; i++)
-        size = kern_max(size, kern_abs(i < m ? sx->alpha[i]
-                                             : sx->alpha_extra[i - m]));
-    for (i = 0; i < n; i++)
-        rise[i] = kern_break(sx, i, KERN_PIVOT_TOL * size, &at[i]);
-    do {
-        int j, next = -1, least = 0;
-        for (i = 0; i < n; i++)
-            if (rise[i] > 0) {
-                j = i < m ? sx->base[i] : sx->extra[i - m];
-                if (next < 0 || at[i] < at[next]
-                    || (first && at[i] <= at[next] && j < least)) {
-                    next = i;
-                    least = j;
-                }
+    int *list = sx->link;
+    int n = kern_breaks(sx, at, rise), best = KERN_OUT;
+    while (n > 0 && (best == KERN_OUT || (!first && gain > enough))) {
+        int i, next = 0, least = 0;
+        for (i = 0; i < n; i++) {
+            const int j = list[i] >= 0 ? sx->base[list[i]]
+                                       : sx->extra[-2 - list[i]];
+            if (i == 0 || at[i] < at[next]
+                || (first && at[i] <= at[next] && j < least)) {
+                next = i;
+                least = j;
             }
-        if (next < 0)
-            break;
+        }
         gain -= rise[next];
-        rise[next] = KERN_R(0);
         *step = at[next];
-        best = next;
-    } while (!first && gain > enough);
-    return best < 0 ? KERN_OUT : best < m ? best : -2 - (best - m);
+        best = list[next];
+        n--;
+        at[next] = at[n];
+        rise[next] = rise[n];
+        list[next] = list[n];
+    }
+    return best;
 }
 
 /* A row y of the inverse turns when the matrix changes. change[j] is y.A_j's
@@ -3234,7 +3559,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
             if (sx->settled)
                 return KERN_UNDECIDED;
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx);
+                kern_basis_renew(sx, 0);
             continue;
         }
         if (sx->extras == sx->room && position >= 0
@@ -3246,7 +3571,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         work->pivots++;
         count++;
         if (sx->extras == sx->room || sx->pivots >= KERN_RENEW)
-            kern_basis_renew(sx);
+            kern_basis_renew(sx, 0);
     }
     return KERN_UNDECIDED;
 }
@@ -3257,28 +3582,15 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
 static int kern_primal_entering(kern_simplex *sx, int first)
 {
     const kern_program *lp = sx->lp;
-    kern_real least, size = KERN_R(0);
-    int i, j, best = KERN_OUT;
+    kern_real least = KERN_FEAS_TOL * kern_largest(lp->cost, lp->cols);
+    int i;
     for (i = 0; i < lp->rows; i++)
         sx->row[i] = sx->base[i] < lp->cols ? lp->cost[sx->base[i]]
                                             : KERN_R(0);
     for (i = 0; i < sx->extras; i++)
         sx->row_extra[i] = lp->cost[sx->extra[i]];
     kern_basis_solve_t(sx, sx->row, sx->row_extra);
-    for (j = 0; j < lp->cols; j++)
-        size = kern_max(size, kern_abs(lp->cost[j]));
-    least = -KERN_FEAS_TOL * size;
-    for (j = 0; j < lp->cols; j++)
-        if (!kern_is_basic(sx, j)) {
-            const kern_real d = lp->cost[j] - kern_lp_dot(lp, j, sx->row);
-            if (d < least) {
-                best = j;
-                if (first)
-                    return best;
-                least = d;
-            }
-        }
-    return best;
+    return kern_price(sx, lp->cost, first, &least);
 }
 
 /* The ratio test: how far the entering variable may rise, and what leaves
@@ -3334,7 +3646,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
             return KERN_STANDS;
         if (q == KERN_OUT) {
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx);
+                kern_basis_renew(sx, 0);
             continue;
         }
         kern_basis_column(sx, q);
@@ -3352,7 +3664,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         work->pivots++;
         count++;
         if (sx->extras == sx->room || sx->pivots >= KERN_RENEW)
-            kern_basis_renew(sx);
+            kern_basis_renew(sx, 0);
     }
     return KERN_UNDECIDED;
 }
@@ -3366,24 +3678,26 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows;
     sx->lp = lp;
-    sx->started = sx->stale = 0;
+    sx->started = sx->stale = sx->violated = sx->knowns = 0;
     sx->groups = lp->ends ? m / 3 : 0;
     sx->room = room;
     sx->base = kern_take_ints(take, m);
     sx->spare = kern_take_ints(take, m);
+    sx->far = kern_take_ints(take, 3 * sx->groups);
     sx->extra = kern_take_ints(take, room);
     sx->slot = kern_take_ints(take, room);
     sx->place = kern_take_ints(take, lp->cols);
-    sx->link = kern_take_ints(take, 2 * sx->groups + 5 * m);
-    sx->block = kern_take_reals(take, 9 * sx->groups);
+    sx->rank = kern_take_ints(take, sx->groups);
+    sx->link = kern_take_ints(take, sx->groups + 1 + 2 * m);
+    sx->block = kern_take_reals(take, 18 * sx->groups);
     sx->inv = kern_take_reals(take, room * room);
     sx->value = kern_take_reals(take, m);
     sx->value_extra = kern_take_reals(take, room);
-    sx->alpha = kern_take_reals(take, m);
+    sx->alpha = kern_take_reals(take, m + 3);
     sx->alpha_extra = kern_take_reals(take, room);
-    sx->row = kern_take_reals(take, m + room);
+    sx->row = kern_take_reals(take, m + 3 + room);
     sx->row_extra = kern_take_reals(take, room);
-    sx->temp = kern_take_reals(take, m + room);
+    sx->temp = kern_take_reals(take, m + 3 + room);
 }
 
 /* Of the columns mine[0..n), the three that carry `load` in group g with the
@@ -3393,24 +3707,25 @@ static void kern_crash_choose(const kern_simplex *sx, int g, const int *mine,
                               kern_real share[3])
 {
     kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY;
-    const int step = (n + KERN_CRASH_MOST - 1) / KERN_CRASH_MOST;
-    int i, j, k, count = 0;
+    int i, j, k;
     take[0] = take[1] = take[2] = KERN_OUT;
-    for (i = 0; i < n; i += step)
-        kern_lp_part(sx->lp, mine[i], g, part[count++]);
-    for (i = 0; i < count; i++)
-        for (j = i + 1; j < count; j++) {
+    for (i = 0; i < n; i++)
+        kern_lp_part(sx->lp, mine[i], g, part[i]);
+    for (i = 0; i < n; i++)
+        for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
             const kern_real ab0 = a[1] * b[2] - a[2] * b[1];
             const kern_real ab1 = a[2] * b[0] - a[0] * b[2];
             const kern_real ab2 = a[0] * b[1] - a[1] * b[0];
             const kern_real lc = ab0 * load[0] + ab1 * load[1] + ab2 * load[2];
-            for (k = j + 1; k < count; k++) {
+            for (k = j + 1; k < n; k++) {
                 const kern_real *c = part[k];
                 const kern_real det = ab0 * c[0] + ab1 * c[1] + ab2 * c[2];
-                kern_real la, lb, least, w = lc / det;
-                if (kern_abs(det) < KERN_CRASH_TOL || w <= best)
-                    continue;
+                kern_real la, lb, least, w;
+                if (kern_abs(det) < KERN_CRASH_TOL
+                    || (det > 0 ? lc <= best * det : lc >= best * det))
+                    continue; /* lc / det would be no better */
+                w = lc / det;
                 la = (load[0] * (b[1] * c[2] - b[2] * c[1])
                       + load[1] * (b[2] * c[0] - b[0] * c[2])
                       + load[2] * (b[0] * c[1] - b[1] * c[0])) / det;
@@ -3420,9 +3735,9 @@ static void kern_crash_choose(const kern_simplex *sx, int g, const int *mine,
                 least = kern_min(w, kern_min(la, lb));
                 if (least > best) {
                     best = least;
-                    take[0] = mine[i * step];
-                    take[1] = mine[j * step];
-                    take[2] = mine[k * step];
+                    take[0] = mine[i];
+                    take[1] = mine[j];
+                    take[2] = mine[k];
                     share[0] = la; share[1] = lb; share[2] = w;
                 }
             }
@@ -3442,56 +3757,98 @@ static int kern_crash_faces(const kern_program *lp, int j, int g,
               * (load[0] * load[0] + load[1] * load[1]);
 }
 
+/* Lets group g take three of its columns, which hang together from `first`:
+   where more face the load than are tried, evenly chosen ones. What they
+   cannot carry by pressing is left to phase one. */
+static void kern_crash_group(kern_simplex *sx, int g, int first)
+{
+    const kern_program *lp = sx->lp;
+    const int *next = sx->place;
+    int mine[KERN_CRASH_MOST], take[3];
+    kern_real share[3];
+    int j, s, n = 0, facing = 0, step = 1;
+    for (j = first; j >= 0; j = next[j])
+        facing += kern_crash_faces(lp, j, g, sx->row + 3 * g);
+    step += (facing - 1) / KERN_CRASH_MOST;
+    facing = 0;
+    for (j = first; j >= 0; j = next[j])
+        if (kern_crash_faces(lp, j, g, sx->row + 3 * g)
+            && facing++ % step == 0)
+            mine[n++] = j;
+    kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
+    for (s = 0; s < 3 && take[0] != KERN_OUT; s++) {
+        sx->base[3 * g + s] = take[s];
+        kern_lp_subtract(lp, take[s], kern_max(share[s], KERN_R(0)), sx->row);
+    }
+}
+
+/* Puts the known columns into slots that are free, where they still exist. */
+static void kern_crash_known(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    int i, slot = 0;
+    for (i = 0; i < sx->knowns; i++) {
+        while (slot < lp->rows && sx->base[slot] < lp->cols)
+            slot++;
+        if (slot < lp->rows && sx->known[i] < lp->cols)
+            sx->base[slot] = sx->known[i];
+    }
+}
+
 /* The crash basis: down the order, each group takes three columns to groups
    after it (or to none) that carry its load and what rests on it. Feasible at
-   once for most walls. Without an order every filler is basic. */
+   once for most walls. Without an order every filler is basic. Groups that
+   have known columns keep those. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *first = sx->link, *rank = first + sx->groups;
-    int *mine = rank + sx->groups, *next = sx->place;
-    int i, j, s;
+    int *first = sx->link, *next = sx->place, *kept = sx->spare;
+    int i, j;
     for (i = 0; i < lp->rows; i++) {
         sx->base[i] = lp->cols + i;
-        sx->spare[i] = -1;
+        kept[i] = 0;
         sx->row[i] = lp->rhs[i];
     }
-    for (i = 0; i < sx->groups; i++) {
+    for (i = 0; i < sx->groups; i++)
+        sx->rank[lp->order[i]] = i;
+    for (i = 0; i <= sx->groups; i++)
         first[i] = -1;
-        rank[lp->order[i]] = i;
-    }
     for (j = lp->cols - 1; j >= 0 && sx->groups > 0; j--) {
-        const int head = lp->ends[2 * j], tail = lp->ends[2 * j + 1];
-        const int g = head < 0 || (tail >= 0 && rank[tail] < rank[head])
-                      ? tail : head;
-        if (g >= 0) {
-            next[j] = first[g];
-            first[g] = j;
-        }
+        const int g = kern_lp_first(sx, j);
+        next[j] = first[g];
+        first[g] = j;
     }
-    for (i = 0; i < sx->groups; i++) {
-        const int g = lp->order[i];
-        int n = 0, take[3];
-        kern_real share[3];
-        for (j = first[g]; j >= 0 && n < 4 * lp->rows; j = next[j])
-            if (kern_crash_faces(lp, j, g, sx->row + 3 * g))
-                mine[n++] = j;
-        kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
-        for (s = 0; s < 3 && take[0] != KERN_OUT; s++) {
-            sx->base[3 * g + s] = take[s];
-            kern_lp_subtract(lp, take[s], share[s], sx->row);
-        }
-    }
+    for (i = 0; i < sx->knowns; i++)
+        if (sx->known[i] < lp->cols)
+            kept[kern_lp_first(sx, sx->known[i])] = 1;
+    for (i = 0; i < sx->groups; i++)
+        if (!kept[lp->order[i]])
+            kern_crash_group(sx, lp->order[i], first[lp->order[i]]);
+    kern_crash_known(sx);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
-    sx->extras = 0;
-    sx->started = 1;
-    sx->unit = KERN_R(0);
     for (i = 0; i < lp->rows; i++)
-        sx->unit = kern_max(sx->unit, kern_abs(lp->rhs[i]));
+        sx->spare[i] = -1;
+    sx->extras = sx->knowns = 0;
+    sx->started = 1;
+    sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
-    kern_basis_refactor(sx);
+    kern_basis_renew(sx, 0);
+}
+
+/* Writes the columns of the basis to list[0..rows); returns how many. */
+static int kern_simplex_basis(const kern_simplex *sx, int *list)
+{
+    int i, n = 0;
+    if (!sx->started)
+        return 0;
+    for (i = 0; i < sx->lp->rows; i++)
+        if (sx->spare[i] < 0 && sx->base[i] < sx->lp->cols)
+            list[n++] = sx->base[i];
+    for (i = 0; i < sx->extras; i++)
+        list[n++] = sx->extra[i];
+    return n;
 }
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
@@ -3537,8 +3894,9 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     if (!sx->started)
         kern_simplex_crash(sx);
     else if (sx->stale)
-        kern_basis_refactor(sx);
-    kern_basis_values(sx);
+        kern_basis_renew(sx, sx->pivots < KERN_KEEP);
+    else
+        kern_basis_values(sx);
     status = kern_phase_one(sx, work, limit);
     if (status == KERN_STANDS && lp->cost)
         status = kern_simplex_primal(sx, work, limit);
@@ -3644,7 +4002,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.rhs = lp->rhs;
     p.cost = lp->cost;
     p.ends = p.order = NULL;
-    p.scale = NULL;
+    p.weight = NULL;
     p.most = KERN_R(0);
     p.pivots = lp->pivots;
     kern_take_open(&take, work);
@@ -3754,8 +4112,8 @@ typedef struct kern_question {
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
     kern_real factor;           /* of the pattern                             */
     int side;
-    const int *group;           /* a free block with -1 has been taken away;
-                                   NULL: all are there                        */
+    const kern_real *fallen;    /* a free block with a value >= 0 has been
+                                   taken away; NULL: all are there            */
 } kern_question;
 
 static kern_question kern_question_of(const kern_structure *s,
@@ -3767,14 +4125,14 @@ static kern_question kern_question_of(const kern_structure *s,
     q.pattern = NULL;
     q.factor = KERN_R(0);
     q.side = 0;
-    q.group = NULL;
+    q.fallen = NULL;
     return q;
 }
 
 /* Whether block i has been taken away, and its contacts with it. */
 static int kern_is_gone(const kern_structure *s, const kern_question *q, int i)
 {
-    return q->group && !s->block[i].fixed && q->group[i] < 0;
+    return q->fallen && !s->block[i].fixed && q->fallen[i] >= 0;
 }
 
 /* The load pattern's share of block i, for a factor of 1. */
@@ -3790,6 +4148,14 @@ static kern_wrench kern_pattern_on(const kern_structure *s,
     return w;
 }
 
+/* The magnitude of what acts on a block. */
+static kern_real kern_wrench_size(const kern_wrench *w, const kern_block *b)
+{
+    const kern_real torque = kern_abs(w->torque);
+    const kern_real size = KERN_SQRT(w->fx * w->fx + w->fy * w->fy);
+    return torque > 0 ? size + torque / kern_block_size(b) : size;
+}
+
 /* All that acts on block i besides its contacts, and in `size` the sum of the
    magnitudes: what its equilibrium is measured by. */
 static kern_wrench kern_wrench_on(const kern_structure *s,
@@ -3799,15 +4165,12 @@ static kern_wrench kern_wrench_on(const kern_structure *s,
     const kern_block *b = s->block + i;
     const kern_real gx = b->mass * q->gravity.x, gy = b->mass * q->gravity.y;
     kern_wrench w = b->load;
-    *size = KERN_SQRT(gx * gx + gy * gy)
-            + KERN_SQRT(w.fx * w.fx + w.fy * w.fy)
-            + kern_abs(w.torque) / kern_block_size(b);
+    *size = KERN_SQRT(gx * gx + gy * gy) + kern_wrench_size(&w, b);
     w.fx += gx;
     w.fy += gy;
     if (q->factor > 0) {
         const kern_wrench p = kern_pattern_on(s, q, i);
-        *size += q->factor * (KERN_SQRT(p.fx * p.fx + p.fy * p.fy)
-                              + kern_abs(p.torque) / kern_block_size(b));
+        *size += q->factor * kern_wrench_size(&p, b);
         w.fx += q->factor * p.fx;
         w.fy += q->factor * p.fy;
         w.torque += q->factor * p.torque;
@@ -3852,18 +4215,22 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
     return p;
 }
 
-/* From the centre of block b to where contact c acts. The centre is taken off
-   first, since far from the origin a place has fewer digits than an arm. */
-static kern_vec kern_arm(const kern_contact *c, const kern_block *b,
-                         kern_real shrink, int relative, kern_real mean)
+/* The way from c->p to where contact c acts. */
+static kern_vec kern_way(const kern_contact *c, kern_real shrink, int relative,
+                         kern_real mean)
 {
     kern_real rate;
     const kern_real shift = kern_shift(kern_travel(c, mean), shrink, relative,
                                        &rate);
-    kern_vec arm = kern_vec_sub(c->p, b->centre);
-    arm.x -= shift * c->n.y;
-    arm.y += shift * c->n.x;
-    return arm;
+    return kern_vec_make(-shift * c->n.y, shift * c->n.x);
+}
+
+/* From the centre of block b to where contact c acts. The centre is taken off
+   first, since far from the origin a place has fewer digits than an arm. */
+static kern_vec kern_arm(const kern_contact *c, const kern_block *b,
+                         kern_vec way)
+{
+    return kern_vec_add(kern_vec_sub(c->p, b->centre), way);
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
@@ -3891,6 +4258,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         const kern_real f = force[i].normal, r = force[i].tangential;
         const kern_real fx = f * c->n.x - r * c->n.y;
         const kern_real fy = f * c->n.y + r * c->n.x;
+        const kern_vec way = kern_way(c, q->shrink, relative, mean);
         int end;
         if (kern_is_gone(s, q, c->a) || kern_is_gone(s, q, c->b))
             continue;
@@ -3900,8 +4268,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         for (end = 0; end < 2; end++) {
             const int b = end ? c->b : c->a;
             const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-            const kern_vec arm = kern_arm(c, s->block + b, q->shrink, relative,
-                                          mean);
+            const kern_vec arm = kern_arm(c, s->block + b, way);
             sum[4 * b] += sign * fx;
             sum[4 * b + 1] += sign * fy;
             sum[4 * b + 2] += sign * (arm.x * fy - arm.y * fx);
@@ -3955,10 +4322,9 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_motion *a = motion + c->a, *b = motion + c->b;
-        const kern_vec pa = kern_arm(c, s->block + c->a, q->shrink, relative,
-                                     mean);
-        const kern_vec pb = kern_arm(c, s->block + c->b, q->shrink, relative,
-                                     mean);
+        const kern_vec way = kern_way(c, q->shrink, relative, mean);
+        const kern_vec pa = kern_arm(c, s->block + c->a, way);
+        const kern_vec pb = kern_arm(c, s->block + c->b, way);
         const kern_real vx = b->vx - b->spin * pb.y - (a->vx - a->spin * pa.y);
         const kern_real vy = b->vy + b->spin * pb.x - (a->vy + a->spin * pa.x);
         const kern_real open = vx * c->n.x + vy * c->n.y;
@@ -4025,11 +4391,12 @@ typedef struct kern_model {
     kern_real shrink;         /* that the columns were made for               */
     kern_program lp;
     kern_simplex simplex;
-    int *group;               /* of a block, -1 where it is fixed             */
+    int *group;               /* of a block; fixed ones: after the last       */
     int *ends, *order;
-    kern_real *arc, *rhs, *scale;
+    kern_real *arc, *rhs, *weight_of;
+    kern_real *unit;          /* of a block: 1 / the unit of its torques      */
     kern_real *x;             /* solution, two a contact point                */
-    kern_real *y;             /* certificate, three a group                   */
+    kern_real *y;             /* certificate, three a group; then three of 0  */
     kern_real *sum;           /* scratch of the proof, four a block           */
     kern_force *force;        /* of the last verdict                          */
     kern_motion *motion;
@@ -4048,13 +4415,14 @@ static void kern_model_lay(kern_model *m, int blocks, int free_blocks,
     m->lp.rows = 3 * free_blocks;
     m->lp.cols = 2 * contacts;
     m->group = kern_take_ints(take, blocks);
-    m->ends = kern_take_ints(take, 4 * contacts);
+    m->ends = kern_take_ints(take, 2 * contacts);
     m->order = kern_take_ints(take, free_blocks);
     m->arc = kern_take_reals(take, 8 * contacts);
     m->rhs = kern_take_reals(take, 3 * free_blocks);
-    m->scale = kern_take_reals(take, free_blocks);
+    m->weight_of = kern_take_reals(take, free_blocks + 1);
+    m->unit = kern_take_reals(take, blocks);
     m->x = kern_take_reals(take, 2 * contacts);
-    m->y = kern_take_reals(take, 3 * free_blocks);
+    m->y = kern_take_reals(take, 3 * free_blocks + 3);
     m->sum = kern_take_reals(take, 4 * blocks);
     m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
     m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
@@ -4062,7 +4430,7 @@ static void kern_model_lay(kern_model *m, int blocks, int free_blocks,
     m->lp.order = m->order;
     m->lp.a = m->arc;
     m->lp.rhs = m->rhs;
-    m->lp.scale = m->scale;
+    m->lp.weight = m->weight_of;
     m->lp.cost = NULL;
     m->lp.most = KERN_BOUND;
     kern_simplex_lay(&m->simplex, &m->lp, KERN_EXTRAS(free_blocks), take);
@@ -4139,47 +4507,53 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     free_blocks = 0;
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
-        m->group[i] = b->fixed ? -1 : free_blocks;
+        m->group[i] = b->fixed ? m->lp.rows / 3 : free_blocks;
         if (!b->fixed)
             m->simplex.temp[free_blocks++] = -(b->centre.x * s->gravity.x
                                                + b->centre.y * s->gravity.y);
     }
     kern_model_order(m, m->simplex.temp);
+    for (i = 0; i < 3; i++)
+        m->y[m->lp.rows + i] = KERN_R(0);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        m->ends[4 * i] = m->ends[4 * i + 2] = m->group[c->b];
-        m->ends[4 * i + 1] = m->ends[4 * i + 3] = m->group[c->a];
+        m->ends[2 * i] = m->group[c->b];
+        m->ends[2 * i + 1] = m->group[c->a];
     }
     return KERN_STANDS;
 }
 
-/* The unit of a block's torques: its size, or where kerns have grown beyond
-   it, how far. */
-static kern_real kern_lever(const kern_model *m, const kern_block *b)
-{
-    const kern_real grown = kern_max(-m->shrink, KERN_R(0));
-    const kern_real size = kern_block_size(b);
-    return m->relative ? size * (1 + grown) : size + grown;
-}
+/* A block of its own group: neither ground, nor taken away. */
+static int kern_is_free(const kern_model *m, int block)
+{ return m->group[block] < m->lp.rows / 3; }
 
-/* The columns of A at a shrinkage: what changes with it is the torques. */
+/* The columns of A at a shrinkage: what changes with it is the torques. Their
+   unit is the size of the block, or where kerns have grown beyond it, how
+   far. */
 static void kern_model_columns(kern_model *m, kern_real shrink)
 {
     const kern_structure *s = m->s;
+    const kern_real grown = kern_max(-shrink, KERN_R(0));
     int i, edge;
     m->shrink = shrink;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_real size = kern_block_size(s->block + i);
+        m->unit[i] = 1 / (m->relative ? size * (1 + grown) : size + grown);
+        if (!kern_is_free(m, i))
+            m->unit[i] = KERN_R(0);
+    }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const kern_block *ba = s->block + c->a, *bb = s->block + c->b;
-        const kern_vec pa = kern_arm(c, ba, shrink, m->relative, m->mean);
-        const kern_vec pb = kern_arm(c, bb, shrink, m->relative, m->mean);
+        const kern_vec way = kern_way(c, shrink, m->relative, m->mean);
+        const kern_vec pa = kern_arm(c, s->block + c->a, way);
+        const kern_vec pb = kern_arm(c, s->block + c->b, way);
         for (edge = 0; edge < 2; edge++) {
-            kern_real *f = m->arc + 8 * i + 4 * edge;
+            kern_real *f = m->arc + 8 * (size_t)i + 4 * edge;
             const kern_real mu = edge ? -c->mu : c->mu;
             f[0] = c->n.x - mu * c->n.y;
             f[1] = c->n.y + mu * c->n.x;
-            f[2] = (pb.x * f[1] - pb.y * f[0]) / kern_lever(m, bb);
-            f[3] = (pa.y * f[0] - pa.x * f[1]) / kern_lever(m, ba);
+            f[2] = (pb.x * f[1] - pb.y * f[0]) * m->unit[c->b];
+            f[3] = (pa.y * f[0] - pa.x * f[1]) * m->unit[c->a];
         }
     }
 }
@@ -4192,22 +4566,24 @@ static void kern_model_loads(kern_model *m, const kern_question *q)
     int i, g;
     m->weight = KERN_R(0);
     for (i = 0; i < s->blocks; i++)
-        if (m->group[i] >= 0) {
-            kern_wrench_on(s, q, i, &size);
+        if (kern_is_free(m, i)) {
+            const kern_wrench w = kern_wrench_on(s, q, i, &size);
+            g = m->group[i];
+            m->rhs[3 * g] = -w.fx;
+            m->rhs[3 * g + 1] = -w.fy;
+            m->rhs[3 * g + 2] = -w.torque * m->unit[i];
+            m->weight_of[g] = size;
             m->weight += size;
         }
     if (!(m->weight > 0))
         m->weight = KERN_R(1);
-    for (i = 0; i < s->blocks; i++)
-        if (m->group[i] >= 0) {
-            const kern_wrench w = kern_wrench_on(s, q, i, &size);
-            g = m->group[i];
-            m->rhs[3 * g] = -w.fx / m->weight;
-            m->rhs[3 * g + 1] = -w.fy / m->weight;
-            m->rhs[3 * g + 2] = -w.torque
-                                / (m->weight * kern_lever(m, s->block + i));
-            m->scale[g] = kern_max(size / m->weight, KERN_LEAST_SCALE);
-        }
+    for (g = 0; g < m->lp.rows / 3; g++) {
+        for (i = 3 * g; i < 3 * g + 3; i++)
+            m->rhs[i] /= m->weight;
+        m->weight_of[g] = 1 / kern_max(m->weight_of[g] / m->weight,
+                                       KERN_LEAST_SCALE);
+    }
+    m->weight_of[g] = KERN_R(0); /* the ground carries everything */
 }
 
 /* x as forces. What is negative by rounding is nothing. */
@@ -4231,12 +4607,9 @@ static void kern_model_motion(kern_model *m)
         kern_motion *v = m->motion + i;
         const kern_block *b = m->s->block + i;
         const kern_real *y = m->y + 3 * m->group[i];
-        v->vx = v->vy = v->spin = KERN_R(0);
-        if (m->group[i] < 0)
-            continue;
         v->vx = y[0];
         v->vy = y[1];
-        v->spin = y[2] / kern_lever(m, b);
+        v->spin = y[2] * m->unit[i];
         most = kern_max(most, kern_max(KERN_SQRT(y[0] * y[0] + y[1] * y[1]),
                                 kern_abs(v->spin) * kern_block_size(b)));
     }
@@ -4347,10 +4720,13 @@ typedef enum kern_path_kind {
 typedef struct kern_path {
     kern_path_kind kind;
     kern_question q;          /* at s = 0; what the path changes is replaced  */
+    kern_real unit;           /* of what the path counts: a block's size, or 1 */
     kern_real tolerance;      /* width of the bracket                         */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
+    int never;                /* nonzero: it stands to the end                */
+    kern_real reach;          /* how far the last forces would do             */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -4381,27 +4757,105 @@ static kern_question kern_path_at(const kern_path *path, kern_real s)
     return q;
 }
 
-/* Where kerns shrink A changes: y.A' goes to m->x in the place of x, after
-   y.A' x, which is returned. */
-static kern_real kern_shrink_rate(kern_model *m, const kern_question *q)
+/* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
+   if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
+   closes. One that was closed opens to the side that helps. In *rate how fast
+   it changes at `to`. */
+static kern_real kern_shrink_power(const kern_model *m, kern_real from,
+                                   kern_real to, kern_real *rate)
 {
     const kern_structure *s = m->s;
     kern_real sum = KERN_R(0);
     int i;
+    *rate = KERN_R(0);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const int ga = m->group[c->a], gb = m->group[c->b];
-        kern_real rate, spin = KERN_R(0);
-        kern_shift(kern_travel(c, m->mean), q->shrink, m->relative, &rate);
-        if (gb >= 0)
-            spin += m->y[3 * gb + 2] / kern_lever(m, s->block + c->b);
-        if (ga >= 0)
-            spin -= m->y[3 * ga + 2] / kern_lever(m, s->block + c->a);
+        const kern_real travel = kern_travel(c, m->mean);
+        const kern_real n = m->x[2 * i] + m->x[2 * i + 1];
+        kern_real was, is, work;
+        if (!(n > 0 || n < 0))
+            continue;
         /* the arm grows along t, and t x (f n + r t) = -f */
-        sum -= rate * spin * (m->x[2 * i] + m->x[2 * i + 1]);
-        m->x[2 * i] = m->x[2 * i + 1] = -rate * spin;
+        work = n * (m->y[3 * m->group[c->b] + 2] * m->unit[c->b]
+                    - m->y[3 * m->group[c->a] + 2] * m->unit[c->a]);
+        if (!m->relative && from >= kern_abs(travel))
+            work = travel > 0 ? -kern_abs(work) : kern_abs(work);
+        sum -= work * kern_shift(travel, from, m->relative, &was);
+        sum += work * kern_shift(travel, to, m->relative, &is);
+        *rate += work * is;
     }
     return sum;
+}
+
+/* How fast y grows when kerns shrink, as a share of its length. */
+static kern_real kern_shrink_growth(kern_model *m, kern_real shrink)
+{
+    const kern_structure *s = m->s;
+    kern_real *change = (kern_real *)(void *)m->force; /* not in use here */
+    int i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real spin =
+            m->y[3 * m->group[c->b] + 2] * m->unit[c->b]
+            - m->y[3 * m->group[c->a] + 2] * m->unit[c->a];
+        kern_real rate;
+        kern_shift(kern_travel(c, m->mean), shrink, m->relative, &rate);
+        change[2 * i] = change[2 * i + 1] = -rate * spin;
+    }
+    return kern_row_growth(&m->simplex, m->y, change);
+}
+
+/* Where the mechanism y that falls at s, by `power` < 0, stops to fall. As
+   kerns close, y grows without bound where the power per unit of y is nearly
+   straight: it is that which is followed, with its bends where kerns close.
+   Returns `holds` where it is not seen to stop after that. */
+static kern_real kern_shrink_edge(kern_model *m, kern_real holds, kern_real s,
+                                  kern_real power)
+{
+    const kern_real same = KERN_SAME_EDGE * (m->relative ? 1 : m->mean) / 8;
+    const kern_real growth = power * kern_shrink_growth(m, s);
+    kern_real lo = holds, hi = s, at = s, rate, left = power;
+    int round;
+    kern_shrink_power(m, s, s, &rate);
+    for (round = 0; round < KERN_BENDS; round++) {
+        const kern_real step = left / (rate - growth);
+        if (kern_abs(step) <= same)
+            return at - step;
+        at -= step;
+        if (!(at > lo && at < hi))
+            at = lo + (hi - lo) / 2;
+        left = power - (at - s) * growth + kern_shrink_power(m, s, at, &rate);
+        if (left < 0)
+            hi = at;
+        else
+            lo = at;
+    }
+    return holds;
+}
+
+/* How far kerns of line contacts can shrink with the forces just found: each
+   until it ends where its load passes. */
+static kern_real kern_shrink_reach(const kern_model *m, kern_real shrink)
+{
+    const kern_structure *s = m->s;
+    kern_real reach = KERN_INFINITY;
+    int i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real n = m->force[i].normal;
+        kern_real whole, travel, share;
+        if (!(kern_abs(c->travel) > 0) || !(n > 0))
+            continue;
+        if (!c->line || i + 1 == s->contacts || !c[1].line)
+            return shrink;
+        whole = n + m->force[i + 1].normal;
+        travel = m->relative ? KERN_R(1) : kern_abs(c->travel);
+        share = kern_abs(n - m->force[i + 1].normal) / whole;
+        if (share > KERN_TRAVEL && travel > shrink)
+            reach = kern_min(reach, travel - (travel - shrink) * share);
+        i++;
+    }
+    return reach;
 }
 
 /* y.rhs' where a load grows or gravity turns. */
@@ -4414,7 +4868,7 @@ static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
         const kern_block *b = m->s->block + i;
         const kern_real *y = m->y + 3 * m->group[i];
         kern_wrench w;
-        if (m->group[i] < 0)
+        if (!kern_is_free(m, i))
             continue;
         if (path->kind == KERN_PATH_LOAD)
             w = kern_pattern_on(m->s, q, i);
@@ -4425,7 +4879,7 @@ static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
             w.fy = q->gravity.x * turn;
             w.torque = KERN_R(0);
         }
-        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque / kern_lever(m, b))
+        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[i])
                / m->weight;
     }
     return sum;
@@ -4446,86 +4900,92 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
             proof->motion[i] = m->motion[i];
 }
 
-/* Asks at s, and where it falls lets Newton's method say where that ends. As
-   kerns close, y grows without bound where the power per unit of y is nearly
-   straight: it is that which is followed. */
+/* Asks at s. Where it falls Newton's method says where that ends; where it
+   stands while kerns shrink, the forces say how much farther they go. */
 static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_question q = kern_path_at(path, s);
     const kern_status status = kern_model_ask(m, &q);
-    kern_real at = KERN_R(0), rate;
+    kern_real power = KERN_R(0);
     int i;
     kern_proof_out(m, path->proof, status);
-    if (status == KERN_STANDS)
+    if (status == KERN_STANDS) {
         path->holds = s;
+        path->reach = path->kind == KERN_PATH_SHRINK
+                      ? kern_shrink_reach(m, s) : s;
+    }
     if (status == KERN_FALLS)
         path->fails = s;
     /* near to critical even a certificate that proves nothing tells where */
     if (status == KERN_STANDS || m->found != KERN_FALLS)
         return status;
     for (i = 0; i < m->lp.rows; i++)
-        at += m->y[i] * m->rhs[i];
-    if (path->kind == KERN_PATH_SHRINK) {
-        rate = -kern_shrink_rate(m, &q);
-        rate -= at * kern_row_growth(&m->simplex, m->y, m->x);
-    } else
-        rate = kern_load_rate(m, path, &q, s);
-    path->edge = s - at / rate;
+        power += m->y[i] * m->rhs[i];
+    path->edge = path->kind == KERN_PATH_SHRINK
+                 ? kern_shrink_edge(m, path->holds, s, power)
+                 : s - power / kern_load_rate(m, path, &q, s);
     return status;
 }
 
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
-   it where the verdict changes. Newton's method is asked where it points to:
-   what falls there falls by another mechanism, which points farther. What
-   stands there, or is too near to critical to tell, is the edge; then half a
-   tolerance to each side of it is asked, where verdicts are beyond doubt. */
+   it where the verdict changes. It is asked a little beyond where Newton's
+   method points to. What falls there by another mechanism points farther; what
+   falls by the same one has its edge there. Then it is asked as far before it,
+   so that verdicts at both ends are beyond doubt. If one variable of one basis
+   changed its sign between them that is the edge; if not, it is asked at the
+   edge too, where yet another mechanism may fall. What stands beyond an edge
+   is nearer to the true one than thought: then in steps that grow. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    kern_real aside = path->tolerance * KERN_R(0.45), under = aside;
-    kern_real edge = KERN_R(0), cap = KERN_INFINITY;
-    int round, stuck = 0, found = 0, below = 0;
+    const kern_real half = path->tolerance * KERN_R(0.45);
+    const kern_real same = path->unit * KERN_SAME_EDGE;
+    const kern_proof *proof = path->proof;
+    kern_real aside = half, under = half, share = KERN_R(0.5);
+    int round, known = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-        const int above = found && hi <= edge + aside
-            && (hi >= edge + aside / 4 || hi >= path->end);
-        kern_real at = lo + (hi - lo) / 2;
+        const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
+        const int inside = r >= lo && r <= hi;
+        const int near = inside && hi - r <= aside * KERN_R(1.25);
+        const int closed = near && r - lo <= under * KERN_R(1.25);
+        const int pivots = m->work->pivots, single = m->simplex.violated == 1;
+        kern_real at;
         kern_status status;
-        if ((above && below) || (hi - lo <= path->tolerance && stuck > 2)
+        if ((known && closed) || hi - lo <= half / 8
             || aside + under > path->tolerance * KERN_WIDEST)
             break;
-        if (found && !above)
-            at = kern_min(edge + aside, path->end);
-        else if (found && !below)
-            at = kern_max(edge - under, path->start);
-        else if (!found && r > lo && r < hi && stuck < 3)
-            at = r;
-        at += KERN_R(stuck / 4) * aside / 8;
+        if (near)
+            at = closed ? r : kern_max(r - under, path->start);
+        else if (inside && r + kern_max(aside, error) < hi)
+            at = r + kern_max(aside, error);
+        else {
+            at = lo + kern_max((hi - lo) * share, half);
+            share = kern_min(2 * share, KERN_R(0.5));
+        }
+        if (!near && !(at > lo && at < hi))
+            at = lo + (hi - lo) / 2;
+        path->proof = closed ? NULL : proof; /* only of the ends */
         status = kern_path_ask(m, path, at);
+        path->proof = proof;
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
-        if (found && status == KERN_UNDECIDED) {
-            if (at > edge)
-                aside *= 2;
-            else
-                under *= 2;
-        } else if (!found && status != KERN_FALLS && at >= r && at <= r) {
-            found = 1;
-            edge = r;
-            if (status == KERN_UNDECIDED && path->edge > r - aside)
-                cap = path->edge;
-        } else if (found && at > edge && status == KERN_STANDS) {
-            found = 0;      /* Newton's method was short of it */
-        } else if (found && at < edge) {
-            below = status == KERN_STANDS;
-            found = below;
-        }
-        stuck = !found && (status == KERN_UNDECIDED
-                || path->fails - path->holds > (hi - lo) * KERN_R(0.5))
-                ? stuck + 1 : 0;
+        if (closed) {
+            known = status != KERN_FALLS || path->edge > r - same;
+            if (known)
+                path->edge = r;
+            path->holds = lo;
+            path->fails = hi;
+        } else if (status == KERN_UNDECIDED && at > r)
+            aside *= 2;
+        else if (status == KERN_UNDECIDED)
+            under *= 2;
+        else if (status == KERN_STANDS)
+            known = near && single && pivots == m->work->pivots;
+        else
+            share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     }
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
-    path->edge = kern_min(path->edge, cap);
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
     return KERN_STANDS;
 }
@@ -4537,7 +4997,7 @@ static kern_real kern_most(const kern_model *m)
     int i;
     for (i = 0; i < m->s->contacts; i++) {
         const kern_contact *c = m->s->contact + i;
-        if (m->group[c->a] >= 0 || m->group[c->b] >= 0)
+        if (kern_is_free(m, c->a) || kern_is_free(m, c->b))
             most = kern_max(most, kern_abs(kern_travel(c, m->mean)));
     }
     return m->relative ? KERN_R(1) : most;
@@ -4550,26 +5010,29 @@ static int kern_nested(const kern_model *m)
     int i;
     for (i = 0; i < m->s->contacts; i++) {
         const kern_contact *c = m->s->contact + i;
-        if (!c->line && (m->group[c->a] >= 0 || m->group[c->b] >= 0)
+        if (!c->line && (kern_is_free(m, c->a) || kern_is_free(m, c->b))
             && kern_abs(kern_travel(c, m->mean)) > 0)
             return 0;
     }
     return 1;
 }
 
-/* Goes from a place that stands toward the end, in steps that grow by `growth`,
-   until it falls; then finds the edge. `never`: it stands to the end. */
+/* Goes from a place that stands toward the end, until it falls; then finds the
+   edge. Steps grow as long as they need few pivots (far beyond the edge the
+   simplex has much to do that is of no use), or are `even` where verdicts may
+   change more than once. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step, kern_real growth,
-                                   int *never)
+                                   kern_real step, int even)
 {
-    const kern_real end = path->end;
+    const kern_real end = path->end, half = path->tolerance * KERN_R(0.45);
     kern_real at = path->holds;
-    int round, tries = 0;
-    *never = 0;
+    int round, tries;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real next = kern_min(at + step, end);
+        const kern_real reach = even ? at : path->reach + half;
+        const kern_real next = kern_min(end, kern_max(at + step, reach));
+        const int before = m->work->pivots;
         kern_status status = kern_path_ask(m, path, next);
+        int pivots;
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
             status = kern_path_ask(m, path, next - path->tolerance
@@ -4579,12 +5042,16 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (status != KERN_STANDS)
             return status;
         if (next >= end) {
-            *never = 1;
+            path->never = 1;
             path->edge = path->fails = end;
             return KERN_STANDS;
         }
         at = next;
-        step *= growth;
+        pivots = m->work->pivots - before;
+        if (!even)
+            step *= 3 * pivots < KERN_MANY ? KERN_R(1.6)
+                    : pivots < KERN_MANY ? KERN_R(1.25)
+                    : pivots < 2 * KERN_MANY ? KERN_R(1) : KERN_R(0.7);
     }
     return KERN_UNDECIDED;
 }
@@ -4655,32 +5122,105 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
 }
 
 static void kern_path_open(kern_path *path, kern_path_kind kind,
-                           const kern_structure *s, kern_real shrink,
+                           const kern_model *m, kern_real shrink,
                            const kern_proof *proof)
 {
     path->kind = kind;
     path->proof = proof;
-    path->q = kern_question_of(s, shrink);
-    path->tolerance = KERN_WIDTH;
+    path->q = kern_question_of(m->s, shrink);
+    path->unit = kind == KERN_PATH_SHRINK && !m->relative ? m->mean : 1;
+    path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = KERN_R(0);
+    path->holds = path->fails = path->edge = path->reach = KERN_R(0);
+    path->never = 0;
 }
 
-KERN_API kern_status kern_measure(const kern_structure *s,
-                                  const kern_options *o, kern_work *work,
-                                  kern_margin *out, const kern_proof *proof)
+/* From where it held and fell before something was changed: most changes leave
+   both as they were. */
+static kern_status kern_path_resume(kern_model *m, kern_path *path,
+                                    const kern_known *known)
+{
+    const kern_real at = kern_min(known->fails, path->end);
+    kern_status status = kern_path_ask(m, path, at);
+    if (status == KERN_STANDS && at < path->end)
+        return kern_path_climb(m, path, path->unit * KERN_FIRST, 0);
+    if (status == KERN_STANDS) {
+        path->never = 1;
+        path->edge = path->fails = at;
+    }
+    if (status != KERN_FALLS)
+        return status;
+    if (path->edge > known->holds / 2) {
+        status = kern_path_edge(m, path);
+        if (status != KERN_STANDS || path->holds > 0)
+            return status;
+    }
+    status = kern_path_ask(m, path, KERN_R(0));
+    return status == KERN_STANDS ? kern_path_edge(m, path) : status;
+}
+
+static void kern_path_read(const kern_path *path, kern_margin *out)
+{
+    out->margin = path->edge;
+    out->holds = path->holds;
+    out->fails = path->fails;
+    out->saturated = path->never;
+}
+
+/* The margin where kerns are nested, and with it the level. */
+static kern_status kern_measure_nested(kern_model *m, kern_path *path,
+                                       const kern_known *known, int last,
+                                       kern_margin *out)
+{
+    kern_status status = KERN_UNDECIDED;
+    if (known && known->columns > 0 && known->fails > 0)
+        status = kern_path_resume(m, path, known);
+    if (status == KERN_UNDECIDED) {
+        status = kern_path_ask(m, path, KERN_R(0));
+        if (status == KERN_STANDS)
+            status = kern_path_climb(m, path, path->unit * KERN_FIRST, 0);
+    }
+    if (status != KERN_STANDS)
+        return status;
+    kern_path_read(path, out);
+    return kern_level_scan(m, path, last, 1, out);
+}
+
+/* The same where they are not: the literal scan, then the margin before it. */
+static kern_status kern_measure_scan(kern_model *m, kern_path *path, int last,
+                                     kern_margin *out)
+{
+    kern_status status = kern_path_ask(m, path, KERN_R(0));
+    if (status == KERN_STANDS)
+        status = kern_level_scan(m, path, last, 0, out);
+    if (out->level > 0 && out->level <= last)
+        path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
+    path->holds = KERN_R(0);
+    if (status == KERN_STANDS)
+        status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
+    if (status == KERN_STANDS)
+        kern_path_read(path, out);
+    return status;
+}
+
+/* The measure, from what is known, which becomes what is known now where it
+   is given to be `kept`. */
+static kern_status kern_measure_from(const kern_structure *s,
+                                     const kern_options *o, kern_work *work,
+                                     const kern_known *known, kern_known *kept,
+                                     kern_margin *out, const kern_proof *proof)
 {
     kern_model m;
     kern_path path;
     kern_margin r;
     kern_status status;
-    int last = 0, known;
+    int last = 0;
     if (!out)
         return KERN_BAD_POINTER;
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0), proof);
+    kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), proof);
     r.most = kern_most(&m);
     r.epsilon = kern_step(&m, o);
     r.margin = r.holds = r.fails = KERN_R(0);
@@ -4688,38 +5228,28 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     status = kern_steps(&r, &last);
     if (status != KERN_STANDS)
         return status;
-    status = kern_path_ask(&m, &path, KERN_R(0));
-    if (status != KERN_STANDS) {
-        if (status == KERN_FALLS)
-            *out = r;
-        return status;
-    }
-    known = kern_nested(&m);
-    if (!m.relative)
-        path.tolerance *= m.mean;
     path.end = r.most;
-    if (!known) {
-        status = kern_level_scan(&m, &path, last, 0, &r);
-        if (r.level > 0 && r.level <= last)
-            path.end = kern_min(KERN_R(r.level) * r.epsilon, r.most);
-        path.holds = KERN_R(0);
+    if (known) {
+        m.simplex.known = known->basis;
+        m.simplex.knowns = known->columns;
     }
-    if (status == KERN_STANDS)
-        status = known ? kern_path_climb(&m, &path,
-                             m.relative ? KERN_R(0.2) : KERN_R(0.08) * m.mean,
-                             KERN_R(1.25), &r.saturated)
-                       : kern_path_climb(&m, &path, r.most / KERN_SCAN,
-                             KERN_R(1), &r.saturated);
-    if (status != KERN_STANDS)
-        return status;
-    r.margin = path.edge;
-    r.holds = path.holds;
-    r.fails = path.fails;
-    if (known)
-        status = kern_level_scan(&m, &path, last, 1, &r);
-    if (status == KERN_STANDS)
+    status = kern_nested(&m) ? kern_measure_nested(&m, &path, known, last, &r)
+                             : kern_measure_scan(&m, &path, last, &r);
+    if (status == KERN_STANDS || status == KERN_FALLS)
         *out = r;
+    if (kept && status >= 0) {
+        kept->columns = kern_simplex_basis(&m.simplex, kept->basis);
+        kept->holds = r.holds;
+        kept->fails = r.fails;
+    }
     return status;
+}
+
+KERN_API kern_status kern_measure(const kern_structure *s,
+                                  const kern_options *o, kern_work *work,
+                                  kern_margin *out, const kern_proof *proof)
+{
+    return kern_measure_from(s, o, work, NULL, NULL, out, proof);
 }
 
 /* The extent: the longest side of the box around the free blocks. */
@@ -4762,7 +5292,7 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, s, KERN_R(0), NULL);
+    kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), NULL);
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status == KERN_STANDS)
         *deficit = KERN_R(0);
@@ -4780,7 +5310,6 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
         limit = least < KERN_INFINITY ? limit / least : KERN_R(1);
         grown = KERN_R(1);
     }
-    path.tolerance *= grown;
     path.start = -limit;
     growth = kern_nested(&m) ? KERN_R(4) : KERN_R(1.1);
     for (grown *= KERN_R(0.001); ; grown = kern_min(grown * growth, limit)) {
@@ -4804,16 +5333,14 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
 /* How a load or a tilt is followed: a verdict where the path begins, the
    climb, the proofs. `out` is in the path's own measure. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path,
-                                    kern_real step, kern_real growth,
-                                    kern_real *out)
+                                    kern_real step, int even, kern_real *out)
 {
-    int never = 0;
     kern_status status = kern_path_ask(m, path, KERN_R(0));
     if (status != KERN_STANDS)
         return status;
-    status = kern_path_climb(m, path, step, growth, &never);
+    status = kern_path_climb(m, path, step, even);
     if (status == KERN_STANDS)
-        *out = never ? KERN_INFINITY : path->edge;
+        *out = path->never ? KERN_INFINITY : path->edge;
     return status;
 }
 
@@ -4844,17 +5371,17 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
     if (!pattern && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < s->blocks; i++)
-        if (m.group[i] >= 0 && !(kern_is_finite(pattern[i].fx)
+        if (kern_is_free(&m, i) && !(kern_is_finite(pattern[i].fx)
                                  && kern_is_finite(pattern[i].fy)
                                  && kern_is_finite(pattern[i].torque))) {
             work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
-    kern_path_open(&path, KERN_PATH_LOAD, s, shrink, proof);
+    kern_path_open(&path, KERN_PATH_LOAD, &m, shrink, proof);
     path.q.pattern = pattern;
     path.q.side = side;
     path.end = KERN_FACTOR_MOST;
-    return kern_path_follow(&m, &path, KERN_R(0.25), KERN_R(2), factor);
+    return kern_path_follow(&m, &path, KERN_R(0.05), 0, factor);
 }
 
 /* The angle whose tangent is s >= 0: halved twice, then the series. */
@@ -4889,16 +5416,16 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
     if (!kern_has_side(s, side))
         return KERN_BAD_OPTION;
     for (i = 0; i < s->blocks; i++)
-        loaded |= m.group[i] >= 0
+        loaded |= kern_is_free(&m, i)
                   && kern_abs(s->block[i].load.fx)
                      + kern_abs(s->block[i].load.fy)
                      + kern_abs(s->block[i].load.torque) > 0;
-    kern_path_open(&path, KERN_PATH_TILT, s, shrink, proof);
+    kern_path_open(&path, KERN_PATH_TILT, &m, shrink, proof);
     path.q.side = side;
     path.end = KERN_R(1);
     status = kern_path_follow(&m, &path,
-                              loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.1),
-                              KERN_R(1), &at);
+                              loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125),
+                              loaded, &at);
     if (status == KERN_STANDS)
         *angle = 4 * kern_angle_of(kern_min(at, KERN_R(1)));
     return status;
@@ -4915,7 +5442,7 @@ typedef struct kern_fall {
     int left;                 /* blocks that stand                            */
     int weak;                 /* places in the weaker half that are not taken */
     kern_real sum, weak_sum;  /* of the values of all that fell, of that half */
-    kern_real *value;
+    kern_real *value;         /* of each block, -1 as long as it stands       */
 } kern_fall;
 
 static void kern_fall_add(kern_fall *fall, int i, kern_real at)
@@ -4935,43 +5462,49 @@ static int kern_moves(const kern_model *m, int i)
 }
 
 /* Takes away the blocks that move in the last mechanism, and numbers the groups
-   of the others anew, in the same order of carrying. */
+   of the others anew, in the same order of carrying. What was taken away has
+   the group of the ground, and so have both ends of its contacts. */
 static void kern_fall_take(kern_model *m, kern_fall *fall, kern_real at)
 {
     const kern_structure *s = m->s;
     const int groups = m->lp.rows / 3;
     int *number = m->simplex.link; /* scratch between programs */
     int i, n = 0;
-    for (i = 0; i < s->blocks; i++) {
-        const int g = m->group[i];
-        if (g < 0)
-            continue;
-        number[g] = kern_moves(m, i) ? -1 : n++;
-        m->group[i] = number[g];
-        if (number[g] < 0)
+    for (i = 0; i < s->blocks; i++)
+        if (kern_is_free(m, i) && kern_moves(m, i))
             kern_fall_add(fall, i, at);
-    }
+        else if (kern_is_free(m, i))
+            number[m->group[i]] = n++;
+    for (i = 0; i < s->blocks; i++)
+        if (fall->value[i] >= 0 || s->block[i].fixed) {
+            if (kern_is_free(m, i))
+                number[m->group[i]] = KERN_OUT;
+            m->group[i] = n;
+        } else
+            m->group[i] = number[m->group[i]];
     fall->left = n;
     m->lp.rows = 3 * n;
     m->simplex.groups = n;
     m->simplex.started = 0;
     for (i = n = 0; i < groups; i++)
-        if (number[m->order[i]] >= 0)
+        if (number[m->order[i]] != KERN_OUT)
             m->order[n++] = number[m->order[i]];
-    for (i = 0; i < 4 * s->contacts; i++) {
-        const kern_contact *c = s->contact + i / 4;
-        const int gone = (m->group[c->a] < 0 && !s->block[c->a].fixed)
-                         || (m->group[c->b] < 0 && !s->block[c->b].fixed);
-        m->ends[i] = gone ? -1 : m->group[i % 2 ? c->a : c->b];
+    for (i = 0; i < 3; i++)
+        m->y[m->lp.rows + i] = KERN_R(0);
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const int gone = fall->value[c->a] >= 0 || fall->value[c->b] >= 0;
+        m->ends[2 * i] = gone ? n : m->group[c->b];
+        m->ends[2 * i + 1] = gone ? n : m->group[c->a];
     }
 }
 
 /* Takes away what falls at the edge, and what then falls at the same place,
-   until the rest stands a hair beyond it. */
+   until the rest stands a hair beyond it. The last verdict was that it falls,
+   and its motion has been proven. */
 static kern_status kern_fall_at(kern_model *m, kern_path *path,
-                                kern_fall *fall)
+                                kern_fall *fall, kern_real at)
 {
-    const kern_real at = path->edge;
     kern_status status = KERN_FALLS;
     int tries;
     while (status == KERN_FALLS) {
@@ -4989,43 +5522,42 @@ static kern_status kern_fall_at(kern_model *m, kern_path *path,
     return status;
 }
 
-/* To the next edge, in the steps that its measure takes by itself. */
-static kern_status kern_fall_climb(kern_model *m, kern_path *path, int *never)
+/* To the next edge, in the steps that its measure takes by itself, and to the
+   proven mechanism there: the search for the edge may have ended with another
+   verdict. */
+static kern_status kern_fall_climb(kern_model *m, kern_path *path,
+                                   kern_real *at)
 {
-    if (path->kind == KERN_PATH_LOAD)
-        return kern_path_climb(m, path, KERN_R(0.25), KERN_R(2), never);
-    if (!kern_nested(m))
-        return kern_path_climb(m, path, path->end / KERN_SCAN, KERN_R(1),
-                               never);
-    return kern_path_climb(m, path,
-                           m->relative ? KERN_R(0.2) : KERN_R(0.08) * m->mean,
-                           KERN_R(1.25), never);
+    const int even = path->kind == KERN_PATH_SHRINK && !kern_nested(m);
+    const kern_real step = path->kind == KERN_PATH_LOAD ? KERN_R(0.05)
+                           : even ? path->end / KERN_SCAN
+                                  : path->unit * KERN_FIRST;
+    kern_status status = kern_path_climb(m, path, step, even);
+    *at = path->edge;
+    if (status == KERN_STANDS && !path->never)
+        status = kern_path_ask(m, path, path->fails);
+    return status;
 }
 
 /* The whole collapse along a path: from edge to edge. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
-    int i, never = 0;
-    kern_status status = kern_path_ask(m, path, KERN_R(0));
-    path->edge = KERN_R(0);
-    while (!never) {
+    kern_real at = KERN_R(0);
+    kern_status status = kern_path_ask(m, path, at);
+    int i;
+    while (fall->left > 0 && !path->never) {
         if (status == KERN_FALLS)
-            status = kern_fall_at(m, path, fall);
+            status = kern_fall_at(m, path, fall, at);
         if (status != KERN_STANDS)
             return status;
-        if (fall->left == 0)
-            return KERN_STANDS;
-        never = path->holds >= path->end;
-        if (!never)
-            status = kern_fall_climb(m, path, &never);
-        if (status == KERN_STANDS && !never)
-            status = KERN_FALLS;
+        if (fall->left > 0)
+            status = kern_fall_climb(m, path, &at);
     }
     for (i = 0; i < m->s->blocks; i++)
-        if (m->group[i] >= 0)
+        if (kern_is_free(m, i))
             kern_fall_add(fall, i, path->end);
-    return status;
+    return KERN_STANDS;
 }
 
 KERN_API kern_status kern_profile(const kern_structure *s, int side,
@@ -5043,19 +5575,19 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
         return KERN_BAD_POINTER;
     if (side != 0 && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
-    kern_path_open(&path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, s,
+    kern_path_open(&path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m,
                    KERN_R(0), NULL);
     path.q.side = side;
-    path.q.group = m.group;
+    path.q.fallen = value;
     path.end = side ? KERN_PROFILE_MOST : kern_most(&m);
-    if (!side && !m.relative)
-        path.tolerance *= m.mean;
     free_blocks = m.lp.rows / 3;
     half = (free_blocks + 1) / 2;
     fall.left = free_blocks;
     fall.weak = half;
     fall.sum = fall.weak_sum = KERN_R(0);
     fall.value = value;
+    for (i = 0; i < s->blocks; i++)
+        value[i] = KERN_R(-1);
     status = kern_fall_follow(&m, &path, &fall);
     if (status != KERN_STANDS)
         return status;
@@ -5068,6 +5600,116 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
     return KERN_STANDS;
+}
+
+/* ---- Planning ---------------------------------------------------- >>plan */
+/* What is known of a structure is the basis that its last measure ended with,
+   by its columns, and the bracket of its margin. A block that is added on top
+   takes columns of its own (a crash basis for one group), everything else
+   keeps its own, and is asked again where it was critical. */
+
+KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
+                                kern_contact *contact, int contacts,
+                                int *basis, kern_work *work)
+{
+    kern_plan plan;
+    plan.options = kern_defaults();
+    plan.s.block = plan.block = block;
+    plan.s.contact = plan.contact = contact;
+    plan.s.blocks = plan.s.contacts = 0;
+    plan.s.gravity = kern_vec_make(0, KERN_R(-9.81));
+    plan.block_room = blocks;
+    plan.contact_room = contacts;
+    plan.known.basis = basis;
+    plan.known.columns = 0;
+    plan.known.holds = plan.known.fails = KERN_R(0);
+    plan.work = work;
+    return plan;
+}
+
+/* Whether all that a plan needs was given. */
+static int kern_plan_is_whole(const kern_plan *plan)
+{
+    return plan && plan->block && plan->contact && plan->known.basis
+           && plan->work;
+}
+
+KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
+{
+    kern_structure *s;
+    int found;
+    if (!kern_plan_is_whole(plan) || !block)
+        return (int)KERN_BAD_POINTER;
+    s = &plan->s;
+    kern_fault_clear(&plan->work->fault);
+    if (s->blocks >= plan->block_room)
+        return (int)KERN_NO_SPACE;
+    plan->block[s->blocks] = *block;
+    found = kern_touch(s->block, s->blocks + 1, s->blocks, &plan->options,
+                       plan->contact + s->contacts,
+                       plan->contact_room - s->contacts, plan->work);
+    if (found < 0)
+        return found;
+    s->blocks++;
+    s->contacts += found;
+    return found;
+}
+
+KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
+{
+    kern_structure *s;
+    int *moved, k, n = 0, columns = 0;
+    if (!kern_plan_is_whole(plan))
+        return KERN_BAD_POINTER;
+    s = &plan->s;
+    moved = plan->work->index;
+    kern_fault_clear(&plan->work->fault);
+    if (i < 0 || i >= s->blocks)
+        return KERN_BAD_BLOCK;
+    if (!moved || plan->work->indices < s->contacts)
+        return KERN_NO_SPACE;
+    for (k = 0; k < s->contacts; k++) {
+        kern_contact c = plan->contact[k];
+        moved[k] = c.a == i || c.b == i ? KERN_OUT : n;
+        c.a -= c.a > i;
+        c.b -= c.b > i;
+        if (moved[k] != KERN_OUT)
+            plan->contact[n++] = c;
+    }
+    for (k = 0; k < plan->known.columns; k++) {
+        const int j = plan->known.basis[k];
+        if (moved[j / 2] != KERN_OUT)
+            plan->known.basis[columns++] = 2 * moved[j / 2] + j % 2;
+    }
+    for (k = i; k + 1 < s->blocks; k++)
+        plan->block[k] = plan->block[k + 1];
+    s->contacts = n;
+    s->blocks--;
+    plan->known.columns = columns;
+    return KERN_STANDS;
+}
+
+KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
+                                       const kern_proof *proof)
+{
+    if (!kern_plan_is_whole(plan))
+        return KERN_BAD_POINTER;
+    return kern_measure_from(&plan->s, &plan->options, plan->work,
+                             &plan->known, &plan->known, out, proof);
+}
+
+KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
+                                   kern_margin *out, const kern_proof *proof)
+{
+    kern_status status;
+    const int found = kern_plan_add(plan, block);
+    if (found < 0)
+        return (kern_status)found;
+    status = kern_measure_from(&plan->s, &plan->options, plan->work,
+                               &plan->known, NULL, out, proof);
+    plan->s.blocks--;
+    plan->s.contacts -= found;
+    return status;
 }
 
 /* ---- Words and defaults ------------------------------------------ >>words */

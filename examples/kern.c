@@ -171,20 +171,24 @@ static int find_contacts(struct analysis *a)
             if (!t->own_mu[k]) t->contact[k].mu = a->options.mu;
         return 0;
     }
-    for (int room = 16 * t->blocks + 64; room < INT_MAX / 4; room *= 2) {
-        kern_fault fault = { -1, -1, -1, 0 };
+    int found = KERN_NO_SPACE, ints = 2 * t->blocks;
+    int *index = malloc((size_t)ints * sizeof *index + 1);
+    kern_work work = kern_work_of(NULL, 0, index, ints);
+    for (int room = 16 * t->blocks + 64;
+         index && found == KERN_NO_SPACE && room < INT_MAX / 4; room *= 2) {
         kern_contact *more = realloc(a->contact, (size_t)room * sizeof *more);
         if (!more) break;
         a->contact = more;
-        int found = kern_contacts(t->block, t->blocks, &a->options, a->contact,
-                                  room, &fault);
-        if (found == KERN_NO_SPACE) continue;
-        if (found < 0) return fail_blocks(a, (kern_status)found, &fault);
-        a->s.contacts = found;
-        return 0;
+        found = kern_contacts(t->block, t->blocks, &a->options, a->contact,
+                              room, &work);
     }
-    return fail(a, 0, "not enough memory for the contacts of %d blocks",
-                t->blocks);
+    free(index);
+    if (found == KERN_NO_SPACE)
+        return fail(a, 0, "not enough memory for the contacts of %d blocks",
+                    t->blocks);
+    if (found < 0) return fail_blocks(a, (kern_status)found, &work.fault);
+    a->s.contacts = found;
+    return 0;
 }
 
 /* Length 0 is asked for as 1, so that NULL always means failure. */

@@ -34,42 +34,45 @@ struct measures_of {
                                factors to the left and the right      */
 };
 
-MEASURES_API void measures_free(struct measures_of *m)
+static void measures_drop(struct measures_of *m)
 {
-    int k;
-    for (k = 0; k < 3; k++) free(m->fate[k]);
-    free(m->contact);
-    free(m->work.real);
-    free(m->work.index);
-    text_free(&m->text);
-}
-
-/* Finds the contacts with the options as they are, and takes the memory that
-   they need. Returns 0, or -1. */
-MEASURES_API int measures_contacts(struct measures_of *m)
-{
-    int room = 16 * m->text.blocks + 64, reals, ints, found;
     free(m->contact);
     free(m->work.real);
     free(m->work.index);
     m->contact = NULL;
     m->work.real = NULL;
     m->work.index = NULL;
+}
+
+/* Finds the contacts with the options as they are, in room that grows until it
+   is enough, and with it the work memory. Returns 0, or -1. */
+MEASURES_API int measures_contacts(struct measures_of *m)
+{
+    int room = 16 * m->text.blocks + 64, reals, ints, found;
     do {
-        free(m->contact);
-        room *= 2;
+        measures_drop(m);
+        kern_work_need(m->s.blocks, room, &reals, &ints);
         m->contact = malloc((size_t)room * sizeof *m->contact);
-        if (!m->contact) return -1;
+        m->work = kern_work_of(malloc((size_t)reals * sizeof *m->work.real),
+                               reals,
+                               malloc((size_t)ints * sizeof *m->work.index),
+                               ints);
+        if (!m->contact || !m->work.real || !m->work.index) return -1;
         found = kern_contacts(m->text.block, m->text.blocks, &m->options,
-                              m->contact, room, NULL);
+                              m->contact, room, &m->work);
+        room *= 2;
     } while (found == KERN_NO_SPACE);
-    if (found < 0) return -1;
     m->s.contact = m->contact;
     m->s.contacts = found;
-    kern_work_need(m->s.blocks, found, &reals, &ints);
-    m->work = kern_work_of(malloc((size_t)reals * sizeof *m->work.real), reals,
-                           malloc((size_t)ints * sizeof *m->work.index), ints);
-    return m->work.real && m->work.index ? 0 : -1;
+    return found < 0 ? -1 : 0;
+}
+
+MEASURES_API void measures_free(struct measures_of *m)
+{
+    int k;
+    for (k = 0; k < 3; k++) free(m->fate[k]);
+    measures_drop(m);
+    text_free(&m->text);
 }
 
 MEASURES_API int measures_load(struct measures_of *m, const char *path)

@@ -41,7 +41,7 @@ int main(void)
     for (i = 0; i < BLOCKS; i++)
         kern_block_init(&block[i], corner[i], 4, i == 0 ? 0 : 2400, NULL);
     s.contacts = kern_contacts(block, BLOCKS, &options, contact, CONTACTS,
-                               NULL);
+                               &work);
     if (s.contacts < 0) {
         printf("%s\n", kern_status_text((kern_status)s.contacts));
         return 1;

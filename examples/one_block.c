@@ -35,7 +35,7 @@ int main(void)
         status = kern_block_init(&block[1], stone, 4, 2400, NULL);
     if (status == KERN_STANDS) {
         s.contacts = kern_contacts(block, BLOCKS, &options, contact, CONTACTS,
-                                   NULL);
+                                   &work);
         status = s.contacts < 0 ? (kern_status)s.contacts
                                 : kern_measure(&s, &options, &work, &m, NULL);
     }

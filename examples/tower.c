@@ -51,7 +51,7 @@ int main(void)
     for (step = 0; step < 7; step++) {
         put(STONES, offset[step], STONES - 1, 1, 1, 2400);
         s.contacts = kern_contacts(block, BLOCKS, &options, contact, CONTACTS,
-                                   NULL);
+                                   &work);
         if (s.contacts < 0) {
             printf("%s\n", kern_status_text((kern_status)s.contacts));
             return 1;

@@ -402,6 +402,7 @@ enum { FAMILIES = sizeof families / sizeof families[0] };
 static void scene_open(struct scene *scene, int family, int n, int number)
 {
     int found;
+    kern_work work;
     memset(scene, 0, sizeof *scene);
     scene->random = (uint64_t)(1000003 * family + 101 * n + number);
     scene->vertex = room_for((size_t)(n + 2) * CORNERS, sizeof(kern_vec));
@@ -411,8 +412,12 @@ static void scene_open(struct scene *scene, int family, int n, int number)
     scene->options = kern_defaults();
     scene->options.mu = MU;
     families[family].make(scene, n);
+    work = kern_work_of(NULL, 0,
+                        room_for(2 * (size_t)scene->blocks, sizeof(int)),
+                        2 * scene->blocks);
     found = kern_contacts(scene->block, scene->blocks, &scene->options,
-                          scene->contact, scene->room, NULL);
+                          scene->contact, scene->room, &work);
+    free(work.index);
     if (found < 0) {
         fprintf(stderr, "bench: contacts of %s/%d/%d: %s\n",
                 families[family].name, n, number,
@@ -841,7 +846,7 @@ static void run_search(void *data)
     struct ask *ask = data;
     const struct scene *scene = ask->scene;
     ask->number = kern_contacts(scene->block, scene->blocks, &scene->options,
-                                ask->contact, scene->room, NULL);
+                                ask->contact, scene->room, &ask->work);
 }
 
 static double ask_time(const struct bench *bench, struct ask *ask,

@@ -252,14 +252,15 @@ static void world_point(world *w, int a, int b, double nx, double ny, double x,
 /* Finds the contacts, or sets the travels of those given. Counts the points. */
 static int world_touch(world *w)
 {
-    kern_fault fault;
+    static int index[2 * MAX_BLOCKS];
+    kern_work work = kern_work_of(NULL, 0, index, 2 * w->blocks);
     int got;
     if (w->given) {
         kern_contact_travels(w->contact, w->contacts);
         return w->contacts;
     }
     got = kern_contacts(w->block, w->blocks, &w->options, w->contact,
-                        MAX_POINTS, &fault);
+                        MAX_POINTS, &work);
     w->contacts = got > 0 ? got : 0;
     return got;
 }
@@ -1370,6 +1371,10 @@ static void polygon_area_and_centre(void)
     CHECK_NEAR(b.mass, 10, GEO);
     CHECK_NEAR(b.centre.x, 3, GEO);
     CHECK_NEAR(b.centre.y, 4, GEO);
+    CHECK_NEAR(b.box.low.x, 2, 0);
+    CHECK_NEAR(b.box.low.y, 3, 0);
+    CHECK_NEAR(b.box.high.x, 4, 0);
+    CHECK_NEAR(b.box.high.y, 5, 0);
     CHECK(!b.fixed && b.vertices == 4 && b.vertex);
     CHECK(!(b.load.fx < 0 || b.load.fx > 0 || b.load.fy < 0 || b.load.fy > 0 ||
             b.load.torque < 0 || b.load.torque > 0));
@@ -1496,7 +1501,8 @@ static void polygon_of_many_vertices(void)
     kern_fault fault;
     kern_options options = kern_defaults();
     const clock_t start = clock();
-    int i, got;
+    int i, got, index[4];
+    kern_work work = kern_work_of(NULL, 0, index, 4);
     for (i = 0; i < n; i++)
         v[i] = vec(cos(2 * pi * i / n), sin(2 * pi * i / n));
     got = kern_block_init(&b[1], v, n, R(1), &fault);
@@ -1510,7 +1516,7 @@ static void polygon_of_many_vertices(void)
         ground[2] = vec(9, -1);
         ground[3] = vec(-9, -1);
         CHECK_INT(kern_block_init(&b[0], ground, 4, R(0), &fault), KERN_STANDS);
-        got = kern_contacts(b, 2, &options, contact, 4000, &fault);
+        got = kern_contacts(b, 2, &options, contact, 4000, &work);
         CHECK(got >= 1 && got <= 64);
         /* all of them at the foot, upward */
         for (i = 0; i < got; i++) {
@@ -1897,7 +1903,8 @@ static void contact_overlap(void)
     static const double moon[] = {0, 0, 3, 0, 3, 3, 0, 3,
                                   0, 2, 2, 2, 2, 1, 0, 1};
     static world w;
-    kern_fault fault;
+    int index[6];
+    kern_work work = kern_work_of(NULL, 0, index, 6);
     int k;
     for (k = 0; k < 7; k++) {
         world_reset(&w);
@@ -1931,21 +1938,20 @@ static void contact_overlap(void)
             world_box(&w, 0, 0, 0, 1, 1);
             world_box(&w, 1, 0.2, 0.5, 0.8, 3);
         }
-        memset(&fault, 0, sizeof fault);
+        memset(&work.fault, 0, sizeof work.fault);
         CHECK_INT(kern_contacts(w.block, w.blocks, &w.options, w.contact,
-                                MAX_POINTS, &fault),
+                                MAX_POINTS, &work),
                   KERN_OVERLAP);
-        CHECK((fault.block == 1 && fault.other == 2) ||
-              (fault.block == 2 && fault.other == 1));
-        CHECK(fault.value > R(1e-3));
-        CHECK_INT(kern_contacts(w.block, w.blocks, &w.options, w.contact,
-                                MAX_POINTS, NULL),
+        CHECK_INT(work.fault.block, 1);
+        CHECK_INT(work.fault.other, 2);
+        CHECK(work.fault.value > R(1e-3));
+        CHECK_INT(kern_touch(w.block, w.blocks, 1, &w.options, w.contact,
+                             MAX_POINTS, &work),
                   KERN_OVERLAP);
-        CHECK_INT(kern_touch(w.block, w.blocks, 1, 2, &w.options, w.contact,
-                             MAX_POINTS, &fault),
-                  KERN_OVERLAP);
-        CHECK_INT(kern_touch(w.block, w.blocks, 0, 2, &w.options, w.contact,
-                             MAX_POINTS, &fault),
+        CHECK_INT(work.fault.block, 1);
+        CHECK_INT(work.fault.other, 2);
+        CHECK_INT(kern_touch(w.block, w.blocks, 0, &w.options, w.contact,
+                             MAX_POINTS, &work),
                   0);
     }
     /* a block in the mouth of another is no overlap */
@@ -2105,29 +2111,104 @@ static void contact_room(void)
 {
     static world w;
     kern_contact two[3];
-    kern_fault fault;
+    int index[8];
+    kern_work work = kern_work_of(NULL, 0, index, 8);
     int k;
     world_reset(&w);
     for (k = 0; k < 4; k++)
         world_box(&w, k, 0, k, 1, k + 1);
     CHECK_INT(world_touch(&w), 6);
     for (k = 0; k < 6; k++)
-        CHECK_INT(kern_contacts(w.block, 4, &w.options, w.contact, k, &fault),
+        CHECK_INT(kern_contacts(w.block, 4, &w.options, w.contact, k, &work),
                   KERN_NO_SPACE);
-    CHECK_INT(kern_contacts(w.block, 4, &w.options, w.contact, 6, &fault), 6);
+    CHECK_INT(kern_contacts(w.block, 4, &w.options, w.contact, 6, &work), 6);
     memset(two, 0x55, sizeof two);
-    CHECK_INT(kern_touch(w.block, 4, 1, 2, &w.options, two, 1, &fault),
+    work = kern_work_of(NULL, 0, NULL, 0); /* one block needs none */
+    CHECK_INT(kern_touch(w.block, 4, 3, &w.options, two, 1, &work),
               KERN_NO_SPACE);
-    CHECK_INT(kern_touch(w.block, 4, 1, 2, &w.options, two, 2, &fault), 2);
+    CHECK_INT(kern_touch(w.block, 4, 3, &w.options, two, 2, &work), 2);
+    CHECK_INT(two[0].a, 2);
+    CHECK_INT(two[0].b, 3);
     CHECK_INT(two[2].a, 0x55555555);
-    CHECK_INT(kern_touch(w.block, 4, 0, 2, &w.options, two, 2, &fault), 0);
-    CHECK_INT(kern_touch(w.block, 4, 2, 1, &w.options, two, 2, &fault), 2);
-    CHECK_INT(kern_touch(w.block, 4, 1, 4, &w.options, two, 2, &fault),
+    CHECK_INT(kern_touch(w.block, 4, 1, &w.options, two, 3, &work),
+              KERN_NO_SPACE); /* above and below */
+    CHECK_INT(kern_touch(w.block, 4, 4, &w.options, two, 2, &work),
               KERN_BAD_BLOCK);
-    CHECK_INT(kern_touch(w.block, 4, -1, 1, &w.options, two, 2, &fault),
+    CHECK_INT(kern_touch(w.block, 4, -1, &w.options, two, 2, &work),
               KERN_BAD_BLOCK);
-    CHECK_INT(kern_touch(w.block, 4, 1, 1, &w.options, two, 2, &fault),
-              KERN_SAME_BLOCK);
+}
+
+/* Too little work memory says so and is not written beyond; what the search
+   needs is less than what the structure needs anyway. */
+static void contact_work(void)
+{
+    static world w;
+    kern_contact found[8];
+    int index[10], k, size;
+    for (k = 0; k < 40; k++)
+        CHECK(KERN_INTS(k, 0) >= 2 * k);
+    world_reset(&w);
+    for (k = 0; k < 4; k++)
+        world_box(&w, k, 0, k, 1, k + 1);
+    for (size = -1; size <= 9; size++) {
+        kern_work work = kern_work_of(NULL, 0, index, size);
+        for (k = 0; k < 10; k++)
+            index[k] = 12345;
+        CHECK_INT(kern_contacts(w.block, 4, &w.options, found, 8, &work),
+                  size < 8 ? KERN_NO_SPACE : 6);
+        for (k = size < 0 ? 0 : size; k < 10; k++)
+            CHECK_INT(index[k], 12345);
+        CHECK_INT(work.pivots, 0);
+    }
+    {
+        kern_work work = kern_work_of(NULL, 0, NULL, 8);
+        CHECK_INT(kern_contacts(w.block, 4, &w.options, found, 8, &work),
+                  KERN_NO_SPACE);
+    }
+    CHECK_INT(kern_contacts(w.block, 4, &w.options, found, 8, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_touch(w.block, 4, 1, &w.options, found, 8, NULL),
+              KERN_BAD_POINTER);
+}
+
+/* A row of many cubes on one piece of ground, in any order: each has a bed and
+   joins its neighbours, and time does not grow with the square. */
+static void contact_many_blocks(void)
+{
+    enum { CUBES = 20000 };
+    static kern_block block[CUBES + 1];
+    static kern_vec corner[CUBES + 1][4];
+    static kern_contact contact[4 * CUBES];
+    static int index[2 * (CUBES + 1)];
+    kern_work work = kern_work_of(NULL, 0, index, 2 * (CUBES + 1));
+    kern_options options = kern_defaults();
+    const clock_t start = clock();
+    int k, upright;
+    for (upright = 0; upright < 2; upright++) {
+        for (k = 0; k <= CUBES; k++) {
+            /* ground in the middle; 7919 is prime to the number of cubes */
+            const int ground = k == CUBES / 2;
+            const double place = (double)(k * 7919l % (CUBES + 1)) / 8;
+            const double wide = ground ? CUBES / 8 + 2 : 0.125;
+            kern_vec *v = corner[k];
+            v[0] = vec(ground ? -1 : place, ground ? -1 : 0);
+            v[1] = vec((double)v[0].x + wide, (double)v[0].y);
+            v[2] = vec((double)v[1].x, ground ? 0 : 0.125);
+            v[3] = vec((double)v[0].x, (double)v[2].y);
+            if (upright) {
+                int i;
+                for (i = 0; i < 4; i++)
+                    v[i] = vec((double)v[i].y, (double)v[i].x);
+            }
+            CHECK_INT(kern_block_init(&block[k], v, 4, ground ? 0 : 1, NULL),
+                      KERN_STANDS);
+        }
+        /* one place of the row is the ground's, and empty */
+        CHECK_INT(kern_contacts(block, CUBES + 1, &options, contact, 4 * CUBES,
+                                &work),
+                  2 * CUBES + 2 * (CUBES - 2));
+    }
+    CHECK((double)(clock() - start) / CLOCKS_PER_SEC < 10);
 }
 
 /* ---- the same contacts whichever way the world is turned ---- */
@@ -2183,8 +2264,14 @@ static void world_changed(world *to, const world *from, const change *c,
         kern_block *t = &to->block[order[i]];
         kern_vec f;
         *t = *b;
-        if (b->vertex)
+        if (b->vertex) {
+            kern_block placed;
             t->vertex = to->vertex + (b->vertex - from->vertex);
+            CHECK_INT(kern_block_init(&placed, t->vertex, t->vertices, R(1),
+                                      NULL),
+                      KERN_STANDS);
+            t->box = placed.box;
+        }
         t->area =
             R((double)b->area * c->scale * c->scale * (c->mirror ? -1 : 1));
         t->mass = R((double)b->mass * c->mass);
@@ -2288,6 +2375,63 @@ static void contact_invariance(void)
                 CHECK(found >= 1);
             }
         }
+    }
+}
+
+/* Does the same contact stand in both places, bit by bit? */
+static int same_contact(const kern_contact *c, const kern_contact *d)
+{
+    return c->a == d->a && c->b == d->b && c->line == d->line &&
+           memcmp(&c->p, &d->p, sizeof c->p) == 0 &&
+           memcmp(&c->n, &d->n, sizeof c->n) == 0 &&
+           memcmp(&c->mu, &d->mu, sizeof c->mu) == 0 &&
+           memcmp(&c->travel, &d->travel, sizeof c->travel) == 0;
+}
+
+/* The contacts of block after block, each with those before it, are those of
+   all together, in the same order; and those of one block are its own among
+   all, the other blocks ascending. */
+static void contact_order(void)
+{
+    static world w, t;
+    static kern_contact one[MAX_POINTS];
+    static int order[MAX_BLOCKS];
+    kern_work none = kern_work_of(NULL, 0, NULL, 0);
+    int seed, b, k, got;
+    for (seed = 0; seed < 200; seed++) {
+        change c = no_change();
+        int all = 0;
+        random_world(&t, 9000u + (unsigned long long)seed, 25);
+        if (t.given)
+            continue;
+        c.shuffle = 1;
+        c.angle = seed % 2 ? uniform(-pi, pi) : 0;
+        world_changed(&w, &t, &c, order);
+        for (k = 1; k < w.contacts; k++) {
+            const kern_contact *d = &w.contact[k - 1], *e = &w.contact[k];
+            CHECK(e->a < e->b);
+            CHECK(d->b < e->b || (d->b == e->b && d->a <= e->a));
+        }
+        for (b = 0; b < w.blocks; b++) {
+            int own = 0;
+            got = kern_touch(w.block, w.blocks, b, &w.options, one, MAX_POINTS,
+                             &none);
+            CHECK(got >= 0);
+            for (k = 0; k < w.contacts; k++)
+                if (w.contact[k].a == b || w.contact[k].b == b)
+                    CHECK(own < got &&
+                          same_contact(&w.contact[k], &one[own++]));
+            CHECK_INT(got, own);
+            if (SINGLE) /* the rounding of far blocks counts among all */
+                continue;
+            got = kern_touch(w.block, b + 1, b, &w.options, one, MAX_POINTS,
+                             &none);
+            for (k = 0; k < got; k++, all++)
+                CHECK(all < w.contacts &&
+                      same_contact(&w.contact[all], &one[k]));
+        }
+        if (!SINGLE)
+            CHECK_INT(all, w.contacts);
     }
 }
 
@@ -4317,36 +4461,43 @@ static void bad_geometry(void)
 {
     static world good, w;
     static kern_contact out[64];
-    kern_fault fault;
+    int index[6];
+    kern_work work = kern_work_of(NULL, 0, index, 6);
     kern_options o;
     int i, j;
     stack_of_two(&good, 0.25);
     o = good.options;
 #define FRESH()                                                                \
     (world_copy(&w, &good), o = good.options,                                  \
-     memset(&fault, 0x55, sizeof fault))
-#define FOUND() kern_contacts(w.block, w.blocks, &o, out, 64, &fault)
+     memset(&work.fault, 0x55, sizeof work.fault))
+#define FOUND() kern_contacts(w.block, w.blocks, &o, out, 64, &work)
     FRESH();
     CHECK_INT(FOUND(), 4);
-    CHECK_INT(kern_contacts(NULL, 3, &o, out, 64, &fault), KERN_BAD_POINTER);
-    /* no options are the default ones */
-    i = kern_contacts(w.block, 3, NULL, out, 64, &fault);
-    CHECK(i == 4 || i == KERN_BAD_POINTER);
-    CHECK_INT(kern_contacts(w.block, 3, &o, NULL, 64, &fault),
+    CHECK_INT(kern_contacts(NULL, 3, &o, out, 64, &work), KERN_BAD_POINTER);
+    CHECK_INT(kern_contacts(w.block, 3, NULL, out, 64, &work),
               KERN_BAD_POINTER);
-    CHECK_INT(kern_contacts(w.block, -1, &o, out, 64, &fault), KERN_BAD_COUNT);
-    i = kern_contacts(w.block, 3, &o, out, -1, &fault);
+    CHECK_INT(kern_contacts(w.block, 3, &o, NULL, 64, &work),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_contacts(w.block, -1, &o, out, 64, &work), KERN_BAD_COUNT);
+    i = kern_contacts(w.block, 3, &o, out, -1, &work);
     CHECK(i == KERN_BAD_COUNT || i == KERN_NO_SPACE);
+    CHECK_INT(kern_touch(NULL, 3, 1, &o, out, 64, &work), KERN_BAD_POINTER);
+    CHECK_INT(kern_touch(w.block, -1, 1, &o, out, 64, &work), KERN_BAD_COUNT);
     for (j = 0; j < 3; j++) {
         const kern_real bad = R(j == 0   ? not_a_number()
                                 : j == 1 ? huge_value()
                                          : -huge_value());
-        for (i = 0; i < 8; i++) {
+        for (i = 0; i < 5; i++) {
+            kern_block *b = &w.block[1];
             FRESH();
-            *(i % 2 ? &w.vertex[4 + i / 2].y : &w.vertex[4 + i / 2].x) = bad;
+            *(i == 0   ? &b->box.low.x
+              : i == 1 ? &b->box.low.y
+              : i == 2 ? &b->box.high.x
+              : i == 3 ? &b->box.high.y
+                       : &b->area) = bad;
             CHECK_INT(FOUND(), KERN_BAD_NUMBER);
-            CHECK_INT(fault.block, 1);
-            CHECK_INT(fault.index, i / 2);
+            CHECK_INT(work.fault.block, 1);
+            CHECK_INT(work.fault.index, -1);
         }
         FRESH();
         o.mu = bad;
@@ -4376,7 +4527,7 @@ static void bad_geometry(void)
     FRESH();
     w.block[2].vertices = 2;
     CHECK_INT(FOUND(), KERN_FEW_VERTICES);
-    CHECK_INT(fault.block, 2);
+    CHECK_INT(work.fault.block, 2);
     FRESH();
     w.block[2].vertices = -2;
     i = FOUND();
@@ -4384,17 +4535,12 @@ static void bad_geometry(void)
     FRESH();
     w.block[2].vertex = NULL;
     CHECK_INT(FOUND(), KERN_BAD_POINTER);
-    CHECK_INT(fault.block, 2);
+    CHECK_INT(work.fault.block, 2);
     /* a block without a polygon touches nothing */
     FRESH();
     w.block[2].vertex = NULL;
     w.block[2].vertices = 0;
     CHECK_INT(FOUND(), 2);
-    /* no fault to write to */
-    FRESH();
-    w.vertex[5].x = R(not_a_number());
-    CHECK_INT(kern_contacts(w.block, w.blocks, &o, out, 64, NULL),
-              KERN_BAD_NUMBER);
 #undef FOUND
 #undef FRESH
 }
@@ -4480,8 +4626,7 @@ static void status_of_every_kind(void)
     world_reset(&w);
     world_box(&w, 1, 0, 0, 1, 1);
     world_box(&w, 1, 0.5, 0.5, 2, 2);
-    got[count++] =
-        kern_contacts(w.block, 2, &w.options, w.contact, MAX_POINTS, NULL);
+    got[count++] = world_touch(&w);
     for (i = 0; i < ROWS; i++) {
         const char *text = kern_status_text((kern_status)statuses[i].value);
         CHECK(text && text[0]);
@@ -4885,7 +5030,10 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(contact_given),
                              TEST(contact_travels),
                              TEST(contact_room),
+                             TEST(contact_work),
+                             TEST(contact_many_blocks),
                              TEST(contact_invariance),
+                             TEST(contact_order),
                              TEST(lp_cycling),
                              TEST(lp_kinds),
                              TEST(lp_random),
