@@ -103,7 +103,7 @@ MEASURES_API int measures_load(struct measures_of *m, const char *path)
     X(PROGRESSIVE_LOAD, "progressive_load", "progressive load factor")        \
     X(WEAK_MARGIN, "weak_margin", "margin, weaker half")                      \
     X(WEAK_LOAD, "weak_load", "load factor, weaker half")                     \
-    X(FRICTION, "low_friction_margin", "progressive margin, half the friction") \
+    X(FRICTION, "low_friction_margin", "progressive margin, half friction")   \
     X(NEAR_MARGIN, "near_margin", "near: margin")                             \
     X(NEAR_LOAD, "near_load", "near: load factor")                            \
     X(NEAR_PROGRESSIVE_MARGIN, "near_progressive_margin",                     \

@@ -32,8 +32,8 @@ static const char help[] =
 "shaking at which they collapsed. Prints tables in Markdown.\n"
 "  --svg DIR   a scatter plot of each measure, in an existing folder\n"
 "  --csv FILE  every measure of every structure\n"
-"  --tune      also the grid from which the gap and the angle of near contacts\n"
-"              come: chosen on one half of the structures, judged on the other\n";
+"  --tune      also a grid of gaps and angles of near contacts: the best on one\n"
+"              half of the structures is judged on the other\n";
 
 struct entry {
     char name[WORD], family[WORD], irregularity[WORD];
@@ -314,8 +314,8 @@ static void table_stones(const struct study *y)
     if (counted == 0) return;
     printf("\nOf the stones of one structure, in %d structures: mean rank "
            "correlation of a stone's\nload factor with the level at which it "
-           "moves %.2f; the first to move is in the\nweakest quarter in %.0f %% "
-           "(by chance, %.0f %%).\n", counted, sum / counted,
+           "moves %.2f; the first to move is in the\nweakest quarter in "
+           "%.0f %% (by chance, %.0f %%).\n", counted, sum / counted,
            100 * right / counted, 100 * chance / counted);
 }
 
@@ -484,8 +484,10 @@ int main(int argc, char **argv)
         if (strcmp(argv[i], "--help") == 0)
             return fputs(help, stdout) < 0 ? 2 : 0;
         if (strcmp(argv[i], "--tune") == 0) y.tune = 1;
-        else if (strcmp(argv[i], "--svg") == 0 && argv[i + 1]) y.svg = argv[++i];
-        else if (strcmp(argv[i], "--csv") == 0 && argv[i + 1]) y.csv = argv[++i];
+        else if (strcmp(argv[i], "--svg") == 0 && argv[i + 1])
+            y.svg = argv[++i];
+        else if (strcmp(argv[i], "--csv") == 0 && argv[i + 1])
+            y.csv = argv[++i];
         else if (argv[i][0] != '-' && !y.folder) y.folder = argv[i];
         else y.folder = NULL, i = argc;
     }
