@@ -4941,6 +4941,40 @@ static void profile_laws(void)
     CHECK(stand > 30);
 }
 
+/* Two structures side by side fall each by itself: the mean is theirs, weighted
+   by their blocks. Where two mechanisms are critical at one place either may be
+   taken, and what it leaves may differ: seldom. */
+static void profile_of_two(void)
+{
+    static world a, b, both;
+    int seed, same = 0, all = 0;
+    for (seed = 0; seed < 200; seed++) {
+        kern_real value[MAX_BLOCKS];
+        kern_collapse c[3];
+        double n[2] = {0, 0}, want;
+        int i;
+        random_world(&a, 520000u + (unsigned long long)(2 * seed), 15);
+        random_world(&b, 520001u + (unsigned long long)(2 * seed), 15);
+        b.gravity = a.gravity;
+        b.options = a.options;
+        world_joined(&both, &a, &b, SINGLE ? 10 : 100);
+        if (profile(&a, 1, value, &c[0]) || profile(&b, 1, value, &c[1]) ||
+            profile(&both, 1, value, &c[2]))
+            continue;
+        for (i = 0; i < a.blocks; i++)
+            n[0] += !a.block[i].fixed;
+        for (i = 0; i < b.blocks; i++)
+            n[1] += !b.block[i].fixed;
+        want = (n[0] * (double)c[0].mean + n[1] * (double)c[1].mean) /
+               (n[0] + n[1]);
+        same += fabs((double)c[2].mean - want) < (SINGLE ? 5e-2 : 1e-4);
+        all++;
+    }
+    context[0] = 0;
+    CHECK(all > 100);
+    CHECK(same > 0.9 * all);
+}
+
 static void profile_bad_input(void)
 {
     static world w;
@@ -5054,6 +5088,7 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(profile_side_by_side),
                              TEST(profile_takes_along),
                              TEST(profile_laws),
+                             TEST(profile_of_two),
                              TEST(profile_bad_input),
                              TEST(near_contacts),
                              TEST(t01_slope),
