@@ -33,6 +33,10 @@ struct draw_scene {
     const kern_force *force;   /* one a contact point; NULL: none             */
     const kern_motion *motion; /* one a block; NULL: none                     */
     int limiting;              /* contact point to point out, -1: none        */
+    const kern_real *value;    /* one a block, shown by its colour; NULL: none;
+                                  those of fixed blocks are not read          */
+    double most;               /* the value with the last colour              */
+    const char *value_name;    /* what it is                                  */
     const char *caption;       /* UTF-8, \n starts a line; NULL: none         */
 };
 
@@ -57,6 +61,12 @@ struct draw_scene {
 
 static const char *const draw_stone[] = {
     "#e9e3d6", "#ddd5c5", "#e3dccf", "#d6cebf", "#e6dccb", "#dad6cc",
+};
+
+/* Values from little to much. Dark text can be read on each. */
+static const unsigned char draw_ramp[][3] = {
+    { 196, 78, 60 }, { 224, 132, 80 }, { 230, 184, 100 }, { 200, 196, 124 },
+    { 140, 186, 154 }, { 100, 162, 174 }, { 72, 128, 172 },
 };
 
 /* ---- Numbers ------------------------------------------------------------ */
@@ -97,6 +107,21 @@ DRAW_API double draw_round(double v)
         return 0;
     ten = pow(10, floor(log10(v) + 1e-9));
     return (v >= 4.999 * ten ? 5 : v >= 1.999 * ten ? 2 : 1) * ten;
+}
+
+/* The colour of a share from 0 to 1. */
+DRAW_API const char *draw_shade(double share, char out[8])
+{
+    const int last = (int)(sizeof draw_ramp / sizeof draw_ramp[0]) - 1;
+    double at = draw_clamp(share, 0, 1) * last;
+    int i = at < last ? (int)at : last - 1, c, part[3];
+
+    for (c = 0; c < 3; c++)
+        part[c] = (int)(draw_ramp[i][c] + (at - i) * (draw_ramp[i + 1][c]
+                                                      - draw_ramp[i][c]) + 0.5);
+    snprintf(out, 8, "#%02x%02x%02x", part[0] & 255, part[1] & 255,
+             part[2] & 255);
+    return out;
 }
 
 /* ---- Text --------------------------------------------------------------- */
@@ -636,7 +661,7 @@ static void draw_blocks(const struct draw_scene *d, const struct draw_view *v,
 {
     const int shades = (int)(sizeof draw_stone / sizeof draw_stone[0]);
     const kern_structure *s = d->s;
-    char style[160];
+    char style[160], shade[8];
     int i, c;
 
     snprintf(style, sizeof style, "stroke=\"" DRAW_EDGE "\" stroke-width="
@@ -648,8 +673,10 @@ static void draw_blocks(const struct draw_scene *d, const struct draw_view *v,
     for (i = 0; i < s->blocks; i++) {
         if (s->block[i].fixed)
             continue;
-        snprintf(style, sizeof style, "fill=\"%s\"",
-                 draw_stone[(i * 7 + i / 5) % shades]);
+        snprintf(style, sizeof style, "fill=\"%s\"", d->value
+                 ? draw_shade(d->most > 0 ? (double)d->value[i] / d->most : 0,
+                              shade)
+                 : draw_stone[(i * 7 + i / 5) % shades]);
         draw_block(v, &s->block[i], NULL, 0, style);
         if (s->block[i].vertex)
             continue;
@@ -962,7 +989,8 @@ static void draw_names(const struct draw_scene *d, const struct draw_view *v,
     }
     if (most == 0)
         return;
-    draw_open(v->out, "fill=\"#5b5347\"");
+    draw_open(v->out, d->value ? "fill=\"" DRAW_INK "\""
+                                : "fill=\"#5b5347\"");
     for (i = 0; i < blocks; i++) {
         w = 1.1 * draw_text_width(d->names[i], strlen(d->names[i]), size);
         if (!draw_name_place(d, v, z, i, w, 0.9 * size, &p))
@@ -1001,7 +1029,7 @@ static struct draw_pt draw_key_entry(struct draw_key *key, double sign,
     if (key->out)
         draw_text(key->out, p.x + sign + 6, p.y + 3.8, size, "start", text,
                   strlen(text));
-    key->x += w + 20;
+    key->x += w + 28;
     return p;
 }
 
@@ -1046,6 +1074,39 @@ static void draw_key_bar(struct draw_key *key, const char *colour,
 
     if (key->out)
         draw_bar(key->out, p, draw_vec(p.x + 22, p.y), 4.6, colour);
+}
+
+/* The colours of values, from 0 to the most. */
+DRAW_API void draw_colours(FILE *out, double x, double y, double width,
+                           double height)
+{
+    const int steps = 48;
+    char style[40], shade[8];
+    int i;
+
+    for (i = 0; i < steps; i++) {
+        snprintf(style, sizeof style, "fill=\"%s\"",
+                 draw_shade((i + 0.5) / steps, shade));
+        /* a little wider, so that no seams show */
+        draw_rect(out, x + width * i / steps, y,
+                  width / steps + (i + 1 < steps ? 0.4 : 0), height, style);
+    }
+    draw_rect(out, x, y, width, height, "fill=\"none\" stroke=\"" DRAW_EDGE
+              "\" stroke-width=\"0.6\"");
+}
+
+static void draw_key_values(struct draw_key *key, const struct draw_scene *d)
+{
+    const double zero = 12, w = 110;
+    char text[120];
+    struct draw_pt p;
+
+    snprintf(text, sizeof text, "%.3g: %s", d->most, d->value_name);
+    p = draw_key_entry(key, zero + w, text);
+    if (!key->out)
+        return;
+    draw_text(key->out, p.x, p.y + 3.8, 10.5, "start", "0", 1);
+    draw_colours(key->out, p.x + zero, p.y - 5, w, 10);
 }
 
 /* Returns the y below the key. */
@@ -1097,6 +1158,8 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
                       "fill-opacity=\"0.08\" stroke=\"" DRAW_GHOST "\" "
                       "stroke-dasharray=\"4 2.5\"");
     }
+    if (d->value)
+        draw_key_values(&key, d);
     return key.y + 14;
 }
 

@@ -41,12 +41,19 @@ static const char help[] =
 "      --mu MU      coefficient of friction where a contact has no own one\n"
 "      --gap G      widest gap that is still a contact, a length\n"
 "      --at D       verdict, forces, collapse, loads and tilts with contacts\n"
-"                   shrunk by D; level and margin always count from 0\n"
+"                   shrunk by D; level, margin, profile always count from 0\n"
 "      --forces     list the contacts and one set of forces that holds it\n"
 "      --mechanism  list how every block moves as it falls; where it stands,\n"
 "                   just past the margin\n"
+"      --profile    how far each block is from falling in a progressive\n"
+"                   collapse: contacts shrink, or a load pushes, and what falls\n"
+"                   is taken away\n"
+"      --near       count contacts that a first rocking would close as well:\n"
+"                   gaps to 3 % of the mean block, angles to 0.1; foretells best\n"
+"                   what shaking does\n"
 "      --json       one JSON object a file, one line each\n"
-"      --svg OUT.svg  draw it; of several files each NAME.* in OUT-NAME.svg\n"
+"      --svg OUT.svg  draw it, with --profile coloured by the margins of the\n"
+"                   blocks; of several files each NAME.* in OUT-NAME.svg\n"
 "      --help, --version\n"
 "\n"
 "Lengths, masses and times are in the units of the file. Stands means: forces\n"
@@ -56,6 +63,7 @@ static const char help[] =
 enum { EXIT_STANDS, EXIT_FALLS, EXIT_BAD, EXIT_UNDECIDED };
 
 enum { LEFT, RIGHT };
+enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
 
 /* Beyond these an int may not hold the length of the work arrays. */
 enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
@@ -65,7 +73,7 @@ static const double at_rest = 1e-4;
 
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at;
-    int relative, forces, mechanism, json;
+    int relative, forces, mechanism, profile, near, json;
     const char *svg;
     char **file;
     int files;
@@ -96,6 +104,11 @@ struct analysis {
     double *limit;          /* how much each contact point limits */
     int limiting;           /* the one that does most, -1: none  */
     double deficit, load[2], tilt[2];
+
+    kern_status profiled;   /* both profiles, if asked for       */
+    kern_real *fate[3];     /* of each block: its margin, and its load
+                               factors to the left and the right */
+    kern_collapse all[3];   /* their means                       */
 };
 
 static int fail(struct analysis *a, int line, const char *format, ...)
@@ -198,8 +211,13 @@ static int take_memory(struct analysis *a)
     a->limit = array(contacts, sizeof *a->limit);
     a->motion = array(blocks, sizeof *a->motion);
     a->collapse = array(blocks, sizeof *a->collapse);
+    int bad = 0;
+    for (int k = 0; k < PROFILES; k++) {
+        a->fate[k] = array(blocks, sizeof *a->fate[k]);
+        bad |= !a->fate[k];
+    }
     return real && index && a->force && a->last_force && a->limit &&
-           a->motion && a->collapse ? 0 : fail_memory(a);
+           a->motion && a->collapse && !bad ? 0 : fail_memory(a);
 }
 
 static void free_analysis(struct analysis *a)
@@ -212,6 +230,7 @@ static void free_analysis(struct analysis *a)
     free(a->limit);
     free(a->motion);
     free(a->collapse);
+    for (int k = 0; k < PROFILES; k++) free(a->fate[k]);
     text_free(&a->text);
 }
 
@@ -312,6 +331,42 @@ static void find_loads(struct analysis *a)
     }
 }
 
+/* Margins first, then loads; without gravity there are none of those. */
+static void find_profile(struct analysis *a)
+{
+    static const int side[PROFILES] = { 0, -1, 1 };
+    int falls = hypot(a->s.gravity.x, a->s.gravity.y) > 0;
+    a->profiled = KERN_STANDS;
+    for (int k = 0; k < (falls ? PROFILES : 1); k++) {
+        kern_status status;
+        status = kern_profile(&a->s, side[k], &a->options, &a->work,
+                              a->fate[k], &a->all[k]);
+        if (status < 0) a->profiled = status;
+    }
+    for (int k = falls ? PROFILES : 1; k < PROFILES; k++) {
+        for (int i = 0; i < a->s.blocks; i++) a->fate[k][i] = (kern_real)NAN;
+        a->all[k].least = a->all[k].mean = a->all[k].weak = (kern_real)NAN;
+    }
+}
+
+/* The load factor of block i: the mean of both sides. */
+static double fate_load(const struct analysis *a, int i)
+{
+    return ((double)a->fate[LOAD_LEFT][i] + (double)a->fate[LOAD_RIGHT][i]) / 2;
+}
+
+static double mean_load(const struct analysis *a)
+{
+    return ((double)a->all[LOAD_LEFT].mean + (double)a->all[LOAD_RIGHT].mean)
+           / 2;
+}
+
+static double weak_load(const struct analysis *a)
+{
+    return ((double)a->all[LOAD_LEFT].weak + (double)a->all[LOAD_RIGHT].weak)
+           / 2;
+}
+
 static int measure(struct analysis *a)
 {
     kern_proof proof = { a->force, a->motion };
@@ -336,6 +391,7 @@ static int measure(struct analysis *a)
     }
     find_limit(a);
     find_loads(a);
+    if (a->set->profile) find_profile(a);
     return 0;
 }
 
@@ -352,6 +408,9 @@ static int analyse(struct analysis *a)
     a->s.block = a->text.block;
     a->s.blocks = a->text.blocks;
     a->s.gravity = a->text.gravity;
+    if (set->near)
+        a->options = kern_near(&a->options,
+                               kern_mean_size(a->s.block, a->s.blocks));
     if (find_contacts(a)) return -1;
     a->s.contact = a->contact;
     if (take_memory(a)) return -1;
@@ -611,6 +670,29 @@ static void report_motion(const struct analysis *a)
     }
 }
 
+static void report_profile(const struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    if (a->profiled < 0) {
+        printf("  profile     undecided\n");
+        return;
+    }
+    printf("  profile     %-10s %11s %11s %11s\n", "block", "margin",
+           "push left", "push right");
+    for (int i = 0; i < a->s.blocks; i++) {
+        if (a->s.block[i].fixed) continue;
+        printf("              %-10s %11.5f %11.5f %11.5f\n",
+               name_of(a, i, shown), (double)a->fate[MARGIN][i],
+               (double)a->fate[LOAD_LEFT][i], (double)a->fate[LOAD_RIGHT][i]);
+    }
+    printf("              %-10s %11.5f %11.5f %11.5f\n", "mean",
+           (double)a->all[MARGIN].mean, (double)a->all[LOAD_LEFT].mean,
+           (double)a->all[LOAD_RIGHT].mean);
+    printf("              %-10s %11.5f %11.5f %11.5f\n", "lower half",
+           (double)a->all[MARGIN].weak, (double)a->all[LOAD_LEFT].weak,
+           (double)a->all[LOAD_RIGHT].weak);
+}
+
 static void report(const struct analysis *a)
 {
     printf("%s: %s", a->file, status_word(a));
@@ -626,6 +708,7 @@ static void report(const struct analysis *a)
     report_loads(a);
     if (a->set->forces) report_forces(a);
     if (a->set->mechanism) report_motion(a);
+    if (a->set->profile) report_profile(a);
     if (a->set->files > 1) printf("\n");
 }
 
@@ -718,6 +801,29 @@ static void json_motion(const struct analysis *a)
     printf("]");
 }
 
+/* Of what is undecided the numbers are null, and the list is empty. */
+static void json_profile(const struct analysis *a, int good)
+{
+    double none = (double)NAN;
+    int known = good && a->profiled >= 0, first = 1;
+    json_number("progressive_margin",
+                known ? (double)a->all[MARGIN].mean : none);
+    json_number("progressive_load", known ? mean_load(a) : none);
+    json_number("weak_margin", known ? (double)a->all[MARGIN].weak : none);
+    json_number("weak_load", known ? weak_load(a) : none);
+    printf(", \"profile\": [");
+    for (int i = 0; known && i < a->s.blocks; i++) {
+        if (a->s.block[i].fixed) continue;
+        printf("%s{", first ? "" : ", ");
+        json_string("block", a->text.name[i]);
+        json_number("margin", (double)a->fate[MARGIN][i]);
+        json_number("load", fate_load(a, i));
+        printf("}");
+        first = 0;
+    }
+    printf("]");
+}
+
 static void json_error(const struct analysis *a)
 {
     printf(", \"error\": ");
@@ -765,6 +871,7 @@ static void report_json(const struct analysis *a)
     json_number("proof_error", good ? (double)a->work.error : none);
     json_count("pivots", a->work.pivots, good);
     json_count("solves", a->work.solves, good);
+    if (a->set->profile) json_profile(a, good);
     json_error(a);
     if (good && a->set->forces) json_contacts(a);
     if (good && a->set->mechanism) json_motion(a);
@@ -848,6 +955,13 @@ static int draw(const struct analysis *a)
     scene.motion = falls || a->set->mechanism ? shown_motion(a) : NULL;
     scene.limiting = a->limiting;
     scene.caption = caption;
+    if (a->set->profile && a->profiled >= 0) {
+        scene.value = a->fate[MARGIN];
+        scene.value_name = "margin of a stone";
+        for (int i = 0; i < a->s.blocks; i++)
+            if (!a->s.block[i].fixed)
+                scene.most = fmax(scene.most, (double)a->fate[MARGIN][i]);
+    }
 
     char *path = svg_name(a);
     FILE *out = path ? fopen(path, "w") : NULL;
@@ -973,6 +1087,7 @@ static int read_option(struct settings *set, char **argv, int *i)
     struct { const char *name; int *out; } flag[] = {
         { "--relative", &set->relative }, { "-r", &set->relative },
         { "--forces", &set->forces }, { "--mechanism", &set->mechanism },
+        { "--profile", &set->profile }, { "--near", &set->near },
         { "--json", &set->json }
     };
     const char *word = argv[*i], *value;
@@ -993,7 +1108,7 @@ static int read_option(struct settings *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct settings set = { -1, -1, -1, -1, 0, 0, 0, 0, NULL, argv, 0 };
+    struct settings set = { -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, NULL, argv, 0 };
     int options = 1;
     for (int i = 1; i < argc; i++) {
         const char *word = argv[i];

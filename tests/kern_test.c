@@ -4295,10 +4295,12 @@ static void all_say(const kern_structure *s, const kern_options *o,
                     kern_work *work, int want, int block, int index, int line)
 {
     kern_margin m;
-    kern_real out = R(7);
+    kern_real out = R(7), value[MAX_BLOCKS];
+    kern_collapse all;
     int k;
+    all.mean = R(7);
     memset(&m, 0x55, sizeof m);
-    for (k = 0; k < 5; k++) {
+    for (k = 0; k < 6; k++) {
         kern_margin keep = m;
         int got;
         if (work)
@@ -4307,12 +4309,14 @@ static void all_say(const kern_structure *s, const kern_options *o,
               : k == 1 ? kern_measure(s, o, work, &m, NULL)
               : k == 2 ? kern_deficit(s, o, work, &out)
               : k == 3 ? kern_load_factor(s, 0, NULL, 1, o, work, &out, NULL)
-                       : kern_tilt(s, 0, 1, o, work, &out, NULL);
+              : k == 4 ? kern_tilt(s, 0, 1, o, work, &out, NULL)
+                       : kern_profile(s, 0, o, work, value, &all);
         check_near(got, want, 0, line, "status of a bad structure");
         /* nothing but the fault is touched */
         check_report(!memcmp(&keep, &m, sizeof m), line, "margin untouched", 0,
                      0, 0);
         check_near((double)out, 7, 0, line, "result untouched");
+        check_near((double)all.mean, 7, 0, line, "means untouched");
         if (work && block >= -1)
             check_near(work->fault.block, block, 0, line, "fault.block");
         if (work && index >= -1)
@@ -4711,8 +4715,9 @@ enum { GUARD = 64 };
 static void every_size(const world *w, int stride)
 {
     const kern_structure s = structure_of(w);
-    int reals, ints, array, size, call, k, want[5];
-    kern_real *real;
+    int reals, ints, array, size, call, k, want[6];
+    kern_real *real, value[MAX_BLOCKS];
+    kern_collapse all;
     int *index;
     kern_work work = work_of(w);
     kern_margin m;
@@ -4723,8 +4728,9 @@ static void every_size(const world *w, int stride)
      : (call) == 2 ? kern_deficit(&s, &w->options, &work, &out)                \
      : (call) == 3                                                             \
          ? kern_load_factor(&s, 0, NULL, 1, &w->options, &work, &out, NULL)    \
-         : kern_tilt(&s, 0, 1, &w->options, &work, &out, NULL))
-    for (call = 0; call < 5; call++)
+     : (call) == 4 ? kern_tilt(&s, 0, 1, &w->options, &work, &out, NULL)       \
+                   : kern_profile(&s, 0, &w->options, &work, value, &all))
+    for (call = 0; call < 6; call++)
         want[call] = CALL(call);
     kern_work_need(w->blocks, w->contacts, &reals, &ints);
     real = (kern_real *)malloc(sizeof *real * (size_t)(reals + GUARD));
@@ -4735,7 +4741,7 @@ static void every_size(const world *w, int stride)
                              size < (array ? ints : reals)
                          ? (array ? ints : reals) - size
                          : stride)
-            for (call = 0; call < 5; call++) {
+            for (call = 0; call < 6; call++) {
                 int got, clean = 1;
                 for (k = 0; k < reals + GUARD; k++)
                     real[k] = R(12345);
@@ -4824,6 +4830,242 @@ static void memory_garbage(void)
     context[0] = 0;
 }
 
+/* ==== The profile =================================================== */
+
+static int profile(const world *w, int side, kern_real *value,
+                   kern_collapse *out)
+{
+    const kern_structure s = structure_of(w);
+    kern_work work = work_of(w);
+    const int got = kern_profile(&s, side, &w->options, &work, value, out);
+    if (work.error > proof_error)
+        proof_error = work.error;
+    return got;
+}
+
+/* A slab 4 x 1 and on it a slim stone 1 x 3, each with its centre of mass
+   moved to the right by a quarter of its width: its weight passes that far from
+   the end of its bed. */
+static void two_storeys(world *w)
+{
+    world_reset(w);
+    world_box(w, 0, -9, -1, 9, 0);
+    world_box(w, 1, 0, 0, 4, 1);
+    world_box(w, 1, 1, 1, 2, 4);
+    w->block[1].centre.x = R(3);
+    w->block[2].centre.x = R(1.75);
+    world_touch(w);
+}
+
+/* The upper stone has 1/4 to lose, or 1/4 of load at a height of 3/2: to the
+   right a sixth, to the left a half, but it slides at mu. By itself the slab
+   has 1 to lose, and slides before it topples. */
+static void profile_two_storeys(void)
+{
+    static world w;
+    kern_real value[3];
+    kern_collapse c;
+    two_storeys(&w);
+    CHECK_INT(profile(&w, 0, value, &c), KERN_STANDS);
+    CHECK_NEAR(value[0], huge_value(), 0);
+    CHECK_NEAR(value[1], 1, EDGE);
+    CHECK_NEAR(value[2], 0.25, EDGE);
+    CHECK_NEAR(c.least, 0.25, EDGE);
+    CHECK_NEAR(c.mean, 0.625, EDGE);
+    CHECK_NEAR(c.weak, 0.25, EDGE);
+    CHECK_INT(profile(&w, 1, value, &c), KERN_STANDS);
+    CHECK_NEAR(value[1], 0.4, EDGE);
+    CHECK_NEAR(value[2], 1. / 6, EDGE);
+    CHECK_INT(profile(&w, -1, value, &c), KERN_STANDS);
+    CHECK_NEAR(value[1], 0.4, EDGE);
+    CHECK_NEAR(value[2], 0.4, EDGE);
+    w.options.relative = 1;
+    CHECK_INT(profile(&w, 0, value, &c), KERN_STANDS);
+    CHECK_NEAR(value[1], 0.5, EDGE);
+    CHECK_NEAR(value[2], 0.5, EDGE);
+}
+
+/* Five stones side by side, each with a margin of its own; the third does not
+   stand as it is, and the last never falls. */
+static void profile_side_by_side(void)
+{
+    static const double moved[] = {0.3, 0.1, 0.6, 0.2};
+    static world w;
+    kern_real value[6];
+    kern_collapse c;
+    int i;
+    world_reset(&w);
+    world_box(&w, 0, -9, -1, 99, 0);
+    for (i = 0; i < 4; i++) {
+        world_box(&w, 1, 10 * i, 0, 10 * i + 1, 1);
+        w.block[i + 1].centre.x += R(moved[i]);
+    }
+    world_box(&w, 1, 50, 0, 50.5, 0.5);
+    world_touch(&w);
+    for (i = 0; i < w.contacts; i++)
+        if (w.contact[i].b == 5 || w.contact[i].a == 5)
+            w.contact[i].travel /= 2; /* a kern that does not close entirely */
+    CHECK_INT(profile(&w, 0, value, &c), KERN_STANDS);
+    for (i = 0; i < 4; i++)
+        CHECK_NEAR(value[i + 1], fmax(0, 0.5 - moved[i]), EDGE);
+    CHECK_NEAR(value[5], 0.5, EDGE);
+    CHECK_NEAR(c.least, 0, 0);
+    CHECK_NEAR(c.mean, (0.2 + 0.4 + 0.3 + 0.5) / 5, EDGE);
+    CHECK_NEAR(c.weak, (0.2 + 0.3) / 3, EDGE);
+}
+
+/* A stone over nothing but its neighbour's counterweight: when the weight has
+   fallen, so does the stone, at the same place. */
+static void profile_takes_along(void)
+{
+    static world w;
+    kern_real value[3];
+    kern_collapse c;
+    world_reset(&w);
+    world_box(&w, 0, 0, -1, 2, 0);
+    world_box(&w, 1, 0, 0, 6, 1);
+    world_box(&w, 9, 0, 1, 1, 4);
+    w.block[2].centre.x = R(0.8);
+    world_touch(&w);
+    CHECK_INT(profile(&w, 0, value, &c), KERN_STANDS);
+    CHECK_NEAR(value[2], 0.2, EDGE);
+    CHECK_NEAR(value[1], value[2], EDGE);
+}
+
+/* Walls: the least value is the measure's, and turning left into right turns
+   the loads. */
+static void profile_laws(void)
+{
+    static world w, mirror;
+    static int order[MAX_BLOCKS];
+    int seed, i, stand = 0;
+    for (seed = 0; seed < 300; seed++) {
+        kern_real value[MAX_BLOCKS], other[MAX_BLOCKS];
+        kern_collapse c, d;
+        kern_margin m;
+        double factor, unit;
+        int got, left;
+        change turn = no_change();
+        random_world(&w, 500000u + (unsigned long long)seed, 20);
+        unit = w.options.relative ? 1 : mean_size(&w);
+        got = profile(&w, 0, value, &c);
+        CHECK(got == KERN_STANDS || got == KERN_UNDECIDED);
+        if (got != KERN_STANDS) {
+            undecided++;
+            continue;
+        }
+        CHECK(c.least <= c.weak * (1 + 8 * R(EPS)));
+        CHECK(c.weak <= c.mean * (1 + 8 * R(EPS)));
+        if (measure(&w, &m) == KERN_FALLS)
+            CHECK_NEAR(c.least, 0, 0);
+        if (measure(&w, &m) != KERN_STANDS)
+            continue;
+        CHECK_NEAR(c.least, m.margin, 20 * law_tolerance(&w) * unit);
+        got = profile(&w, 1, value, &c);
+        if (load_factor(&w, NULL, 1, &factor) != KERN_STANDS ||
+            got != KERN_STANDS)
+            continue;
+        CHECK_NEAR(c.least, fmin(factor, 10), SINGLE ? 5e-2 : 1e-5);
+        turn.mirror = 1;
+        world_changed(&mirror, &w, &turn, order);
+        left = profile(&mirror, -1, other, &d);
+        if (left != KERN_STANDS)
+            continue;
+        CHECK_NEAR(d.least, c.least, SINGLE ? 5e-2 : 1e-5);
+        for (i = 0; i < w.blocks; i++)
+            if (!w.block[i].fixed)
+                CHECK(value[i] >= 0 && value[i] <= 10);
+        stand++;
+    }
+    context[0] = 0;
+    CHECK(stand > 30);
+}
+
+/* Two structures side by side fall each by itself: the mean is theirs, weighted
+   by their blocks. Where two mechanisms are critical at one place either may be
+   taken, and what it leaves may differ: seldom. */
+static void profile_of_two(void)
+{
+    static world a, b, both;
+    int seed, same = 0, all = 0;
+    for (seed = 0; seed < 200; seed++) {
+        kern_real value[MAX_BLOCKS];
+        kern_collapse c[3];
+        double n[2] = {0, 0}, want;
+        int i;
+        random_world(&a, 520000u + (unsigned long long)(2 * seed), 15);
+        random_world(&b, 520001u + (unsigned long long)(2 * seed), 15);
+        b.gravity = a.gravity;
+        b.options = a.options;
+        world_joined(&both, &a, &b, SINGLE ? 10 : 100);
+        if (profile(&a, 1, value, &c[0]) || profile(&b, 1, value, &c[1]) ||
+            profile(&both, 1, value, &c[2]))
+            continue;
+        for (i = 0; i < a.blocks; i++)
+            n[0] += !a.block[i].fixed;
+        for (i = 0; i < b.blocks; i++)
+            n[1] += !b.block[i].fixed;
+        want = (n[0] * (double)c[0].mean + n[1] * (double)c[1].mean) /
+               (n[0] + n[1]);
+        same += fabs((double)c[2].mean - want) < (SINGLE ? 5e-2 : 1e-4);
+        all++;
+    }
+    context[0] = 0;
+    CHECK(all > 100);
+    CHECK(same > 0.9 * all);
+}
+
+static void profile_bad_input(void)
+{
+    static world w;
+    kern_real value[3];
+    kern_collapse c;
+    kern_structure s;
+    kern_work work;
+    two_storeys(&w);
+    s = structure_of(&w);
+    work = work_of(&w);
+    c.mean = R(7);
+    CHECK_INT(kern_profile(&s, 0, &w.options, &work, NULL, &c),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_profile(&s, 0, &w.options, &work, value, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_profile(&s, 2, &w.options, &work, value, &c),
+              KERN_BAD_OPTION);
+    w.gravity = vec(0, 0);
+    s = structure_of(&w);
+    CHECK_INT(kern_profile(&s, 1, &w.options, &work, value, &c),
+              KERN_BAD_OPTION);
+    CHECK_NEAR(c.mean, 7, 0);
+}
+
+/* A stone that rests on a corner, its lower edge an angle of 0.05 off its bed:
+   near enough, and the edge counts. */
+static void near_contacts(void)
+{
+    static const double stone[] = {0, 0, 0.3, -0.015, 1, 0.02, 1, 1, 0, 1};
+    static world w;
+    kern_options o;
+    kern_real tight;
+    world_reset(&w);
+    world_box(&w, 0, -9, -2, 9, -0.015);
+    world_polygon(&w, 1, stone, 5);
+    CHECK_INT(world_touch(&w), 1);
+    tight = w.options.gap;
+    o = kern_near(&w.options, R(2));
+    CHECK_NEAR(o.gap, R(0.06), GEO);
+    CHECK_NEAR(o.angle, R(0.1), GEO);
+    CHECK_NEAR(w.options.gap, tight, 0);
+    o.gap = R(1);
+    o.angle = R(0.2);
+    o = kern_near(&o, R(2));
+    CHECK_NEAR(o.gap, 1, 0);
+    CHECK_NEAR(o.angle, R(0.2), 0);
+    w.options = kern_near(&w.options, R(1));
+    CHECK_INT(world_touch(&w), 2);
+    CHECK(fabs((double)(w.contact[1].p.x - w.contact[0].p.x)) > 0.6);
+}
+
 static void mean_size_of_blocks(void)
 {
     static world w;
@@ -4882,6 +5124,13 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(deficit_random),
                              TEST(load_by_hand),
                              TEST(tilt_by_hand),
+                             TEST(profile_two_storeys),
+                             TEST(profile_side_by_side),
+                             TEST(profile_takes_along),
+                             TEST(profile_laws),
+                             TEST(profile_of_two),
+                             TEST(profile_bad_input),
+                             TEST(near_contacts),
                              TEST(t01_slope),
                              TEST(t02_column),
                              TEST(t03_offset),

@@ -1,0 +1,441 @@
+/* figures - the paper's table and figures, from structures built here.
+
+   Builds walls, stacks, pyramids and towers of irregular stones, shakes them
+   on the table of table.h, and writes into a folder:
+
+       structures, labels.csv, stones.csv          for the program study
+       table1.md, table1.csv    what shaking and measuring cost (Table I)
+       fig3-first.svg, -last    contacts shrunk, with forces (Fig. 3)
+       fig6.svg, fig6.csv       displacement and shaking level (Fig. 6)
+       fig7*.svg, fig7.csv      two walls that differ in one stone (Fig. 7)
+
+       cc -O2 -ffp-contract=off -o figures examples/figures.c -lm
+       mkdir -p out/structures && ./figures out
+
+   SPDX-License-Identifier: MIT */
+
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+
+#include "draw.h"
+#include "rigid.h"
+#include "text.h"
+
+#include "build.h"
+#include "measures.h"
+#include "plot.h"
+#include "table.h"
+
+enum { PATH = 4096, LEVELS = 20 };
+
+static const char help[] =
+"usage: figures [--quick] FOLDER\n"
+"Builds and shakes structures, and writes the table and the figures of the\n"
+"paper into FOLDER, which must hold a folder `structures`.\n"
+"  --quick   few structures, each shaken once\n";
+
+struct sample {
+    char name[40], path[PATH];
+    enum build_kind kind;
+    int irregularity, stones;
+    double value[MEASURES];
+    struct table_report shaken;
+};
+
+struct figures {
+    const char *folder;
+    int quick, samples;
+    struct sample *sample;
+};
+
+static int fail(const char *what, const char *name)
+{
+    fprintf(stderr, "figures: %s %s\n", what, name);
+    return -1;
+}
+
+static FILE *open_out(const struct figures *f, const char *name)
+{
+    char path[PATH];
+    FILE *out;
+    snprintf(path, sizeof path, "%s/%s", f->folder, name);
+    out = fopen(path, "w");
+    if (!out) fail("cannot write", path);
+    return out;
+}
+
+/* ---- Structures ---------------------------------------------------------- */
+
+static int shake_file(const char *path, int first, int last, int repeat,
+                      struct table_report *r)
+{
+    static const struct table empty;
+    struct table t = empty;
+    int bad;
+    t.plan.first = first;
+    t.plan.last = last;
+    t.plan.repeat = repeat;
+    t.plan.unit = 1;
+    t.plan.seed = 1;
+    t.file = path;
+    bad = table_load(&t) || table_collapse(&t, r);
+    if (bad) fail(path, t.text.message);
+    table_free(&t);
+    return bad;
+}
+
+static int measure_file(const char *path, double value[MEASURES])
+{
+    struct measures_of m;
+    int bad = measures_load(&m, path) || measures_all(&m, value);
+    measures_free(&m);
+    return bad;
+}
+
+/* Builds sample i. What the simulator holds only by its tolerance for gaps
+   does not count as standing: then the next seed is tried. */
+static int build_sample(const struct figures *f, int i, struct sample *s)
+{
+    struct build *b = malloc(sizeof *b);
+    int bad = -1;
+    s->kind = (enum build_kind)(i % BUILD_KINDS);
+    s->irregularity = 10 + 10 * (i / BUILD_KINDS % 5);
+    snprintf(s->name, sizeof s->name, "i%d-%s-%02d", s->irregularity,
+             build_kind_name[s->kind], i / BUILD_KINDS / 5);
+    snprintf(s->path, sizeof s->path, "%s/structures/%s.kern", f->folder,
+             s->name);
+    for (int tries = 0; b && bad && tries < 100; tries++) {
+        build_structure(b, s->kind, s->irregularity,
+                        (uint64_t)(1 + i + 1000 * tries));
+        s->stones = b->stones;
+        if (build_write(b, s->path)) break;
+        bad = measure_file(s->path, s->value);
+    }
+    free(b);
+    return bad ? fail("cannot build", s->path) : 0;
+}
+
+static int write_labels(const struct figures *f)
+{
+    FILE *out = open_out(f, "labels.csv");
+    FILE *stones = open_out(f, "stones.csv");
+    if (!out || !stones) return -1;
+    fprintf(out, "name,family,irregularity,stones,level,level_sd\n");
+    fprintf(stones, "name,stone,level\n");
+    for (int i = 0; i < f->samples; i++) {
+        const struct sample *s = &f->sample[i];
+        fprintf(out, "%s,%s,%d,%d,%.6g,%.6g\n", s->name,
+                build_kind_name[s->kind], s->irregularity, s->stones,
+                s->shaken.level, s->shaken.level_sd);
+        for (int k = 0; k < s->stones; k++)
+            fprintf(stones, "%s,s%d,%.6g\n", s->name, k, s->shaken.first[k]);
+    }
+    return fclose(out) | fclose(stones) ? fail("cannot write", "labels") : 0;
+}
+
+static int make_samples(struct figures *f)
+{
+    f->samples = f->quick ? 6 : 80;
+    f->sample = calloc((size_t)f->samples, sizeof *f->sample);
+    if (!f->sample) return fail("not enough memory for", "the structures");
+    for (int i = 0; i < f->samples; i++) {
+        struct sample *s = &f->sample[i];
+        fprintf(stderr, "figures: structure %d of %d\n", i + 1, f->samples);
+        if (build_sample(f, i, s) ||
+            shake_file(s->path, 1, LEVELS, f->quick ? 1 : 3, &s->shaken))
+            return -1;
+    }
+    return write_labels(f);
+}
+
+/* ---- Table I ------------------------------------------------------------- */
+
+static double seconds_since(clock_t start)
+{
+    return (double)(clock() - start) / CLOCKS_PER_SEC;
+}
+
+enum { COST_ONE_SHAKING, COST_SHAKING, COST_MARGIN, COST_PROFILE, COSTS };
+
+/* Calls of one measure, each with its own search for contacts, for a twentieth
+   of a second. */
+static int time_measure(struct measures_of *m, int which, double *seconds)
+{
+    clock_t start = clock();
+    int calls = 0;
+    do {
+        double ask[ASKS];
+        kern_margin out;
+        int bad = measures_contacts(m);
+        if (!bad && which == COST_PROFILE) bad = measures_profiles(m, ask);
+        if (!bad && which == COST_MARGIN)
+            bad = kern_measure(&m->s, &m->options, &m->work, &out, NULL) < 0;
+        if (bad) return -1;
+        calls++;
+    } while (seconds_since(start) < 0.05);
+    *seconds = seconds_since(start) / calls;
+    return 0;
+}
+
+static int time_shaking(const char *path, int first, int last,
+                        double *seconds)
+{
+    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
+    int bad = shake_file(path, first, last, 1, &r);
+    *seconds = r.seconds;
+    free(r.ads);
+    free(r.first);
+    return bad;
+}
+
+static int time_sample(const struct sample *s, double cost[COSTS])
+{
+    struct measures_of m;
+    int bad = measures_load(&m, s->path) ||
+              time_shaking(s->path, 10, 10, &cost[COST_ONE_SHAKING]) ||
+              time_shaking(s->path, 1, LEVELS, &cost[COST_SHAKING]);
+    for (int which = COST_MARGIN; which < COSTS && !bad; which++)
+        bad = time_measure(&m, which, &cost[which]);
+    measures_free(&m);
+    return bad;
+}
+
+/* The structures with the most stones of each kind. */
+static int table_one(const struct figures *f)
+{
+    FILE *csv = open_out(f, "table1.csv"), *md = open_out(f, "table1.md");
+    if (!csv || !md) return -1;
+    fprintf(csv, "name,stones,shaking_one_level,shaking,margin,profile\n");
+    fprintf(md, "CPU seconds; measures with the search for contacts.\n\n"
+            "| structure | stones | one level of shaking | levels 1..20 "
+            "| level and margin | profiles | shaking / margin "
+            "| shaking / profiles |\n|---|---|---|---|---|---|---|---|\n");
+    for (int kind = 0; kind < BUILD_KINDS; kind++) {
+        const struct sample *s = NULL;
+        double cost[COSTS];
+        for (int i = 0; i < f->samples; i++)
+            if ((int)f->sample[i].kind == kind &&
+                (!s || f->sample[i].stones > s->stones))
+                s = &f->sample[i];
+        if (!s || time_sample(s, cost)) return fail("cannot time", "measures");
+        fprintf(csv, "%s,%d", s->name, s->stones);
+        fprintf(md, "| %s | %d |", s->name, s->stones);
+        for (int k = 0; k < COSTS; k++) {
+            fprintf(csv, ",%.3g", cost[k]);
+            fprintf(md, " %.2g |", cost[k]);
+        }
+        fprintf(csv, "\n");
+        fprintf(md, " %.0f | %.0f |\n", cost[COST_SHAKING] / cost[COST_MARGIN],
+                cost[COST_SHAKING] / cost[COST_PROFILE]);
+    }
+    return fclose(csv) | fclose(md) ? fail("cannot write", "table1") : 0;
+}
+
+/* ---- Fig. 3 -------------------------------------------------------------- */
+
+static int draw_shrunk(const struct figures *f, struct measures_of *m,
+                       const char *name, double shrink, const char *caption)
+{
+    struct draw_scene scene = { 0 };
+    kern_proof proof = { NULL, NULL };
+    FILE *out = open_out(f, name);
+    int bad;
+    proof.force = calloc((size_t)m->s.contacts, sizeof *proof.force);
+    bad = !out || !proof.force ||
+          kern_stands(&m->s, (kern_real)shrink, &m->options, &m->work,
+                      &proof) != KERN_STANDS;
+    scene.s = &m->s;
+    scene.names = m->text.name;
+    scene.shrink = shrink;
+    scene.force = proof.force;
+    scene.limiting = -1;
+    scene.caption = caption;
+    bad = bad || draw_svg(out, &scene);
+    if (out) bad |= fclose(out) != 0;
+    free(proof.force);
+    return bad ? fail("cannot draw", name) : 0;
+}
+
+/* The first structure, as it is and at the last step of Algorithm 1. */
+static int figure_three(const struct figures *f)
+{
+    struct measures_of m;
+    kern_margin out;
+    char caption[160];
+    int bad = measures_load(&m, f->sample[0].path) ||
+              kern_measure(&m.s, &m.options, &m.work, &out, NULL) !=
+                  KERN_STANDS;
+    if (!bad) {
+        double last = (out.level - 1) * (double)out.epsilon;
+        bad = draw_shrunk(f, &m, "fig3-first.svg", 0,
+                          "Forces that hold it, contacts as they are");
+        snprintf(caption, sizeof caption, "Shrunk by %d steps there are forces "
+                 "still, by one more there are none: level %d, margin %.4g",
+                 out.level - 1, out.level, (double)out.margin);
+        bad |= draw_shrunk(f, &m, "fig3-last.svg", last, caption);
+    }
+    measures_free(&m);
+    return bad;
+}
+
+/* ---- Figs. 6 and 7 ------------------------------------------------------- */
+
+static void level_axis(double *x)
+{
+    for (int l = 0; l < LEVELS; l++) x[l] = l + 1;
+}
+
+static int figure_six(const struct figures *f)
+{
+    FILE *csv = open_out(f, "fig6.csv"), *svg = open_out(f, "fig6.svg");
+    struct plot p = { NULL, 0, LEVELS, 0, 1.5, 0, 0, 0, 0 };
+    double x[LEVELS], most = 0;
+    char shade[8];
+    int bad;
+    if (!csv || !svg) return -1;
+    level_axis(x);
+    for (int i = 0; i < f->samples; i++)
+        most = fmax(most, f->sample[i].value[MEASURE_NEAR_WEAK_LOAD]);
+    plot_begin(&p, svg, "Shaking displaces safe structures later", "level of "
+               "shaking", "mean displacement score", 70);
+    fprintf(csv, "name,near_weak_load");
+    for (int l = 1; l <= LEVELS; l++) fprintf(csv, ",ads%d", l);
+    fprintf(csv, "\n");
+    for (int i = 0; i < f->samples; i++) {
+        const struct sample *s = &f->sample[i];
+        const double value = s->value[MEASURE_NEAR_WEAK_LOAD];
+        fprintf(csv, "%s,%.6g", s->name, value);
+        for (int l = 0; l < LEVELS; l++)
+            fprintf(csv, ",%.6g", s->shaken.ads[l]);
+        fprintf(csv, "\n");
+        plot_curve(&p, x, s->shaken.ads, LEVELS,
+                   draw_shade(most > 0 ? value / most : 0, shade), 1.6);
+    }
+    plot_colours(&p, 0, most, "load factor of the weaker half");
+    bad = plot_end(&p);
+    return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig6") : 0;
+}
+
+static void write_brick(FILE *out, int course, int i, double x, double width)
+{
+    const double height = 0.6, y = course * height;
+    fprintf(out, "block b%d%d *  %g %g  %g %g  %g %g  %g %g\n", course, i, x, y,
+            x + width, y, x + width, y + height, x, y + height);
+}
+
+/* A wall of bricks in bond, with half a brick at the ends of every second
+   course; the last brick of all may lie a little farther out. */
+static int write_wall(const char *path, double out_by)
+{
+    enum { COURSES = 5, BRICKS = 5 };
+    const double width = 1, joint = 0.02, half = (width - joint) / 2;
+    FILE *out = fopen(path, "w");
+    if (!out) return fail("cannot write", path);
+    fprintf(out, "friction 0.4\ngravity 0 -9.81\ntolerance 0.001\n"
+            "fixed base -2 -1  %d -1  %d 0  -2 0\n", BRICKS + 2, BRICKS + 2);
+    for (int c = 0; c < COURSES; c++) {
+        double x = 0;
+        for (int i = 0; i < BRICKS + c % 2; i++) {
+            int end = c % 2 && (i == 0 || i == BRICKS);
+            int last = c == COURSES - 1 && i == BRICKS - 1;
+            write_brick(out, c, i, x + (last ? out_by : 0), end ? half : width);
+            x += (end ? half : width) + joint;
+        }
+    }
+    return fclose(out) ? fail("cannot write", path) : 0;
+}
+
+/* Draws a wall and returns its margin and level. */
+static int draw_wall(const struct figures *f, const char *path,
+                     const char *name, kern_margin *m)
+{
+    struct measures_of w;
+    struct draw_scene scene = { 0 };
+    char caption[120];
+    FILE *out = open_out(f, name);
+    int bad = !out || measures_load(&w, path) ||
+              kern_measure(&w.s, &w.options, &w.work, m, NULL) != KERN_STANDS;
+    if (!bad) {
+        snprintf(caption, sizeof caption, "level %d, margin %.3g", m->level,
+                 (double)m->margin);
+        scene.s = &w.s;
+        scene.limiting = -1;
+        scene.caption = caption;
+        bad = draw_svg(out, &scene);
+        measures_free(&w);
+    }
+    if (out) bad |= fclose(out) != 0;
+    return bad ? fail("cannot draw", name) : 0;
+}
+
+static int figure_seven(const struct figures *f)
+{
+    static const double out_by[2] = { 0, 0.35 };
+    static const char *const colour[2] = { DRAW_KERN, DRAW_GHOST };
+    static const char *const name[2] = { "fig7-a.svg", "fig7-b.svg" };
+    struct table_report r[2] = { { NULL, NULL, 0, 0, 0, 0 },
+                                 { NULL, NULL, 0, 0, 0, 0 } };
+    struct plot p = { NULL, 0, LEVELS, 0, 0.1, 0, 0, 0, 0 };
+    FILE *csv = open_out(f, "fig7.csv"), *svg = open_out(f, "fig7.svg");
+    kern_margin m[2];
+    double x[LEVELS];
+    char path[PATH], text[80];
+    int bad = !csv || !svg;
+    level_axis(x);
+    for (int k = 0; k < 2 && !bad; k++) {
+        snprintf(path, sizeof path, "%s/fig7-%c.kern", f->folder, 'a' + k);
+        bad = write_wall(path, out_by[k]) || draw_wall(f, path, name[k], &m[k])
+              || shake_file(path, 1, LEVELS, f->quick ? 1 : 5, &r[k]);
+        for (int l = 0; l < LEVELS && !bad; l++)
+            p.y1 = fmax(p.y1, r[k].ads[l]);
+    }
+    if (bad) return -1;
+    plot_begin(&p, svg, "Two walls that differ in the place of one stone",
+               "level of shaking", "mean displacement score", 0);
+    fprintf(csv, "wall,level,margin,collapse");
+    for (int l = 1; l <= LEVELS; l++) fprintf(csv, ",ads%d", l);
+    fprintf(csv, "\n");
+    for (int k = 0; k < 2; k++) {
+        fprintf(csv, "%c,%d,%.6g,%.6g", 'a' + k, m[k].level,
+                (double)m[k].margin, r[k].level);
+        for (int l = 0; l < LEVELS; l++) fprintf(csv, ",%.6g", r[k].ads[l]);
+        fprintf(csv, "\n");
+        plot_curve(&p, x, r[k].ads, LEVELS, colour[k], 2);
+        draw_line(svg, draw_vec(p.left + 16, p.top + 18 + 18 * k),
+                  draw_vec(p.left + 40, p.top + 18 + 18 * k),
+                  k ? "stroke=\"" DRAW_GHOST "\" stroke-width=\"2\""
+                    : "stroke=\"" DRAW_KERN "\" stroke-width=\"2\"");
+        snprintf(text, sizeof text, "wall %c: level %d, margin %.3g", 'a' + k,
+                 m[k].level, (double)m[k].margin);
+        plot_text(&p, p.left + 48, p.top + 22 + 18 * k, 11.5, "start", text);
+        free(r[k].ads);
+        free(r[k].first);
+    }
+    bad = plot_end(&p);
+    return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig7") : 0;
+}
+
+int main(int argc, char **argv)
+{
+    struct figures f = { NULL, 0, 0, NULL };
+    int bad;
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0)
+            return fputs(help, stdout) < 0 ? 2 : 0;
+        if (strcmp(argv[i], "--quick") == 0) f.quick = 1;
+        else if (argv[i][0] != '-' && !f.folder) f.folder = argv[i];
+        else f.folder = NULL, i = argc;
+    }
+    if (!f.folder) {
+        fputs(help, stderr);
+        return 2;
+    }
+    bad = make_samples(&f) || table_one(&f) || figure_three(&f) ||
+          figure_six(&f) || figure_seven(&f);
+    for (int i = 0; i < f.samples && f.sample; i++) {
+        free(f.sample[i].shaken.ads);
+        free(f.sample[i].shaken.first);
+    }
+    free(f.sample);
+    return bad ? 2 : 0;
+}
