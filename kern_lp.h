@@ -44,9 +44,9 @@ static int kern_glpk_column(const kern_program *lp, int j, int *row,
     int n = 0, i, end;
     if (lp->ends) {
         for (end = 0; end < 2; end++) {
-            const int g = lp->ends[2 * j + end];
+            const int g = end ? kern_lp_tail(lp, j) : kern_lp_head(lp, j);
             kern_real part[3];
-            if (g < 0)
+            if (3 * g == lp->rows)
                 continue;
             kern_lp_part(lp, j, g, part);
             for (i = 0; i < 3; i++) {
