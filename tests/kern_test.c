@@ -3588,26 +3588,26 @@ static struct {
     kern_block block[MAX_BLOCKS];
     kern_contact contact[MAX_POINTS];
     int basis[KERN_PLAN_INTS(MAX_BLOCKS)];
-} kept;
+} site_was;
 
 static void site_keep(const site *p)
 {
-    memcpy(&kept.plan, &p->plan, sizeof kept.plan);
-    memcpy(kept.block, p->block, sizeof *p->block * (size_t)p->plan.s.blocks);
-    memcpy(kept.contact, p->contact,
+    memcpy(&site_was.plan, &p->plan, sizeof site_was.plan);
+    memcpy(site_was.block, p->block, sizeof *p->block * (size_t)p->plan.s.blocks);
+    memcpy(site_was.contact, p->contact,
            sizeof *p->contact * (size_t)p->plan.s.contacts);
-    memcpy(kept.basis, p->basis, sizeof kept.basis);
+    memcpy(site_was.basis, p->basis, sizeof site_was.basis);
 }
 
 static void site_unchanged(const site *p, int line)
 {
-    const size_t b = (size_t)kept.plan.s.blocks,
-                 c = (size_t)kept.plan.s.contacts;
-    check_report(!memcmp(&p->plan, &kept.plan, sizeof kept.plan) &&
-                     !memcmp(p->block, kept.block, sizeof *p->block * b) &&
-                     !memcmp(p->contact, kept.contact,
+    const size_t b = (size_t)site_was.plan.s.blocks,
+                 c = (size_t)site_was.plan.s.contacts;
+    check_report(!memcmp(&p->plan, &site_was.plan, sizeof site_was.plan) &&
+                     !memcmp(p->block, site_was.block, sizeof *p->block * b) &&
+                     !memcmp(p->contact, site_was.contact,
                              sizeof *p->contact * c) &&
-                     !memcmp(p->basis, kept.basis, sizeof kept.basis),
+                     !memcmp(p->basis, site_was.basis, sizeof site_was.basis),
                  line, "the plan is as it was", 0, 0, 0);
 }
 
