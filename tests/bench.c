@@ -12,7 +12,12 @@
 
    Then ./bench prints the tables, ./bench --quick a small part of them within
    a minute, ./bench --help the options. Progress goes to stderr. The exit
-   status is 1 if any two answers disagree; times are never judged by it.
+   status is 1 if any two answers disagree; times are never judged by it. The
+   README's tables are made anew by
+
+       ./bench --summary >summary.md && sed -i \
+           -e '/^<!-- bench/,/^<!-- end/{//!d}' \
+           -e '/^<!-- bench/r summary.md' README.md
 
    STRUCTURES are made here from fixed seeds: walls in running bond (bond),
    ragged with gaps (rag), with sloped beds (irr), towers, voussoir arches, and
@@ -76,6 +81,8 @@
 #define SCAN_MOST 500      /* largest structures whose levels are scanned     */
 #define PLACES_MOST 24     /* candidates of a structure                       */
 #define PLAN_MOST 1000     /* largest structures with candidates              */
+#define GROWTH_GOAL 2      /* exponent of the measure on walls                */
+#define MEMORY_GOAL 32     /* for 30 blocks [KB]                              */
 #define MISSING (-1.0)     /* a number that was not measured                  */
 
 static void *room_for(size_t count, size_t size)
@@ -156,7 +163,7 @@ static double time_job(const struct job *job, const struct patience *patience)
     return best;
 }
 
-/* ---- Medians of numbers --------------------------------------------------- */
+/* ---- Medians of numbers -------------------------------------------------- */
 
 static int compare_numbers(const void *a, const void *b)
 {
@@ -760,7 +767,7 @@ struct bench {
     int size[16], sizes;
     int family;            /* -1: all                                         */
     int number;            /* -1: as many as are due                          */
-    int quick, print;
+    int quick, summary, print;
     int most;              /* of larger structures only contacts are searched */
     struct sample *sample;
     int samples, room;
@@ -776,9 +783,10 @@ static void check(struct bench *bench, const struct sample *sample, int agree,
     if (agree)
         return;
     bench->differences++;
-    printf("DISAGREE %s/%d/%d: %s: %.12g, %.12g\n",
-           families[sample->family].name, sample->size, sample->number, what,
-           ours, theirs);
+    fprintf(bench->summary ? stderr : stdout,
+            "DISAGREE %s/%d/%d: %s: %.12g, %.12g\n",
+            families[sample->family].name, sample->size, sample->number, what,
+            ours, theirs);
 }
 
 /* Algorithm 1, with anybody's verdicts (1, 0, -1: none): -1 for no answer. */
@@ -1369,7 +1377,7 @@ static void measure_size(struct bench *bench, int size)
     }
 }
 
-/* ---- Medians of structures ------------------------------------------------ */
+/* ---- Medians of structures ----------------------------------------------- */
 
 /* A quantity, or its ratio to another one; MISSING where it was not taken. */
 struct figure {
@@ -1598,18 +1606,25 @@ static void print_goal(double value, double most)
                                                                 : ", MISSED");
 }
 
-/* Growth on walls is a goal; the other exponents stand in their own table. */
-static void print_goal_growth(const struct bench *bench)
+/* The median of the exponents on walls. */
+static double growth_on_walls(const struct bench *bench)
 {
-    double number[FAMILIES], m;
+    double number[FAMILIES];
     int family, n = 0;
     for (family = 0; family < FAMILIES; family++) {
         const double v = growth(bench, MEASURE, family);
         if (families[family].wall && families[family].counts && v >= 0)
             number[n++] = v;
     }
-    m = median(number, n);
-    if (n == 0)
+    return median(number, n);
+}
+
+/* Growth on walls is a goal; the other exponents stand in their own table. */
+static void print_goal_growth(const struct bench *bench)
+{
+    const double m = growth_on_walls(bench);
+    int family;
+    if (m < 0)
         return;
     printf("| %-34s |", "growth of the measure, walls");
     print_number(m);
@@ -1617,27 +1632,31 @@ static void print_goal_growth(const struct bench *bench)
         print_number(families[family].wall ? growth(bench, MEASURE, family)
                                            : MISSING);
     print_number(MISSING);
-    print_goal(m, 2);
+    print_goal(m, GROWTH_GOAL);
 }
 
-/* 30 blocks on the ground and 70 line contacts, whatever was run. */
-static void print_goal_memory(void)
+/* Work memory for 30 blocks on the ground and 70 line contacts [KB]. */
+static double memory_of_30(void)
 {
-    const double work = KERN_REALS(31, 140) * (double)sizeof(kern_real)
-        + KERN_INTS(31, 140) * (double)sizeof(int);
-    const double all = work + 31 * (double)sizeof(kern_block)
-        + 140 * (double)sizeof(kern_contact);
+    return (KERN_REALS(31, 140) * (double)sizeof(kern_real)
+        + KERN_INTS(31, 140) * (double)sizeof(int)) / 1024;
+}
+
+/* The same with all that it is about. */
+static double all_memory_of_30(void)
+{
+    return memory_of_30() + (31 * (double)sizeof(kern_block)
+        + 140 * (double)sizeof(kern_contact)) / 1024;
+}
+
+static void print_goal_memory(const char *text, double kb)
+{
     int i;
-    printf("| %-34s |", "30 blocks, 70 lines: work, KB");
-    print_number(work / 1024);
+    printf("| %-34s |", text);
+    print_number(kb);
     for (i = 0; i <= FAMILIES; i++)
         print_number(MISSING);
-    print_goal(work / 1024, 32);
-    printf("| %-34s |", "  with blocks and contacts, KB");
-    print_number(all / 1024);
-    for (i = 0; i <= FAMILIES; i++)
-        print_number(MISSING);
-    print_goal(all / 1024, 32);
+    print_goal(kb, MEMORY_GOAL);
 }
 
 static void table_goals(const struct bench *bench)
@@ -1658,7 +1677,8 @@ static void table_goals(const struct bench *bench)
         print_goal(m, g->most);
     }
     print_goal_growth(bench);
-    print_goal_memory();
+    print_goal_memory("30 blocks, 70 lines: work, KB", memory_of_30());
+    print_goal_memory("  with blocks and contacts, KB", all_memory_of_30());
 }
 
 static void table_growth(const struct bench *bench)
@@ -1743,14 +1763,82 @@ static void print_tables(const struct bench *bench)
            bench->silent);
 }
 
+/* ---- The README's tables ------------------------------------------------- */
+
+static void print_cell(double value, double goal)
+{
+    if (value < 0)
+        printf(" |");
+    else if (goal > 0)
+        printf(" %.2g (%g) |", value, goal);
+    else
+        printf(" %.2g |", value);
+}
+
+/* Medians by size; a goal stands behind the number it is about. */
+static void summary_sizes(const struct bench *bench)
+{
+    static const struct figure figure[] = {
+        {VERDICT, -1},        {MEASURE, -1},        {PEER_COLD, -1},
+        {VERDICT, PEER_COLD}, {MEASURE, PEER_COLD}, {MEASURE, PEER_WARM},
+        {TRY_SHARE, -1}};
+    const int columns = (int)(sizeof figure / sizeof figure[0]);
+    size_t g;
+    int i, k;
+    printf("\n| blocks | verdict, ms | measure, ms | peer's LP, ms "
+           "| verdict / LP | measure / LP | measure / peer's Algorithm 1 "
+           "| candidate / measure |\n|---:|---:|---:|---:|---:|---:|---:|---:|"
+           "\n");
+    for (i = 0; i < bench->sizes && bench->size[i] <= bench->most; i++) {
+        printf("| %d |", bench->size[i]);
+        for (k = 0; k < columns; k++) {
+            double goal = 0;
+            for (g = 0; g < sizeof goals / sizeof goals[0]; g++)
+                if (goals[g].figure.over == figure[k].over
+                    && goals[g].figure.under == figure[k].under
+                    && goals[g].size == bench->size[i])
+                    goal = goals[g].most;
+            print_cell(size_median(bench, &figure[k], bench->size[i]), goal);
+        }
+        printf("\n");
+    }
+}
+
+static void summary_row(const char *text, double value, double goal)
+{
+    printf("| %s |", text);
+    print_cell(value, goal);
+    printf("\n");
+}
+
+static void print_summary(const struct bench *bench)
+{
+    static const struct figure load = {LOAD, MEASURE}, tilt = {TILT, MEASURE};
+    static const struct figure memory = {MEMORY, -1}, rate = {RATE, -1};
+    summary_sizes(bench);
+    printf("\n| over all | |\n|---|---:|\n");
+    summary_row("load factor / measure", size_median(bench, &load, 0), 2);
+    summary_row("tilt / measure", size_median(bench, &tilt, 0), 2);
+    summary_row("growth of the measure on walls, exponent from 100 blocks on",
+                growth_on_walls(bench), GROWTH_GOAL);
+    summary_row("work memory, 30 blocks with 70 line contacts, KB",
+                memory_of_30(), MEMORY_GOAL);
+    summary_row("work memory, 1000 blocks, KB",
+                size_median(bench, &memory, 1000), 4096);
+    printf("| candidates a second on 50 blocks | %.0f |\n\n",
+           size_median(bench, &rate, 50));
+}
+
 /* ---- The program --------------------------------------------------------- */
 
 static int usage(FILE *out, int status)
 {
     fprintf(out,
             "bench [--quick] [--family NAME] [--sizes N,N,...] [--number K]\n"
-            "      [--print]\n"
-            "  --quick     few structures of up to 200 blocks, contacts of 5000\n"
+            "      [--summary] [--print]\n"
+            "  --quick     few structures of up to 200 blocks; contact search\n"
+            "              of up to 5000\n"
+            "  --summary   print the README's tables alone\n"
             "  --family    bond, rag, irr, tower, arch or brick alone\n"
             "  --sizes     of 5 to 5000 blocks, at most 16\n"
             "  --number    only structure K of each family and size\n"
@@ -1787,6 +1875,8 @@ static int read_options(struct bench *bench, int argc, char **argv)
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (strcmp(argv[i], "--quick") == 0) {
             bench->quick = 1;
+        } else if (strcmp(argv[i], "--summary") == 0) {
+            bench->summary = 1;
         } else if (strcmp(argv[i], "--print") == 0) {
             bench->print = 1;
         } else if (strcmp(argv[i], "--sizes") == 0) {
@@ -1825,7 +1915,9 @@ int main(int argc, char **argv)
     bench.sample = room_for((size_t)bench.room, sizeof(struct sample));
     for (i = 0; i < bench.sizes; i++)
         measure_size(&bench, bench.size[i]);
-    if (!bench.print)
+    if (bench.summary)
+        print_summary(&bench);
+    else if (!bench.print)
         print_tables(&bench);
     free(bench.sample);
     return bench.differences > 0;
