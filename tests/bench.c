@@ -1767,12 +1767,14 @@ static void print_tables(const struct bench *bench)
 
 static void print_cell(double value, double goal)
 {
+    char text[32];
+    snprintf(text, sizeof text, value < 100 ? "%.2g" : "%.0f", value);
     if (value < 0)
         printf(" |");
     else if (goal > 0)
-        printf(" %.2g (%g) |", value, goal);
+        printf(" %s (%g) |", text, goal);
     else
-        printf(" %.2g |", value);
+        printf(" %s |", text);
 }
 
 /* Medians by size; a goal stands behind the number it is about. */
@@ -1825,8 +1827,9 @@ static void print_summary(const struct bench *bench)
                 memory_of_30(), MEMORY_GOAL);
     summary_row("work memory, 1000 blocks, KB",
                 size_median(bench, &memory, 1000), 4096);
-    printf("| candidates a second on 50 blocks | %.0f |\n\n",
-           size_median(bench, &rate, 50));
+    summary_row("candidates a second, 50 blocks",
+                size_median(bench, &rate, 50), 0);
+    printf("\n");
 }
 
 /* ---- The program --------------------------------------------------------- */

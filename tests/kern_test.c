@@ -3593,7 +3593,8 @@ static struct {
 static void site_keep(const site *p)
 {
     memcpy(&site_was.plan, &p->plan, sizeof site_was.plan);
-    memcpy(site_was.block, p->block, sizeof *p->block * (size_t)p->plan.s.blocks);
+    memcpy(site_was.block, p->block,
+           sizeof *p->block * (size_t)p->plan.s.blocks);
     memcpy(site_was.contact, p->contact,
            sizeof *p->contact * (size_t)p->plan.s.contacts);
     memcpy(site_was.basis, p->basis, sizeof site_was.basis);
