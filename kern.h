@@ -464,7 +464,8 @@ typedef struct kern_known {
 
 /* A structure that a planner changes by one block at a time. kern_plan_of()
    makes an empty one; options and gravity may then be set, before blocks are
-   added. Everything may be read at any time. */
+   added. Everything may be read at any time; contacts that are given rather
+   than found may be appended to contact[s.contacts]. */
 typedef struct kern_plan {
     kern_structure s;     /* as it is now                                     */
     kern_options options; /* kern_defaults()                                  */

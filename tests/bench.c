@@ -12,7 +12,12 @@
 
    Then ./bench prints the tables, ./bench --quick a small part of them within
    a minute, ./bench --help the options. Progress goes to stderr. The exit
-   status is 1 if any two answers disagree; times are never judged by it.
+   status is 1 if any two answers disagree; times are never judged by it. The
+   README's tables are made anew by
+
+       ./bench --summary >summary.md && sed -i \
+           -e '/^<!-- bench/,/^<!-- end/{//!d}' \
+           -e '/^<!-- bench/r summary.md' README.md
 
    STRUCTURES are made here from fixed seeds: walls in running bond (bond),
    ragged with gaps (rag), with sloped beds (irr), towers, voussoir arches, and
@@ -31,6 +36,13 @@
        A(d) x = -w, x >= 0    three rows a free block, two columns a contact
                               point; lengths in mean block sizes, forces in
                               mean weights; torques about each block's centre
+
+   CANDIDATES: a stone is laid on top of a structure at several places. `try`
+   is kern_plan_try on the structure as it was measured, with the contacts of
+   the stone found on the way; `fresh` is kern_measure of all blocks with the
+   stone from nothing, contacts given; `+search` finds these with kern_contacts
+   before. A structure's ratio is the median over the places where it stands.
+   `per s` counts all places, also where it falls and where the stone overlaps.
 
    MEDIANS: a family's number is the median over its structures, a size's
    number the median over the five families' numbers; a ratio is taken for each
@@ -67,6 +79,10 @@
 #define STALL 10           /* pivots a row: an LP of kern.h that needs more is
                               undecided, which disagrees with everything      */
 #define SCAN_MOST 500      /* largest structures whose levels are scanned     */
+#define PLACES_MOST 24     /* candidates of a structure                       */
+#define PLAN_MOST 1000     /* largest structures with candidates              */
+#define GROWTH_GOAL 2      /* exponent of the measure on walls                */
+#define MEMORY_GOAL 32     /* for 30 blocks [KB]                              */
 #define MISSING (-1.0)     /* a number that was not measured                  */
 
 static void *room_for(size_t count, size_t size)
@@ -145,6 +161,22 @@ static double time_job(const struct job *job, const struct patience *patience)
         best = t < best ? t : best;
     }
     return best;
+}
+
+/* ---- Medians of numbers -------------------------------------------------- */
+
+static int compare_numbers(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *number, int n)
+{
+    if (n == 0)
+        return MISSING;
+    qsort(number, (size_t)n, sizeof *number, compare_numbers);
+    return (number[(n - 1) / 2] + number[n / 2]) / 2;
 }
 
 /* ---- Structures ---------------------------------------------------------- */
@@ -684,6 +716,14 @@ static void clp_close(void *model)
     X(PEER_WARM, "peer A1")                                                   \
     X(PEER_CRITICAL, "peer d*")                                               \
     X(PEER_CLOSED, "peer cl.")                                                \
+    X(TRY, "try")               /* ms: kern_plan_try of a candidate         */\
+    X(FRESH, "fresh")           /* kern_measure with it                     */\
+    X(TRY_SHARE, "try/fresh")   /* median of ratios                         */\
+    X(TRY_WORST, "worst")                                                     \
+    X(TRY_SEARCHED, "/+search") /* over kern_contacts and kern_measure      */\
+    X(TRY_FALLS, "if falls")    /* over the verdict that it falls           */\
+    X(PLACES, "places")         /* where it stands                          */\
+    X(RATE, "per s")            /* candidates                               */\
     X(POINTS, "points")         /* contact points                           */\
     X(MARGIN, "d*/d_max")                                                     \
     X(PIVOTS, "pivots")         /* of the measure                           */\
@@ -727,7 +767,8 @@ struct bench {
     int size[16], sizes;
     int family;            /* -1: all                                         */
     int number;            /* -1: as many as are due                          */
-    int quick, print;
+    int quick, summary, print;
+    int most;              /* of larger structures only contacts are searched */
     struct sample *sample;
     int samples, room;
     int checks, differences, silent;
@@ -742,9 +783,10 @@ static void check(struct bench *bench, const struct sample *sample, int agree,
     if (agree)
         return;
     bench->differences++;
-    printf("DISAGREE %s/%d/%d: %s: %.12g, %.12g\n",
-           families[sample->family].name, sample->size, sample->number, what,
-           ours, theirs);
+    fprintf(bench->summary ? stderr : stdout,
+            "DISAGREE %s/%d/%d: %s: %.12g, %.12g\n",
+            families[sample->family].name, sample->size, sample->number, what,
+            ours, theirs);
 }
 
 /* Algorithm 1, with anybody's verdicts (1, 0, -1: none): -1 for no answer. */
@@ -960,6 +1002,185 @@ static void measure_sideways(struct bench *bench, struct sample *sample,
               "tan(tilt), load factor", tan(ask->number), factor);
 }
 
+/* ---- Candidates ---------------------------------------------------------- */
+
+/* A plan of a structure, and a stone that is tried on it. */
+struct site {
+    const struct scene *scene;
+    kern_plan plan;
+    kern_work work;
+    kern_vec corner[4];
+    kern_block stone;
+    kern_contact *found;   /* of all blocks with the stone                    */
+    kern_status status;
+    kern_margin margin;
+};
+
+static void site_open(struct site *site, const struct scene *scene)
+{
+    const int blocks = scene->blocks + 1, contacts = scene->room;
+    int reals, ints, i;
+    memset(site, 0, sizeof *site);
+    site->scene = scene;
+    kern_work_need(blocks, contacts, &reals, &ints);
+    site->work = kern_work_of(room_for((size_t)reals, sizeof(kern_real)),
+                              reals, room_for((size_t)ints, sizeof(int)),
+                              ints);
+    site->found = room_for((size_t)contacts, sizeof(kern_contact));
+    site->plan = kern_plan_of(
+        room_for((size_t)blocks, sizeof(kern_block)), blocks,
+        room_for((size_t)contacts, sizeof(kern_contact)), contacts,
+        room_for((size_t)KERN_PLAN_INTS(blocks), sizeof(int)), &site->work);
+    site->plan.options = scene->options;
+    for (i = 0; i < scene->blocks; i++)
+        kern_plan_add(&site->plan, &scene->block[i]);
+}
+
+static void site_close(struct site *site)
+{
+    free(site->work.real);
+    free(site->work.index);
+    free(site->found);
+    free(site->plan.block);
+    free(site->plan.contact);
+    free(site->plan.known.basis);
+}
+
+/* Lays the stone, a brick, on the last edge but one of a block, its upper
+   face: from that share of the face on, and maybe over its end. */
+static void site_lay(struct site *site, int block, double share)
+{
+    const kern_block *b = &site->scene->block[block];
+    const kern_vec right = b->vertex[b->vertices - 2];
+    const kern_vec left = b->vertex[b->vertices - 1];
+    const double face = hypot(right.x - left.x, right.y - left.y);
+    const double ux = (right.x - left.x) / face, uy = (right.y - left.y) / face;
+    kern_vec *v = site->corner;
+    v[0].x = left.x + share * face * ux;
+    v[0].y = left.y + share * face * uy;
+    v[1].x = v[0].x + 0.8 * LENGTH * ux;
+    v[1].y = v[0].y + 0.8 * LENGTH * uy;
+    v[2].x = v[1].x - 0.5 * LENGTH * uy;
+    v[2].y = v[1].y + 0.5 * LENGTH * ux;
+    v[3].x = v[0].x - 0.5 * LENGTH * uy;
+    v[3].y = v[0].y + 0.5 * LENGTH * ux;
+    kern_block_init(&site->stone, v, 4, DENSITY, NULL);
+}
+
+static void run_try(void *data)
+{
+    struct site *site = data;
+    site->status = kern_plan_try(&site->plan, &site->stone, &site->margin,
+                                 NULL);
+}
+
+/* Of a plan to which the stone was added: kern_measure knows nothing of it. */
+static void run_fresh(void *data)
+{
+    struct site *site = data;
+    site->status = kern_measure(&site->plan.s, &site->plan.options,
+                                &site->work, &site->margin, NULL);
+}
+
+static void run_searched(void *data)
+{
+    struct site *site = data;
+    kern_structure s = site->plan.s;
+    s.contact = site->found;
+    s.contacts = kern_contacts(s.block, s.blocks, &site->plan.options,
+                               site->found, site->scene->room, &site->work);
+    site->status = kern_measure(&s, &site->plan.options, &site->work,
+                                &site->margin, NULL);
+}
+
+static double site_time(const struct bench *bench, struct site *site,
+                        void (*run)(void *data))
+{
+    struct job job;
+    job.ready = NULL;
+    job.run = run;
+    job.data = site;
+    return time_job(&job, &bench->patience);
+}
+
+/* Numbers of the candidates of a structure. */
+struct places {
+    int stand, fall;
+    double time;           /* of all                                          */
+    double tried[PLACES_MOST], fresh[PLACES_MOST], share[PLACES_MOST];
+    double searched[PLACES_MOST], falls[PLACES_MOST];
+};
+
+/* One candidate; the answer must be that of a fresh structure. */
+static void measure_place(struct bench *bench, struct sample *sample,
+                          struct site *site, struct places *places)
+{
+    const kern_plan before = site->plan;
+    const double tried = site_time(bench, site, run_try);
+    const kern_status status = site->status;
+    const kern_margin m = site->margin;
+    double fresh;
+    places->time += tried;
+    if (status < 0) {
+        check(bench, sample, status == KERN_OVERLAP, "candidate, status",
+              status, KERN_OVERLAP);
+        return;
+    }
+    kern_plan_add(&site->plan, &site->stone);
+    fresh = site_time(bench, site, run_fresh);
+    check(bench, sample, site->status == status, "candidate, verdict", status,
+          site->status);
+    if (status == KERN_FALLS) {
+        places->falls[places->fall++] = tried / fresh;
+    } else {
+        check(bench, sample, fabs(m.margin - site->margin.margin) <= 1e-9
+              * kern_mean_size(site->plan.block, site->plan.s.blocks),
+              "candidate, margin", m.margin, site->margin.margin);
+        check(bench, sample, m.level == site->margin.level,
+              "candidate, level", m.level, site->margin.level);
+        places->tried[places->stand] = tried;
+        places->fresh[places->stand] = fresh;
+        places->searched[places->stand] = tried
+            / site_time(bench, site, run_searched);
+        places->share[places->stand++] = tried / fresh;
+    }
+    site->plan = before;
+}
+
+/* Places on top: beside, within and across the ends of upper faces. */
+static void measure_places(struct bench *bench, struct sample *sample,
+                           const struct scene *scene)
+{
+    static const double share[] = {-0.3, 0.05, 0.4, -0.8};
+    const int places = sample->size <= 50 ? PLACES_MOST
+                     : sample->size <= 200 ? 8 : 4;
+    struct places all;
+    struct site site;
+    int block = scene->blocks - 1, count = 0, i;
+    all.stand = all.fall = 0;
+    all.time = 0;
+    site_open(&site, scene);
+    kern_plan_measure(&site.plan, &site.margin, NULL);
+    for (; block > 0 && count < places; block--) {
+        if (scene->block[block].fixed)
+            continue;
+        for (i = 0; i < 4 && count < places; i++, count++) {
+            site_lay(&site, block, share[i]);
+            measure_place(bench, sample, &site, &all);
+        }
+    }
+    sample->value[PLACES] = all.stand;
+    sample->value[RATE] = 1000 * count / all.time;
+    sample->value[TRY] = median(all.tried, all.stand);
+    sample->value[FRESH] = median(all.fresh, all.stand);
+    sample->value[TRY_SHARE] = median(all.share, all.stand);
+    if (all.stand > 0)
+        sample->value[TRY_WORST] = all.share[all.stand - 1];
+    sample->value[TRY_SEARCHED] = median(all.searched, all.stand);
+    sample->value[TRY_FALLS] = median(all.falls, all.fall);
+    site_close(&site);
+}
+
 /* ---- Theirs -------------------------------------------------------------- */
 
 struct rival {
@@ -1103,6 +1324,11 @@ static void measure_structure(struct bench *bench, struct sample *sample)
     ask_open(&ask, &scene);
     measure_memory(sample, &ask);
     sample->value[SEARCH] = ask_time(bench, &ask, run_search);
+    if (sample->size > bench->most) {
+        ask_close(&ask);
+        scene_close(&scene);
+        return;
+    }
     status = measure_margin(bench, sample, &ask);
     if (status == KERN_STANDS && ask.margin.margin > 0) {
         const kern_margin m = ask.margin;
@@ -1110,6 +1336,8 @@ static void measure_structure(struct bench *bench, struct sample *sample)
         measure_levels(bench, sample, &ask);
         measure_edge(bench, sample, &ask);
         measure_sideways(bench, sample, &ask);
+        if (sample->size <= PLAN_MOST)
+            measure_places(bench, sample, &scene);
         ask.margin = m;
     }
     measure_peers(bench, sample, &ask, status);
@@ -1149,7 +1377,7 @@ static void measure_size(struct bench *bench, int size)
     }
 }
 
-/* ---- Medians ------------------------------------------------------------- */
+/* ---- Medians of structures ----------------------------------------------- */
 
 /* A quantity, or its ratio to another one; MISSING where it was not taken. */
 struct figure {
@@ -1163,20 +1391,6 @@ static double figure_of(const struct figure *f, const struct sample *sample)
         return over;
     return sample->value[f->under] > 0 ? over / sample->value[f->under]
                                        : MISSING;
-}
-
-static int compare_numbers(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *number, int n)
-{
-    if (n == 0)
-        return MISSING;
-    qsort(number, (size_t)n, sizeof *number, compare_numbers);
-    return (number[(n - 1) / 2] + number[n / 2]) / 2;
 }
 
 /* Over the structures of a family and size (0: all sizes). */
@@ -1380,6 +1594,7 @@ static const struct goal {
     {"measure / cold LP", {MEASURE, PEER_COLD}, 500, 0.25},
     {"measure / cold LP", {MEASURE, PEER_COLD}, 1000, 0.35},
     {"measure / cold LP", {MEASURE, PEER_COLD}, 2000, 0.5},
+    {"candidate / measure from nothing", {TRY_SHARE, -1}, 50, 0.15},
     {"work memory, KB", {MEMORY, -1}, 1000, 4096},
     {"load factor / measure", {LOAD, MEASURE}, 0, 2},
     {"tilt / measure", {TILT, MEASURE}, 0, 2},
@@ -1391,18 +1606,25 @@ static void print_goal(double value, double most)
                                                                 : ", MISSED");
 }
 
-/* Growth on walls is a goal; the other exponents stand in their own table. */
-static void print_goal_growth(const struct bench *bench)
+/* The median of the exponents on walls. */
+static double growth_on_walls(const struct bench *bench)
 {
-    double number[FAMILIES], m;
+    double number[FAMILIES];
     int family, n = 0;
     for (family = 0; family < FAMILIES; family++) {
         const double v = growth(bench, MEASURE, family);
         if (families[family].wall && families[family].counts && v >= 0)
             number[n++] = v;
     }
-    m = median(number, n);
-    if (n == 0)
+    return median(number, n);
+}
+
+/* Growth on walls is a goal; the other exponents stand in their own table. */
+static void print_goal_growth(const struct bench *bench)
+{
+    const double m = growth_on_walls(bench);
+    int family;
+    if (m < 0)
         return;
     printf("| %-34s |", "growth of the measure, walls");
     print_number(m);
@@ -1410,27 +1632,31 @@ static void print_goal_growth(const struct bench *bench)
         print_number(families[family].wall ? growth(bench, MEASURE, family)
                                            : MISSING);
     print_number(MISSING);
-    print_goal(m, 2);
+    print_goal(m, GROWTH_GOAL);
 }
 
-/* 30 blocks on the ground and 70 line contacts, whatever was run. */
-static void print_goal_memory(void)
+/* Work memory for 30 blocks on the ground and 70 line contacts [KB]. */
+static double memory_of_30(void)
 {
-    const double work = KERN_REALS(31, 140) * (double)sizeof(kern_real)
-        + KERN_INTS(31, 140) * (double)sizeof(int);
-    const double all = work + 31 * (double)sizeof(kern_block)
-        + 140 * (double)sizeof(kern_contact);
+    return (KERN_REALS(31, 140) * (double)sizeof(kern_real)
+        + KERN_INTS(31, 140) * (double)sizeof(int)) / 1024;
+}
+
+/* The same with all that it is about. */
+static double all_memory_of_30(void)
+{
+    return memory_of_30() + (31 * (double)sizeof(kern_block)
+        + 140 * (double)sizeof(kern_contact)) / 1024;
+}
+
+static void print_goal_memory(const char *text, double kb)
+{
     int i;
-    printf("| %-34s |", "30 blocks, 70 lines: work, KB");
-    print_number(work / 1024);
+    printf("| %-34s |", text);
+    print_number(kb);
     for (i = 0; i <= FAMILIES; i++)
         print_number(MISSING);
-    print_goal(work / 1024, 32);
-    printf("| %-34s |", "  with blocks and contacts, KB");
-    print_number(all / 1024);
-    for (i = 0; i <= FAMILIES; i++)
-        print_number(MISSING);
-    print_goal(all / 1024, 32);
+    print_goal(kb, MEMORY_GOAL);
 }
 
 static void table_goals(const struct bench *bench)
@@ -1451,7 +1677,8 @@ static void table_goals(const struct bench *bench)
         print_goal(m, g->most);
     }
     print_goal_growth(bench);
-    print_goal_memory();
+    print_goal_memory("30 blocks, 70 lines: work, KB", memory_of_30());
+    print_goal_memory("  with blocks and contacts, KB", all_memory_of_30());
 }
 
 static void table_growth(const struct bench *bench)
@@ -1503,6 +1730,8 @@ static void print_tables(const struct bench *bench)
     static const int counts[] = {POINTS, MARGIN, FIRST,  PIVOTS,
                                  SOLVES, MEMORY, ALL_MEMORY};
     static const int edge[] = {CRITICAL, PEER_CRITICAL, CLOSED, PEER_CLOSED};
+    static const int plan[] = {TRY,          FRESH,     TRY_SHARE, TRY_WORST,
+                               TRY_SEARCHED, TRY_FALLS, PLACES,    RATE};
     table_goals(bench);
     table_ratios(bench, "RATIO: verdict at 0 / cold LP of the best peer",
                  VERDICT, PEER_COLD);
@@ -1525,11 +1754,82 @@ static void print_tables(const struct bench *bench)
     table_quantities(bench, "COUNTS (pivots and LPs of the measure; pivots 0: "
                      "of the verdict at 0)", counts,
                      (int)(sizeof counts / sizeof counts[0]));
+    table_quantities(bench, "CANDIDATES: one more stone on top, ms and ratios",
+                     plan, (int)(sizeof plan / sizeof plan[0]));
     table_growth(bench);
     table_slow(bench);
     printf("\n%d structures, %d checks, %d disagree; a peer had no answer %d "
            "times.\n", bench->samples, bench->checks, bench->differences,
            bench->silent);
+}
+
+/* ---- The README's tables ------------------------------------------------- */
+
+static void print_cell(double value, double goal)
+{
+    char text[32];
+    snprintf(text, sizeof text, value < 100 ? "%.2g" : "%.0f", value);
+    if (value < 0)
+        printf(" |");
+    else if (goal > 0)
+        printf(" %s (%g) |", text, goal);
+    else
+        printf(" %s |", text);
+}
+
+/* Medians by size; a goal stands behind the number it is about. */
+static void summary_sizes(const struct bench *bench)
+{
+    static const struct figure figure[] = {
+        {VERDICT, -1},        {MEASURE, -1},        {PEER_COLD, -1},
+        {VERDICT, PEER_COLD}, {MEASURE, PEER_COLD}, {MEASURE, PEER_WARM},
+        {TRY_SHARE, -1}};
+    const int columns = (int)(sizeof figure / sizeof figure[0]);
+    size_t g;
+    int i, k;
+    printf("\n| blocks | verdict, ms | measure, ms | peer's LP, ms "
+           "| verdict / LP | measure / LP | measure / peer's Algorithm 1 "
+           "| candidate / measure |\n|---:|---:|---:|---:|---:|---:|---:|---:|"
+           "\n");
+    for (i = 0; i < bench->sizes && bench->size[i] <= bench->most; i++) {
+        printf("| %d |", bench->size[i]);
+        for (k = 0; k < columns; k++) {
+            double goal = 0;
+            for (g = 0; g < sizeof goals / sizeof goals[0]; g++)
+                if (goals[g].figure.over == figure[k].over
+                    && goals[g].figure.under == figure[k].under
+                    && goals[g].size == bench->size[i])
+                    goal = goals[g].most;
+            print_cell(size_median(bench, &figure[k], bench->size[i]), goal);
+        }
+        printf("\n");
+    }
+}
+
+static void summary_row(const char *text, double value, double goal)
+{
+    printf("| %s |", text);
+    print_cell(value, goal);
+    printf("\n");
+}
+
+static void print_summary(const struct bench *bench)
+{
+    static const struct figure load = {LOAD, MEASURE}, tilt = {TILT, MEASURE};
+    static const struct figure memory = {MEMORY, -1}, rate = {RATE, -1};
+    summary_sizes(bench);
+    printf("\n| over all | |\n|---|---:|\n");
+    summary_row("load factor / measure", size_median(bench, &load, 0), 2);
+    summary_row("tilt / measure", size_median(bench, &tilt, 0), 2);
+    summary_row("growth of the measure on walls, exponent from 100 blocks on",
+                growth_on_walls(bench), GROWTH_GOAL);
+    summary_row("work memory, 30 blocks with 70 line contacts, KB",
+                memory_of_30(), MEMORY_GOAL);
+    summary_row("work memory, 1000 blocks, KB",
+                size_median(bench, &memory, 1000), 4096);
+    summary_row("candidates a second, 50 blocks",
+                size_median(bench, &rate, 50), 0);
+    printf("\n");
 }
 
 /* ---- The program --------------------------------------------------------- */
@@ -1538,8 +1838,10 @@ static int usage(FILE *out, int status)
 {
     fprintf(out,
             "bench [--quick] [--family NAME] [--sizes N,N,...] [--number K]\n"
-            "      [--print]\n"
-            "  --quick     few structures of up to 200 blocks\n"
+            "      [--summary] [--print]\n"
+            "  --quick     few structures of up to 200 blocks; contact search\n"
+            "              of up to 5000\n"
+            "  --summary   print the README's tables alone\n"
             "  --family    bond, rag, irr, tower, arch or brick alone\n"
             "  --sizes     of 5 to 5000 blocks, at most 16\n"
             "  --number    only structure K of each family and size\n"
@@ -1576,6 +1878,8 @@ static int read_options(struct bench *bench, int argc, char **argv)
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (strcmp(argv[i], "--quick") == 0) {
             bench->quick = 1;
+        } else if (strcmp(argv[i], "--summary") == 0) {
+            bench->summary = 1;
         } else if (strcmp(argv[i], "--print") == 0) {
             bench->print = 1;
         } else if (strcmp(argv[i], "--sizes") == 0) {
@@ -1605,16 +1909,18 @@ int main(int argc, char **argv)
         return usage(stdout, 0);
     if (!read_options(&bench, argc, argv))
         return usage(stderr, 2);
+    bench.most = bench.sizes > 0 ? 5000 : bench.quick ? 200 : 2000;
     if (bench.sizes == 0)
-        read_sizes(&bench, bench.quick ? "5,10,20,30,50,100,200"
-                                       : "5,10,20,30,50,100,200,500,1000,2000");
+        read_sizes(&bench, "5,10,20,30,50,100,200,500,1000,2000,5000");
     bench.patience.batch = bench.quick ? 0.3 : 1.7;
     bench.patience.once = bench.quick ? 10 : 200;
     bench.room = 16 * FAMILIES * 16;
     bench.sample = room_for((size_t)bench.room, sizeof(struct sample));
     for (i = 0; i < bench.sizes; i++)
         measure_size(&bench, bench.size[i]);
-    if (!bench.print)
+    if (bench.summary)
+        print_summary(&bench);
+    else if (!bench.print)
         print_tables(&bench);
     free(bench.sample);
     return bench.differences > 0;
