@@ -413,7 +413,13 @@ typedef struct kern_lp {
    blocks (fixed ones included) and contact points, and for a linear program
    by itself. KERN_EXTRAS is the room for the dense part of a basis. */
 
+/* a product that overflows in the precision it is written in: compilers leave
+   it to the machine, and in double it would be emulated where float is not */
+#ifdef KERN_SINGLE
+#define KERN_INFINITY ((kern_real)(1e30f * 1e30f))
+#else
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
+#endif
 
 #define KERN_EXTRAS(blocks) \
     ((blocks) + 24 < 3 * (blocks) ? (blocks) + 24 : 3 * (blocks))
