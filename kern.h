@@ -3491,12 +3491,14 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     return status;
 }
 
-/* Whether x, or y, proves the status, by products with the matrix alone. */
+/* Whether x, or y, proves the status, by products with the matrix alone. What
+   is not a number proves nothing. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x,
                           const kern_real *y, kern_status status)
 {
     kern_real size = KERN_R(0), rhs = KERN_R(0), ys = KERN_R(0);
     kern_real xs = KERN_R(0), cost = KERN_R(0), gain = KERN_R(0);
+    kern_real value = KERN_R(0);
     int i, j;
     for (i = 0; i < lp->rows; i++) {
         rhs = kern_max(rhs, kern_abs(lp->rhs[i]));
@@ -3506,7 +3508,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x,
     for (j = 0; j < lp->cols; j++) {
         if (x[j] < 0 && x[j] >= -KERN_TOL * rhs)
             x[j] = KERN_R(0);
-        if (status != KERN_FALLS && x[j] < 0)
+        if (status != KERN_FALLS && !(x[j] >= 0))
             return 0;
         xs = kern_max(xs, x[j]);
         if (lp->cost)
@@ -3518,20 +3520,31 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x,
     if (status == KERN_FALLS || (status == KERN_STANDS && lp->cost))
         for (j = 0; j < lp->cols; j++) {
             const kern_real d = kern_lp_dot(lp, j, y);
-            if (status == KERN_FALLS ? d < -KERN_TOL * size * ys
-                : lp->cost[j] - d < -KERN_TOL * (cost + size * ys))
+            if (status == KERN_FALLS ? !(d >= -KERN_TOL * size * ys)
+                : !(lp->cost[j] - d >= -KERN_TOL * (cost + size * ys)))
                 return 0;
         }
     if (status == KERN_FALLS)
-        return gain < -KERN_TOL * ys * rhs;
+        return gain < -KERN_TOL * ys * rhs && kern_is_finite(gain);
+    for (j = 0; lp->cost && j < lp->cols; j++)
+        value += lp->cost[j] * x[j];
+    if (status == KERN_UNBOUNDED && !(value < -KERN_TOL * cost * xs))
+        return 0;
+    if (status == KERN_STANDS && lp->cost) { /* least: the prices pay for it */
+        const kern_real allowed = KERN_TOL
+            * (KERN_R(lp->cols) * cost * xs
+               + KERN_R(lp->rows) * ys * (rhs + size * xs));
+        if (!(kern_abs(value - gain) <= allowed) || !kern_is_finite(allowed))
+            return 0;
+    }
     for (i = 0; i < lp->rows; i++) {
         kern_real left = status == KERN_UNBOUNDED ? KERN_R(0) : lp->rhs[i];
         for (j = 0; j < lp->cols; j++)
             left -= x[j] * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
-        if (kern_abs(left) > KERN_TOL * (size * xs + rhs))
+        if (!(kern_abs(left) <= KERN_TOL * (size * xs + rhs)))
             return 0;
     }
-    return 1;
+    return kern_is_finite(size * xs);
 }
 
 /* What is wrong with a program, if anything. */
