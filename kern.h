@@ -4432,7 +4432,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
             at = kern_max(edge - under, path->start);
         else if (!found && r > lo && r < hi && stuck < 3)
             at = r;
-        at += KERN_R(stuck / 4) * aside / 8;
+        at = kern_min(at + KERN_R(stuck / 4) * aside / 8, path->end);
         status = kern_path_ask(m, path, at);
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
