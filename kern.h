@@ -4505,8 +4505,9 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         kern_status status = kern_path_ask(m, path, next);
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
-            status = kern_path_ask(m, path, next - path->tolerance
-                                   * KERN_R(tries) / 4);
+            status = kern_path_ask(m, path,
+                kern_max(next - path->tolerance * KERN_R(tries) / 4,
+                         at + (next - at) / 2));
         if (status == KERN_FALLS)
             return kern_path_edge(m, path);
         if (status != KERN_STANDS)
