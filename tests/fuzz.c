@@ -15,7 +15,8 @@
 
    Whatever the bytes: nothing is written behind an array, the number of pivots
    keeps its limit, contacts that were found are accepted, and every verdict
-   passes its proof again. At the end it says how often there was none. */
+   passes its proof again. At the end it says how often there was none; of what
+   a mason could mean that must be less than one in a thousand. */
 
 #include <float.h>
 #include <limits.h>
@@ -59,6 +60,9 @@ static void say_counts(void)
             "structures, %ld of %ld to wild ones\n", count.inputs,
             count.undecided[1], count.asked[1], count.undecided[0],
             count.asked[0]);
+    if (KERN_PICK(1000, 100) * KERN_R(count.undecided[1])
+        > KERN_R(count.asked[1] + 1000))
+        property_fails("undecided is rare", __LINE__);
 }
 
 static void count_input(void)
@@ -325,6 +329,7 @@ static kern_options options_of(bytes *b)
         o.pivots = byte_of(b);
         b->tame = b->tame && o.pivots == 0;
     }
+    b->tame = b->tame && !(flags & 12);
     return o;
 }
 
@@ -419,6 +424,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
                             &fault) == KERN_STANDS)
             s.blocks++;
     }
+    if (!b.tame && o.pivots == 0)
+        o.pivots = 200; /* or it takes seconds where the simplex stalls */
     s.block = block;
     s.contact = contact;
     if (flags & 16 && s.blocks > 0)

@@ -10,7 +10,7 @@
 #define LIES_H
 
 #include <glpk.h>
-#include <stdlib.h>
+#include <stdint.h>
 
 /* What is done to a number. */
 enum { SCALED, SHIFTED, NEGATED, ZEROED, SWAPPED, NOT_A_NUMBER, INFINITE,
@@ -27,10 +27,17 @@ enum { HONEST = -1,
 static int lie = HONEST;
 static long lies_told;
 
+static int lie_random(int end)
+{
+    static uint32_t state = 1;
+    state = state * 1664525u + 1013904223u;
+    return (int)((state >> 8) % (uint32_t)end);
+}
+
 /* Is this lie to be told now? */
 static int lies_with(int kind)
 {
-    const int now = lie == kind || (lie == ANY_OF_THEM && rand() % 4 == 0);
+    const int now = lie == kind || (lie == ANY_OF_THEM && lie_random(4) == 0);
     lies_told += now;
     return now;
 }
@@ -40,10 +47,10 @@ static double falsified(double value, int how)
     volatile double big = 1e300;
     switch (how) {
     case SCALED: return value * 1.0001;
-    case SHIFTED: return value + 1e-3 * (rand() % 100);
-    case NEGATED: return rand() % 3 ? value : -value;
+    case SHIFTED: return value + 1e-3 * (lie_random(100));
+    case NEGATED: return lie_random(3) ? value : -value;
     case ZEROED: return 0;
-    case SWAPPED: return rand() % 5;
+    case SWAPPED: return lie_random(5);
     case NOT_A_NUMBER: return big * big - big * big;
     default: return big * big;
     }
@@ -87,7 +94,7 @@ static int lying_status(glp_prob *p)
 
 static int lying_unbnd_ray(glp_prob *p)
 {
-    return lies_with(WRONG_RAY) ? rand() % 20 - 2 : glp_get_unbnd_ray(p);
+    return lies_with(WRONG_RAY) ? lie_random(20) - 2 : glp_get_unbnd_ray(p);
 }
 
 /* Asked for a ray where there is none GLPK would end the process. */
