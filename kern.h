@@ -11,7 +11,7 @@
    CONTENTS: search for the tags
      I    Manual            >>what >>use >>conventions >>memory >>verdicts
                             >>config >>method >>measures >>limits
-                            >>determinism >>references
+                            >>determinism >>misra >>references
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
                             >>check >>statics >>proof >>model >>kern >>words
@@ -191,9 +191,39 @@
    DETERMINISM                                                  >>determinism
 
    The same input gives the same bits on every machine with IEEE arithmetic,
-   if the compiler keeps to it: no -ffast-math, and -ffp-contract=off where the
-   target has fused multiply-add (gcc contracts by default in GNU modes). Only
-   + - * / and square root are used. On 32-bit x86: -msse2 -mfpmath=sse.
+   if the compiler keeps to it:
+
+       -ffp-contract=off     where the target has fused multiply-add (AArch64,
+                             PowerPC, s390x, x86 with -mfma); gcc contracts by
+                             default in GNU modes, clang from version 14 on
+       -msse2 -mfpmath=sse   on 32-bit x86
+       never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
+                             program is linked: they flush small numbers to 0
+
+   Only + - * / and square root are used, and KERN_SQRT must round as IEEE asks.
+   tests/golden.c compares a hash of all results, and notices wrong flags.
+
+
+   MISRA                                                             >>misra
+
+   There is no claim of compliance. From these rules of MISRA C:2012 the header
+   deviates with intent:
+
+   2.5, 8.7          macros and functions that are there for the caller
+   10.3, 10.4, 10.8  small whole numbers among kern_real, and indices among int
+                     and enum: they are exact
+   11.5              an array that is free for the moment holds something else
+   12.1, 12.3        precedence without brackets where it is that of algebra;
+                     variables of one kind declared together
+   13.3, 13.4        indices that count on in passing, as in p[n++]
+   14.1, 14.2, 14.4  loops over steps that grow; pointers and flags as
+                     conditions
+   15.5, 15.7        a function that refuses does so in its first lines
+   16.4              no default where the compiler can tell which one is missing
+   17.8              a parameter serves as the variable that it starts
+   18.4              a slice of an array is a pointer into it
+   20.1, 20.5        one file holds declarations and implementation; the list of
+                     statuses is expanded twice
 
 
    REFERENCES                                                    >>references

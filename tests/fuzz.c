@@ -95,6 +95,11 @@ static kern_work work_of(int real_room, int int_room)
     return kern_work_of(reals, real_room, ints, int_room);
 }
 
+static kern_work whole_work(void)
+{
+    return work_of(KERN_REALS(BLOCKS, CONTACTS), KERN_INTS(BLOCKS, CONTACTS));
+}
+
 static void check_work(const kern_work *work, int rows, int cols, int pivots)
 {
     const double limit = pivots > 0 ? pivots : 200 + 20 * (rows + cols);
@@ -207,7 +212,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     struct text_file t;
     kern_contact contact[CONTACTS];
     kern_structure s;
-    kern_fault fault;
+    kern_work work = whole_work();
     const int bad = text_read(&t, (const char *)data, length);
     count_input();
     PROPERTY(bad == 0 || bad == -1);
@@ -219,7 +224,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
         s.contact = t.given ? t.contact : contact;
         s.contacts = t.given ? t.contacts
                    : kern_contacts(t.block, t.blocks, &t.options, contact,
-                                   CONTACTS, &fault);
+                                   CONTACTS, &work.fault);
         s.gravity = t.gravity;
         if (s.contacts >= 0)
             check_structure(&s, &t.options, KERN_R(0.01), 0,
@@ -392,7 +397,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     kern_structure s;
     kern_options o;
     kern_real shrink;
-    kern_fault fault;
+    kern_work work = whole_work();
     bytes b;
     int i, blocks, flags, real_room, int_room;
     b.at = data;
@@ -421,7 +426,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
         const kern_real density = i == 0 ? KERN_R(0)
                                   : flags & 8 ? number_of(&b) : KERN_R(2);
         if (kern_block_init(&block[s.blocks], vertex[s.blocks], n, density,
-                            &fault) == KERN_STANDS)
+                            &work.fault) == KERN_STANDS)
             s.blocks++;
     }
     if (!b.tame && o.pivots == 0)
@@ -432,7 +437,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
         s.contacts = contacts_of(&b, s.blocks, &o, contact);
     else
         s.contacts = kern_contacts(block, s.blocks, &o, contact, CONTACTS,
-                                   &fault);
+                                   &work.fault);
     PROPERTY(s.contacts >= KERN_STATUS_LEAST && s.contacts <= CONTACTS);
     if (s.contacts >= 0)
         check_structure(&s, &o, shrink, b.tame, real_room, int_room);

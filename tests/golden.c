@@ -100,6 +100,11 @@ static void hash_real(kern_real number)
 
 /* ==== What the library says ========================================= */
 
+static kern_force force[CONTACTS];
+static kern_motion motion[BLOCKS];
+static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
+static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+
 static void hash_geometry(void)
 {
     int i;
