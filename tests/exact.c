@@ -216,7 +216,7 @@ static int forces_hold(void)
     return holds && total <= 1e6 * weight * (1 + 1e-9);
 }
 
-/* What the motion gains where the force on edge n + side mu t of point k is 1. */
+/* What the motion gains from a force of 1 on edge n + side mu t of point k. */
 static double gain_of(int k, int side)
 {
     mpq_t sum[3], f, r, fx, fy, gain, speed;
@@ -271,7 +271,8 @@ static int motion_proves(void)
     gained = mpq_get_d(power);
     mpq_clears(power, speed, NULL);
     /* the library rounds what closes by: some roundings of the speeds */
-    return gained > 0 && gained * (1 + 1e-6) >= 1e6 * weight * (closing - 1e-15);
+    closing -= 1e-15;
+    return gained > 0 && gained * (1 + 1e-6) >= 1e6 * weight * closing;
 }
 
 /* ==== The simplex method in whole numbers =========================== */

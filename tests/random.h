@@ -28,7 +28,8 @@ static uint32_t random_bits(void) /* xorshift */
     return (uint32_t)(state >> 32);
 }
 
-static int random_below(int end) { return (int)(random_bits() % (uint32_t)end); }
+static int random_below(int end)
+{ return (int)(random_bits() % (uint32_t)end); }
 
 static kern_real uniform(double low, double high)
 { /* 24 bits, which a float holds */

@@ -37,7 +37,7 @@ enum {
     CANDIDATE = BLOCKS - 1
 };
 
-static kern_vec placed[CANDIDATE_VERTICES]; /* the candidate where it is tried */
+static kern_vec placed[CANDIDATE_VERTICES]; /* the candidate, where tried */
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
 static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
@@ -109,7 +109,8 @@ static kern_status measure(int blocks, int contacts, uint32_t start,
                            const kern_options *options, kern_work *work,
                            kern_margin *m)
 {
-    const kern_structure s = { block, blocks, contact, contacts, { 0, -9.81f } };
+    const kern_structure s = { block, blocks, contact, contacts,
+                               { 0, -9.81f } };
     kern_status status = (kern_status)contacts;
     work->pivots = 0;
     if (contacts >= 0)
