@@ -71,8 +71,8 @@ row() { # row NAME FLAGS...: one line of the table; sets text, stack, needs
     needs=$(undefined | grep -v '^__aeabi' | tr '\n' ' ')
     emulated=$(undefined | grep -c '^__aeabi')
     printf '| %s | %s | %s | %s | %s | %s%s |\n' "$name" "$text" "$data" \
-        "$bss" "$stack" "${needs:-nothing }" \
-        "$([ "$emulated" -gt 0 ] && echo "and $emulated of libgcc")"
+        "$bss" "$stack" "${needs% }" \
+        "$([ "$emulated" -gt 0 ] && echo " and $emulated of libgcc")"
     [ "$data" -eq 0 ] && [ "$bss" -eq 0 ] || fail "$name: data or bss"
     depths | grep '^!' | sort -u >"$out/unknown"
     [ ! -s "$out/unknown" ] || fail "$name: $(cat "$out/unknown")"
