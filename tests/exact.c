@@ -461,6 +461,8 @@ static int question(kern_work *work, double *shrink, int *expect)
     else
         return 4;
     *shrink += (inside ? -1 : 1) * distance[which] * length_of(*shrink);
+    if (options.relative && *shrink > 1)
+        *shrink = 1; /* every kern is closed */
     *expect = inside ? KERN_STANDS : KERN_FALLS;
     return which;
 }
