@@ -11,7 +11,7 @@
    CONTENTS: search for the tags
      I    Manual            >>what >>use >>conventions >>memory >>verdicts
                             >>config >>method >>measures >>limits
-                            >>determinism >>references
+                            >>determinism >>misra >>references
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
                             >>check >>statics >>proof >>model >>kern >>profile
@@ -224,9 +224,39 @@
    DETERMINISM                                                  >>determinism
 
    The same input gives the same bits on every machine with IEEE arithmetic,
-   if the compiler keeps to it: no -ffast-math, and -ffp-contract=off where the
-   target has fused multiply-add (gcc contracts by default in GNU modes). Only
-   + - * / and square root are used. On 32-bit x86: -msse2 -mfpmath=sse.
+   if the compiler keeps to it:
+
+       -ffp-contract=off     where the target has fused multiply-add (AArch64,
+                             PowerPC, s390x, x86 with -mfma); gcc contracts by
+                             default in GNU modes, clang from version 14 on
+       -msse2 -mfpmath=sse   on 32-bit x86
+       never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
+                             program is linked: they flush small numbers to 0
+
+   Only + - * / and square root are used, and KERN_SQRT must round as IEEE asks.
+   tests/golden.c compares a hash of all results, and notices wrong flags.
+
+
+   MISRA                                                             >>misra
+
+   There is no claim of compliance. From these rules of MISRA C:2012 the header
+   deviates with intent:
+
+   2.5, 8.7          macros and functions that are there for the caller
+   10.3, 10.4, 10.8  small whole numbers among kern_real, and indices among int
+                     and enum: they are exact
+   11.5              an array that is free for the moment holds something else
+   12.1, 12.3        precedence without brackets where it is that of algebra;
+                     variables of one kind declared together
+   13.3, 13.4        indices that count on in passing, as in p[n++]
+   14.1, 14.2, 14.4  loops over steps that grow; pointers and flags as
+                     conditions
+   15.5, 15.7        a function that refuses does so in its first lines
+   16.4              no default where the compiler can tell which one is missing
+   17.8              a parameter serves as the variable that it starts
+   18.4              a slice of an array is a pointer into it
+   20.1, 20.5        one file holds declarations and implementation; the list of
+                     statuses is expanded twice
 
 
    REFERENCES                                                    >>references
@@ -490,10 +520,12 @@ typedef struct kern_lp {
    blocks (fixed ones included) and contact points, and for a linear program
    by itself. KERN_EXTRAS is the room for the dense part of a basis. */
 
+/* a product that overflows in the precision it is written in: compilers leave
+   it to the machine, and in double it would be emulated where float is not */
 #ifdef KERN_SINGLE
-#define KERN_INFINITY (1e38f * 1e38f)
+#define KERN_INFINITY ((kern_real)(1e38f * 1e38f))
 #else
-#define KERN_INFINITY (1e300 * 1e300)
+#define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 #endif
 
 #define KERN_EXTRAS(blocks) \
@@ -3602,12 +3634,14 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     return status;
 }
 
-/* Whether x, or y, proves the status, by products with the matrix alone. */
+/* Whether x, or y, proves the status, by products with the matrix alone. What
+   is not a number proves nothing. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x,
                           const kern_real *y, kern_status status)
 {
     kern_real size = KERN_R(0), rhs = KERN_R(0), ys = KERN_R(0);
     kern_real xs = KERN_R(0), cost = KERN_R(0), gain = KERN_R(0);
+    kern_real value = KERN_R(0);
     int i, j;
     for (i = 0; i < lp->rows; i++) {
         rhs = kern_max(rhs, kern_abs(lp->rhs[i]));
@@ -3617,7 +3651,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x,
     for (j = 0; j < lp->cols; j++) {
         if (x[j] < 0 && x[j] >= -KERN_TOL * rhs)
             x[j] = KERN_R(0);
-        if (status != KERN_FALLS && x[j] < 0)
+        if (status != KERN_FALLS && !(x[j] >= 0))
             return 0;
         xs = kern_max(xs, x[j]);
         if (lp->cost)
@@ -3629,20 +3663,31 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x,
     if (status == KERN_FALLS || (status == KERN_STANDS && lp->cost))
         for (j = 0; j < lp->cols; j++) {
             const kern_real d = kern_lp_dot(lp, j, y);
-            if (status == KERN_FALLS ? d < -KERN_TOL * size * ys
-                : lp->cost[j] - d < -KERN_TOL * (cost + size * ys))
+            if (status == KERN_FALLS ? !(d >= -KERN_TOL * size * ys)
+                : !(lp->cost[j] - d >= -KERN_TOL * (cost + size * ys)))
                 return 0;
         }
     if (status == KERN_FALLS)
-        return gain < -KERN_TOL * ys * rhs;
+        return gain < -KERN_TOL * ys * rhs && kern_is_finite(gain);
+    for (j = 0; lp->cost && j < lp->cols; j++)
+        value += lp->cost[j] * x[j];
+    if (status == KERN_UNBOUNDED && !(value < -KERN_TOL * cost * xs))
+        return 0;
+    if (status == KERN_STANDS && lp->cost) { /* least: the prices pay for it */
+        const kern_real allowed = KERN_TOL
+            * (KERN_R(lp->cols) * cost * xs
+               + KERN_R(lp->rows) * ys * (rhs + size * xs));
+        if (!(kern_abs(value - gain) <= allowed) || !kern_is_finite(allowed))
+            return 0;
+    }
     for (i = 0; i < lp->rows; i++) {
         kern_real left = status == KERN_UNBOUNDED ? KERN_R(0) : lp->rhs[i];
         for (j = 0; j < lp->cols; j++)
             left -= x[j] * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
-        if (kern_abs(left) > KERN_TOL * (size * xs + rhs))
+        if (!(kern_abs(left) <= KERN_TOL * (size * xs + rhs)))
             return 0;
     }
-    return 1;
+    return kern_is_finite(size * xs);
 }
 
 /* What is wrong with a program, if anything. */
@@ -4725,8 +4770,9 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         int pivots;
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
-            status = kern_path_ask(m, path, next - path->tolerance
-                                   * KERN_R(tries) / 4);
+            status = kern_path_ask(m, path,
+                kern_max(next - path->tolerance * KERN_R(tries) / 4,
+                         at + (next - at) / 2));
         if (status == KERN_FALLS)
             return kern_path_edge(m, path);
         if (status != KERN_STANDS)

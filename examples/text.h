@@ -549,7 +549,8 @@ static int text_contacts(struct text_reader *r)
         }
         /* Two fixed blocks do nothing to each other. */
         if (t->block[c->a].fixed && t->block[c->b].fixed) continue;
-        for (int k = 0; k < made; k++) t->own_mu[t->contacts++] = !(c->mu < 0);
+        for (int k = 0; k < made; k++)
+            t->own_mu[t->contacts++] = (char)!(c->mu < 0);
     }
     kern_contact_travels(t->contact, t->contacts);
     return 0;

@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# bash tests/sizes.sh               the README's table, and the limits below
+# bash tests/sizes.sh --functions   every function: code, frame, deepest stack
+#
+# Sizes of the whole library as arm-none-eabi-gcc compiles it. The limits are
+# for a Cortex-M4F in float at -Os. Stack is the deepest path through the call
+# graph that gcc writes; recursion, a call through a pointer and a frame of
+# unknown size are errors, since then there would be no deepest path.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+most_text=16384  # bytes of code and constants
+most_stack=2048  # bytes
+allowed='sqrtf'  # symbols that the library may need
+
+m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
+m0="-mcpu=cortex-m0plus -mthumb"
+# gcc may turn loops into calls of memset() and memcpy(), unless told not to
+common="-std=c99 -ffp-contract=off -fno-tree-loop-distribute-patterns
+ -fstack-usage -fcallgraph-info=su -I."
+
+fail() { echo "LIMIT: $*" >>"$out/failed"; }
+
+compile() { # compile FLAGS...: makes $out/kern.o and its call graph
+    printf '#define KERN_IMPLEMENTATION\n#include "kern.h"\n' >"$out/kern.c"
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc $common "$@" -c "$out/kern.c" -o "$out/kern.o"
+}
+
+# FUNCTION FRAME DEEPEST for every function, from the call graph; what makes
+# the depth unknown is a line that starts with "!".
+depths() {
+    awk '
+    function name(s) { sub(/.*:/, "", s); return s }
+    function deepest(f,    i, most, d) {
+        if (f in open) { print "! recursion through " f; return 0 }
+        if (f in depth) return depth[f]
+        open[f] = 1
+        for (i = 1; i <= calls[f]; i++) {
+            d = deepest(call[f, i])
+            if (d > most) most = d
+        }
+        delete open[f]
+        return depth[f] = frame[f] + most
+    }
+    { split($0, part, "\"") }
+    /^node:/ {
+        f = name(part[2])
+        if (match(part[4], /[0-9]+ bytes/))
+            frame[f] = substr(part[4], RSTART) + 0
+        if (part[4] ~ /bytes \(dynamic/) print "! unbounded frame: " f
+    }
+    /^edge:/ {
+        f = name(part[2])
+        call[f, ++calls[f]] = name(part[4])
+        if (part[4] ~ /__indirect_call/) print "! call by pointer in " f
+    }
+    END { for (f in frame) print f, frame[f], deepest(f) }' "$out/kern.ci"
+}
+
+undefined() { arm-none-eabi-nm -u "$out/kern.o" | awk '{ print $2 }'; }
+
+row() { # row NAME FLAGS...: one line of the table; sets text, stack, needs
+    local name=$1 data bss
+    shift
+    compile "$@" || exit 1
+    read -r text data bss _ < <(arm-none-eabi-size "$out/kern.o" | tail -n 1)
+    stack=$(depths | awk '$3 > most { most = $3 } END { print most + 0 }')
+    needs=$(undefined | grep -v '^__aeabi' | tr '\n' ' ')
+    emulated=$(undefined | grep -c '^__aeabi')
+    printf '| %s | %s | %s | %s | %s | %s%s |\n' "$name" "$text" "$data" \
+        "$bss" "$stack" "${needs% }" \
+        "$([ "$emulated" -gt 0 ] && echo " and $emulated of libgcc")"
+    [ "$data" -eq 0 ] && [ "$bss" -eq 0 ] || fail "$name: data or bss"
+    depths | grep '^!' | sort -u >"$out/unknown"
+    [ ! -s "$out/unknown" ] || fail "$name: $(cat "$out/unknown")"
+}
+
+limits() { # of the configuration that was compiled last
+    [ "$text" -le $most_text ] ||
+        fail "text is $text bytes, the limit $most_text"
+    [ "$stack" -le $most_stack ] ||
+        fail "deepest stack is $stack bytes, the limit $most_stack"
+    undefined | grep -vxE "$allowed" >"$out/foreign" &&
+        fail "undefined symbols: $(tr '\n' ' ' <"$out/foreign")"
+}
+
+if [ "${1:-}" = --functions ]; then
+    # shellcheck disable=SC2086
+    compile -Os -DKERN_SINGLE $m4f || exit 1
+    depths | sort >"$out/depths"
+    arm-none-eabi-nm -S "$out/kern.o" | awk 'NF == 4 { print $4, $2 }' |
+        while read -r f size; do echo "$f $((16#$size))"; done |
+        sort >"$out/code"
+    echo "  code frame  deepest  function (Cortex-M4F, float, -Os; inlined ones"
+    echo "                       count where they are inlined)"
+    join "$out/code" "$out/depths" | sort -k2,2nr |
+        awk '{ printf "%6d %5d %8d  %s\n", $2, $3, $4, $1; sum += $2 }
+             END { printf "%6d                 in functions\n", sum }'
+    exit 0
+fi
+
+echo '| target | text | data | bss | deepest stack | needs |'
+echo '|---|---|---|---|---|---|'
+# shellcheck disable=SC2086
+{
+    row 'Cortex-M4F, float, -Os' -Os -DKERN_SINGLE $m4f
+    limits
+    row 'Cortex-M4F, float, -O2' -O2 -DKERN_SINGLE $m4f
+    row 'Cortex-M4F, double, -Os' -Os $m4f
+    row 'Cortex-M0+, float, -Os' -Os -DKERN_SINGLE $m0
+}
+[ ! -s "$out/failed" ] || { cat "$out/failed"; exit 1; }
