@@ -106,8 +106,8 @@
    Bytes of work memory, double (float is about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
-       KERN_REALS, bytes             5,720    16,960    47,328   213,568
-       KERN_INTS, bytes              1,100     2,680     6,792    25,392
+       KERN_REALS, bytes             5,696    12,776    37,416   191,336
+       KERN_INTS, bytes                808     1,868     4,828    18,068
 
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -160,8 +160,8 @@
 
    Algorithm 1 moves the contact points inward step by step and solves again.
    Only the torques change, so the next solution starts from the last. The
-   margin is found by Newton's method on y (>>kern): some ten solutions, most
-   of them without a pivot.
+   margin is found by Newton's method on y (>>kern): some eight solutions,
+   most of them with few pivots.
 
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
@@ -647,7 +647,7 @@ KERN_API kern_vec kern_contact_at(const kern_contact *contact,
 /* Whether the structure stands with its kerns shrunk by `shrink` (grown, if
    negative). KERN_STANDS, KERN_FALLS or KERN_UNDECIDED. proof may be NULL.
    Time: about C + B k for each pivot, and as many pivots as the crash basis
-   leaves to do: none for a tower, some tens for a wall of 30. */
+   leaves to do: none for a tower or a wall of 30, some tens for 200. */
 KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
                                  const kern_options *options, kern_work *work,
                                  const kern_proof *proof);
@@ -2764,7 +2764,8 @@ static int kern_basis_values(kern_simplex *sx)
 }
 
 /* Begins anew from the basic columns: after a change of the matrix, and when
-   pivots have made S larger or less accurate than it needs to be. */
+   pivots have made S larger or less accurate than it needs to be. With `keep`
+   every column keeps its place, where that still does. */
 static void kern_basis_renew(kern_simplex *sx, int keep)
 {
     int i;
