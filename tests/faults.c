@@ -130,10 +130,10 @@ static void cut_room(int seed)
     int room, all;
     random_structure(seed, 6, &work);
     all = kern_contacts(block, s.blocks, &options, found, CONTACTS,
-                        &work.fault);
+                        &work);
     for (room = 0; room < CONTACTS && all >= 0; room++) {
         const int got = kern_contacts(block, s.blocks, &options, contact, room,
-                                      &work.fault);
+                                      &work);
         CHECK(got == all || got == KERN_NO_SPACE);
         CHECK(got != all || got <= room);
         CHECK(got < 0 || memcmp(contact, found,

@@ -222,7 +222,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
         s.contact = t.given ? t.contact : contact;
         s.contacts = t.given ? t.contacts
                    : kern_contacts(t.block, t.blocks, &t.options, contact,
-                                   CONTACTS, &work.fault);
+                                   CONTACTS, &work);
         s.gravity = t.gravity;
         if (s.contacts >= 0)
             check_structure((int)(length % QUESTIONS), &s, &t.options,
@@ -435,7 +435,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
         s.contacts = contacts_of(&b, s.blocks, &o, contact);
     else
         s.contacts = kern_contacts(block, s.blocks, &o, contact, CONTACTS,
-                                   &work.fault);
+                                   &work);
     PROPERTY(s.contacts >= KERN_STATUS_LEAST && s.contacts <= CONTACTS);
     if (s.contacts >= 0)
         check_structure((flags >> 5) % QUESTIONS, &s, &o, shrink, b.tame,

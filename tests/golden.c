@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x8a93e33b89d6e3f6u },
-    { 1000, 0x3399983968b36cc5u },
-    { 5000, 0x5c15179feee690f2u },
+    { 200, 0x79c9abef025c1610u },
+    { 1000, 0x03f50bc725b45f91u },
+    { 5000, 0xcc554c23734386e9u },
 #else
-    { 200, 0xc04baaaf825b5b6bu },
-    { 1000, 0xc82f1723e0df3f47u },
-    { 5000, 0x29b52cdfad9bb3e6u },
+    { 200, 0x3564a0be755353b9u },
+    { 1000, 0x7af345cb2ed3d0e2u },
+    { 5000, 0xc1d56f63f59718c9u },
 #endif
 };
 

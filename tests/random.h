@@ -229,7 +229,7 @@ static void random_structure(int seed, int most, kern_work *work)
     }
     if (s.contacts == 0)
         s.contacts = kern_contacts(block, s.blocks, &options, contact,
-                                   CONTACTS, &work->fault);
+                                   CONTACTS, work);
     if (random_below(3) == 0)
         load_some();
 }
