@@ -87,6 +87,9 @@ limits() { # of the configuration that was compiled last
         fail "undefined symbols: $(tr '\n' ' ' <"$out/foreign")"
 }
 
+if [ "${1:-}" = --text ]; then
+    most_text=$2
+fi
 if [ "${1:-}" = --functions ]; then
     # shellcheck disable=SC2086
     compile -Os -DKERN_SINGLE $m4f || exit 1
