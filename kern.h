@@ -5441,15 +5441,53 @@ KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
                              &plan->known, &plan->known, out, proof);
 }
 
+/* Mark of a free block that is held while another is asked about alone. */
+#define KERN_HELD (-32767)
+
+/* The last block alone, with its contacts as the last `found`, on neighbours
+   that are held: it cannot stand better than that on neighbours that give
+   way. So where it fails alone is as good a place to ask first as where the
+   plan failed before. */
+static void kern_plan_alone(kern_plan *plan, int found, kern_known *known)
+{
+    kern_structure alone = plan->s;
+    kern_status status;
+    kern_margin m;
+    int i;
+    alone.contacts = found;
+    alone.contact += plan->s.contacts - found;
+    for (i = 0; i < found; i++)
+        if (!alone.contact[i].line && kern_abs(alone.contact[i].travel) > 0)
+            return; /* not nested: nothing is asked there */
+    for (i = 0; i + 1 < plan->s.blocks; i++)
+        if (!plan->block[i].fixed)
+            plan->block[i].fixed = KERN_HELD;
+    status = kern_measure_from(&alone, &plan->options, plan->work, NULL, NULL,
+                               &m, NULL);
+    for (i = 0; i + 1 < plan->s.blocks; i++)
+        if (plan->block[i].fixed == KERN_HELD)
+            plan->block[i].fixed = 0;
+    if (status == KERN_FALLS)
+        known->columns = 0; /* made for shrunken kerns, it is far from done */
+    else if (status == KERN_STANDS && !m.saturated && m.fails < known->fails) {
+        known->fails = m.fails;
+        known->holds = m.holds;
+    }
+}
+
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
+    kern_known known;
     kern_status status;
     const int found = kern_plan_add(plan, block);
     if (found < 0)
         return (kern_status)found;
-    status = kern_measure_from(&plan->s, &plan->options, plan->work,
-                               &plan->known, NULL, out, proof);
+    known = plan->known;
+    if (known.fails > 0 && !block->fixed)
+        kern_plan_alone(plan, found, &known);
+    status = kern_measure_from(&plan->s, &plan->options, plan->work, &known,
+                               NULL, out, proof);
     plan->s.blocks--;
     plan->s.contacts -= found;
     return status;
