@@ -4437,12 +4437,13 @@ static kern_status kern_model_ask(kern_model *m, const kern_question *q)
 /* Every measure asks along a path s: kerns shrink, a load grows, gravity
    turns. What is wanted is the first place where the structure falls.
 
-   Between a place that stands and a place that falls the edge is found by
-   Newton's method on the certificate. At a place that falls, y gives the
-   power -y.rhs > 0, which changes along the path at the rate
-   y.(rhs' - A' x): its zero is where this mechanism stops. It converges
-   quadratically, from the side that falls. Then the places half a tolerance
-   on each side are asked: the bracket is narrow, and both ends are proven. */
+   From where it stands the path is climbed in steps until it falls. Between a
+   place that stands and a place that falls the edge is found by Newton's
+   method on the certificate. At a place that falls, y gives the power
+   -y.rhs > 0, which changes along the path at the rate y.(rhs' - A' x): its
+   zero is where this mechanism stops. It converges quadratically, from the
+   side that falls. At the end half a tolerance to each side of the edge is
+   asked: the bracket is narrow, and both ends are proven. */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
@@ -4565,26 +4566,27 @@ static kern_real kern_shrink_edge(kern_model *m, kern_real holds, kern_real s,
 }
 
 /* How far kerns of line contacts can shrink with the forces just found: each
-   until it ends where its load passes. */
+   until it ends where its load passes. A loaded point that travels by itself
+   has no such place. */
 static kern_real kern_shrink_reach(const kern_model *m, kern_real shrink)
 {
     const kern_structure *s = m->s;
     kern_real reach = KERN_INFINITY;
-    int i;
-    for (i = 0; i < s->contacts; i++) {
+    int i, line;
+    for (i = 0; i < s->contacts; i += 1 + line) {
         const kern_contact *c = s->contact + i;
         const kern_real n = m->force[i].normal;
-        kern_real whole, travel, share;
-        if (!(kern_abs(c->travel) > 0) || !(n > 0))
+        kern_real other, travel, share;
+        line = c->line && i + 1 < s->contacts && c[1].line;
+        other = line ? m->force[i + 1].normal : KERN_R(0);
+        if (!(kern_abs(c->travel) > 0) || !(n + other > 0))
             continue;
-        if (!c->line || i + 1 == s->contacts || !c[1].line)
+        if (!line)
             return shrink;
-        whole = n + m->force[i + 1].normal;
         travel = m->relative ? KERN_R(1) : kern_abs(c->travel);
-        share = kern_abs(n - m->force[i + 1].normal) / whole;
+        share = kern_abs(n - other) / (n + other);
         if (share > KERN_TRAVEL && travel > shrink)
             reach = kern_min(reach, travel - (travel - shrink) * share);
-        i++;
     }
     return reach;
 }

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x79c9abef025c1610u },
-    { 1000, 0x03f50bc725b45f91u },
-    { 5000, 0xcc554c23734386e9u },
+    { 200, 0x4c8ef7ca42325321u },
+    { 1000, 0x15c961ebf6e5aca5u },
+    { 5000, 0x07ffdcf6b49e56c2u },
 #else
     { 200, 0x3564a0be755353b9u },
-    { 1000, 0x7af345cb2ed3d0e2u },
-    { 5000, 0xc1d56f63f59718c9u },
+    { 1000, 0xa651df7c16b5adedu },
+    { 5000, 0x9a8cfe2217c000afu },
 #endif
 };
 
