@@ -3481,7 +3481,7 @@ static int kern_crash_list(const kern_simplex *sx, int g, int first, int any,
 }
 
 /* Lets group g take three of its columns: of those that face its load, or
-   where there are not three (the stones of an arch), of all. What they cannot
+   where there are not three (a chain that leans), of all. What they cannot
    carry by pressing is left to phase one. */
 static void kern_crash_group(kern_simplex *sx, int g, int first)
 {

@@ -484,9 +484,9 @@ int main(int argc, char **argv)
         if (strcmp(argv[i], "--help") == 0)
             return fputs(help, stdout) < 0 ? 2 : 0;
         if (strcmp(argv[i], "--tune") == 0) y.tune = 1;
-        else if (strcmp(argv[i], "--svg") == 0 && argv[i + 1])
+        else if (strcmp(argv[i], "--svg") == 0 && i + 1 < argc)
             y.svg = argv[++i];
-        else if (strcmp(argv[i], "--csv") == 0 && argv[i + 1])
+        else if (strcmp(argv[i], "--csv") == 0 && i + 1 < argc)
             y.csv = argv[++i];
         else if (argv[i][0] != '-' && !y.folder) y.folder = argv[i];
         else y.folder = NULL, i = argc;
