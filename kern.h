@@ -4680,7 +4680,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
         const int inside = r >= lo && r <= hi;
         const int near = inside && hi - r <= aside * KERN_R(1.05);
-        const int closed = near && r - lo <= under * KERN_R(1.05);
+        const int closed = near && r - lo <= under * KERN_R(1.05)
+                           && (r - lo >= under / 2 || lo <= path->start);
         const int pivots = m->work->pivots, single = m->simplex.violated == 1;
         kern_real at;
         kern_status status;

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x4c8ef7ca42325321u },
-    { 1000, 0x15c961ebf6e5aca5u },
-    { 5000, 0x07ffdcf6b49e56c2u },
+    { 200, 0x87a9e973e863ac41u },
+    { 1000, 0xa96ecb9a98bbd415u },
+    { 5000, 0xb43b9d55084452a1u },
 #else
-    { 200, 0x3564a0be755353b9u },
-    { 1000, 0xa651df7c16b5adedu },
-    { 5000, 0x9a8cfe2217c000afu },
+    { 200, 0x20bb75bea0771632u },
+    { 1000, 0xe9b8b2b65724ba77u },
+    { 5000, 0x9e86ba9e9186f66au },
 #endif
 };
 
