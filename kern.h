@@ -4709,6 +4709,11 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
                 path->edge = r;
             path->holds = lo;
             path->fails = hi;
+        } else if (status == KERN_FALLS && at < lo) {
+            path->fails = hi; /* both proofs hold, within their tolerances */
+            path->edge = r;
+            under *= 2;
+            continue;
         } else if (status == KERN_UNDECIDED) {
             if (near)
                 under *= 2;
