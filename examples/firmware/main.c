@@ -157,12 +157,12 @@ int main(void)
 }
 
 /* Output, where pivots and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 60 pivots; 117565 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 3 pivots; 14702 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 9 pivots; 42817 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 8 pivots; 43650 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 391 ticks
+wall of 30 stones:    level 31, margin 0.1518 m; 60 pivots; 117607 ticks
+candidate at  0.00 m: level 31, margin 0.1518 m; 3 pivots; 14711 ticks
+candidate at  0.20 m: level 34, margin 0.1663 m; 9 pivots; 42841 ticks
+candidate at  0.40 m: level 34, margin 0.1663 m; 8 pivots; 43675 ticks
+candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 392 ticks
 memory: 26008 bytes of work memory, 7976 of blocks and contacts,
-        33992 of variables in all, 1712 of 31544 of stack, 31036 of flash
+        33992 of variables in all, 1712 of 31544 of stack, 31116 of flash
 best place: 0.20 m
 */
