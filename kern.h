@@ -4452,7 +4452,7 @@ typedef enum kern_path_kind {
 typedef struct kern_path {
     kern_path_kind kind;
     kern_question q;          /* at s = 0; what the path changes is replaced  */
-    kern_real unit;           /* of what the path counts: a block's size, or 1 */
+    kern_real unit;           /* of the path: a block's size, or 1            */
     kern_real tolerance;      /* width of the bracket                         */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */

@@ -1385,6 +1385,7 @@ static void compare_with_twin(const world *w, int deep)
         }
         passed++;
         if (!m.saturated) {
+            /* in float a proof itself leaves 1e-4 of what acts on a block */
             const double near = (SINGLE ? 1e-4 : 1e-6) * unit;
             CHECK(twin_agrees(w, fmax(0, end - near), 1));
             CHECK(twin_agrees(w, fmin(most, end + 2 * near), 0));
