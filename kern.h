@@ -850,6 +850,9 @@ extern "C" {
    and with which they are kept when the matrix changes. */
 #define KERN_BASE_GOOD   KERN_PICK(10, 10)
 #define KERN_BASE_MOST   KERN_PICK(100, 100)
+/* What a column of the base may carry when every group is loaded with 1: more,
+   and what is lost by rounding grows from course to course. */
+#define KERN_BASE_GROWTH KERN_PICK(1e4, 1e3)
 /* Determinant of three columns, each about 1 long, for the crash basis. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
 /* Residual of the basic solution at which refinement ends, and above which the
@@ -2169,7 +2172,7 @@ typedef struct kern_simplex {
     int room;               /* most extras, and the stride of inv             */
     int extras;             /* in use: the size of S                          */
     int pivots;             /* since the base was chosen                      */
-    int interval;           /* until it is chosen again                       */
+    int interval;           /* until it is chosen again, the least            */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
     const int *known;       /* columns of an earlier one to start from        */
@@ -2288,26 +2291,32 @@ static int kern_lp_first(const kern_simplex *sx, int j)
 
 /* ---- solves with the base ---- */
 
+/* Lets the columns of group g carry what v has there, and passes the rest on
+   to the groups that they lead to. */
+static void kern_base_carry(const kern_simplex *sx, int g, kern_real *v)
+{
+    const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
+    const int *far = sx->far + 3 * g;
+    kern_real *x = v + 3 * g;
+    const kern_real b0 = x[0], b1 = x[1], b2 = x[2];
+    int s;
+    if (b0 >= 0 && b0 <= 0 && b1 >= 0 && b1 <= 0 && b2 >= 0 && b2 <= 0)
+        return;
+    for (s = 0; s < 3; s++, d += 3, f += 3) {
+        kern_real *w = v + 3 * far[s];
+        const kern_real xs = d[0] * b0 + d[1] * b1 + d[2] * b2;
+        w[0] -= xs * f[0]; w[1] -= xs * f[1]; w[2] -= xs * f[2];
+        x[s] = xs;
+    }
+}
+
 /* v := B0^-1 v, group by group in the order of carrying; v is zero in groups
    of a lower rank than `from`. */
 static void kern_base_solve(const kern_simplex *sx, int from, kern_real *v)
 {
-    int i, s;
-    for (i = from; i < sx->groups; i++) {
-        const int g = sx->lp->order[i];
-        const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
-        const int *far = sx->far + 3 * g;
-        kern_real *x = v + 3 * g;
-        const kern_real b0 = x[0], b1 = x[1], b2 = x[2];
-        if (b0 >= 0 && b0 <= 0 && b1 >= 0 && b1 <= 0 && b2 >= 0 && b2 <= 0)
-            continue;
-        for (s = 0; s < 3; s++, d += 3, f += 3) {
-            kern_real *w = v + 3 * far[s];
-            const kern_real xs = d[0] * b0 + d[1] * b1 + d[2] * b2;
-            w[0] -= xs * f[0]; w[1] -= xs * f[1]; w[2] -= xs * f[2];
-            x[s] = xs;
-        }
-    }
+    int i;
+    for (i = from; i < sx->groups; i++)
+        kern_base_carry(sx, sx->lp->order[i], v);
 }
 
 /* c := B0^-T c, in the opposite order; c is zero in groups of a higher rank
@@ -2334,6 +2343,22 @@ static void kern_base_solve_t(const kern_simplex *sx, int from, kern_real *c)
 }
 
 /* ---- solves with the basis ---- */
+
+/* v += f u, four entries at a time: what a compiler turns into vectors */
+static void kern_add_times(kern_real *v, kern_real f, const kern_real *u, int n)
+{
+    int i;
+    if (f >= 0 && f <= 0)
+        return;
+    for (i = 0; i + 4 <= n; i += 4) {
+        const kern_real a = v[i] + f * u[i], b = v[i + 1] + f * u[i + 1];
+        const kern_real c = v[i + 2] + f * u[i + 2];
+        const kern_real d = v[i + 3] + f * u[i + 3];
+        v[i] = a; v[i + 1] = b; v[i + 2] = c; v[i + 3] = d;
+    }
+    for (; i < n; i++)
+        v[i] += f * u[i];
+}
 
 /* ve := S^-1 v, four rows at a time: sums that do not wait for each other */
 static void kern_extras_times(const kern_simplex *sx, const kern_real *v,
@@ -2401,13 +2426,9 @@ static void kern_basis_solve_t(kern_simplex *sx, kern_real *c, kern_real *ce)
             ce[e] -= kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
         for (i = 0; i < k; i++)
             sx->temp[i] = KERN_R(0);
-        for (e = 0; e < k; e++) {
-            const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
-            const kern_real h = ce[e];
-            if (h > 0 || h < 0)
-                for (i = 0; i < k; i++)
-                    sx->temp[i] += inv[i] * h;
-        }
+        for (e = 0; e < k; e++)
+            kern_add_times(sx->temp, ce[e],
+                           sx->inv + (size_t)e * (size_t)sx->room, k);
         for (i = 0; i < k; i++) {
             ce[i] = sx->temp[i];
             c[sx->slot[i]] = ce[i];
@@ -2526,6 +2547,8 @@ static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
 {
     kern_real q[3][3];
     int s, r;
+    for (s = 0; s < n; s++)
+        sx->place[list[s]] = KERN_OUT;
     if (n == 3) {
         for (s = 0; s < 3; s++)
             sx->base[3 * g + s] = list[s];
@@ -2549,14 +2572,33 @@ static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
     kern_base_block(sx, g);
 }
 
+/* The column of group g that would carry most of v, where that is more than
+   KERN_BASE_GROWTH. */
+static int kern_base_wild(const kern_simplex *sx, int g, const kern_real *v)
+{
+    const kern_real *d = sx->block + 18 * (size_t)g, *b = v + 3 * g;
+    kern_real most = KERN_BASE_GROWTH;
+    int s, wild = KERN_OUT;
+    for (s = 0; s < 3; s++, d += 3) {
+        const kern_real x = kern_abs(d[0] * b[0] + d[1] * b[1] + d[2] * b[2]);
+        if (x > most && sx->base[3 * g + s] < sx->lp->cols) {
+            most = x;
+            wild = sx->base[3 * g + s];
+        }
+    }
+    return wild;
+}
+
 /* Gives the basic columns list[0..n) to the first of their groups in the order
    in which groups carry each other, so that loads pass through the base in one
-   direction, and lets every group take three. What is left over goes to
-   `over`; returns how many columns are. */
+   direction, and lets every group take three. Ones of mixed signs pass through
+   it as it grows: a column on which they pile up stays out. What is left over
+   goes to `over`; returns how many columns are. */
 static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
 {
     int *end = sx->link;  /* of a group's columns in `over`: a counting sort */
-    int i, g, from = 0, left = 0;
+    kern_real *ones = sx->temp;
+    int i, g, left = 0;
     for (g = 0; g <= sx->groups; g++)
         end[g] = 0;
     for (i = 0; i < n; i++)
@@ -2565,13 +2607,28 @@ static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
         end[g + 1] += end[g];
     for (i = 0; i < n; i++)
         over[end[kern_lp_first(sx, list[i])]++] = list[i];
-    for (g = 0; g < sx->groups; g++) {
+    for (i = 0; i < sx->lp->rows; i++)
+        ones[i] = (unsigned)i * 2654435761u & 0x10000u ? KERN_R(1)
+                                                       : KERN_R(-1);
+    for (i = 0; i < sx->groups; i++) {
+        int from, wild;
+        g = sx->lp->order[i];
+        from = g > 0 ? end[g - 1] : 0;
         kern_base_fill(sx, g, over + from, end[g] - from);
-        for (i = from; i < end[g]; i++)
-            if (sx->place[over[i]] == KERN_OUT)
-                over[left++] = over[i];
-        from = end[g];
+        while ((wild = kern_base_wild(sx, g, ones)) != KERN_OUT) {
+            int at = from;
+            while (over[at] != wild)
+                at++;
+            over[at] = over[from];
+            over[from++] = wild;
+            sx->place[wild] = KERN_OUT;
+            kern_base_fill(sx, g, over + from, end[g] - from);
+        }
+        kern_base_carry(sx, g, ones);
     }
+    for (i = 0; i < n; i++)
+        if (sx->place[over[i]] == KERN_OUT)
+            over[left++] = over[i];
     return left;
 }
 
@@ -2640,11 +2697,10 @@ static void kern_extras_invert(kern_simplex *sx, int rows)
         for (r = 0; r < rows; r++) {
             kern_real *row = sx->inv + (size_t)r * n;
             const kern_real f = row[t];
-            if (r == t || (f >= 0 && f <= 0))
+            if (r == t)
                 continue;
             row[t] = KERN_R(0);
-            for (c = 0; c < k; c++)
-                row[c] -= f * pivot[c];
+            kern_add_times(row, -f, pivot, k);
         }
         t++;
     }
@@ -2779,6 +2835,14 @@ static void kern_basis_renew(kern_simplex *sx, int keep)
     kern_basis_values(sx);
 }
 
+/* Whether the base is to be chosen again. To invert S anew costs as much as
+   some pivots for every row of it. */
+static int kern_basis_worn(const kern_simplex *sx)
+{
+    return sx->extras == sx->room
+           || sx->pivots >= sx->interval + sx->extras / 2;
+}
+
 /* ---- exchanging columns ---- */
 
 /* Column j in terms of the basis: to sx->alpha. */
@@ -2805,13 +2869,10 @@ static void kern_basis_row(kern_simplex *sx, int s)
         sx->temp[i] = KERN_R(0);
     sx->temp[s] = KERN_R(1);
     kern_base_solve_t(sx, sx->groups > 0 ? sx->rank[s / 3] : -1, sx->temp);
-    for (e = 0; e < k; e++) {
-        const kern_real *inv = sx->inv + (size_t)e * (size_t)sx->room;
-        const kern_real h = kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
-        if (h > 0 || h < 0)
-            for (i = 0; i < k; i++)
-                sx->row_extra[i] -= inv[i] * h;
-    }
+    for (e = 0; e < k; e++)
+        kern_add_times(sx->row_extra,
+                       -kern_lp_dot(sx->lp, sx->extra[e], sx->temp),
+                       sx->inv + (size_t)e * (size_t)sx->room, k);
 }
 
 /* Slot s is left by its basic variable, and q enters as a new extra: S gains
@@ -2826,8 +2887,7 @@ static void kern_extra_add(kern_simplex *sx, int s, int q)
     for (e = 0; e < k; e++) {
         kern_real *inv = sx->inv + (size_t)e * n;
         const kern_real f = z[e] * one;
-        for (i = 0; i < k; i++)
-            inv[i] -= f * u[i];
+        kern_add_times(inv, -f, u, k);
         inv[k] = -f;
     }
     for (i = 0; i < k; i++)
@@ -2854,8 +2914,7 @@ static void kern_extra_replace(kern_simplex *sx, int e, int q)
     for (r = 0; r < k; r++) {
         kern_real *inv = sx->inv + (size_t)r * n;
         if (r != e)
-            for (i = 0; i < k; i++)
-                inv[i] -= z[r] * pivot[i];
+            kern_add_times(inv, -z[r], pivot, k);
     }
     sx->extra[e] = q;
     sx->place[q] = -2 - e;
@@ -2869,12 +2928,11 @@ static void kern_spare_swap(kern_simplex *sx, int s, int u)
     const size_t n = (size_t)sx->room;
     const kern_real *g = sx->row_extra;
     const kern_real one = KERN_R(1) / g[u];
-    int e, i;
+    int e;
     for (e = 0; e < k; e++) {
         kern_real *inv = sx->inv + (size_t)e * n;
         const kern_real f = inv[u] * one;
-        for (i = 0; i < k; i++)
-            inv[i] -= f * g[i];
+        kern_add_times(inv, -f, g, k);
         inv[u] = -f;
     }
     sx->spare[sx->slot[u]] = -1;
@@ -2893,11 +2951,8 @@ static void kern_extra_drop(kern_simplex *sx, int e, int u)
     int r, i;
     for (r = 0; r < k; r++) {
         kern_real *inv = sx->inv + (size_t)r * n;
-        const kern_real f = inv[u] * one;
         if (r != e)
-            for (i = 0; i < k; i++)
-                if (i != u)
-                    inv[i] -= f * pivot[i];
+            kern_add_times(inv, -inv[u] * one, pivot, k);
     }
     sx->spare[sx->slot[u]] = -1;
     for (i = 0; i < k; i++)
@@ -3270,7 +3325,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         kern_basis_move(sx, q, position, step);
         work->pivots++;
         count++;
-        if (sx->extras == sx->room || sx->pivots >= sx->interval) {
+        if (kern_basis_worn(sx)) {
             if (kern_basis_residual(sx) > KERN_DRIFT)
                 sx->interval = sx->interval / 2 + 2;
             kern_basis_renew(sx, 0);
@@ -3366,7 +3421,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         kern_basis_move(sx, q, position, step);
         work->pivots++;
         count++;
-        if (sx->extras == sx->room || sx->pivots >= sx->interval)
+        if (kern_basis_worn(sx))
             kern_basis_renew(sx, 0);
     }
     return KERN_UNDECIDED;
@@ -4673,7 +4728,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     const kern_real half = path->tolerance * KERN_R(0.45);
     const kern_real same = path->unit * KERN_SAME_EDGE;
     const kern_proof *proof = path->proof;
-    kern_real aside = half, under = half, share = KERN_R(0.5);
+    kern_real aside = half, under = half;
+    kern_real share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     int round, known = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x87a9e973e863ac41u },
-    { 1000, 0x2775b885f16623c0u },
-    { 5000, 0xdf5b68d0503e583cu },
+    { 200, 0x815d0f0e164a52f8u },
+    { 1000, 0x7e1ef7efbff14e01u },
+    { 5000, 0xd71236628f859f07u },
 #else
-    { 200, 0x20bb75bea0771632u },
-    { 1000, 0xe9b8b2b65724ba77u },
-    { 5000, 0x9e86ba9e9186f66au },
+    { 200, 0x2bda8b4f3087bfadu },
+    { 1000, 0x048afda7e915c163u },
+    { 5000, 0x560a7ac031e89c71u },
 #endif
 };
 
