@@ -843,13 +843,13 @@ extern "C" {
 /* A column whose part outside of the basis is less depends on it. */
 #define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
 /* Square of the share of a column that must be new to its group's block: an
-   inverse of up to ten a group. Less makes the base grow from course to
+   inverse of up to thirty a group. Less makes the base grow from course to
    course, more fills the dense complement. */
-#define KERN_BASE_TOL    KERN_PICK(1e-2, 1e-2)
+#define KERN_BASE_TOL    KERN_PICK(1e-3, 1e-2)
 /* Largest entry of an inverse with which three columns are taken as they are,
    and with which they are kept when the matrix changes. */
-#define KERN_BASE_GOOD   KERN_PICK(10, 10)
-#define KERN_BASE_MOST   KERN_PICK(100, 100)
+#define KERN_BASE_GOOD   KERN_PICK(30, 10)
+#define KERN_BASE_MOST   KERN_PICK(300, 100)
 /* What a column of the base may carry when every group is loaded with 1: more,
    and what is lost by rounding grows from course to course. */
 #define KERN_BASE_GROWTH KERN_PICK(1e4, 1e3)
