@@ -3921,47 +3921,53 @@ static int kern_is_gone(const kern_structure *s, const kern_question *q, int i)
     return q->fallen && !s->block[i].fixed && q->fallen[i] >= 0;
 }
 
+/* What gravity does to a mass. */
+static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
+{
+    w->fx = gravity.x * mass;
+    w->fy = gravity.y * mass;
+    w->torque = KERN_R(0);
+}
+
 /* The load pattern's share of block i, for a factor of 1. */
-static kern_wrench kern_pattern_on(const kern_structure *s,
-                                   const kern_question *q, int i)
+static void kern_pattern_on(const kern_structure *s, const kern_question *q,
+                            int i, kern_wrench *w)
 {
-    kern_wrench w;
     if (q->pattern)
-        return q->pattern[i];
-    w.fx = -s->gravity.y * s->block[i].mass * KERN_R(q->side);
-    w.fy = s->gravity.x * s->block[i].mass * KERN_R(q->side);
-    w.torque = KERN_R(0);
-    return w;
+        *w = q->pattern[i];
+    else
+        kern_weigh(kern_vec_turn(s->gravity),
+                   s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* The magnitude of what acts on a block. */
-static kern_real kern_wrench_size(const kern_wrench *w, const kern_block *b)
+/* Adds a share of what acts on block b; returns its magnitude. */
+static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
+                                 const kern_wrench *w, kern_real share)
 {
-    const kern_real torque = kern_abs(w->torque);
-    const kern_real size = KERN_SQRT(w->fx * w->fx + w->fy * w->fy);
-    return torque > 0 ? size + torque / kern_block_size(b) : size;
+    sum->fx += share * w->fx;
+    sum->fy += share * w->fy;
+    sum->torque += share * w->torque;
+    return share * (KERN_SQRT(w->fx * w->fx + w->fy * w->fy)
+                    + kern_abs(w->torque) / kern_block_size(b));
 }
 
-/* All that acts on block i besides its contacts, and in `size` the sum of the
+/* All that acts on block i besides its contacts. Returns the sum of the
    magnitudes: what its equilibrium is measured by. */
-static kern_wrench kern_wrench_on(const kern_structure *s,
-                                  const kern_question *q, int i,
-                                  kern_real *size)
+static kern_real kern_wrench_on(const kern_structure *s,
+                                const kern_question *q, int i,
+                                kern_wrench *sum)
 {
     const kern_block *b = s->block + i;
-    const kern_real gx = b->mass * q->gravity.x, gy = b->mass * q->gravity.y;
-    kern_wrench w = b->load;
-    *size = KERN_SQRT(gx * gx + gy * gy) + kern_wrench_size(&w, b);
-    w.fx += gx;
-    w.fy += gy;
+    kern_wrench pattern;
+    kern_real size;
+    kern_weigh(q->gravity, b->mass, sum);
+    size = KERN_SQRT(sum->fx * sum->fx + sum->fy * sum->fy)
+           + kern_wrench_add(sum, b, &b->load, KERN_R(1));
     if (q->factor > 0) {
-        const kern_wrench p = kern_pattern_on(s, q, i);
-        *size += q->factor * kern_wrench_size(&p, b);
-        w.fx += q->factor * p.fx;
-        w.fy += q->factor * p.fy;
-        w.torque += q->factor * p.torque;
+        kern_pattern_on(s, q, i, &pattern);
+        size += kern_wrench_add(sum, b, &pattern, q->factor);
     }
-    return w;
+    return size;
 }
 
 /* A travel too short to be one counts as none. */
@@ -4063,8 +4069,9 @@ static kern_real kern_prove_forces(const kern_structure *s,
     }
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed && !kern_is_gone(s, q, i)) {
-            kern_real size, left, allowed;
-            const kern_wrench w = kern_wrench_on(s, q, i, &size);
+            kern_wrench w;
+            const kern_real size = kern_wrench_on(s, q, i, &w);
+            kern_real left, allowed;
             left = kern_max(kern_max(kern_abs(sum[4 * i] + w.fx),
                                      kern_abs(sum[4 * i + 1] + w.fy)),
                             kern_abs(sum[4 * i + 2] + w.torque)
@@ -4088,7 +4095,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
     int i, edge;
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
-        kern_real size, px, py, pt;
+        kern_real px, py, pt;
         kern_wrench w;
         const int moves = kern_abs(m->vx) > 0 || kern_abs(m->vy) > 0
                           || kern_abs(m->spin) > 0;
@@ -4097,13 +4104,12 @@ static kern_real kern_prove_motion(const kern_structure *s,
             return KERN_INFINITY;
         if (!moves)
             continue;
-        w = kern_wrench_on(s, q, i, &size);
+        weight += kern_wrench_on(s, q, i, &w);
         px = w.fx * m->vx;
         py = w.fy * m->vy;
         pt = w.torque * m->spin;
         power += px + py + pt;
         terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
-        weight += size;
     }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
@@ -4348,12 +4354,12 @@ static void kern_model_columns(kern_model *m, kern_real shrink)
 static void kern_model_loads(kern_model *m, const kern_question *q)
 {
     const kern_structure *s = m->s;
-    kern_real size;
     int i, g;
     m->weight = KERN_R(0);
     for (i = 0; i < s->blocks; i++)
         if (kern_is_free(m, i)) {
-            const kern_wrench w = kern_wrench_on(s, q, i, &size);
+            kern_wrench w;
+            const kern_real size = kern_wrench_on(s, q, i, &w);
             g = m->group[i];
             m->rhs[3 * g] = -w.fx;
             m->rhs[3 * g + 1] = -w.fy;
@@ -4659,14 +4665,10 @@ static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
         if (!kern_is_free(m, i))
             continue;
         if (path->kind == KERN_PATH_LOAD)
-            w = kern_pattern_on(m->s, q, i);
-        else {
-            const kern_real turn = 4 / (1 + s * s) * b->mass
-                                   * KERN_R(q->side);
-            w.fx = -q->gravity.y * turn;
-            w.fy = q->gravity.x * turn;
-            w.torque = KERN_R(0);
-        }
+            kern_pattern_on(m->s, q, i, &w);
+        else
+            kern_weigh(kern_vec_turn(q->gravity), 4 / (1 + s * s) * b->mass
+                                                  * KERN_R(q->side), &w);
         sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[i])
                / m->weight;
     }

@@ -169,9 +169,8 @@ static void exact_force(mpq_t fx, mpq_t fy, int k, const mpq_t f,
 static double weight_of(int i)
 {
     const kern_question q = kern_question_of(&s, 0);
-    kern_real size;
-    kern_wrench_on(&s, &q, i, &size);
-    return size;
+    kern_wrench w;
+    return kern_wrench_on(&s, &q, i, &w);
 }
 
 /* Whether the forces hold: what is left in every sum, over what is allowed. */
