@@ -3898,8 +3898,8 @@ typedef struct kern_question {
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
     kern_real factor;           /* of the pattern                             */
     int side;
-    const kern_real *fallen;    /* a free block with a value >= 0 has been
-                                   taken away; NULL: all are there            */
+    const kern_real *fallen;    /* a block with a value >= 0 has been taken
+                                   away; NULL: all are there                  */
 } kern_question;
 
 static kern_question kern_question_of(const kern_structure *s,
@@ -3916,10 +3916,8 @@ static kern_question kern_question_of(const kern_structure *s,
 }
 
 /* Whether block i has been taken away, and its contacts with it. */
-static int kern_is_gone(const kern_structure *s, const kern_question *q, int i)
-{
-    return q->fallen && !s->block[i].fixed && q->fallen[i] >= 0;
-}
+static int kern_is_gone(const kern_question *q, int i)
+{ return q->fallen && q->fallen[i] >= 0; }
 
 /* What gravity does to a mass. */
 static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
@@ -4001,28 +3999,24 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 {
     kern_real rate;
     const kern_real shift = kern_shift(c->travel, shrink, relative, &rate);
-    kern_vec p = c->p;
-    p.x -= shift * c->n.y;
-    p.y += shift * c->n.x;
-    return p;
+    return kern_vec_step(c->p, shift, kern_vec_turn(c->n));
 }
 
-/* The way from c->p to where contact c acts. */
-static kern_vec kern_way(const kern_contact *c, kern_real shrink, int relative,
-                         kern_real mean)
+/* From the centres of its blocks, a and b, to where contact c acts. The centre
+   is taken off first, since far from the origin a place has fewer digits than
+   an arm. */
+static void kern_arms(const kern_structure *s, const kern_contact *c,
+                      kern_real shrink, int relative, kern_real mean,
+                      kern_vec arm[2])
 {
     kern_real rate;
     const kern_real shift = kern_shift(kern_travel(c, mean), shrink, relative,
                                        &rate);
-    return kern_vec_make(-shift * c->n.y, shift * c->n.x);
-}
-
-/* From the centre of block b to where contact c acts. The centre is taken off
-   first, since far from the origin a place has fewer digits than an arm. */
-static kern_vec kern_arm(const kern_contact *c, const kern_block *b,
-                         kern_vec way)
-{
-    return kern_vec_add(kern_vec_sub(c->p, b->centre), way);
+    const kern_vec p = c->p, way = kern_vec_scale(kern_vec_turn(c->n), shift);
+    int end;
+    for (end = 0; end < 2; end++)
+        arm[end] = kern_vec_add(
+            kern_vec_sub(p, s->block[end ? c->b : c->a].centre), way);
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
@@ -4050,25 +4044,25 @@ static kern_real kern_prove_forces(const kern_structure *s,
         const kern_real f = force[i].normal, r = force[i].tangential;
         const kern_real fx = f * c->n.x - r * c->n.y;
         const kern_real fy = f * c->n.y + r * c->n.x;
-        const kern_vec way = kern_way(c, q->shrink, relative, mean);
+        kern_vec arm[2];
         int end;
-        if (kern_is_gone(s, q, c->a) || kern_is_gone(s, q, c->b))
+        if (kern_is_gone(q, c->a) || kern_is_gone(q, c->b))
             continue;
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
         total += f;
+        kern_arms(s, c, q->shrink, relative, mean, arm);
         for (end = 0; end < 2; end++) {
-            const int b = end ? c->b : c->a;
+            kern_real *at = sum + 4 * (end ? c->b : c->a);
             const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-            const kern_vec arm = kern_arm(c, s->block + b, way);
-            sum[4 * b] += sign * fx;
-            sum[4 * b + 1] += sign * fy;
-            sum[4 * b + 2] += sign * (arm.x * fy - arm.y * fx);
-            sum[4 * b + 3] = kern_max(sum[4 * b + 3], f);
+            at[0] += sign * fx;
+            at[1] += sign * fy;
+            at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
+            at[3] = kern_max(at[3], f);
         }
     }
     for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed && !kern_is_gone(s, q, i)) {
+        if (!s->block[i].fixed && !kern_is_gone(q, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
             kern_real left, allowed;
@@ -4092,17 +4086,16 @@ static kern_real kern_prove_motion(const kern_structure *s,
 {
     kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
     kern_real closing = KERN_R(0), need;
-    int i, edge;
+    int i;
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_real px, py, pt;
         kern_wrench w;
-        const int moves = kern_abs(m->vx) > 0 || kern_abs(m->vy) > 0
-                          || kern_abs(m->spin) > 0;
-        if (s->block[i].fixed ? moves : !kern_is_finite(m->vx)
-            || !kern_is_finite(m->vy) || !kern_is_finite(m->spin))
+        const kern_real speed = kern_abs(m->vx) + kern_abs(m->vy)
+                                + kern_abs(m->spin);
+        if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
             return KERN_INFINITY;
-        if (!moves)
+        if (!(speed > 0))
             continue;
         weight += kern_wrench_on(s, q, i, &w);
         px = w.fx * m->vx;
@@ -4113,19 +4106,18 @@ static kern_real kern_prove_motion(const kern_structure *s,
     }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const kern_motion *a = motion + c->a, *b = motion + c->b;
-        const kern_vec way = kern_way(c, q->shrink, relative, mean);
-        const kern_vec pa = kern_arm(c, s->block + c->a, way);
-        const kern_vec pb = kern_arm(c, s->block + c->b, way);
-        const kern_real vx = b->vx - b->spin * pb.y - (a->vx - a->spin * pa.y);
-        const kern_real vy = b->vy + b->spin * pb.x - (a->vy + a->spin * pa.x);
-        const kern_real open = vx * c->n.x + vy * c->n.y;
-        const kern_real slide = vy * c->n.x - vx * c->n.y;
-        if ((s->block[c->a].fixed && s->block[c->b].fixed)
-            || kern_is_gone(s, q, c->a) || kern_is_gone(s, q, c->b))
+        kern_vec arm[2], v = kern_vec_make(0, 0);
+        int end;
+        if (kern_is_gone(q, c->a) || kern_is_gone(q, c->b))
             continue;
-        for (edge = -1; edge < 2; edge += 2)
-            closing = kern_max(closing, -(open + KERN_R(edge) * c->mu * slide));
+        kern_arms(s, c, q->shrink, relative, mean, arm);
+        for (end = 0; end < 2; end++) { /* of b, less that of a */
+            const kern_motion *m = motion + (end ? c->b : c->a);
+            v = kern_vec_make(m->vx - m->spin * arm[end].y - v.x,
+                              m->vy + m->spin * arm[end].x - v.y);
+        }
+        closing = kern_max(closing, c->mu * kern_abs(kern_vec_cross(c->n, v))
+                                    - kern_vec_dot(c->n, v));
     }
     need = kern_max(KERN_BOUND * weight * closing, KERN_ROUNDING * terms);
     if (!(power > 0))
@@ -4336,16 +4328,15 @@ static void kern_model_columns(kern_model *m, kern_real shrink)
     }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const kern_vec way = kern_way(c, shrink, m->relative, m->mean);
-        const kern_vec pa = kern_arm(c, s->block + c->a, way);
-        const kern_vec pb = kern_arm(c, s->block + c->b, way);
+        kern_vec arm[2];
+        kern_arms(s, c, shrink, m->relative, m->mean, arm);
         for (edge = 0; edge < 2; edge++) {
             kern_real *f = m->arc + 8 * (size_t)i + 4 * edge;
             const kern_real mu = edge ? -c->mu : c->mu;
             f[0] = c->n.x - mu * c->n.y;
             f[1] = c->n.y + mu * c->n.x;
-            f[2] = (pb.x * f[1] - pb.y * f[0]) * m->unit[c->b];
-            f[3] = (pa.y * f[0] - pa.x * f[1]) * m->unit[c->a];
+            f[2] = (arm[1].x * f[1] - arm[1].y * f[0]) * m->unit[c->b];
+            f[3] = (arm[0].y * f[0] - arm[0].x * f[1]) * m->unit[c->a];
         }
     }
 }
