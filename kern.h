@@ -3916,8 +3916,8 @@ static kern_question kern_question_of(const kern_structure *s,
 }
 
 /* Whether block i has been taken away, and its contacts with it. */
-static int kern_is_gone(const kern_question *q, int i)
-{ return q->fallen && q->fallen[i] >= 0; }
+static int kern_is_gone(const kern_real *fallen, int i)
+{ return fallen && fallen[i] >= 0; }
 
 /* What gravity does to a mass. */
 static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
@@ -4046,7 +4046,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         const kern_real fy = f * c->n.y + r * c->n.x;
         kern_vec arm[2];
         int end;
-        if (kern_is_gone(q, c->a) || kern_is_gone(q, c->b))
+        if (kern_is_gone(q->fallen, c->a) || kern_is_gone(q->fallen, c->b))
             continue;
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
@@ -4062,7 +4062,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         }
     }
     for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed && !kern_is_gone(q, i)) {
+        if (!s->block[i].fixed && !kern_is_gone(q->fallen, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
             kern_real left, allowed;
@@ -4108,7 +4108,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         kern_vec arm[2], v = kern_vec_make(0, 0);
         int end;
-        if (kern_is_gone(q, c->a) || kern_is_gone(q, c->b))
+        if (kern_is_gone(q->fallen, c->a) || kern_is_gone(q->fallen, c->b))
             continue;
         kern_arms(s, c, q->shrink, relative, mean, arm);
         for (end = 0; end < 2; end++) { /* of b, less that of a */
@@ -4245,7 +4245,7 @@ KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
 
 /* Blocks from top to bottom, as gravity sees them: what is higher rests on
    what is lower. Shell sort, since it needs neither memory nor recursion. */
-static void kern_model_order(kern_model *m, kern_real *height)
+static void kern_model_order(kern_model *m, const kern_real *height)
 {
     const int n = m->lp.rows / 3;
     int gap, i, j;
@@ -4267,12 +4267,44 @@ static void kern_model_order(kern_model *m, kern_real *height)
         }
 }
 
+/* Gives every block that is free, and not `fallen`, a group of its own. What
+   has been taken away has the group of the ground, and so have both ends of its
+   contacts. */
+static void kern_model_group(kern_model *m, const kern_real *fallen)
+{
+    const kern_structure *s = m->s;
+    kern_real *height = m->simplex.temp; /* scratch between programs */
+    int i, n = 0;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *b = s->block + i;
+        m->group[i] = b->fixed || kern_is_gone(fallen, i) ? KERN_OUT : n;
+        if (m->group[i] == n)
+            height[n++] = -kern_vec_dot(b->centre, s->gravity);
+    }
+    m->lp.rows = 3 * n;
+    m->simplex.groups = n;
+    m->simplex.started = 0;
+    kern_model_order(m, height);
+    for (i = 0; i < 3; i++)
+        m->y[m->lp.rows + i] = KERN_R(0);
+    for (i = 0; i < s->blocks; i++)
+        if (m->group[i] == KERN_OUT)
+            m->group[i] = n;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const int gone = kern_is_gone(fallen, c->a)
+                         || kern_is_gone(fallen, c->b);
+        m->ends[2 * i] = gone ? n : m->group[c->b];
+        m->ends[2 * i + 1] = gone ? n : m->group[c->a];
+    }
+}
+
 static kern_status kern_model_open(kern_model *m, const kern_structure *s,
                                    const kern_options *o, kern_work *work)
 {
     kern_take take;
     kern_status status;
-    int i, free_blocks = 0;
+    int free_blocks = 0;
     if (!work)
         return KERN_BAD_POINTER;
     kern_fault_clear(&work->fault);
@@ -4288,22 +4320,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     m->relative = o->relative;
     m->lp.pivots = o->pivots;
     m->mean = kern_mean_size(s->block, s->blocks);
-    free_blocks = 0;
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        m->group[i] = b->fixed ? m->lp.rows / 3 : free_blocks;
-        if (!b->fixed)
-            m->simplex.temp[free_blocks++] = -(b->centre.x * s->gravity.x
-                                               + b->centre.y * s->gravity.y);
-    }
-    kern_model_order(m, m->simplex.temp);
-    for (i = 0; i < 3; i++)
-        m->y[m->lp.rows + i] = KERN_R(0);
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        m->ends[2 * i] = m->group[c->b];
-        m->ends[2 * i + 1] = m->group[c->a];
-    }
+    kern_model_group(m, NULL);
     return KERN_STANDS;
 }
 
@@ -5239,7 +5256,6 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
    and its programs grow smaller. */
 
 typedef struct kern_fall {
-    int left;                 /* blocks that stand                            */
     int weak;                 /* places in the weaker half that are not taken */
     kern_real sum, weak_sum;  /* of the values of all that fell, of that half */
     kern_real *value;         /* of each block, -1 as long as it stands       */
@@ -5261,42 +5277,14 @@ static int kern_moves(const kern_model *m, int i)
            || kern_abs(v->spin) * size > KERN_AT_REST;
 }
 
-/* Takes away the blocks that move in the last mechanism, and numbers the groups
-   of the others anew, in the same order of carrying. What was taken away has
-   the group of the ground, and so have both ends of its contacts. */
+/* Takes away the blocks that move in the last mechanism. */
 static void kern_fall_take(kern_model *m, kern_fall *fall, kern_real at)
 {
-    const kern_structure *s = m->s;
-    const int groups = m->lp.rows / 3;
-    int *number = m->simplex.link; /* scratch between programs */
-    int i, n = 0;
-    for (i = 0; i < s->blocks; i++)
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
         if (kern_is_free(m, i) && kern_moves(m, i))
             kern_fall_add(fall, i, at);
-        else if (kern_is_free(m, i))
-            number[m->group[i]] = n++;
-    for (i = 0; i < s->blocks; i++)
-        if (fall->value[i] >= 0 || s->block[i].fixed) {
-            if (kern_is_free(m, i))
-                number[m->group[i]] = KERN_OUT;
-            m->group[i] = n;
-        } else
-            m->group[i] = number[m->group[i]];
-    fall->left = n;
-    m->lp.rows = 3 * n;
-    m->simplex.groups = n;
-    m->simplex.started = 0;
-    for (i = n = 0; i < groups; i++)
-        if (number[m->order[i]] != KERN_OUT)
-            m->order[n++] = number[m->order[i]];
-    for (i = 0; i < 3; i++)
-        m->y[m->lp.rows + i] = KERN_R(0);
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        const int gone = fall->value[c->a] >= 0 || fall->value[c->b] >= 0;
-        m->ends[2 * i] = gone ? n : m->group[c->b];
-        m->ends[2 * i + 1] = gone ? n : m->group[c->a];
-    }
+    kern_model_group(m, fall->value);
 }
 
 /* Takes away what falls at the edge, and what then falls at the same place,
@@ -5310,7 +5298,7 @@ static kern_status kern_fall_at(kern_model *m, kern_path *path,
     while (status == KERN_FALLS) {
         kern_real beyond = path->fails;
         kern_fall_take(m, fall, at);
-        if (fall->left == 0)
+        if (m->lp.rows == 0)
             return KERN_STANDS;
         status = kern_path_ask(m, path, beyond);
         /* too near to critical to tell: a little farther */
@@ -5346,12 +5334,12 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     kern_real at = KERN_R(0);
     kern_status status = kern_path_ask(m, path, at);
     int i;
-    while (fall->left > 0 && !path->never) {
+    while (m->lp.rows > 0 && !path->never) {
         if (status == KERN_FALLS)
             status = kern_fall_at(m, path, fall, at);
         if (status != KERN_STANDS)
             return status;
-        if (fall->left > 0)
+        if (m->lp.rows > 0)
             status = kern_fall_climb(m, path, &at);
     }
     for (i = 0; i < m->s->blocks; i++)
@@ -5382,7 +5370,6 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     path.end = side ? KERN_PROFILE_MOST : kern_most(&m);
     free_blocks = m.lp.rows / 3;
     half = (free_blocks + 1) / 2;
-    fall.left = free_blocks;
     fall.weak = half;
     fall.sum = fall.weak_sum = KERN_R(0);
     fall.value = value;
