@@ -1095,6 +1095,13 @@ static void kern_box_set(kern_box *box, kern_vec p, kern_vec q)
     kern_box_add(box, q);
 }
 
+/* Before anything is in it: every corner is beyond every place. */
+static void kern_box_empty(kern_box *box)
+{
+    box->low.x = box->low.y = KERN_HUGE;
+    box->high.x = box->high.y = -KERN_HUGE;
+}
+
 /* Are they no farther apart than the gap? Below 0: do they overlap by more? */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
@@ -1928,8 +1935,7 @@ static kern_status kern_search_survey(kern_search *s)
     kern_real area = 0;
     kern_box whole;
     int i;
-    whole.low = kern_vec_make(KERN_HUGE, KERN_HUGE);
-    whole.high = kern_vec_scale(whole.low, -1);
+    kern_box_empty(&whole);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_status status = kern_search_check(block);
@@ -5072,27 +5078,27 @@ KERN_API kern_status kern_measure(const kern_structure *s,
 /* The extent: the longest side of the box around the free blocks. */
 static kern_real kern_extent(const kern_structure *s)
 {
-    kern_real lo[2], hi[2];
-    int i, k;
-    lo[0] = lo[1] = KERN_INFINITY;
-    hi[0] = hi[1] = -KERN_INFINITY;
+    kern_box whole;
+    kern_vec side;
+    int i;
+    kern_box_empty(&whole);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
-        for (k = 0; k < b->vertices && !b->fixed; k++) {
-            lo[0] = kern_min(lo[0], b->vertex[k].x);
-            lo[1] = kern_min(lo[1], b->vertex[k].y);
-            hi[0] = kern_max(hi[0], b->vertex[k].x);
-            hi[1] = kern_max(hi[1], b->vertex[k].y);
-        }
-        if (!b->fixed && b->vertices == 0) {
-            const kern_real half = kern_block_size(b) / 2;
-            lo[0] = kern_min(lo[0], b->centre.x - half);
-            lo[1] = kern_min(lo[1], b->centre.y - half);
-            hi[0] = kern_max(hi[0], b->centre.x + half);
-            hi[1] = kern_max(hi[1], b->centre.y + half);
+        const kern_real half = kern_block_size(b) / 2;
+        if (b->fixed)
+            continue;
+        if (b->vertices) {
+            kern_box_add(&whole, b->box.low);
+            kern_box_add(&whole, b->box.high);
+        } else {
+            kern_box_add(&whole, kern_vec_make(b->centre.x - half,
+                                               b->centre.y - half));
+            kern_box_add(&whole, kern_vec_make(b->centre.x + half,
+                                               b->centre.y + half));
         }
     }
-    return kern_max(hi[0] - lo[0], hi[1] - lo[1]);
+    side = kern_vec_sub(whole.high, whole.low);
+    return kern_max(side.x, side.y);
 }
 
 KERN_API kern_status kern_deficit(const kern_structure *s,
