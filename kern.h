@@ -4805,31 +4805,24 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     return KERN_STANDS;
 }
 
-/* d_max: the shrinkage at which the last kern closes. */
-static kern_real kern_most(const kern_model *m)
+/* d_max: the shrinkage at which the last kern closes. Kerns of line contacts
+   are nested: what a smaller one can carry a larger one can. Points that move
+   toward each other along different tangents are not. */
+static kern_real kern_most(const kern_model *m, int *nested)
 {
     kern_real most = KERN_R(0);
     int i;
+    *nested = 1;
     for (i = 0; i < m->s->contacts; i++) {
         const kern_contact *c = m->s->contact + i;
-        if (kern_is_free(m, c->a) || kern_is_free(m, c->b))
-            most = kern_max(most, kern_abs(kern_travel(c, m->mean)));
+        const kern_real travel = kern_abs(kern_travel(c, m->mean));
+        if (!kern_is_free(m, c->a) && !kern_is_free(m, c->b))
+            continue;
+        most = kern_max(most, travel);
+        if (!c->line && travel > 0)
+            *nested = 0;
     }
     return m->relative ? KERN_R(1) : most;
-}
-
-/* Kerns of line contacts are nested: what a smaller one can carry a larger one
-   can. Points that move toward each other along different tangents are not. */
-static int kern_nested(const kern_model *m)
-{
-    int i;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_contact *c = m->s->contact + i;
-        if (!c->line && (kern_is_free(m, c->a) || kern_is_free(m, c->b))
-            && kern_abs(kern_travel(c, m->mean)) > 0)
-            return 0;
-    }
-    return 1;
 }
 
 /* Goes from a place that stands toward the end, until it falls; then finds the
@@ -5037,14 +5030,14 @@ static kern_status kern_measure_from(const kern_structure *s,
     kern_path path;
     kern_margin r;
     kern_status status;
-    int last = 0;
+    int last = 0, nested;
     if (!out)
         return KERN_BAD_POINTER;
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
     kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), proof);
-    r.most = kern_most(&m);
+    r.most = kern_most(&m, &nested);
     r.epsilon = kern_step(&m, o);
     r.margin = r.holds = r.fails = KERN_R(0);
     r.level = r.saturated = 0;
@@ -5056,8 +5049,8 @@ static kern_status kern_measure_from(const kern_structure *s,
         m.simplex.known = known->basis;
         m.simplex.knowns = known->columns;
     }
-    status = kern_nested(&m) ? kern_measure_nested(&m, &path, known, last, &r)
-                             : kern_measure_scan(&m, &path, last, &r);
+    status = nested ? kern_measure_nested(&m, &path, known, last, &r)
+                    : kern_measure_scan(&m, &path, last, &r);
     if (status == KERN_STANDS || status == KERN_FALLS)
         *out = r;
     if (kept && status >= 0) {
@@ -5109,7 +5102,7 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     kern_path path;
     kern_status status;
     kern_real limit, growth, grown;
-    int i;
+    int i, nested;
     if (!deficit)
         return KERN_BAD_POINTER;
     status = kern_model_open(&m, s, o, work);
@@ -5134,7 +5127,8 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
         grown = KERN_R(1);
     }
     path.start = -limit;
-    growth = kern_nested(&m) ? KERN_R(4) : KERN_R(1.1);
+    kern_most(&m, &nested);
+    growth = nested ? KERN_R(4) : KERN_R(1.1);
     for (grown *= KERN_R(0.001); ; grown = kern_min(grown * growth, limit)) {
         status = kern_path_ask(&m, &path, -grown);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
@@ -5322,11 +5316,14 @@ static kern_status kern_fall_at(kern_model *m, kern_path *path,
 static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
-    const int even = path->kind == KERN_PATH_SHRINK && !kern_nested(m);
-    const kern_real step = path->kind == KERN_PATH_LOAD ? KERN_R(0.05)
-                           : even ? path->end / KERN_SCAN
-                                  : path->unit * KERN_FIRST;
-    kern_status status = kern_path_climb(m, path, step, even);
+    kern_real step = KERN_R(0.05);
+    kern_status status;
+    int nested = 1;
+    if (path->kind == KERN_PATH_SHRINK) {
+        kern_most(m, &nested);
+        step = nested ? path->unit * KERN_FIRST : path->end / KERN_SCAN;
+    }
+    status = kern_path_climb(m, path, step, !nested);
     *at = path->edge;
     if (status == KERN_STANDS && !path->never)
         status = kern_path_ask(m, path, path->fails);
@@ -5361,7 +5358,7 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     kern_model m;
     kern_path path;
     kern_fall fall;
-    int i, free_blocks, half;
+    int i, free_blocks, half, nested;
     kern_status status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
@@ -5373,7 +5370,7 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
                    KERN_R(0), NULL);
     path.q.side = side;
     path.q.fallen = value;
-    path.end = side ? KERN_PROFILE_MOST : kern_most(&m);
+    path.end = side ? KERN_PROFILE_MOST : kern_most(&m, &nested);
     free_blocks = m.lp.rows / 3;
     half = (free_blocks + 1) / 2;
     fall.weak = half;
