@@ -4431,12 +4431,11 @@ static kern_status kern_model_prove(kern_model *m, const kern_question *q,
                                     kern_status status)
 {
     kern_real error = KERN_INFINITY;
-    if (status == KERN_FALLS) {
-        kern_model_motion(m);
-        error = kern_prove_motion(m->s, q, m->relative, m->motion, m->mean);
-    }
-    if (status == KERN_FALLS && !(error <= 1) && m->simplex.started) {
-        kern_certificate_lift(&m->simplex, m->y);
+    int lift;
+    for (lift = 0; status == KERN_FALLS && !(error <= 1)
+                   && lift <= m->simplex.started; lift++) {
+        if (lift)
+            kern_certificate_lift(&m->simplex, m->y);
         kern_model_motion(m);
         error = kern_prove_motion(m->s, q, m->relative, m->motion, m->mean);
     }
