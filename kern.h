@@ -5458,17 +5458,19 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     if (!moved || plan->work->indices < s->contacts)
         return KERN_NO_SPACE;
     for (k = 0; k < s->contacts; k++) {
-        kern_contact c = plan->contact[k];
-        moved[k] = c.a == i || c.b == i ? KERN_OUT : n;
-        c.a -= c.a > i;
-        c.b -= c.b > i;
-        if (moved[k] != KERN_OUT)
-            plan->contact[n++] = c;
+        kern_contact *c = &plan->contact[k];
+        moved[k] = KERN_OUT;
+        if (c->a == i || c->b == i)
+            continue;
+        c->a -= c->a > i;
+        c->b -= c->b > i;
+        moved[k] = n;
+        plan->contact[n++] = *c;
     }
     for (k = 0; k < plan->known.columns; k++) {
         const int j = plan->known.basis[k];
         if (moved[j / 2] != KERN_OUT)
-            plan->known.basis[columns++] = 2 * moved[j / 2] + j % 2;
+            plan->known.basis[columns++] = 2 * moved[j / 2] + (j & 1);
     }
     for (k = i; k + 1 < s->blocks; k++)
         plan->block[k] = plan->block[k + 1];
