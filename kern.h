@@ -4253,7 +4253,7 @@ KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
    what is lower. Shell sort, since it needs neither memory nor recursion. */
 static void kern_model_order(kern_model *m, const kern_real *height)
 {
-    const int n = m->lp.rows / 3;
+    const int n = m->simplex.groups;
     int gap, i, j;
     for (i = 0; i < n; i++)
         m->order[i] = i;
@@ -4332,7 +4332,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
 
 /* A block of its own group: neither ground, nor taken away. */
 static int kern_is_free(const kern_model *m, int block)
-{ return m->group[block] < m->lp.rows / 3; }
+{ return m->group[block] < m->simplex.groups; }
 
 /* The columns of A at a shrinkage: what changes with it is the torques. Their
    unit is the size of the block, or where kerns have grown beyond it, how
@@ -4383,7 +4383,7 @@ static void kern_model_loads(kern_model *m, const kern_question *q)
         }
     if (!(m->weight > 0))
         m->weight = KERN_R(1);
-    for (g = 0; g < m->lp.rows / 3; g++) {
+    for (g = 0; g < m->simplex.groups; g++) {
         for (i = 3 * g; i < 3 * g + 3; i++)
             m->rhs[i] /= m->weight;
         m->weight_of[g] = 1 / kern_max(m->weight_of[g] / m->weight,
@@ -5370,7 +5370,7 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     path.q.side = side;
     path.q.fallen = value;
     path.end = side ? KERN_PROFILE_MOST : kern_most(&m, &nested);
-    free_blocks = m.lp.rows / 3;
+    free_blocks = m.simplex.groups;
     half = (free_blocks + 1) / 2;
     fall.weak = half;
     fall.sum = fall.weak_sum = KERN_R(0);
