@@ -520,9 +520,12 @@ typedef struct kern_lp {
    blocks (fixed ones included) and contact points, and for a linear program
    by itself. KERN_EXTRAS is the room for the dense part of a basis. */
 
-/* a product that overflows in the precision it is written in: compilers leave
-   it to the machine, and in double it would be emulated where float is not */
-#ifdef KERN_SINGLE
+/* Elsewhere a product that overflows, in the precision it is written in:
+   compilers leave it to the machine, and in double it would be emulated where
+   float is not. */
+#if defined(__GNUC__)
+#define KERN_INFINITY ((kern_real)__builtin_inff())
+#elif defined(KERN_SINGLE)
 #define KERN_INFINITY ((kern_real)(1e38f * 1e38f))
 #else
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
