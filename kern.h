@@ -1186,16 +1186,18 @@ static kern_status kern_polygon_simple(const kern_block *block,
 {
     const int n = block->vertices;
     int i, left = 0, right = 0, lowest = 0;
+    int rose = block->vertex[0].y > block->vertex[n - 1].y;
     for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
-        const kern_real y = block->vertex[i].y;
+        const int rises = block->vertex[kern_polygon_next(block, i)].y >
+                          block->vertex[i].y;
         fault->index = i;
         if (turn == 2)
             return KERN_CROSSING;
         left |= turn > 0;
         right |= turn < 0;
-        lowest += block->vertex[kern_polygon_prev(block, i)].y >= y &&
-                  block->vertex[kern_polygon_next(block, i)].y > y;
+        lowest += rises && !rose;
+        rose = rises;
     }
     for (i = 0; i < n && ((left && right) || lowest > 1); i++) {
         fault->index = i;
@@ -1219,7 +1221,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     kern_status status;
     int i;
     block->area = 0; /* vertices are read, and faults told, as written */
-    kern_box_set(&block->box, o, o);
+    kern_box_empty(&block->box);
     for (i = 0; i < block->vertices; i++) {
         const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
         const kern_vec w = kern_vec_sub(
