@@ -4809,24 +4809,34 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     return KERN_STANDS;
 }
 
-/* d_max: the shrinkage at which the last kern closes. Kerns of line contacts
-   are nested: what a smaller one can carry a larger one can. Points that move
-   toward each other along different tangents are not. */
-static kern_real kern_most(const kern_model *m, int *nested)
+/* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
+   line contacts are nested: what a smaller one can carry a larger one can.
+   Points that move toward each other along different tangents are not. */
+typedef struct kern_travels {
+    kern_real least, most;
+    int nested;
+} kern_travels;
+
+static kern_travels kern_travels_of(const kern_model *m)
 {
-    kern_real most = KERN_R(0);
+    kern_travels t;
     int i;
-    *nested = 1;
+    t.least = KERN_INFINITY;
+    t.most = KERN_R(0);
+    t.nested = 1;
     for (i = 0; i < m->s->contacts; i++) {
         const kern_contact *c = m->s->contact + i;
         const kern_real travel = kern_abs(kern_travel(c, m->mean));
-        if (!kern_is_free(m, c->a) && !kern_is_free(m, c->b))
+        if ((!kern_is_free(m, c->a) && !kern_is_free(m, c->b))
+            || !(travel > 0))
             continue;
-        most = kern_max(most, travel);
-        if (!c->line && travel > 0)
-            *nested = 0;
+        t.least = kern_min(t.least, travel);
+        t.most = kern_max(t.most, travel);
+        t.nested &= c->line != 0;
     }
-    return m->relative ? KERN_R(1) : most;
+    if (m->relative)
+        t.most = KERN_R(1);
+    return t;
 }
 
 /* Goes from a place that stands toward the end, until it falls; then finds the
@@ -5032,16 +5042,18 @@ static kern_status kern_measure_from(const kern_structure *s,
 {
     kern_model m;
     kern_path path;
+    kern_travels travels;
     kern_margin r;
     kern_status status;
-    int last = 0, nested;
+    int last = 0;
     if (!out)
         return KERN_BAD_POINTER;
     status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
     kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), proof);
-    r.most = kern_most(&m, &nested);
+    travels = kern_travels_of(&m);
+    r.most = travels.most;
     r.epsilon = kern_step(&m, o);
     r.margin = r.holds = r.fails = KERN_R(0);
     r.level = r.saturated = 0;
@@ -5053,8 +5065,9 @@ static kern_status kern_measure_from(const kern_structure *s,
         m.simplex.known = known->basis;
         m.simplex.knowns = known->columns;
     }
-    status = nested ? kern_measure_nested(&m, &path, known, last, &r)
-                    : kern_measure_scan(&m, &path, last, &r);
+    status = travels.nested
+             ? kern_measure_nested(&m, &path, known, last, &r)
+             : kern_measure_scan(&m, &path, last, &r);
     if (status == KERN_STANDS || status == KERN_FALLS)
         *out = r;
     if (kept && status >= 0) {
@@ -5105,8 +5118,8 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     kern_model m;
     kern_path path;
     kern_status status;
+    kern_travels travels;
     kern_real limit, growth, grown;
-    int i, nested;
     if (!deficit)
         return KERN_BAD_POINTER;
     status = kern_model_open(&m, s, o, work);
@@ -5118,21 +5131,14 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
         *deficit = KERN_R(0);
     if (status != KERN_FALLS)
         return status;
+    travels = kern_travels_of(&m);
     limit = 1000 * kern_extent(s);
-    grown = m.mean;
-    if (m.relative) {
-        kern_real least = KERN_INFINITY;
-        for (i = 0; i < s->contacts; i++) {
-            const kern_real l = kern_abs(kern_travel(s->contact + i, m.mean));
-            if (l > 0 && l < least)
-                least = l;
-        }
-        limit = least < KERN_INFINITY ? limit / least : KERN_R(1);
-        grown = KERN_R(1);
-    }
+    if (m.relative)
+        limit = travels.least < KERN_INFINITY ? limit / travels.least
+                                              : KERN_R(1);
+    grown = path.unit;
     path.start = -limit;
-    kern_most(&m, &nested);
-    growth = nested ? KERN_R(4) : KERN_R(1.1);
+    growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
     for (grown *= KERN_R(0.001); ; grown = kern_min(grown * growth, limit)) {
         status = kern_path_ask(&m, &path, -grown);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
@@ -5322,12 +5328,12 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
 {
     kern_real step = KERN_R(0.05);
     kern_status status;
-    int nested = 1;
+    int even = 0;
     if (path->kind == KERN_PATH_SHRINK) {
-        kern_most(m, &nested);
-        step = nested ? path->unit * KERN_FIRST : path->end / KERN_SCAN;
+        even = !kern_travels_of(m).nested;
+        step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
     }
-    status = kern_path_climb(m, path, step, !nested);
+    status = kern_path_climb(m, path, step, even);
     *at = path->edge;
     if (status == KERN_STANDS && !path->never)
         status = kern_path_ask(m, path, path->fails);
@@ -5362,7 +5368,7 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     kern_model m;
     kern_path path;
     kern_fall fall;
-    int i, free_blocks, half, nested;
+    int i, free_blocks, half;
     kern_status status = kern_model_open(&m, s, o, work);
     if (status != KERN_STANDS)
         return status;
@@ -5374,7 +5380,7 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
                    KERN_R(0), NULL);
     path.q.side = side;
     path.q.fallen = value;
-    path.end = side ? KERN_PROFILE_MOST : kern_most(&m, &nested);
+    path.end = side ? KERN_PROFILE_MOST : kern_travels_of(&m).most;
     free_blocks = m.simplex.groups;
     half = (free_blocks + 1) / 2;
     fall.weak = half;
