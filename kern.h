@@ -4201,6 +4201,8 @@ typedef struct kern_model {
 /* Slices of the work arrays that hold structs of numbers. */
 typedef char kern_force_is_two[sizeof(kern_force) == 2 * sizeof(kern_real)
                                ? 1 : -1];
+typedef char kern_wrench_is_three[sizeof(kern_wrench) == 3 * sizeof(kern_real)
+                                  ? 1 : -1];
 typedef char kern_motion_is_three[sizeof(kern_motion) == 3 * sizeof(kern_real)
                                   ? 1 : -1];
 
@@ -4377,23 +4379,19 @@ static void kern_model_loads(kern_model *m, const kern_question *q)
     m->weight = KERN_R(0);
     for (i = 0; i < s->blocks; i++)
         if (kern_is_free(m, i)) {
-            kern_wrench w;
-            const kern_real size = kern_wrench_on(s, q, i, &w);
-            g = m->group[i];
-            m->rhs[3 * g] = -w.fx;
-            m->rhs[3 * g + 1] = -w.fy;
-            m->rhs[3 * g + 2] = -w.torque * m->unit[i];
-            m->weight_of[g] = size;
-            m->weight += size;
+            kern_wrench *w = (kern_wrench *)(void *)m->rhs + m->group[i];
+            kern_real *size = m->weight_of + m->group[i];
+            *size = kern_wrench_on(s, q, i, w);
+            w->torque *= m->unit[i];
+            m->weight += *size;
         }
     if (!(m->weight > 0))
         m->weight = KERN_R(1);
-    for (g = 0; g < m->simplex.groups; g++) {
-        for (i = 3 * g; i < 3 * g + 3; i++)
-            m->rhs[i] /= m->weight;
+    for (i = 0; i < m->lp.rows; i++)
+        m->rhs[i] /= -m->weight;
+    for (g = 0; g < m->simplex.groups; g++)
         m->weight_of[g] = 1 / kern_max(m->weight_of[g] / m->weight,
                                        KERN_LEAST_SCALE);
-    }
     m->weight_of[g] = KERN_R(0); /* the ground carries everything */
 }
 
