@@ -4410,23 +4410,18 @@ static void kern_model_forces(kern_model *m)
 /* y as a motion, its fastest block at speed 1. */
 static void kern_model_motion(kern_model *m)
 {
-    kern_real most = KERN_R(0);
+    kern_real *part = (kern_real *)(void *)m->motion, most = KERN_R(0);
     int i;
     for (i = 0; i < m->s->blocks; i++) {
         kern_motion *v = m->motion + i;
-        const kern_block *b = m->s->block + i;
-        const kern_real *y = m->y + 3 * m->group[i];
-        v->vx = y[0];
-        v->vy = y[1];
-        v->spin = y[2] * m->unit[i];
-        most = kern_max(most, kern_max(KERN_SQRT(y[0] * y[0] + y[1] * y[1]),
-                                kern_abs(v->spin) * kern_block_size(b)));
+        *v = ((const kern_motion *)(const void *)m->y)[m->group[i]];
+        v->spin *= m->unit[i];
+        most = kern_max(most, kern_max(
+            KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
+            kern_abs(v->spin) * kern_block_size(m->s->block + i)));
     }
-    for (i = 0; i < m->s->blocks && most > 0; i++) {
-        m->motion[i].vx /= most;
-        m->motion[i].vy /= most;
-        m->motion[i].spin /= most;
-    }
+    for (i = 0; i < 3 * m->s->blocks && most > 0; i++)
+        part[i] /= most;
 }
 
 /* The proof of a verdict, and the verdict itself only if the proof holds. */
