@@ -3926,9 +3926,9 @@ static kern_question kern_question_of(const kern_structure *s,
     return q;
 }
 
-/* Whether block i has been taken away, and its contacts with it. */
-static int kern_is_gone(const kern_real *fallen, int i)
-{ return fallen && fallen[i] >= 0; }
+/* Whether a block, or one of the two of a contact, has been taken away. */
+static int kern_is_gone(const kern_real *fallen, int a, int b)
+{ return fallen && (fallen[a] >= 0 || fallen[b] >= 0); }
 
 /* What gravity does to a mass. */
 static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
@@ -4057,7 +4057,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         const kern_real fy = f * c->n.y + r * c->n.x;
         kern_vec arm[2];
         int end;
-        if (kern_is_gone(q->fallen, c->a) || kern_is_gone(q->fallen, c->b))
+        if (kern_is_gone(q->fallen, c->a, c->b))
             continue;
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
@@ -4073,7 +4073,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         }
     }
     for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed && !kern_is_gone(q->fallen, i)) {
+        if (!s->block[i].fixed && !kern_is_gone(q->fallen, i, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
             kern_real left, allowed;
@@ -4119,7 +4119,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         kern_vec arm[2], v = kern_vec_make(0, 0);
         int end;
-        if (kern_is_gone(q->fallen, c->a) || kern_is_gone(q->fallen, c->b))
+        if (kern_is_gone(q->fallen, c->a, c->b))
             continue;
         kern_arms(s, c, q->shrink, relative, mean, arm);
         for (end = 0; end < 2; end++) { /* of b, less that of a */
@@ -4290,7 +4290,7 @@ static void kern_model_group(kern_model *m, const kern_real *fallen)
     int i, n = 0;
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
-        m->group[i] = b->fixed || kern_is_gone(fallen, i) ? KERN_OUT : n;
+        m->group[i] = b->fixed || kern_is_gone(fallen, i, i) ? KERN_OUT : n;
         if (m->group[i] == n)
             height[n++] = -kern_vec_dot(b->centre, s->gravity);
     }
@@ -4305,8 +4305,7 @@ static void kern_model_group(kern_model *m, const kern_real *fallen)
             m->group[i] = n;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const int gone = kern_is_gone(fallen, c->a)
-                         || kern_is_gone(fallen, c->b);
+        const int gone = kern_is_gone(fallen, c->a, c->b);
         m->ends[2 * i] = gone ? n : m->group[c->b];
         m->ends[2 * i + 1] = gone ? n : m->group[c->a];
     }
