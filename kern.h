@@ -4280,34 +4280,31 @@ static void kern_model_order(kern_model *m, const kern_real *height)
         }
 }
 
-/* Gives every block that is free, and not `fallen`, a group of its own. What
-   has been taken away has the group of the ground, and so have both ends of its
+/* Gives every block that is free, and not `fallen`, one of the groups. What has
+   been taken away has the group of the ground, and so have both ends of its
    contacts. */
 static void kern_model_group(kern_model *m, const kern_real *fallen)
 {
     const kern_structure *s = m->s;
     kern_real *height = m->simplex.temp; /* scratch between programs */
+    const int ground = m->simplex.groups;
     int i, n = 0;
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
-        m->group[i] = b->fixed || kern_is_gone(fallen, i, i) ? KERN_OUT : n;
-        if (m->group[i] == n)
-            height[n++] = -kern_vec_dot(b->centre, s->gravity);
+        m->group[i] = ground;
+        if (b->fixed || kern_is_gone(fallen, i, i))
+            continue;
+        height[n] = -kern_vec_dot(b->centre, s->gravity);
+        m->group[i] = n++;
     }
-    m->lp.rows = 3 * n;
-    m->simplex.groups = n;
-    m->simplex.started = 0;
     kern_model_order(m, height);
     for (i = 0; i < 3; i++)
-        m->y[m->lp.rows + i] = KERN_R(0);
-    for (i = 0; i < s->blocks; i++)
-        if (m->group[i] == KERN_OUT)
-            m->group[i] = n;
+        m->y[3 * ground + i] = KERN_R(0);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_gone(fallen, c->a, c->b);
-        m->ends[2 * i] = gone ? n : m->group[c->b];
-        m->ends[2 * i + 1] = gone ? n : m->group[c->a];
+        m->ends[2 * i] = gone ? ground : m->group[c->b];
+        m->ends[2 * i + 1] = gone ? ground : m->group[c->a];
     }
 }
 
@@ -5282,10 +5279,15 @@ static int kern_moves(const kern_model *m, int i)
 /* Takes away the blocks that move in the last mechanism. */
 static void kern_fall_take(kern_model *m, kern_fall *fall, kern_real at)
 {
-    int i;
+    int i, moved = 0;
     for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && kern_moves(m, i))
+        if (kern_is_free(m, i) && kern_moves(m, i)) {
             kern_fall_add(fall, i, at);
+            moved++;
+        }
+    m->simplex.groups -= moved;
+    m->simplex.started = 0;
+    m->lp.rows = 3 * m->simplex.groups;
     kern_model_group(m, fall->value);
 }
 
