@@ -4976,50 +4976,36 @@ static kern_status kern_path_resume(kern_model *m, kern_path *path,
     return status == KERN_STANDS ? kern_path_edge(m, path) : status;
 }
 
-static void kern_path_read(const kern_path *path, kern_margin *out)
+/* The margin, and with it the level. Where kerns are nested the verdicts beside
+   the margin tell the level; where they are not the literal scan comes first,
+   and the margin is looked for before the place where it ends. */
+static kern_status kern_measure_path(kern_model *m, kern_path *path,
+                                     const kern_known *known, int nested,
+                                     int last, kern_margin *out)
 {
+    kern_status status = KERN_UNDECIDED;
+    if (nested && known && known->columns > 0 && known->fails > 0)
+        status = kern_path_resume(m, path, known);
+    if (status == KERN_UNDECIDED) {
+        status = kern_path_ask(m, path, KERN_R(0));
+        if (status == KERN_STANDS && !nested)
+            status = kern_level_scan(m, path, last, 0, out);
+        if (!nested && out->level > 0)
+            path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
+        if (status == KERN_STANDS)
+            status = kern_path_climb(m, path, nested ? path->unit * KERN_FIRST
+                                                     : out->most / KERN_SCAN,
+                                     !nested);
+    }
+    if (path->never && path->end < out->most) /* where the scan said it falls */
+        return KERN_UNDECIDED;
+    if (status != KERN_STANDS)
+        return status;
     out->margin = path->edge;
     out->holds = path->holds;
     out->fails = path->fails;
     out->saturated = path->never;
-}
-
-/* The margin where kerns are nested, and with it the level. */
-static kern_status kern_measure_nested(kern_model *m, kern_path *path,
-                                       const kern_known *known, int last,
-                                       kern_margin *out)
-{
-    kern_status status = KERN_UNDECIDED;
-    if (known && known->columns > 0 && known->fails > 0)
-        status = kern_path_resume(m, path, known);
-    if (status == KERN_UNDECIDED) {
-        status = kern_path_ask(m, path, KERN_R(0));
-        if (status == KERN_STANDS)
-            status = kern_path_climb(m, path, path->unit * KERN_FIRST, 0);
-    }
-    if (status != KERN_STANDS)
-        return status;
-    kern_path_read(path, out);
-    return kern_level_scan(m, path, last, 1, out);
-}
-
-/* The same where they are not: the literal scan, then the margin before it. */
-static kern_status kern_measure_scan(kern_model *m, kern_path *path, int last,
-                                     kern_margin *out)
-{
-    kern_status status = kern_path_ask(m, path, KERN_R(0));
-    if (status == KERN_STANDS)
-        status = kern_level_scan(m, path, last, 0, out);
-    if (out->level > 0 && out->level <= last)
-        path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-    path->holds = KERN_R(0);
-    if (status == KERN_STANDS)
-        status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
-    if (status == KERN_STANDS)
-        kern_path_read(path, out);
-    if (path->never && path->end < out->most) /* where the scan said it falls */
-        status = KERN_UNDECIDED;
-    return status;
+    return nested ? kern_level_scan(m, path, last, 1, out) : status;
 }
 
 /* The measure, from what is known, which becomes what is known now where it
@@ -5054,9 +5040,7 @@ static kern_status kern_measure_from(const kern_structure *s,
         m.simplex.known = known->basis;
         m.simplex.knowns = known->columns;
     }
-    status = travels.nested
-             ? kern_measure_nested(&m, &path, known, last, &r)
-             : kern_measure_scan(&m, &path, last, &r);
+    status = kern_measure_path(&m, &path, known, travels.nested, last, &r);
     if (status == KERN_STANDS || status == KERN_FALLS)
         *out = r;
     if (kept && status >= 0) {
