@@ -5130,20 +5130,6 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     return status;
 }
 
-/* How a load or a tilt is followed: a verdict where the path begins, the
-   climb, the proofs. `out` is in the path's own measure. */
-static kern_status kern_path_follow(kern_model *m, kern_path *path,
-                                    kern_real step, int even, kern_real *out)
-{
-    kern_status status = kern_path_ask(m, path, KERN_R(0));
-    if (status != KERN_STANDS)
-        return status;
-    status = kern_path_climb(m, path, step, even);
-    if (status == KERN_STANDS)
-        *out = path->never ? KERN_INFINITY : path->edge;
-    return status;
-}
-
 /* Gravity and a side to turn it to. */
 static int kern_has_side(const kern_structure *s, int side)
 {
@@ -5151,38 +5137,9 @@ static int kern_has_side(const kern_structure *s, int side)
            && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
 }
 
-KERN_API kern_status kern_load_factor(const kern_structure *s,
-                                      kern_real shrink,
-                                      const kern_wrench *pattern, int side,
-                                      const kern_options *o, kern_work *work,
-                                      kern_real *factor,
-                                      const kern_proof *proof)
-{
-    kern_model m;
-    kern_path path;
-    int i;
-    kern_status status = kern_model_open(&m, s, o, work);
-    if (status != KERN_STANDS)
-        return status;
-    if (!factor)
-        return KERN_BAD_POINTER;
-    if (!kern_is_finite(shrink))
-        return KERN_BAD_NUMBER;
-    if (!pattern && !kern_has_side(s, side))
-        return KERN_BAD_OPTION;
-    for (i = 0; pattern && i < s->blocks; i++)
-        if (kern_is_free(&m, i) && !(kern_is_finite(pattern[i].fx)
-                                 && kern_is_finite(pattern[i].fy)
-                                 && kern_is_finite(pattern[i].torque))) {
-            work->fault.block = i;
-            return KERN_BAD_NUMBER;
-        }
-    kern_path_open(&path, KERN_PATH_LOAD, &m, shrink, proof);
-    path.q.pattern = pattern;
-    path.q.side = side;
-    path.end = KERN_FACTOR_MOST;
-    return kern_path_follow(&m, &path, KERN_R(0.05), 0, factor);
-}
+/* 0 just for a wrench of nothing; a number just for one of numbers. */
+static kern_real kern_wrench_sum(const kern_wrench *w)
+{ return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
 
 /* The angle whose tangent is s >= 0: halved twice, then the series. */
 static kern_real kern_angle_of(kern_real s)
@@ -5197,38 +5154,70 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
+/* How a load grows or gravity turns: a verdict where the path begins, the
+   climb, the proofs. Under loads that stay a tilt may stand again after it
+   fell: then in even steps. */
+static kern_status kern_push(const kern_structure *s, kern_real shrink,
+                             kern_path_kind kind, const kern_wrench *pattern,
+                             int side, const kern_options *o, kern_work *work,
+                             kern_real *out, const kern_proof *proof)
+{
+    const int tilt = kind == KERN_PATH_TILT;
+    kern_real step = KERN_R(0.05);
+    kern_model m;
+    kern_path path;
+    int i, loaded = 0;
+    kern_status status = kern_model_open(&m, s, o, work);
+    if (status != KERN_STANDS)
+        return status;
+    if (!out)
+        return KERN_BAD_POINTER;
+    if (!kern_is_finite(shrink))
+        return KERN_BAD_NUMBER;
+    if (!pattern && !kern_has_side(s, side))
+        return KERN_BAD_OPTION;
+    for (i = 0; i < s->blocks; i++) {
+        if (!kern_is_free(&m, i))
+            continue;
+        loaded |= tilt && kern_wrench_sum(&s->block[i].load) > 0;
+        if (pattern && !kern_is_finite(kern_wrench_sum(pattern + i))) {
+            work->fault.block = i;
+            return KERN_BAD_NUMBER;
+        }
+    }
+    kern_path_open(&path, kind, &m, shrink, proof);
+    path.q.pattern = pattern;
+    path.q.side = side;
+    path.end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
+    if (tilt)
+        step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
+    status = kern_path_ask(&m, &path, KERN_R(0));
+    if (status == KERN_STANDS)
+        status = kern_path_climb(&m, &path, step, loaded);
+    if (status == KERN_STANDS)
+        *out = tilt ? 4 * kern_angle_of(path.edge)
+                    : path.never ? KERN_INFINITY : path.edge;
+    return status;
+}
+
+KERN_API kern_status kern_load_factor(const kern_structure *s,
+                                      kern_real shrink,
+                                      const kern_wrench *pattern, int side,
+                                      const kern_options *o, kern_work *work,
+                                      kern_real *factor,
+                                      const kern_proof *proof)
+{
+    return kern_push(s, shrink, KERN_PATH_LOAD, pattern, side, o, work, factor,
+                     proof);
+}
+
 KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
                                int side, const kern_options *o,
                                kern_work *work, kern_real *angle,
                                const kern_proof *proof)
 {
-    kern_model m;
-    kern_path path;
-    kern_real at = KERN_R(0);
-    int i, loaded = 0;
-    kern_status status = kern_model_open(&m, s, o, work);
-    if (status != KERN_STANDS)
-        return status;
-    if (!angle)
-        return KERN_BAD_POINTER;
-    if (!kern_is_finite(shrink))
-        return KERN_BAD_NUMBER;
-    if (!kern_has_side(s, side))
-        return KERN_BAD_OPTION;
-    for (i = 0; i < s->blocks; i++)
-        loaded |= kern_is_free(&m, i)
-                  && kern_abs(s->block[i].load.fx)
-                     + kern_abs(s->block[i].load.fy)
-                     + kern_abs(s->block[i].load.torque) > 0;
-    kern_path_open(&path, KERN_PATH_TILT, &m, shrink, proof);
-    path.q.side = side;
-    path.end = KERN_R(1);
-    status = kern_path_follow(&m, &path,
-                              loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125),
-                              loaded, &at);
-    if (status == KERN_STANDS)
-        *angle = 4 * kern_angle_of(kern_min(at, KERN_R(1)));
-    return status;
+    return kern_push(s, shrink, KERN_PATH_TILT, NULL, side, o, work, angle,
+                     proof);
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
