@@ -4921,35 +4921,45 @@ static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
     return KERN_STANDS;
 }
 
-KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
-                                 const kern_options *o, kern_work *work,
-                                 const kern_proof *proof)
+/* Opens the model and a path in it that begins at `shrink`, or says what is
+   wrong with what was handed in; `out` is where the answer goes. */
+static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
+                                  kern_model *m, const kern_structure *s,
+                                  kern_real shrink, const kern_options *o,
+                                  kern_work *work, const void *out,
+                                  const kern_proof *proof)
 {
-    kern_model m;
-    kern_question q;
-    kern_status status = kern_model_open(&m, s, o, work);
+    const kern_status status = kern_model_open(m, s, o, work);
     if (status != KERN_STANDS)
         return status;
+    if (!out)
+        return KERN_BAD_POINTER;
     if (!kern_is_finite(shrink))
         return KERN_BAD_NUMBER;
-    q = kern_question_of(s, shrink);
-    status = kern_model_ask(&m, &q);
-    kern_proof_out(&m, proof, status);
-    return status;
-}
-
-static void kern_path_open(kern_path *path, kern_path_kind kind,
-                           const kern_model *m, kern_real shrink,
-                           const kern_proof *proof)
-{
     path->kind = kind;
     path->proof = proof;
-    path->q = kern_question_of(m->s, shrink);
+    path->q = kern_question_of(s, shrink);
     path->unit = kind == KERN_PATH_SHRINK && !m->relative ? m->mean : 1;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = path->reach = KERN_R(0);
     path->never = 0;
+    return KERN_STANDS;
+}
+
+KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
+                                 const kern_options *o, kern_work *work,
+                                 const kern_proof *proof)
+{
+    kern_model m;
+    kern_path path;
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, s, shrink,
+                                        o, work, work, proof);
+    if (status != KERN_STANDS)
+        return status;
+    status = kern_model_ask(&m, &path.q);
+    kern_proof_out(&m, proof, status);
+    return status;
 }
 
 /* From where it held and fell before something was changed: most changes leave
@@ -5021,12 +5031,10 @@ static kern_status kern_measure_from(const kern_structure *s,
     kern_margin r;
     kern_status status;
     int last = 0;
-    if (!out)
-        return KERN_BAD_POINTER;
-    status = kern_model_open(&m, s, o, work);
+    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, s, KERN_R(0), o, work,
+                            out, proof);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), proof);
     travels = kern_travels_of(&m);
     r.most = travels.most;
     r.epsilon = kern_step(&m, o);
@@ -5093,12 +5101,10 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     kern_status status;
     kern_travels travels;
     kern_real limit, growth, grown;
-    if (!deficit)
-        return KERN_BAD_POINTER;
-    status = kern_model_open(&m, s, o, work);
+    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, s, KERN_R(0), o, work,
+                            deficit, NULL);
     if (status != KERN_STANDS)
         return status;
-    kern_path_open(&path, KERN_PATH_SHRINK, &m, KERN_R(0), NULL);
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status == KERN_STANDS)
         *deficit = KERN_R(0);
@@ -5167,13 +5173,10 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
     kern_model m;
     kern_path path;
     int i, loaded = 0;
-    kern_status status = kern_model_open(&m, s, o, work);
+    kern_status status = kern_path_open(&path, kind, &m, s, shrink, o, work,
+                                        out, proof);
     if (status != KERN_STANDS)
         return status;
-    if (!out)
-        return KERN_BAD_POINTER;
-    if (!kern_is_finite(shrink))
-        return KERN_BAD_NUMBER;
     if (!pattern && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
     for (i = 0; i < s->blocks; i++) {
@@ -5185,7 +5188,6 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
             return KERN_BAD_NUMBER;
         }
     }
-    kern_path_open(&path, kind, &m, shrink, proof);
     path.q.pattern = pattern;
     path.q.side = side;
     path.end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
@@ -5336,15 +5338,13 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     kern_path path;
     kern_fall fall;
     int i, free_blocks, half;
-    kern_status status = kern_model_open(&m, s, o, work);
+    kern_status status = kern_path_open(
+        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, s, KERN_R(0), o,
+        work, value ? out : NULL, NULL);
     if (status != KERN_STANDS)
         return status;
-    if (!value || !out)
-        return KERN_BAD_POINTER;
     if (side != 0 && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
-    kern_path_open(&path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m,
-                   KERN_R(0), NULL);
     path.q.side = side;
     path.q.fallen = value;
     path.end = side ? KERN_PROFILE_MOST : kern_travels_of(&m).most;
