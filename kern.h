@@ -3905,6 +3905,8 @@ static kern_status kern_structure_check(const kern_structure *s,
 /* What is asked: the weights and loads to carry and how far kerns shrink. */
 typedef struct kern_question {
     kern_real shrink;
+    int relative;               /* nonzero: a share of each travel            */
+    kern_real mean;             /* size of the free blocks                    */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
     kern_real factor;           /* of the pattern                             */
@@ -3914,10 +3916,12 @@ typedef struct kern_question {
 } kern_question;
 
 static kern_question kern_question_of(const kern_structure *s,
-                                      kern_real shrink)
+                                      const kern_options *o, kern_real shrink)
 {
     kern_question q;
     q.shrink = shrink;
+    q.relative = o->relative;
+    q.mean = kern_mean_size(s->block, s->blocks);
     q.gravity = s->gravity;
     q.pattern = NULL;
     q.factor = KERN_R(0);
@@ -4017,12 +4021,11 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
    is taken off first, since far from the origin a place has fewer digits than
    an arm. */
 static void kern_arms(const kern_structure *s, const kern_contact *c,
-                      kern_real shrink, int relative, kern_real mean,
-                      kern_vec arm[2])
+                      const kern_question *q, kern_vec arm[2])
 {
     kern_real rate;
-    const kern_real shift = kern_shift(kern_travel(c, mean), shrink, relative,
-                                       &rate);
+    const kern_real shift = kern_shift(kern_travel(c, q->mean), q->shrink,
+                                       q->relative, &rate);
     const kern_vec p = c->p, way = kern_vec_scale(kern_vec_turn(c->n), shift);
     int end;
     for (end = 0; end < 2; end++)
@@ -4042,9 +4045,8 @@ static void kern_arms(const kern_structure *s, const kern_contact *c,
    which it closes a contact: even forces of that size could not hold it. */
 
 static kern_real kern_prove_forces(const kern_structure *s,
-                                   const kern_question *q, int relative,
-                                   const kern_force *force, kern_real mean,
-                                   kern_real *sum)
+                                   const kern_question *q,
+                                   const kern_force *force, kern_real *sum)
 {
     kern_real total = KERN_R(0), weight = KERN_R(0), error = KERN_R(0);
     int i;
@@ -4062,7 +4064,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
         total += f;
-        kern_arms(s, c, q->shrink, relative, mean, arm);
+        kern_arms(s, c, q, arm);
         for (end = 0; end < 2; end++) {
             kern_real *at = sum + 4 * (end ? c->b : c->a);
             const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
@@ -4092,8 +4094,8 @@ static kern_real kern_prove_forces(const kern_structure *s,
 }
 
 static kern_real kern_prove_motion(const kern_structure *s,
-                                   const kern_question *q, int relative,
-                                   const kern_motion *motion, kern_real mean)
+                                   const kern_question *q,
+                                   const kern_motion *motion)
 {
     kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
     kern_real closing = KERN_R(0), need;
@@ -4121,7 +4123,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
         int end;
         if (kern_is_gone(q->fallen, c->a, c->b))
             continue;
-        kern_arms(s, c, q->shrink, relative, mean, arm);
+        kern_arms(s, c, q, arm);
         for (end = 0; end < 2; end++) { /* of b, less that of a */
             const kern_motion *m = motion + (end ? c->b : c->a);
             v = kern_vec_make(m->vx - m->spin * arm[end].y - v.x,
@@ -4153,9 +4155,8 @@ KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
     sum = kern_take_reals(&take, 4 * s->blocks);
     if (!kern_take_fits(&take))
         return KERN_INFINITY;
-    q = kern_question_of(s, shrink);
-    return kern_prove_forces(s, &q, o->relative, force,
-                             kern_mean_size(s->block, s->blocks), sum);
+    q = kern_question_of(s, o, shrink);
+    return kern_prove_forces(s, &q, force, sum);
 }
 
 KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
@@ -4167,9 +4168,8 @@ KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
     int n = 0;
     if (!motion || kern_structure_check(s, o, &fault, &n) != KERN_STANDS)
         return KERN_INFINITY;
-    q = kern_question_of(s, shrink);
-    return kern_prove_motion(s, &q, o->relative, motion,
-                             kern_mean_size(s->block, s->blocks));
+    q = kern_question_of(s, o, shrink);
+    return kern_prove_motion(s, &q, motion);
 }
 
 /* ---- The model ------------------------------------------------- >>model */
@@ -4326,9 +4326,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
         return KERN_NO_SPACE;
     m->s = s;
     m->work = work;
-    m->relative = o->relative;
     m->lp.pivots = o->pivots;
-    m->mean = kern_mean_size(s->block, s->blocks);
     kern_model_group(m, NULL);
     return KERN_STANDS;
 }
@@ -4340,22 +4338,22 @@ static int kern_is_free(const kern_model *m, int block)
 /* The columns of A at a shrinkage: what changes with it is the torques. Their
    unit is the size of the block, or where kerns have grown beyond it, how
    far. */
-static void kern_model_columns(kern_model *m, kern_real shrink)
+static void kern_model_columns(kern_model *m, const kern_question *q)
 {
     const kern_structure *s = m->s;
-    const kern_real grown = kern_max(-shrink, KERN_R(0));
+    const kern_real grown = kern_max(-q->shrink, KERN_R(0));
     int i, edge;
-    m->shrink = shrink;
+    m->shrink = q->shrink;
     for (i = 0; i < s->blocks; i++) {
         const kern_real size = kern_block_size(s->block + i);
-        m->unit[i] = 1 / (m->relative ? size * (1 + grown) : size + grown);
+        m->unit[i] = 1 / (q->relative ? size * (1 + grown) : size + grown);
         if (!kern_is_free(m, i))
             m->unit[i] = KERN_R(0);
     }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         kern_vec arm[2];
-        kern_arms(s, c, shrink, m->relative, m->mean, arm);
+        kern_arms(s, c, q, arm);
         for (edge = 0; edge < 2; edge++) {
             kern_real *f = m->arc + 8 * (size_t)i + 4 * edge;
             const kern_real mu = edge ? -c->mu : c->mu;
@@ -4431,14 +4429,13 @@ static kern_status kern_model_prove(kern_model *m, const kern_question *q,
         if (lift)
             kern_certificate_lift(&m->simplex, m->y);
         kern_model_motion(m);
-        error = kern_prove_motion(m->s, q, m->relative, m->motion, m->mean);
+        error = kern_prove_motion(m->s, q, m->motion);
     }
     if (!(error <= 1)) {
         /* forces may still do, within the tolerance */
         status = KERN_STANDS;
         kern_model_forces(m);
-        error = kern_prove_forces(m->s, q, m->relative, m->force, m->mean,
-                                  m->sum);
+        error = kern_prove_forces(m->s, q, m->force, m->sum);
     }
     if (!(error <= 1))
         return KERN_UNDECIDED;
@@ -4482,7 +4479,7 @@ static kern_status kern_model_ask(kern_model *m, const kern_question *q)
     m->found = KERN_UNDECIDED;
     if (!m->simplex.started || q->shrink > m->shrink
         || q->shrink < m->shrink) {
-        kern_model_columns(m, q->shrink);
+        kern_model_columns(m, q);
         m->simplex.stale = 1;
     }
     kern_model_loads(m, q);
@@ -4938,7 +4935,9 @@ static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
         return KERN_BAD_NUMBER;
     path->kind = kind;
     path->proof = proof;
-    path->q = kern_question_of(s, shrink);
+    path->q = kern_question_of(s, o, shrink);
+    m->relative = path->q.relative;
+    m->mean = path->q.mean;
     path->unit = kind == KERN_PATH_SHRINK && !m->relative ? m->mean : 1;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
