@@ -4185,7 +4185,6 @@ typedef struct kern_model {
     kern_real weight;         /* unit of force: all that acts on free blocks  */
     kern_real shrink;         /* that the columns were made for               */
     kern_program lp;
-    kern_simplex simplex;
     int *group;               /* of a block; fixed ones: after the last       */
     int *ends, *order;
     kern_real *arc, *rhs, *weight_of;
@@ -4196,6 +4195,8 @@ typedef struct kern_model {
     kern_force *force;        /* of the last verdict                          */
     kern_motion *motion;
     kern_status found;        /* what the program said, proven or not         */
+    kern_simplex simplex;     /* last: it is long, and what lies behind it is
+                                 farther to reach for the processor           */
 } kern_model;
 
 /* Slices of the work arrays that hold structs of numbers. */
