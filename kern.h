@@ -1691,9 +1691,8 @@ static void kern_search_face(kern_search *s, int i)
     face.low = face.high = leader->p;
     face.least = face.most = 0;
     face.sum = kern_vec_make(0, 0);
-    kern_face_join(&face, s, leader);
-    for (k = i + 1; k < s->count; k++)
-        if (!kern_face_join(&face, s, &s->out[k]))
+    for (k = i; k < s->count; k++) /* the leader itself first */
+        if (!kern_face_join(&face, s, &s->out[k]) && k > i)
             s->out[rest++] = s->out[k];
     s->count = rest;
     leader->n = kern_vec_unit(face.sum);
