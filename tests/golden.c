@@ -39,9 +39,9 @@ static const struct {
     { 1000, 0x7e1ef7efbff14e01u },
     { 5000, 0xd71236628f859f07u },
 #else
-    { 200, 0x2bda8b4f3087bfadu },
-    { 1000, 0x048afda7e915c163u },
-    { 5000, 0x560a7ac031e89c71u },
+    { 200, 0x89034e10170b2778u },
+    { 1000, 0x44ad4da22891f303u },
+    { 5000, 0xe802d4fb0600897bu },
 #endif
 };
 
