@@ -5415,6 +5415,55 @@ static void memory_every_size(void)
     every_size(&w, 37);
 }
 
+static int lean(const world *w, kern_margin *m)
+{
+    const kern_structure s = structure_of(w);
+    kern_work work = work_of(w);
+    work.reals = KERN_LEAN_REALS(w->blocks, w->contacts);
+    work.indices = KERN_LEAN_INTS(w->blocks, w->contacts);
+    return kern_measure(&s, &w->options, &work, m, NULL);
+}
+
+/* Lean memory gives the same answer, or none: too little for chains and arches
+   whose kerns are all but closed. */
+static void memory_lean(void)
+{
+    static world w;
+    kern_margin m, whole;
+    int seed, refused = 0, none = 0;
+    for (seed = 0; seed < 600; seed++) {
+        int got;
+        random_world(&w, 700000u + (unsigned long long)seed, 40);
+        got = lean(&w, &m);
+        refused += got < 0;
+        if (got < 0) {
+            CHECK(got == KERN_NO_SPACE || got == KERN_UNDECIDED);
+            continue;
+        }
+        CHECK_INT(got, measure(&w, &whole));
+        if (!SINGLE)
+            CHECK_INT(m.level, whole.level);
+        CHECK_NEAR(m.margin, whole.margin, law_tolerance(&w));
+    }
+    CHECK(refused < 60);
+    context[0] = 0;
+    given.n = 60;
+    given.a = 1;
+    given.mu = 3; /* holds it almost until every kern is a point */
+    for (seed = 2; seed < 14; seed++) {
+        int got;
+        semicircle(&w, 0.1 * seed);
+        got = lean(&w, &m);
+        none += got == KERN_NO_SPACE;
+        CHECK_INT(measure(&w, &whole), KERN_STANDS);
+        if (got == KERN_STANDS)
+            CHECK_NEAR(m.margin, whole.margin, law_tolerance(&w));
+        else
+            CHECK(got == KERN_NO_SPACE || got == KERN_UNDECIDED);
+    }
+    CHECK(none > 0 && none < 12);
+}
+
 /* Nothing is kept in the work arrays: garbage in them changes no bit. */
 static void memory_garbage(void)
 {
@@ -5783,6 +5832,7 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(status_of_every_kind),
                              TEST(memory_need),
                              TEST(memory_every_size),
+                             TEST(memory_lean),
                              TEST(memory_garbage)};
 
 int main(int argc, char **argv)
