@@ -962,6 +962,7 @@ static void kern_fault_clear(kern_fault *fault)
 /* Share of the gap by which overlap may be deeper unseen, in a place of twice
    that length. Less takes more steps along an edge. */
 #define KERN_STRIDE     KERN_R(0.0625)
+#define KERN_STRIDES    64 /* before they double, and 8 a vertex */
 /* Cosine of 10 degrees: a vertex at a line contact belongs to it if their
    normals differ by less; across a real corner they differ by more. */
 #define KERN_SAME_FACE  KERN_R(0.98480775301220806)
@@ -1424,13 +1425,16 @@ static kern_real kern_overlap_free(const kern_block *b, kern_real gap,
     return low;
 }
 
-/* The first depth beyond the gap in b on the way from p to q, 0: none. */
+/* The first depth beyond the gap in b on the way from p to q, 0: none. Where a
+   gap is all but rounding, steps that are as short come to no end: from some
+   number on they double, and may pass by what is as deep as they are long. */
 static kern_real kern_overlap_edge(const kern_block *b, kern_real gap,
                                    kern_vec p, kern_vec q)
 {
     const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
     const kern_real length = kern_vec_dot(way, d);
-    kern_real s, step;
+    kern_real s, step, stride = gap * KERN_STRIDE;
+    int left = KERN_STRIDES + 8 * b->vertices;
     kern_box box;
     kern_box_set(&box, p, q);
     if (!kern_box_near(&box, &b->box, -gap))
@@ -1444,7 +1448,9 @@ static kern_real kern_overlap_edge(const kern_block *b, kern_real gap,
         step = kern_overlap_along(b, nearest, gap, at, d, length - s);
         if (depth < 0 && !(step > 0))
             step = kern_overlap_free(b, gap, at, d, length - s) + gap;
-        step = kern_max(step, gap - depth + KERN_STRIDE * gap);
+        step = kern_max(step, gap - depth + stride);
+        if (--left < 0)
+            stride *= 2;
     }
     return 0;
 }
