@@ -4473,32 +4473,36 @@ static kern_status kern_model_prove(kern_model *m, const kern_question *q,
     return status;
 }
 
+/* Sum of the solution: of all normal forces, in weights. */
+static kern_real kern_model_total(const kern_model *m)
+{
+    kern_real total = KERN_R(0);
+    int i;
+    for (i = 0; i < m->lp.cols; i++)
+        total += m->x[i];
+    return total;
+}
+
 /* Forces were found, but larger than is allowed: the least there are, by
    costs of 1. If they still are too large their prices are a motion that shows
    that no smaller ones exist. The costs stand where forces will. */
 static kern_status kern_model_least(kern_model *m, int own)
 {
     kern_real *one = (kern_real *)(void *)m->force;
-    kern_real total = KERN_R(0);
     kern_status status;
     int i;
-    for (i = 0; i < m->lp.cols; i++) {
-        one[i] = KERN_R(1);
-        total += m->x[i];
-    }
-    if (!(total > KERN_BOUND))
+    if (!(kern_model_total(m) > KERN_BOUND))
         return KERN_STANDS;
+    for (i = 0; i < m->lp.cols; i++)
+        one[i] = KERN_R(1);
     m->lp.cost = one;
     status = kern_program_solve(&m->simplex, own, m->x, m->y, m->work);
     m->lp.cost = NULL;
     if (status != KERN_STANDS)
         return status < 0 ? status : KERN_UNDECIDED;
-    total = KERN_R(0);
-    for (i = 0; i < m->lp.cols; i++)
-        total += m->x[i];
     for (i = 0; i < m->lp.rows; i++)
         m->y[i] = -m->y[i];
-    return total > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
+    return kern_model_total(m) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
 }
 
 /* Answers a question with a proof, or not at all. */
