@@ -106,9 +106,9 @@
    Bytes of work memory, double (float is about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
-       KERN_REALS, bytes             5,696    12,776    37,416   191,336
-       KERN_INTS, bytes                808     1,868     4,828    18,068
-       both KERN_LEAN_ sizes         6,504    12,268    32,668   136,828
+       KERN_REALS, bytes             5,720    12,800    37,440   191,360
+       KERN_INTS, bytes                820     1,880     4,840    18,080
+       both KERN_LEAN_ sizes         6,540    12,304    32,704   136,864
 
    Memory as large as KERN_REALS is enough for everything. Walls are content
    with KERN_LEAN_REALS and KERN_LEAN_INTS: 2.8 MB for 1000 blocks instead of
@@ -543,9 +543,9 @@ typedef struct kern_lp {
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 3)
 #define KERN_REALS_OF(blocks, contacts, extras) \
-    ((extras) * (extras) + 5 * (extras) + 45 * (blocks) + 12 * (contacts) + 13)
+    ((extras) * (extras) + 5 * (extras) + 45 * (blocks) + 12 * (contacts) + 16)
 #define KERN_INTS_OF(blocks, contacts, extras) \
-    (2 * (extras) + 19 * (blocks) + 4 * (contacts) + 1)
+    (2 * (extras) + 19 * (blocks) + 4 * (contacts) + 4)
 #define KERN_REALS(blocks, contacts) \
     KERN_REALS_OF(blocks, contacts, KERN_EXTRAS(blocks))
 #define KERN_INTS(blocks, contacts) \
@@ -555,8 +555,8 @@ typedef struct kern_lp {
 #define KERN_LEAN_INTS(blocks, contacts) \
     KERN_INTS_OF(blocks, contacts, KERN_LEAN_EXTRAS(blocks))
 #define KERN_PLAN_INTS(blocks) (3 * (blocks))
-#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows) + 9)
-#define KERN_LP_INTS(rows, cols) (6 * (rows) + (cols) + 1)
+#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows) + 12)
+#define KERN_LP_INTS(rows, cols) (6 * (rows) + (cols) + 4)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* Pointers must not be NULL where it does not say so: KERN_BAD_POINTER. Every
@@ -2214,28 +2214,34 @@ typedef struct kern_simplex {
     int settled;            /* no pivot since the values were refined         */
     int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
-    int *base;              /* variable of a slot: column, or cols + row of a
-                               filler, a unit vector                          */
+    int *base;              /* position: its variable, a column, or cols + row
+                               of a filler, a unit vector                     */
     int *spare;             /* slot: its row of S, or -1 where it is basic    */
     int *far;               /* slot: the group that its column leads to       */
-    int *extra;             /* column of an extra                             */
     int *slot;              /* slot of a row of S                             */
-    int *place;             /* column: slot, KERN_OUT, or -2 - its extra      */
+    int *place;             /* column: its position, or KERN_OUT              */
     int *rank;              /* group: its place in the order                  */
     int *link;              /* scratch: groups + 1 + 2 rows                   */
     kern_real *block;       /* 18 a group: D^-1, and what its columns do to
                                the groups that they lead to                   */
     kern_real *inv;         /* S^-1                                           */
-    kern_real *value;       /* of the variable in a slot; 0 in spare ones     */
-    kern_real *value_extra;
-    kern_real *alpha;       /* entering column in terms of the basis          */
-    kern_real *alpha_extra;
-    kern_real *row;         /* prices y                                       */
-    kern_real *row_extra;
-    kern_real *temp;        /* scratch; rows + room, as row                   */
+    kern_real *value;       /* position: of its variable; 0 in spare slots    */
+    kern_real *alpha;       /* position: of the entering column               */
+    kern_real *row;         /* position: its price; then the prices y of rows */
+    kern_real *across;      /* of a row of the inverse, at the spare slots    */
+    kern_real *temp;        /* scratch; rows + room                           */
 } kern_simplex;
 
 #define KERN_OUT (-1)
+
+/* A position in the basis is a slot, which is as many as there are rows, or that
+   of extra e. Between them lie three for the rows of none, with fillers that
+   stay 0: what goes over positions goes straight through. */
+static inline int kern_extra(const kern_simplex *sx, int e)
+{ return sx->lp->rows + 3 + e; }
+
+static inline int kern_is_spare(const kern_simplex *sx, int p)
+{ return p < sx->lp->rows && sx->spare[p] >= 0; }
 
 /* ---- columns ---- */
 
@@ -2393,9 +2399,9 @@ static void kern_add_times(kern_real *v, kern_real f, const kern_real *u, int n)
         v[i] += f * u[i];
 }
 
-/* ve := S^-1 v, four rows at a time: sums that do not wait for each other */
+/* x := S^-1 v, four rows at a time: sums that do not wait for each other */
 static void kern_extras_times(const kern_simplex *sx, const kern_real *v,
-                              kern_real *ve)
+                              kern_real *x)
 {
     const int k = sx->extras;
     const size_t n = (size_t)sx->room;
@@ -2410,62 +2416,67 @@ static void kern_extras_times(const kern_simplex *sx, const kern_real *v,
             sc += c[i] * v[i];
             sd += d[i] * v[i];
         }
-        ve[e] = sa; ve[e + 1] = sb; ve[e + 2] = sc; ve[e + 3] = sd;
+        x[e] = sa; x[e + 1] = sb; x[e + 2] = sc; x[e + 3] = sd;
     }
     for (; e < k; e++) {
         const kern_real *a = sx->inv + (size_t)e * n;
         kern_real sum = KERN_R(0);
         for (i = 0; i < k; i++)
             sum += a[i] * v[i];
-        ve[e] = sum;
+        x[e] = sum;
     }
 }
 
-/* v := the part of B^-1 v in the slots, ve := the part in the extras */
-static void kern_basis_solve(kern_simplex *sx, int from, kern_real *v,
-                             kern_real *ve)
+/* v := B^-1 v, by positions */
+static void kern_basis_solve(kern_simplex *sx, int from, kern_real *v)
 {
     const int k = sx->extras, m = sx->lp->rows;
-    int i, e;
+    int i;
     if (k > 0) {
         for (i = 0; i < m; i++)
             sx->temp[i] = v[i];
         kern_base_solve(sx, from, sx->temp);
         for (i = 0; i < k; i++)
-            sx->row_extra[i] = sx->temp[sx->slot[i]];
-        kern_extras_times(sx, sx->row_extra, ve);
-        for (e = 0; e < k; e++)
-            kern_lp_subtract(sx->lp, sx->extra[e], ve[e], v);
+            sx->across[i] = sx->temp[sx->slot[i]];
+        kern_extras_times(sx, sx->across, v + kern_extra(sx, 0));
+        for (i = m + 3; i < m + 3 + k; i++)
+            kern_lp_subtract(sx->lp, sx->base[i], v[i], v);
         from = 0;
     }
     kern_base_solve(sx, from, v);
     for (i = 0; i < k; i++)
         v[sx->slot[i]] = KERN_R(0);
+    v[m] = v[m + 1] = v[m + 2] = KERN_R(0);
 }
 
-/* c := B^-T (c, ce), where c has the slots' and ce the extras' part; ce
-   becomes the part u at the spare slots. */
-static void kern_basis_solve_t(kern_simplex *sx, kern_real *c, kern_real *ce)
+/* across := (c' - E' temp)' S^-1, where c' is what c has for the extras, and 0
+   where it is NULL */
+static void kern_extras_across(kern_simplex *sx, const kern_real *c)
+{
+    int e;
+    for (e = 0; e < sx->extras; e++)
+        sx->across[e] = KERN_R(0);
+    for (e = 0; e < sx->extras; e++)
+        kern_add_times(sx->across, (c ? c[kern_extra(sx, e)] : KERN_R(0))
+                       - kern_lp_dot(sx->lp, sx->base[kern_extra(sx, e)],
+                                     sx->temp),
+                       sx->inv + (size_t)e * (size_t)sx->room, sx->extras);
+}
+
+/* c := B^-T c, from positions to rows */
+static void kern_basis_solve_t(kern_simplex *sx, kern_real *c)
 {
     const int k = sx->extras, m = sx->lp->rows;
-    int i, e;
+    int i;
     if (k > 0) {
         for (i = 0; i < k; i++)
             c[sx->slot[i]] = KERN_R(0);
         for (i = 0; i < m; i++)
             sx->temp[i] = c[i];
         kern_base_solve_t(sx, sx->groups - 1, sx->temp);
-        for (e = 0; e < k; e++)
-            ce[e] -= kern_lp_dot(sx->lp, sx->extra[e], sx->temp);
+        kern_extras_across(sx, c);
         for (i = 0; i < k; i++)
-            sx->temp[i] = KERN_R(0);
-        for (e = 0; e < k; e++)
-            kern_add_times(sx->temp, ce[e],
-                           sx->inv + (size_t)e * (size_t)sx->room, k);
-        for (i = 0; i < k; i++) {
-            ce[i] = sx->temp[i];
-            c[sx->slot[i]] = ce[i];
-        }
+            c[sx->slot[i]] = sx->across[i];
     }
     kern_base_solve_t(sx, sx->groups - 1, c);
 }
@@ -2670,14 +2681,14 @@ static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
 /* Makes S of the extras, in the slots slot[0..rows). */
 static void kern_extras_make(kern_simplex *sx, int rows)
 {
+    const int *extra = sx->base + kern_extra(sx, 0);
     int c, i, r;
     for (c = 0; c < sx->extras; c++) {
         for (i = 0; i < sx->lp->rows; i++)
             sx->temp[i] = KERN_R(0);
-        kern_lp_subtract(sx->lp, sx->extra[c], KERN_R(-1), sx->temp);
+        kern_lp_subtract(sx->lp, extra[c], KERN_R(-1), sx->temp);
         kern_base_solve(sx, sx->groups > 0
-                        ? sx->rank[kern_lp_first(sx, sx->extra[c])] : 0,
-                        sx->temp);
+                        ? sx->rank[kern_lp_first(sx, extra[c])] : 0, sx->temp);
         for (r = 0; r < rows; r++)
             sx->inv[(size_t)r * (size_t)sx->room + (size_t)c] =
                 sx->temp[sx->slot[r]];
@@ -2709,7 +2720,7 @@ static void kern_extras_invert(kern_simplex *sx, int rows)
         kern_real *other = sx->inv + (size_t)best * n, one;
         if (kern_abs(other[t]) < KERN_RANK_TOL) {
             k--;
-            sx->extra[t] = sx->extra[k];
+            sx->base[kern_extra(sx, t)] = sx->base[kern_extra(sx, k)];
             for (r = 0; r < rows; r++)
                 sx->inv[(size_t)r * n + (size_t)t] =
                     sx->inv[(size_t)r * n + (size_t)k];
@@ -2745,9 +2756,20 @@ static void kern_extras_place(kern_simplex *sx)
 {
     int t;
     for (t = 0; t < sx->extras; t++) {
-        sx->place[sx->extra[t]] = -2 - t;
+        sx->place[sx->base[kern_extra(sx, t)]] = kern_extra(sx, t);
         sx->spare[sx->slot[t]] = t;
     }
+}
+
+/* Writes the columns of the basis to list[0..rows); returns how many. */
+static int kern_basis_list(const kern_simplex *sx, int *list)
+{
+    const int end = kern_extra(sx, sx->extras);
+    int p, n = 0;
+    for (p = 0; p < end; p++)
+        if (!kern_is_spare(sx, p) && sx->base[p] < sx->lp->cols)
+            list[n++] = sx->base[p];
+    return n;
 }
 
 /* Chooses base and extras anew for the basic columns as they are now. */
@@ -2755,17 +2777,13 @@ static void kern_basis_choose(kern_simplex *sx)
 {
     const int m = sx->lp->rows, cols = sx->lp->cols;
     int *list = sx->link + sx->groups + 1, *over = list + m;
-    int n = 0, i, rows = 0, left;
+    int n, i, rows = 0, left;
     for (i = 0; i < m; i++)
-        if (sx->base[i] < cols) {
+        if (sx->base[i] < cols)
             sx->place[sx->base[i]] = KERN_OUT;
-            if (sx->spare[i] < 0)
-                list[n++] = sx->base[i];
-        }
-    for (i = 0; i < sx->extras; i++) {
-        sx->place[sx->extra[i]] = KERN_OUT;
-        list[n++] = sx->extra[i];
-    }
+    n = kern_basis_list(sx, list);
+    for (i = 0; i < n; i++)
+        sx->place[list[i]] = KERN_OUT;
     for (i = 0; i < m; i++) {
         sx->base[i] = cols + i;
         sx->spare[i] = -1;
@@ -2781,7 +2799,7 @@ static void kern_basis_choose(kern_simplex *sx)
     sx->extras = left < rows ? left : rows;
     sx->cramped = left > sx->room;
     for (i = 0; i < sx->extras; i++)
-        sx->extra[i] = over[i];
+        sx->base[kern_extra(sx, i)] = over[i];
     kern_extras_make(sx, rows);
     kern_extras_invert(sx, rows);
     kern_extras_place(sx);
@@ -2811,25 +2829,31 @@ static int kern_basis_keep(kern_simplex *sx)
 static kern_real kern_basis_residual(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
+    const int end = kern_extra(sx, sx->extras);
     kern_real size = KERN_R(0);
-    int i;
-    for (i = 0; i < lp->rows; i++)
-        sx->alpha[i] = lp->rhs[i];
-    for (i = 0; i < lp->rows; i++) {
-        const kern_real v = sx->value[i];
+    int p;
+    for (p = 0; p < lp->rows; p++)
+        sx->alpha[p] = lp->rhs[p];
+    for (p = 0; p < end; p++) {
+        const kern_real v = sx->value[p];
         if (!(v > 0 || v < 0))
             continue;
         size = kern_max(size, kern_abs(v));
-        if (sx->base[i] < lp->cols)
-            kern_lp_subtract(lp, sx->base[i], v, sx->alpha);
+        if (sx->base[p] < lp->cols)
+            kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
         else
-            sx->alpha[sx->base[i] - lp->cols] -= v;
-    }
-    for (i = 0; i < sx->extras; i++) {
-        size = kern_max(size, kern_abs(sx->value_extra[i]));
-        kern_lp_subtract(lp, sx->extra[i], sx->value_extra[i], sx->alpha);
+            sx->alpha[sx->base[p] - lp->cols] -= v;
     }
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
+}
+
+/* Adds a share of alpha to the values. */
+static void kern_basis_add(kern_simplex *sx, kern_real share)
+{
+    const int end = kern_extra(sx, sx->extras);
+    int p;
+    for (p = 0; p < end; p++)
+        sx->value[p] += share * sx->alpha[p];
 }
 
 /* The basic solution. What it leaves of the right-hand side is solved for
@@ -2838,14 +2862,11 @@ static kern_real kern_basis_residual(kern_simplex *sx)
 static int kern_basis_values(kern_simplex *sx)
 {
     kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
-    int i, round;
+    int round;
     for (round = 0; round < 4 && left > KERN_REFINE_TOL
                     && (left < last || round < 2); round++) {
-        kern_basis_solve(sx, 0, sx->alpha, sx->alpha_extra);
-        for (i = 0; i < sx->lp->rows; i++)
-            sx->value[i] += sx->alpha[i];
-        for (i = 0; i < sx->extras; i++)
-            sx->value_extra[i] += sx->alpha_extra[i];
+        kern_basis_solve(sx, 0, sx->alpha);
+        kern_basis_add(sx, KERN_R(1));
         last = left;
         left = kern_basis_residual(sx);
     }
@@ -2861,10 +2882,8 @@ static void kern_basis_renew(kern_simplex *sx, int keep)
     int i;
     if (!keep || !kern_basis_keep(sx))
         kern_basis_choose(sx);
-    for (i = 0; i < sx->lp->rows; i++)
+    for (i = 0; i < kern_extra(sx, sx->extras); i++)
         sx->value[i] = KERN_R(0);
-    for (i = 0; i < sx->extras; i++)
-        sx->value_extra[i] = KERN_R(0);
     sx->stale = 0;
     kern_basis_values(sx);
 }
@@ -2887,26 +2906,28 @@ static void kern_basis_column(kern_simplex *sx, int j)
         sx->alpha[i] = KERN_R(0);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
     kern_basis_solve(sx, sx->groups > 0 ? sx->rank[kern_lp_first(sx, j)] : 0,
-                     sx->alpha, sx->alpha_extra);
+                     sx->alpha);
 }
 
-/* The row of B^-1 for slot s, at the spare slots: to sx->row_extra. */
+/* The row of B^-1 for slot s, at the spare slots: to sx->across. */
 static void kern_basis_row(kern_simplex *sx, int s)
 {
-    const int k = sx->extras;
-    int i, e;
-    for (i = 0; i < k; i++)
-        sx->row_extra[i] = KERN_R(0);
-    if (k == 0)
+    int i;
+    if (sx->extras == 0)
         return;
     for (i = 0; i < sx->lp->rows; i++)
         sx->temp[i] = KERN_R(0);
     sx->temp[s] = KERN_R(1);
     kern_base_solve_t(sx, sx->groups > 0 ? sx->rank[s / 3] : -1, sx->temp);
-    for (e = 0; e < k; e++)
-        kern_add_times(sx->row_extra,
-                       -kern_lp_dot(sx->lp, sx->extra[e], sx->temp),
-                       sx->inv + (size_t)e * (size_t)sx->room, k);
+    kern_extras_across(sx, NULL);
+}
+
+/* Column q is extra e from now on. */
+static void kern_extra_put(kern_simplex *sx, int e, int q)
+{
+    const int p = kern_extra(sx, e);
+    sx->base[p] = q;
+    sx->place[q] = p;
 }
 
 /* Slot s is left by its basic variable, and q enters as a new extra: S gains
@@ -2915,22 +2936,21 @@ static void kern_extra_add(kern_simplex *sx, int s, int q)
 {
     const int k = sx->extras;
     const size_t n = (size_t)sx->room;
-    const kern_real *z = sx->alpha_extra, *u = sx->row_extra;
+    const kern_real *u = sx->across;
     const kern_real one = KERN_R(1) / sx->alpha[s];
     int e, i;
     for (e = 0; e < k; e++) {
         kern_real *inv = sx->inv + (size_t)e * n;
-        const kern_real f = z[e] * one;
+        const kern_real f = sx->alpha[kern_extra(sx, e)] * one;
         kern_add_times(inv, -f, u, k);
         inv[k] = -f;
     }
     for (i = 0; i < k; i++)
         sx->inv[(size_t)k * n + (size_t)i] = u[i] * one;
     sx->inv[(size_t)k * n + (size_t)k] = one;
-    sx->extra[k] = q;
     sx->slot[k] = s;
     sx->spare[s] = k;
-    sx->place[q] = -2 - k;
+    kern_extra_put(sx, k, q);
     sx->extras = k + 1;
 }
 
@@ -2939,19 +2959,17 @@ static void kern_extra_replace(kern_simplex *sx, int e, int q)
 {
     const int k = sx->extras;
     const size_t n = (size_t)sx->room;
-    const kern_real *z = sx->alpha_extra;
     kern_real *pivot = sx->inv + (size_t)e * n;
-    const kern_real one = KERN_R(1) / z[e];
+    const kern_real one = KERN_R(1) / sx->alpha[kern_extra(sx, e)];
     int r, i;
     for (i = 0; i < k; i++)
         pivot[i] *= one;
     for (r = 0; r < k; r++) {
         kern_real *inv = sx->inv + (size_t)r * n;
         if (r != e)
-            kern_add_times(inv, -z[r], pivot, k);
+            kern_add_times(inv, -sx->alpha[kern_extra(sx, r)], pivot, k);
     }
-    sx->extra[e] = q;
-    sx->place[q] = -2 - e;
+    kern_extra_put(sx, e, q);
 }
 
 /* Slot s is left by its variable and the spare slot of row u returns with the
@@ -2960,7 +2978,7 @@ static void kern_spare_swap(kern_simplex *sx, int s, int u)
 {
     const int k = sx->extras;
     const size_t n = (size_t)sx->room;
-    const kern_real *g = sx->row_extra;
+    const kern_real *g = sx->across;
     const kern_real one = KERN_R(1) / g[u];
     int e;
     for (e = 0; e < k; e++) {
@@ -2994,10 +3012,8 @@ static void kern_extra_drop(kern_simplex *sx, int e, int u)
     for (r = 0; r < last; r++)
         sx->inv[(size_t)r * n + (size_t)u] =
             sx->inv[(size_t)r * n + (size_t)last];
-    if (e != last) {
-        sx->extra[e] = sx->extra[last];
-        sx->place[sx->extra[e]] = -2 - e;
-    }
+    if (e != last)
+        kern_extra_put(sx, e, sx->base[kern_extra(sx, last)]);
     if (u != last) {
         sx->slot[u] = sx->slot[last];
         sx->spare[sx->slot[u]] = u;
@@ -3006,18 +3022,18 @@ static void kern_extra_drop(kern_simplex *sx, int e, int u)
 }
 
 /* Which position a variable enters and which it leaves decides which of the
-   four happens. `position` is a slot, or -2 - an extra. */
+   four happens. */
 static void kern_basis_exchange(kern_simplex *sx, int q, int position)
 {
     const int home = sx->place[q];  /* a spare slot, or KERN_OUT */
-    if (position >= 0) {
+    if (position < sx->lp->rows) {
         if (home == KERN_OUT)
             kern_extra_add(sx, position, q);
         else
             kern_spare_swap(sx, position, sx->spare[home]);
     } else {
-        const int e = -2 - position;
-        sx->place[sx->extra[e]] = KERN_OUT;
+        const int e = position - kern_extra(sx, 0);
+        sx->place[sx->base[position]] = KERN_OUT;
         if (home == KERN_OUT)
             kern_extra_replace(sx, e, q);
         else
@@ -3027,8 +3043,7 @@ static void kern_basis_exchange(kern_simplex *sx, int q, int position)
 
 static int kern_is_basic(const kern_simplex *sx, int j)
 {
-    const int p = sx->place[j];
-    return p <= -2 || (p >= 0 && sx->spare[p] < 0);
+    return sx->place[j] != KERN_OUT && !kern_is_spare(sx, sx->place[j]);
 }
 
 /* ---- phase one ---- */
@@ -3048,47 +3063,38 @@ static int kern_is_basic(const kern_simplex *sx, int j)
 static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v)
 {
     kern_real w;
-    if (v >= 0 && j < sx->lp->cols)
+    if (v > 0 ? j < sx->lp->cols : !(v < 0))
         return KERN_R(0);
     w = kern_lp_weight(sx->lp, j, sx->unit);
     return v * w < -KERN_FEAS_TOL ? -w
            : j >= sx->lp->cols && v * w > KERN_FEAS_TOL ? w : KERN_R(0);
 }
 
-static kern_real kern_slot_price(const kern_simplex *sx, int i)
+static kern_real kern_price_at(const kern_simplex *sx, int p)
 {
-    return sx->spare[i] >= 0 ? KERN_R(0)
-                             : kern_violation(sx, sx->base[i], sx->value[i]);
-}
-
-static kern_real kern_extra_price(const kern_simplex *sx, int e)
-{
-    return kern_violation(sx, sx->extra[e], sx->value_extra[e]);
+    return kern_is_spare(sx, p)
+           ? KERN_R(0) : kern_violation(sx, sx->base[p], sx->value[p]);
 }
 
 /* y to sx->row; returns the sum of violations. */
 static kern_real kern_phase_one_prices(kern_simplex *sx)
 {
+    const int end = kern_extra(sx, sx->extras);
     kern_real sum = KERN_R(0), part;
-    int i;
+    int p;
     sx->violated = 0;
-    for (i = 0; i < sx->lp->rows; i++) {
-        sx->row[i] = KERN_R(0);
-        if (sx->value[i] >= 0 && sx->base[i] < sx->lp->cols)
+    for (p = 0; p < end; p++) {
+        const kern_real v = sx->value[p];
+        sx->row[p] = KERN_R(0);
+        if (v > 0 ? sx->base[p] < sx->lp->cols : !(v < 0))
             continue;
-        sx->row[i] = kern_slot_price(sx, i);
-        part = sx->row[i] * sx->value[i];
-        sx->violated += part > 0;
-        sum += part;
-    }
-    for (i = 0; i < sx->extras; i++) {
-        sx->row_extra[i] = kern_extra_price(sx, i);
-        part = sx->row_extra[i] * sx->value_extra[i];
+        sx->row[p] = kern_price_at(sx, p);
+        part = sx->row[p] * v;
         sx->violated += part > 0;
         sum += part;
     }
     if (sum > 0)
-        kern_basis_solve_t(sx, sx->row, sx->row_extra);
+        kern_basis_solve_t(sx, sx->row);
     return sum;
 }
 
@@ -3099,18 +3105,16 @@ static void kern_phase_one_refine(kern_simplex *sx, kern_real above)
 {
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(sx->row, lp->rows);
-    int i;
+    const int end = kern_extra(sx, sx->extras);
+    int i, p;
     sx->row[lp->rows] = sx->row[lp->rows + 1] = sx->row[lp->rows + 2] = 0;
-    for (i = 0; i < lp->rows; i++) {
-        const int j = sx->base[i];
-        sx->alpha[i] = kern_slot_price(sx, i)
+    for (p = 0; p < end; p++) {
+        const int j = sx->base[p];
+        sx->alpha[p] = kern_price_at(sx, p)
             - (j < lp->cols ? kern_lp_dot(lp, j, sx->row) + above * size
                             : sx->row[j - lp->cols]);
     }
-    for (i = 0; i < sx->extras; i++)
-        sx->alpha_extra[i] = kern_extra_price(sx, i) - above * size
-                             - kern_lp_dot(lp, sx->extra[i], sx->row);
-    kern_basis_solve_t(sx, sx->alpha, sx->alpha_extra);
+    kern_basis_solve_t(sx, sx->alpha);
     for (i = 0; i < lp->rows; i++)
         sx->row[i] += sx->alpha[i];
 }
@@ -3185,12 +3189,12 @@ static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
     return kern_price(sx, NULL, first, gain);
 }
 
-/* How much the slope of the sum rises when variable j, whose value is v and
-   which falls at the rate a, passes zero, and in `at` where that is. */
-static kern_real kern_break(const kern_simplex *sx, int j, kern_real v,
-                            kern_real a, kern_real *at)
+/* How much the slope of the sum rises when the variable at p, which falls at
+   the rate alpha, passes zero, and in `at` where that is. */
+static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
-    const int filler = j >= sx->lp->cols;
+    const int j = sx->base[p], filler = j >= sx->lp->cols;
+    const kern_real v = sx->value[p], a = sx->alpha[p];
     const kern_real price = kern_violation(sx, j, v);
     *at = KERN_R(0);
     if (price < 0 || price > 0) {
@@ -3210,25 +3214,14 @@ static kern_real kern_break(const kern_simplex *sx, int j, kern_real v,
    which the entering column takes them, with what kern_break() says. */
 static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
 {
-    const int m = sx->lp->rows;
-    const kern_real least = KERN_PIVOT_TOL
-        * kern_max(kern_largest(sx->alpha, m),
-                   kern_largest(sx->alpha_extra, sx->extras));
-    int i, n = 0;
-    for (i = 0; i < m; i++) {
-        const kern_real a = sx->alpha[i];
-        if (!(kern_abs(a) > least) || sx->spare[i] >= 0)
+    const int end = kern_extra(sx, sx->extras);
+    const kern_real least = KERN_PIVOT_TOL * kern_largest(sx->alpha, end);
+    int p, n = 0;
+    for (p = 0; p < end; p++) {
+        if (!(kern_abs(sx->alpha[p]) > least) || kern_is_spare(sx, p))
             continue;
-        rise[n] = kern_break(sx, sx->base[i], sx->value[i], a, &at[n]);
-        sx->link[n] = i;
-        n += rise[n] > 0;
-    }
-    for (i = 0; i < sx->extras; i++) {
-        const kern_real a = sx->alpha_extra[i];
-        if (!(kern_abs(a) > least))
-            continue;
-        rise[n] = kern_break(sx, sx->extra[i], sx->value_extra[i], a, &at[n]);
-        sx->link[n] = -2 - i;
+        rise[n] = kern_break(sx, p, &at[n]);
+        sx->link[n] = p;
         n += rise[n] > 0;
     }
     return n;
@@ -3247,8 +3240,7 @@ static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
     while (n > 0 && (best == KERN_OUT || (!first && gain > enough))) {
         int i, next = 0, least = 0;
         for (i = 0; i < n; i++) {
-            const int j = list[i] >= 0 ? sx->base[list[i]]
-                                       : sx->extra[-2 - list[i]];
+            const int j = sx->base[list[i]];
             if (i == 0 || at[i] < at[next]
                 || (first && at[i] <= at[next] && j < least)) {
                 next = i;
@@ -3266,6 +3258,16 @@ static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
     return best;
 }
 
+/* What the basic columns cost, by positions; fillers nothing. */
+static void kern_basis_costs(const kern_simplex *sx, const kern_real *cost,
+                             kern_real *to)
+{
+    const int end = kern_extra(sx, sx->extras);
+    int p;
+    for (p = 0; p < end; p++)
+        to[p] = sx->base[p] < sx->lp->cols ? cost[sx->base[p]] : KERN_R(0);
+}
+
 /* A row y of the inverse turns when the matrix changes. change[j] is y.A_j's
    own rate for every column; returns the rate at which y grows, as a share of
    its length; 0 where y is not of this basis but a backend's, which bounds its
@@ -3273,17 +3275,13 @@ static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
 static kern_real kern_row_growth(kern_simplex *sx, const kern_real *y,
                                  const kern_real *change)
 {
-    const int m = sx->lp->rows, cols = sx->lp->cols;
     kern_real along = KERN_R(0), size = KERN_R(0);
     int i;
     if (!sx->started)
         return KERN_R(0);
-    for (i = 0; i < m; i++)
-        sx->alpha[i] = sx->base[i] < cols ? change[sx->base[i]] : KERN_R(0);
-    for (i = 0; i < sx->extras; i++)
-        sx->alpha_extra[i] = change[sx->extra[i]];
-    kern_basis_solve_t(sx, sx->alpha, sx->alpha_extra);
-    for (i = 0; i < m; i++) {
+    kern_basis_costs(sx, change, sx->alpha);
+    kern_basis_solve_t(sx, sx->alpha);
+    for (i = 0; i < sx->lp->rows; i++) {
         along -= y[i] * sx->alpha[i];
         size += y[i] * y[i];
     }
@@ -3295,21 +3293,12 @@ static kern_real kern_row_growth(kern_simplex *sx, const kern_real *y,
 static void kern_basis_move(kern_simplex *sx, int q, int position,
                             kern_real step)
 {
-    const int home = sx->place[q];
-    int i;
-    for (i = 0; i < sx->lp->rows; i++)
-        sx->value[i] -= step * sx->alpha[i];
-    for (i = 0; i < sx->extras; i++)
-        sx->value_extra[i] -= step * sx->alpha_extra[i];
-    if (position >= 0)
-        sx->value[position] = KERN_R(0);
-    else if (home != KERN_OUT)
-        sx->value_extra[-2 - position] = sx->value_extra[sx->extras - 1];
+    kern_basis_add(sx, -step);
+    /* the last extra goes to the place of one that is left, if it is */
+    sx->value[position] = position < sx->lp->rows
+                          ? KERN_R(0) : sx->value[kern_extra(sx, sx->extras) - 1];
     kern_basis_exchange(sx, q, position);
-    if (sx->place[q] >= 0)
-        sx->value[sx->place[q]] = step;
-    else
-        sx->value_extra[-2 - sx->place[q]] = step;
+    sx->value[sx->place[q]] = step;
     sx->pivots++;
     sx->settled = 0;
 }
@@ -3351,10 +3340,10 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
                 kern_basis_renew(sx, 0);
             continue;
         }
-        if (sx->cramped || (sx->extras == sx->room && position >= 0
+        if (sx->cramped || (sx->extras == sx->room && position < sx->lp->rows
                             && sx->place[q] == KERN_OUT))
             return KERN_NO_SPACE;
-        if (position >= 0)
+        if (position < sx->lp->rows)
             kern_basis_row(sx, position);
         kern_basis_move(sx, q, position, step);
         work->pivots++;
@@ -3375,13 +3364,8 @@ static int kern_primal_entering(kern_simplex *sx, int first)
 {
     const kern_program *lp = sx->lp;
     kern_real least = KERN_FEAS_TOL * kern_largest(lp->cost, lp->cols);
-    int i;
-    for (i = 0; i < lp->rows; i++)
-        sx->row[i] = sx->base[i] < lp->cols ? lp->cost[sx->base[i]]
-                                            : KERN_R(0);
-    for (i = 0; i < sx->extras; i++)
-        sx->row_extra[i] = lp->cost[sx->extra[i]];
-    kern_basis_solve_t(sx, sx->row, sx->row_extra);
+    kern_basis_costs(sx, lp->cost, sx->row);
+    kern_basis_solve_t(sx, sx->row);
     return kern_price(sx, lp->cost, first, &least);
 }
 
@@ -3391,24 +3375,18 @@ static int kern_primal_leaving(const kern_simplex *sx, int first,
                                kern_real *step)
 {
     const int cols = sx->lp->cols;
-    kern_real size = KERN_R(0), pivot = KERN_R(0);
-    int i, best = KERN_OUT, least = 0;
-    for (i = 0; i < sx->lp->rows + sx->extras; i++) {
-        const int e = i - sx->lp->rows;
-        size = kern_max(size, kern_abs(e < 0 ? sx->alpha[i]
-                                             : sx->alpha_extra[e]));
-    }
-    for (i = 0; i < sx->lp->rows + sx->extras; i++) {
-        const int e = i - sx->lp->rows;
-        const int j = e < 0 ? sx->base[i] : sx->extra[e];
-        const kern_real a = e < 0 ? sx->alpha[i] : sx->alpha_extra[e];
-        const kern_real v = e < 0 ? sx->value[i] : sx->value_extra[e];
+    const int end = kern_extra(sx, sx->extras);
+    const kern_real enough = KERN_PIVOT_TOL * kern_largest(sx->alpha, end);
+    kern_real pivot = KERN_R(0);
+    int p, best = KERN_OUT, least = 0;
+    for (p = 0; p < end; p++) {
+        const int j = sx->base[p];
+        const kern_real a = sx->alpha[p];
         kern_real ratio;
         int better;
-        if ((e < 0 && sx->spare[i] >= 0)
-            || (j < cols ? a : kern_abs(a)) <= KERN_PIVOT_TOL * size)
+        if (kern_is_spare(sx, p) || (j < cols ? a : kern_abs(a)) <= enough)
             continue;
-        ratio = j < cols ? kern_max(v, KERN_R(0)) / a : KERN_R(0);
+        ratio = j < cols ? kern_max(sx->value[p], KERN_R(0)) / a : KERN_R(0);
         better = best == KERN_OUT || ratio < *step;
         if (!better && ratio <= *step)
             better = first ? j < least : kern_abs(a) > pivot;
@@ -3416,7 +3394,7 @@ static int kern_primal_leaving(const kern_simplex *sx, int first,
             *step = ratio;
             pivot = kern_abs(a);
             least = j;
-            best = e < 0 ? i : -2 - e;
+            best = p;
         }
     }
     return best;
@@ -3447,10 +3425,10 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
             sx->ray = q;
             return KERN_UNBOUNDED;
         }
-        if (sx->extras == sx->room && position >= 0
+        if (sx->extras == sx->room && position < sx->lp->rows
             && sx->place[q] == KERN_OUT)
             return KERN_NO_SPACE;
-        if (position >= 0)
+        if (position < sx->lp->rows)
             kern_basis_row(sx, position);
         kern_basis_move(sx, q, position, step);
         work->pivots++;
@@ -3473,22 +3451,19 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->started = sx->stale = sx->cramped = sx->violated = sx->knowns = 0;
     sx->groups = lp->ends ? m / 3 : 0;
     sx->room = room;
-    sx->base = kern_take_ints(take, m);
+    sx->base = kern_take_ints(take, m + 3 + room);
     sx->spare = kern_take_ints(take, m);
     sx->far = kern_take_ints(take, 3 * sx->groups);
-    sx->extra = kern_take_ints(take, room);
     sx->slot = kern_take_ints(take, room);
     sx->place = kern_take_ints(take, lp->cols);
     sx->rank = kern_take_ints(take, sx->groups);
     sx->link = kern_take_ints(take, sx->groups + 1 + 2 * m);
     sx->block = kern_take_reals(take, 18 * sx->groups);
     sx->inv = kern_take_reals(take, room * room);
-    sx->value = kern_take_reals(take, m);
-    sx->value_extra = kern_take_reals(take, room);
-    sx->alpha = kern_take_reals(take, m + 3);
-    sx->alpha_extra = kern_take_reals(take, room);
+    sx->value = kern_take_reals(take, m + 3 + room);
+    sx->alpha = kern_take_reals(take, m + 3 + room);
     sx->row = kern_take_reals(take, m + 3 + room);
-    sx->row_extra = kern_take_reals(take, room);
+    sx->across = kern_take_reals(take, room);
     sx->temp = kern_take_reals(take, m + 3 + room);
 }
 
@@ -3611,10 +3586,11 @@ static void kern_simplex_crash(kern_simplex *sx)
     int *first = sx->link, *next = sx->place, *kept = sx->spare;
     int i, j;
     for (i = 0; i < lp->rows; i++) {
-        sx->base[i] = lp->cols + i;
         kept[i] = 0;
         sx->row[i] = lp->rhs[i];
     }
+    for (i = 0; i < kern_extra(sx, 0); i++)
+        sx->base[i] = lp->cols + i;
     for (i = 0; i < sx->groups; i++)
         sx->rank[lp->order[i]] = i;
     for (i = 0; i <= sx->groups; i++)
@@ -3644,30 +3620,14 @@ static void kern_simplex_crash(kern_simplex *sx)
     kern_basis_renew(sx, 0);
 }
 
-/* Writes the columns of the basis to list[0..rows); returns how many. */
-static int kern_simplex_basis(const kern_simplex *sx, int *list)
-{
-    int i, n = 0;
-    if (!sx->started)
-        return 0;
-    for (i = 0; i < sx->lp->rows; i++)
-        if (sx->spare[i] < 0 && sx->base[i] < sx->lp->cols)
-            list[n++] = sx->base[i];
-    for (i = 0; i < sx->extras; i++)
-        list[n++] = sx->extra[i];
-    return n;
-}
-
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 {
-    int i;
+    int i, p;
     for (i = 0; i < sx->lp->cols; i++)
         x[i] = KERN_R(0);
-    for (i = 0; i < sx->lp->rows; i++)
-        if (sx->spare[i] < 0 && sx->base[i] < sx->lp->cols)
-            x[sx->base[i]] = sx->value[i];
-    for (i = 0; i < sx->extras; i++)
-        x[sx->extra[i]] = sx->value_extra[i];
+    for (p = 0; p < kern_extra(sx, sx->extras); p++)
+        if (!kern_is_spare(sx, p) && sx->base[p] < sx->lp->cols)
+            x[sx->base[p]] = sx->value[p];
 }
 
 
@@ -3710,10 +3670,8 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     if (status < 0)
         return status;
     if (status == KERN_UNBOUNDED) {
-        for (i = 0; i < lp->rows; i++)
+        for (i = 0; i < kern_extra(sx, sx->extras); i++)
             sx->value[i] = -sx->alpha[i];
-        for (i = 0; i < sx->extras; i++)
-            sx->value_extra[i] = -sx->alpha_extra[i];
     }
     kern_simplex_read(sx, x);
     if (status == KERN_UNBOUNDED)
@@ -5085,7 +5043,8 @@ static kern_status kern_measure_from(const kern_structure *s,
     if (status == KERN_STANDS || status == KERN_FALLS)
         *out = r;
     if (kept && status >= 0) {
-        kept->columns = kern_simplex_basis(&m.simplex, kept->basis);
+        kept->columns = m.simplex.started
+                        ? kern_basis_list(&m.simplex, kept->basis) : 0;
         kept->holds = r.holds;
         kept->fails = r.fails;
     }
