@@ -3687,26 +3687,20 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 static int kern_lp_proven(const kern_program *lp, kern_real *x,
                           const kern_real *y, kern_status status)
 {
-    kern_real size = KERN_R(0), rhs = KERN_R(0), ys = KERN_R(0);
-    kern_real xs = KERN_R(0), cost = KERN_R(0), gain = KERN_R(0);
-    kern_real value = KERN_R(0);
+    const kern_real size = kern_largest(lp->a, lp->rows * lp->cols);
+    const kern_real rhs = kern_largest(lp->rhs, lp->rows);
+    const kern_real ys = kern_largest(y, lp->rows);
+    const kern_real cost = lp->cost ? kern_largest(lp->cost, lp->cols) : 0;
+    kern_real xs = KERN_R(0), gain = KERN_R(0), value = KERN_R(0);
     int i, j;
-    for (i = 0; i < lp->rows; i++) {
-        rhs = kern_max(rhs, kern_abs(lp->rhs[i]));
-        ys = kern_max(ys, kern_abs(y[i]));
+    for (i = 0; i < lp->rows; i++)
         gain += y[i] * lp->rhs[i];
-    }
     for (j = 0; j < lp->cols; j++) {
         if (x[j] < 0 && x[j] >= -KERN_TOL * rhs)
             x[j] = KERN_R(0);
         if (status != KERN_FALLS && !(x[j] >= 0))
             return 0;
         xs = kern_max(xs, x[j]);
-        if (lp->cost)
-            cost = kern_max(cost, kern_abs(lp->cost[j]));
-        for (i = 0; i < lp->rows; i++)
-            size = kern_max(size, kern_abs(lp->a[(size_t)j
-                                * (size_t)lp->rows + (size_t)i]));
     }
     if (status == KERN_FALLS || (status == KERN_STANDS && lp->cost))
         for (j = 0; j < lp->cols; j++) {
