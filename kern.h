@@ -108,7 +108,7 @@
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS, bytes             5,720    12,800    37,440   191,360
        KERN_INTS, bytes                820     1,880     4,840    18,080
-       both KERN_LEAN_ sizes         6,540    12,304    32,704   136,864
+       both KERN_LEAN_ sizes         6,540    11,952    32,032   135,072
 
    Memory as large as KERN_REALS is enough for everything. Walls are content
    with KERN_LEAN_REALS and KERN_LEAN_INTS: 2.8 MB for 1000 blocks instead of
@@ -541,7 +541,7 @@ typedef struct kern_lp {
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : (blocks) + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
-    ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 3)
+    ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_REALS_OF(blocks, contacts, extras) \
     ((extras) * (extras) + 5 * (extras) + 45 * (blocks) + 12 * (contacts) + 16)
 #define KERN_INTS_OF(blocks, contacts, extras) \

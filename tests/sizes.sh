@@ -115,4 +115,28 @@ echo '|---|---|---|---|---|---|'
     row 'Cortex-M4F, double, -Os' -Os $m4f
     row 'Cortex-M0+, float, -Os' -Os -DKERN_SINGLE $m0
 }
+
+# What a program links of it that calls some functions only.
+linked() { # linked NAME FUNCTION...
+    local name=$1 roots=() f
+    shift
+    for f in "$@"; do roots+=(-u "kern_${f}_f32"); done
+    arm-none-eabi-ld --gc-sections -e "kern_${1}_f32" "${roots[@]}" \
+        --unresolved-symbols=ignore-all -o "$out/kern.elf" "$out/kern.o" ||
+        exit 1
+    printf '| %s | %s |\n' "$name" "$(arm-none-eabi-size "$out/kern.elf" |
+        awk 'NR == 2 { print $1 }')"
+}
+
+echo
+echo '| a program that calls (Cortex-M4F, float, -Os) | text |'
+echo '|---|---|'
+# shellcheck disable=SC2086
+compile -Os -DKERN_SINGLE $m4f -ffunction-sections -fdata-sections || exit 1
+linked 'kern_stands, contacts given' stands contact_make
+linked 'kern_measure, contacts given' measure contact_make
+linked 'kern_measure and kern_contacts' measure contacts block_init
+linked 'kern_plan_try' plan_try plan_add plan_remove plan_measure block_init
+linked 'kern_lp_solve' lp_solve
+
 [ ! -s "$out/failed" ] || { cat "$out/failed"; exit 1; }
