@@ -2332,7 +2332,7 @@ static int kern_lp_first(const kern_simplex *sx, int j)
 
 /* Lets the columns of group g carry what v has there, and passes the rest on
    to the groups that they lead to. */
-static void kern_base_carry(const kern_simplex *sx, int g, kern_real *v)
+static inline void kern_base_carry(const kern_simplex *sx, int g, kern_real *v)
 {
     const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
     const int *far = sx->far + 3 * g;
