@@ -1,0 +1,669 @@
+/* stack.h - a planner that builds a wall of irregular stones, for the example
+   programs.
+
+   Include kern.h, draw.h, text.h, rigid.h, build.h and stones.h first.
+
+   A step: several of the next stones are let down, in several turns, at several
+   places, and slid against what is beside them (candidates). A hierarchy of
+   filters then keeps the good ones; each is a number and a threshold, see
+   stack_filter. The kern filter asks a plan of the wall for the level that the
+   wall would have with each candidate, and drops those below the mean. What is
+   left is laid where it has most of the first feature.
+
+   The planners: `heuristic` has no kern filter, `combined` has. `best` builds
+   several walls, see stack_best().
+
+   Lengths are those of the stock; thresholds are in stones, so they have no
+   unit. The same input gives the same wall.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef STACK_H
+#define STACK_H
+
+#include <time.h>
+
+/* A program may leave some of these functions unused. */
+#if defined(__GNUC__) || defined(__clang__)
+#define STACK_API static __attribute__((unused))
+#else
+#define STACK_API static
+#endif
+
+/* ---- Options ------------------------------------------------------------- */
+
+#define STACK_FILTER_LIST(X)                                                  \
+    X(EDGES, "edges", 0.12, "common edges / perimeter")                       \
+    X(HOLE, "hole", 0.06, "area of the hole below / area of the stone")       \
+    X(NEIGHBOURS, "neighbours", 0.25, "height of the neighbours / size")      \
+    X(SLOPE, "slope", 0.10, "slope of the top, as a tangent")                 \
+    X(BOND, "bond", 0.10, "distance to the joints below / size")
+
+enum stack_filter {
+#define STACK_FILTER_ID(id, name, threshold, words) STACK_##id,
+    STACK_FILTER_LIST(STACK_FILTER_ID)
+#undef STACK_FILTER_ID
+    STACK_FILTERS
+};
+
+static const char *const stack_filter_name[] = {
+#define STACK_FILTER_NAME(id, name, threshold, words) name,
+    STACK_FILTER_LIST(STACK_FILTER_NAME)
+#undef STACK_FILTER_NAME
+};
+
+static const double stack_threshold[] = {
+#define STACK_FILTER_THRESHOLD(id, name, threshold, words) threshold,
+    STACK_FILTER_LIST(STACK_FILTER_THRESHOLD)
+#undef STACK_FILTER_THRESHOLD
+};
+
+enum stack_planner { STACK_HEURISTIC, STACK_COMBINED, STACK_BEST,
+                     STACK_PLANNERS };
+
+static const char *const stack_planner_name[] = { "heuristic", "combined",
+                                                  "best" };
+
+struct stack_options {
+    enum stack_planner planner;
+    double width, height;   /* of the frame, whose lower left is 0, 0     */
+    int most;               /* stones that are laid at the most           */
+    int look;               /* stones of the stock that may be the next   */
+    double threshold[STACK_FILTERS];
+    double friction;
+    uint64_t seed;          /* of what `best` leaves to chance            */
+    int walls;              /* that `best` builds                         */
+};
+
+STACK_API struct stack_options stack_defaults(void)
+{
+    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0.4,
+                               1, 8 };
+    for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
+    return o;
+}
+
+/* A small stone fills what others leave: below this share of the mean area. */
+static const double stack_filler = 0.25;
+
+/* ---- A wall -------------------------------------------------------------- */
+
+struct stack_place {
+    int stone;              /* of the stock                     */
+    kern_vec at, turn;      /* centre; cosine and sine          */
+};
+
+struct stack_wall {
+    const struct stones *stock;
+    struct stack_options options;
+    struct stone *stone;    /* as they lie; block i + 1 of the plan      */
+    struct stack_place *place;
+    int laid;
+    kern_vec ground[4];     /* block 0                                   */
+    char *used;             /* one a stone of the stock                  */
+    kern_plan plan;
+    kern_work work;
+    kern_margin m;
+    double filled;          /* area within the frame                     */
+    double *sky;            /* height of what is highest, column by column */
+    int *owner;             /* block which that is                       */
+    int columns;
+    struct rest_near near;  /* room for the edges of all                 */
+    int tried;              /* candidates                                */
+    int asked;              /* of these, kern was asked about            */
+    double asking;          /* CPU seconds that took                     */
+    char message[200];      /* why the wall ended                        */
+};
+
+enum { STACK_COLUMNS = 40 }; /* in a stone of mean size */
+
+STACK_API void stack_free(struct stack_wall *w)
+{
+    free(w->stone);
+    free(w->place);
+    free(w->used);
+    free(w->plan.block);
+    free(w->plan.contact);
+    free(w->plan.known.basis);
+    free(w->work.real);
+    free(w->work.index);
+    free(w->sky);
+    free(w->owner);
+    free(w->near.edge);
+}
+
+static void stack_clear_sky(struct stack_wall *w)
+{
+    for (int i = 0; i < w->columns; i++) {
+        w->sky[i] = 0;
+        w->owner[i] = 0;
+    }
+}
+
+/* The ground alone. */
+static int stack_begin(struct stack_wall *w)
+{
+    kern_block ground;
+    kern_block_init(&ground, w->ground, 4, 0, NULL);
+    w->plan.s.blocks = w->plan.s.contacts = w->plan.known.columns = 0;
+    w->laid = 0;
+    w->filled = 0;
+    memset(w->used, 0, (size_t)w->stock->stones);
+    stack_clear_sky(w);
+    return kern_plan_add(&w->plan, &ground) < 0 ? -1 : 0;
+}
+
+/* An empty wall. Returns 0, or -1 where memory is lacking. */
+STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
+                         const struct stack_options *options)
+{
+    static const struct stack_wall empty;
+    const size_t stones = (size_t)stock->stones;
+    const int blocks = stock->stones + 2, contacts = 40 * blocks;
+    int reals, ints, corners = 4;
+    *w = empty;
+    w->stock = stock;
+    w->options = *options;
+    for (int i = 0; i < stock->stones; i++) corners += stock->stone[i].n;
+    kern_work_need(blocks, contacts, &reals, &ints);
+    w->work = kern_work_of(malloc((size_t)reals * sizeof(kern_real)), reals,
+                           malloc((size_t)ints * sizeof(int)), ints);
+    w->plan = kern_plan_of(
+        malloc((size_t)blocks * sizeof(kern_block)), blocks,
+        malloc((size_t)contacts * sizeof(kern_contact)), contacts,
+        malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int)), &w->work);
+    w->plan.options.mu = options->friction;
+    w->plan.options.epsilon = 0.02 * stock->size;
+    w->plan.s.gravity = stones_vec(0, -9.81);
+    w->stone = malloc(stones * sizeof *w->stone);
+    w->place = malloc(stones * sizeof *w->place);
+    w->used = malloc(stones);
+    w->columns = (int)ceil(options->width / stock->size * STACK_COLUMNS);
+    w->sky = malloc((size_t)w->columns * sizeof *w->sky);
+    w->owner = malloc((size_t)w->columns * sizeof *w->owner);
+    w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
+    if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
+        !w->plan.contact || !w->plan.known.basis || !w->place || !w->used ||
+        !w->sky || !w->owner || !w->near.edge)
+        return -1;
+    w->ground[0] = stones_vec(-1, -0.5);
+    w->ground[1] = stones_vec(options->width + 1, -0.5);
+    w->ground[2] = stones_vec(options->width + 1, 0);
+    w->ground[3] = stones_vec(-1, 0);
+    return stack_begin(w);
+}
+
+/* Heights of the lower and the upper side of a stone at x. */
+static int stack_sides(const struct stone *s, double x, double *low,
+                       double *high)
+{
+    *low = HUGE_VAL;
+    *high = -HUGE_VAL;
+    for (int i = 0; i < s->n; i++) {
+        kern_vec p = s->v[i], q = s->v[i + 1 < s->n ? i + 1 : 0];
+        if ((p.x < x) == (q.x < x)) continue;
+        double y = p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y);
+        *low = fmin(*low, y);
+        *high = fmax(*high, y);
+    }
+    return *low < HUGE_VAL;
+}
+
+static double stack_column_x(const struct stack_wall *w, int column)
+{
+    return (column + 0.5) * w->options.width / w->columns;
+}
+
+/* The first column at x or to the right of it, within the frame. */
+static int stack_column(const struct stack_wall *w, double x)
+{
+    double c = ceil(x / w->options.width * w->columns - 0.5);
+    return c < 0 ? 0 : c > w->columns ? w->columns : (int)c;
+}
+
+STACK_API struct stone stack_placed(const struct stack_wall *w,
+                                    const struct stack_place *place)
+{
+    struct stone s = w->stock->stone[place->stone];
+    stone_turn(&s, s.centre, place->turn);
+    stone_move(&s, place->at);
+    return s;
+}
+
+/* Lays a stone and measures the wall. Returns 0, or -1 where it falls. */
+STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
+{
+    struct stone *s = &w->stone[w->laid];
+    kern_block block;
+    *s = stack_placed(w, place);
+    if (kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_STANDS ||
+        kern_plan_add(&w->plan, &block) < 0)
+        return -1;
+    if (kern_plan_measure(&w->plan, &w->m, NULL) != KERN_STANDS) {
+        kern_plan_remove(&w->plan, w->laid + 1);
+        return -1;
+    }
+    for (int i = stack_column(w, s->low.x); i < w->columns; i++) {
+        double low, high;
+        if (!stack_sides(s, stack_column_x(w, i), &low, &high)) break;
+        if (high <= w->sky[i]) continue;
+        w->sky[i] = high;
+        w->owner[i] = w->laid + 1;
+    }
+    w->used[place->stone] = 1;
+    w->filled += stone_area_in(s, w->options.width, w->options.height);
+    w->place[w->laid++] = *place;
+    return 0;
+}
+
+/* ---- Features ------------------------------------------------------------ */
+
+/* Edges of the wall that a stone may meet in a box; those far below are out
+   of its reach. */
+STACK_API void stack_look(struct stack_wall *w, double left, double right,
+                          double low)
+{
+    const kern_structure *s = &w->plan.s;
+    w->near.edges = 0;
+    for (int b = 0; b < s->blocks; b++) {
+        const kern_block *block = &s->block[b];
+        if (block->box.high.y < low || block->box.low.x > right ||
+            block->box.high.x < left)
+            continue;
+        for (int i = 0; i < block->vertices; i++) {
+            kern_vec p = block->vertex[i];
+            kern_vec q = block->vertex[i + 1 < block->vertices ? i + 1 : 0];
+            if (fmax(p.y, q.y) >= low && fmin(p.x, q.x) <= right &&
+                fmax(p.x, q.x) >= left)
+                w->near.edge[w->near.edges++] = rest_edge_of(p, q);
+        }
+    }
+}
+
+/* Length along which two edges touch: face to face within 1 degree, and within
+   `gap` of each other. */
+STACK_API double stack_common(const struct rest_edge *a,
+                              const struct rest_edge *b, double gap)
+{
+    const double cosine = 0.99984769515639127; /* of 1 degree */
+    kern_vec t = stones_vec(-a->n.y, a->n.x);
+    double from, to, length = stones_dot(t, stones_sub(a->b, a->a));
+    if (stones_dot(a->n, b->n) > -cosine) return 0;
+    from = fmax(0, stones_dot(t, stones_sub(b->b, a->a)));
+    to = fmin(length, stones_dot(t, stones_sub(b->a, a->a)));
+    if (to <= from) return 0;
+    /* the gap in the middle of what they share */
+    kern_vec m = stones_vec(a->a.x + (from + to) / 2 * t.x,
+                            a->a.y + (from + to) / 2 * t.y);
+    return fabs(stones_dot(b->n, stones_sub(m, b->a))) <= gap ? to - from : 0;
+}
+
+/* Length of all edges that a stone shares with what is near, over its
+   perimeter. More is better: it is held, and fits. */
+STACK_API double stack_edges(const struct rest_near *near,
+                             const struct stone *s)
+{
+    double common = 0, perimeter = 0, gap = 1e-3 * sqrt(s->area);
+    for (int i = 0; i < s->n; i++) {
+        struct rest_edge own = rest_edge_at(s, i);
+        kern_vec t = stones_sub(own.b, own.a);
+        perimeter += sqrt(stones_dot(t, t));
+        for (int k = 0; k < near->edges; k++)
+            common += stack_common(&own, &near->edge[k], gap);
+    }
+    return common / perimeter;
+}
+
+/* Area between a stone and what is below it, over its own area. Less is
+   better: nothing can be laid there any more. */
+STACK_API double stack_hole(const struct stack_wall *w, const struct stone *s)
+{
+    double sum = 0, low, high;
+    for (int i = stack_column(w, s->low.x); i < w->columns &&
+         stack_sides(s, stack_column_x(w, i), &low, &high); i++)
+        sum += fmax(0, low - w->sky[i]);
+    return sum * w->options.width / w->columns / s->area;
+}
+
+/* Mean height of the sky from x to x + way; HUGE_VAL outside of the frame. */
+static double stack_mean_sky(const struct stack_wall *w, double x, double way)
+{
+    int from = stack_column(w, fmin(x, x + way));
+    int to = stack_column(w, fmax(x, x + way));
+    double sum = 0;
+    for (int i = from; i < to; i++) sum += w->sky[i];
+    return to > from ? sum / (to - from) : HUGE_VAL;
+}
+
+/* How far the neighbours, over half a stone on either side, rise above the
+   lowest point of a stone, in sizes. More is better: gaps are closed before a
+   course is begun on top. */
+STACK_API double stack_neighbours(const struct stack_wall *w,
+                                  const struct stone *s)
+{
+    const double size = w->stock->size;
+    double left = stack_mean_sky(w, s->low.x, -size / 2);
+    double right = stack_mean_sky(w, s->high.x, size / 2);
+    if (!(left < HUGE_VAL)) left = right;
+    if (!(right < HUGE_VAL)) right = left;
+    return right < HUGE_VAL ? ((left + right) / 2 - s->low.y) / size : 0;
+}
+
+/* Rise over run of the upper side, without its sign: mean over its width. Less
+   is better: the next stone does not slide. */
+STACK_API double stack_slope(const struct stone *s)
+{
+    double rise = 0, run = 0;
+    for (int i = 0; i < s->n; i++) {
+        struct rest_edge e = rest_edge_at(s, i);
+        if (e.n.y < 0.5) continue;
+        rise += fabs(e.b.y - e.a.y);
+        run += fabs(e.b.x - e.a.x);
+    }
+    return run > 0 ? rise / run : HUGE_VAL;
+}
+
+/* From the ends of a stone to the next joint in the course below it: the
+   shorter way, in sizes, at most 0.5. More is better: no joint runs through. A
+   joint is where the sky below the stone passes from one block to the next. */
+STACK_API double stack_bond(const struct stack_wall *w, const struct stone *s)
+{
+    const double most = 0.5 * w->stock->size, top = s->low.y + most / 2;
+    double least = most;
+    int from = stack_column(w, s->low.x - most);
+    int to = stack_column(w, s->high.x + most);
+    for (int i = from + 1; i < to; i++) {
+        double x = i * w->options.width / w->columns;
+        if (w->owner[i] == w->owner[i - 1] || w->sky[i] > top ||
+            w->sky[i - 1] > top)
+            continue;
+        least = fmin(least, fmin(fabs(x - s->low.x), fabs(x - s->high.x)));
+    }
+    return least / w->stock->size;
+}
+
+/* ---- Candidates ---------------------------------------------------------- */
+
+struct stack_candidate {
+    struct stack_place place;
+    double feature[STACK_FILTERS]; /* signed so that more is better      */
+    double inside;          /* area within the frame                     */
+    int out;                /* a filter dropped it, or it falls          */
+    int known;              /* kern was asked: m is the wall's with it   */
+    kern_margin m;
+};
+
+struct stack_list {
+    struct stack_candidate *one;
+    int count, room;
+};
+
+static int stack_same(const struct stack_place *a, const struct stack_place *b,
+                      double near)
+{
+    return a->stone == b->stone && fabs(a->at.x - b->at.x) < near &&
+           fabs(a->at.y - b->at.y) < near && fabs(a->turn.x - b->turn.x) < near
+           && fabs(a->turn.y - b->turn.y) < near;
+}
+
+/* Notes a stone at rest, if it lies in the frame and is not known yet.
+   Returns -1 where memory is lacking. */
+static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
+                      const struct stone *s)
+{
+    struct stack_candidate *more, c;
+    if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
+        return 0;
+    c.place.stone = stone;
+    c.place.at = s->centre;
+    c.place.turn = s->turn;
+    c.out = c.known = 0;
+    c.inside = s->high.y <= w->options.height ? s->area :
+               stone_area_in(s, w->options.width, w->options.height);
+    if (c.inside < s->area / 2) return 0;
+    for (int i = list->count - 1; i >= 0 && list->one[i].place.stone == stone;
+         i--)
+        if (stack_same(&list->one[i].place, &c.place, 1e-3 * w->stock->size))
+            return 0;
+    c.feature[STACK_EDGES] = stack_edges(&w->near, s);
+    c.feature[STACK_HOLE] = -stack_hole(w, s);
+    c.feature[STACK_NEIGHBOURS] = stack_neighbours(w, s);
+    c.feature[STACK_SLOPE] = -stack_slope(s);
+    c.feature[STACK_BOND] = stack_bond(w, s);
+    more = rigid_room(list->one, list->count, 1, &list->room, sizeof *more);
+    if (!more) return -1;
+    list->one = more;
+    list->one[list->count++] = c;
+    return 0;
+}
+
+/* A place above which a stone is let down, and the direction of what is there:
+   a bed of the stone is turned to it. */
+struct stack_anchor {
+    double x;
+    kern_vec along;
+};
+
+static const double stack_grid = 0.4; /* between anchors, in sizes          */
+static const double stack_slide = 0.8; /* most that a stone slides, in sizes */
+static const double stack_steep = 0.9; /* cosine of the steepest bed        */
+
+/* The faces that look upward and can be seen from there, and a grid. */
+static int stack_anchors(const struct stack_wall *w, struct stack_anchor *a)
+{
+    const double size = w->stock->size, step = stack_grid * size;
+    const int grid = (int)ceil(w->options.width / step);
+    int n = 0;
+    for (int b = 1; b < w->plan.s.blocks; b++)
+        for (int i = 0; i < w->stone[b - 1].n; i++) {
+            struct rest_edge e = rest_edge_at(&w->stone[b - 1], i);
+            double x = (e.a.x + e.b.x) / 2;
+            int column = stack_column(w, x);
+            if (e.n.y < stack_steep || e.a.x - e.b.x < 0.15 * size ||
+                column >= w->columns || w->owner[column] != b)
+                continue;
+            a[n].x = x;
+            a[n++].along = stones_vec(e.n.y, -e.n.x);
+        }
+    for (int i = 0; i < grid; i++) {
+        a[n].x = (i + 0.5) * w->options.width / grid;
+        a[n++].along = stones_vec(1, 0);
+    }
+    return n;
+}
+
+/* Slides a stone at rest to one side until something, or the side of the frame,
+   is in the way, and notes it where it then comes to rest. */
+static int stack_slide_on(struct stack_wall *w, struct stack_list *list,
+                          int stone, struct stone s, double side)
+{
+    kern_vec left, right, d = { side, 0 };
+    double way, room;
+    rest_holds(&w->near, &s, &left, &right);
+    if (right.x - left.x > 0.05 * w->stock->size)
+        d = stones_unit(stones_sub(right, left));
+    if (side * d.x < 0) d = stones_vec(-d.x, -d.y);
+    if (fabs(d.x) < stack_steep) return 0;
+    room = (side > 0 ? w->options.width - s.high.x : s.low.x) / fabs(d.x);
+    way = fmin(rest_way(&w->near, &s, d), room);
+    if (!(way > 0.01 * w->stock->size &&
+          way < stack_slide * w->stock->size))
+        return 0;
+    stone_move(&s, stones_vec(way * d.x, way * d.y));
+    return rest_settle(&w->near, &s) ? stack_note(w, list, stone, &s) : 0;
+}
+
+/* One stone, one bed, one anchor: up to three candidates. */
+static int stack_let_down(struct stack_wall *w, struct stack_list *list,
+                          int stone, int bed, const struct stack_anchor *a)
+{
+    struct stone s = w->stock->stone[stone];
+    const kern_vec b = s.bed[bed];
+    double x, high = 0;
+    stone_turn(&s, s.centre, stones_turned(a->along, stones_vec(b.x, -b.y)));
+    if (s.high.x - s.low.x > w->options.width) return 0;
+    x = fmin(fmax(a->x, -s.low.x), w->options.width - s.high.x);
+    for (int i = 0; i < w->near.edges; i++)
+        high = fmax(high, w->near.edge[i].a.y);
+    stone_move(&s, stones_vec(x, high - s.low.y + 1));
+    if (!rest_settle(&w->near, &s)) return 0;
+    w->tried++;
+    return stack_note(w, list, stone, &s) ||
+           stack_slide_on(w, list, stone, s, -1) ||
+           stack_slide_on(w, list, stone, s, 1);
+}
+
+/* Fills the list with candidates of the next stones of the stock. `share` of
+   all that could be are looked at. Returns 0, or -1 where memory is lacking. */
+STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
+                            double share, struct build *chance)
+{
+    const double size = w->stock->size;
+    int stones = 0, anchors, bad = 0, room = (int)ceil(w->options.width / size
+                                                       / stack_grid) + 1;
+    struct stack_anchor *anchor;
+    for (int i = 0; i < w->laid; i++) room += w->stone[i].n;
+    anchor = malloc((size_t)room * sizeof *anchor);
+    if (!anchor) return -1;
+    anchors = stack_anchors(w, anchor);
+    list->count = 0;
+    for (int k = 0; k < w->stock->stones && stones < w->options.look; k++) {
+        const struct stone *s = &w->stock->stone[k];
+        if (w->used[k]) continue;
+        stones++;
+        for (int i = 0; i < anchors && !bad; i++) {
+            const double far = 2 * s->reach + stack_slide * size;
+            const double x = anchor[i].x;
+            double low = HUGE_VAL;
+            int from = stack_column(w, x - far), to = stack_column(w, x + far);
+            for (int c = from; c < to; c++) low = fmin(low, w->sky[c]);
+            stack_look(w, x - far, x + far, low - rest_touch);
+            for (int bed = 0; bed < s->beds && !bad; bed++)
+                if (share >= 1 || build_uniform(chance, 0, 1) < share)
+                    bad = stack_let_down(w, list, k, bed, &anchor[i]);
+        }
+    }
+    free(anchor);
+    return bad;
+}
+
+/* Asks the plan what the wall would be with a candidate. Returns 1 where it
+   stands. */
+static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
+{
+    struct stone s = stack_placed(w, &c->place);
+    kern_block block;
+    clock_t start = clock();
+    kern_status status = kern_block_init(&block, s.v, s.n, 1, NULL);
+    if (status == KERN_STANDS)
+        status = kern_plan_try(&w->plan, &block, &c->m, NULL);
+    w->asking += (double)(clock() - start) / CLOCKS_PER_SEC;
+    w->asked++;
+    c->known = 1;
+    return status == KERN_STANDS;
+}
+
+/* ---- Filters ------------------------------------------------------------- */
+
+static int stack_is_filler(const struct stack_wall *w,
+                           const struct stack_candidate *c)
+{
+    return w->stock->stone[c->place.stone].area
+           < stack_filler * w->stock->area;
+}
+
+/* Drops what is worse than the best by more than the threshold, feature after
+   feature. */
+static void stack_sift(const struct stack_wall *w, struct stack_list *list)
+{
+    for (int k = 0; k < STACK_FILTERS; k++) {
+        double best = -HUGE_VAL;
+        for (int i = 0; i < list->count; i++)
+            if (!list->one[i].out)
+                best = fmax(best, list->one[i].feature[k]);
+        for (int i = 0; i < list->count; i++)
+            if (list->one[i].feature[k] < best - w->options.threshold[k])
+                list->one[i].out = 1;
+    }
+}
+
+/* Drops candidates whose level is below the mean, but for fillers. */
+static void stack_sift_levels(const struct stack_wall *w,
+                              struct stack_list *list)
+{
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out && !stack_is_filler(w, &list->one[i])) {
+            sum += list->one[i].m.level;
+            count++;
+        }
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out && !stack_is_filler(w, &list->one[i]) &&
+            list->one[i].m.level * count < sum)
+            list->one[i].out = 1;
+}
+
+/* Asks about all that is left and takes away what falls. Returns how many
+   fell. */
+static int stack_prove(struct stack_wall *w, struct stack_list *list)
+{
+    int fell = 0;
+    for (int i = 0; i < list->count; i++) {
+        if (list->one[i].out || list->one[i].known ||
+            stack_ask(w, &list->one[i]))
+            continue;
+        list->one[i--] = list->one[--list->count];
+        fell++;
+    }
+    return fell;
+}
+
+/* Chooses of the list: what all filters leave, and of this the candidate with
+   the longest common edges. -1: none stands. Filters see only what stands:
+   where some of those that they left fall, they begin again without these. */
+STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
+{
+    int best = -1;
+    do {
+        for (int i = 0; i < list->count; i++) list->one[i].out = 0;
+        stack_sift(w, list);
+    } while (stack_prove(w, list) > 0);
+    if (w->options.planner == STACK_COMBINED) stack_sift_levels(w, list);
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out &&
+            (best < 0 || list->one[i].feature[STACK_EDGES]
+                             > list->one[best].feature[STACK_EDGES]))
+            best = i;
+    return best;
+}
+
+/* Builds a wall by the filters, from the ground or on what is there. Returns
+   0, or -1 where memory is lacking; w->message says why it ended. */
+STACK_API int stack_build(struct stack_wall *w)
+{
+    struct stack_list list = { NULL, 0, 0 };
+    int bad = 0, end = 0;
+    while (!bad && !end) {
+        int left = 0, best;
+        for (int i = 0; i < w->stock->stones; i++) left += !w->used[i];
+        if (left == 0 || w->laid == w->options.most) {
+            snprintf(w->message, sizeof w->message, "%s", left == 0 ?
+                     "every stone of the stock is laid" :
+                     "as many stones as asked for are laid");
+            break;
+        }
+        bad = stack_propose(w, &list, 1, NULL);
+        if (bad) break;
+        best = stack_choose(w, &list);
+        end = best < 0 || stack_lay(w, &list.one[best].place);
+        if (end)
+            snprintf(w->message, sizeof w->message, "none of the next %d "
+                     "stones finds a place in the frame where it stands",
+                     w->options.look);
+    }
+    free(list.one);
+    return bad;
+}
+
+#endif /* STACK_H */
