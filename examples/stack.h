@@ -112,6 +112,8 @@ struct stack_wall {
     int tried;              /* candidates                                */
     int asked;              /* of these, kern was asked about            */
     double asking;          /* CPU seconds that took                     */
+    int swayed, slipped;    /* let go in the simulator; moved            */
+    double swaying;         /* CPU seconds that took                     */
     char message[200];      /* why the wall ended                        */
 };
 
@@ -230,6 +232,19 @@ STACK_API struct stone stack_placed(const struct stack_wall *w,
     return s;
 }
 
+/* The sky rises over stone i of the wall. */
+static void stack_raise(struct stack_wall *w, int i)
+{
+    const struct stone *s = &w->stone[i];
+    for (int c = stack_column(w, s->low.x); c < w->columns; c++) {
+        double low, high;
+        if (!stack_sides(s, stack_column_x(w, c), &low, &high)) break;
+        if (high <= w->sky[c]) continue;
+        w->sky[c] = high;
+        w->owner[c] = i + 1;
+    }
+}
+
 /* Lays a stone and measures the wall. Returns 0, or -1 where it falls. */
 STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
 {
@@ -243,13 +258,7 @@ STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
         kern_plan_remove(&w->plan, w->laid + 1);
         return -1;
     }
-    for (int i = stack_column(w, s->low.x); i < w->columns; i++) {
-        double low, high;
-        if (!stack_sides(s, stack_column_x(w, i), &low, &high)) break;
-        if (high <= w->sky[i]) continue;
-        w->sky[i] = high;
-        w->owner[i] = w->laid + 1;
-    }
+    stack_raise(w, w->laid);
     w->used[place->stone] = 1;
     w->filled += stone_area_in(s, w->options.width, w->options.height);
     w->place[w->laid++] = *place;
@@ -388,6 +397,7 @@ struct stack_candidate {
     struct stack_place place;
     double feature[STACK_FILTERS]; /* signed so that more is better      */
     double inside;          /* area within the frame                     */
+    double cost;            /* to `best`                                 */
     int out;                /* a filter dropped it, or it falls          */
     int known;              /* kern was asked: m is the wall's with it   */
     kern_margin m;
@@ -563,6 +573,77 @@ static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
     return status == KERN_STANDS;
 }
 
+/* What forces allow may still slide or tip over: the wall with a candidate is
+   let go in the simulator. A stone may not go farther than this in that time;
+   lengths in sizes, seconds where gravity is 9.81. */
+static const double stack_still = 0.02, stack_wait = 4;
+
+static int stack_simulate(struct rigid_world *r, const struct stack_wall *w,
+                          const struct stone *last)
+{
+    const double unit = w->stock->size;
+    struct rigid_pt v[STONES_CORNERS];
+    for (int i = 0; i < 4; i++)
+        v[i] = rigid_vec(w->ground[i].x / unit, w->ground[i].y / unit);
+    if (rigid_add(r, v, 4, 0, v[0]) < 0) return -1;
+    for (int i = 0; i <= w->laid; i++) {
+        const struct stone *s = i < w->laid ? &w->stone[i] : last;
+        if (!s) continue;
+        for (int k = 0; k < s->n; k++)
+            v[k] = rigid_vec(s->v[k].x / unit, s->v[k].y / unit);
+        if (rigid_add(r, v, s->n, s->area, rigid_vec(s->centre.x / unit,
+                                                     s->centre.y / unit)) < 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* The longest way of a stone when the wall, with one more stone if `last` is
+   not NULL, is let go for some seconds, or until all are calm; HUGE_VAL where
+   memory is lacking. Ends at the first that goes farther than `most`. */
+STACK_API double stack_sway(const struct stack_wall *w,
+                            const struct stone *last, double seconds,
+                            double most)
+{
+    enum { LOOK = 24 }; /* steps: a tenth of a second */
+    const double unit = w->stock->size, calm = 1e-4;
+    struct rigid_world r;
+    double far = 0, fast = 1;
+    int steps;
+    rigid_init(&r);
+    r.friction = w->options.friction;
+    r.slop = 5e-4; /* stones sink in by this */
+    steps = (int)(seconds / r.step);
+    if (stack_simulate(&r, w, last)) far = HUGE_VAL;
+    for (int i = 1; i <= steps && far <= most && fast > calm; i++) {
+        if (rigid_step(&r)) far = HUGE_VAL;
+        if (i % LOOK > 0) continue;
+        fast = 0;
+        for (int k = 1; k < r.blocks; k++) {
+            const struct rigid_block *b = &r.block[k];
+            const struct stone *s = k <= w->laid ? &w->stone[k - 1] : last;
+            far = fmax(far, draw_hypot(b->at.x - s->centre.x / unit,
+                                       b->at.y - s->centre.y / unit));
+            fast = fmax(fast, draw_hypot(b->v.x, b->v.y)
+                              + b->reach * fabs(b->spin));
+        }
+    }
+    rigid_free(&r);
+    return far;
+}
+
+/* Stays a candidate where it is? */
+static int stack_stays(struct stack_wall *w, const struct stack_candidate *c)
+{
+    struct stone s = stack_placed(w, &c->place);
+    clock_t start = clock();
+    double far = stack_sway(w, &s, stack_wait, stack_still);
+    w->swaying += (double)(clock() - start) / CLOCKS_PER_SEC;
+    w->swayed++;
+    w->slipped += far > stack_still;
+    return far <= stack_still;
+}
+
 /* ---- Filters ------------------------------------------------------------- */
 
 static int stack_is_filler(const struct stack_wall *w,
@@ -604,6 +685,11 @@ static void stack_sift_levels(const struct stack_wall *w,
             list->one[i].out = 1;
 }
 
+static void stack_strike(struct stack_list *list, int i)
+{
+    list->one[i] = list->one[--list->count];
+}
+
 /* Asks about all that is left and takes away what falls. Returns how many
    fell. */
 static int stack_prove(struct stack_wall *w, struct stack_list *list)
@@ -613,16 +699,16 @@ static int stack_prove(struct stack_wall *w, struct stack_list *list)
         if (list->one[i].out || list->one[i].known ||
             stack_ask(w, &list->one[i]))
             continue;
-        list->one[i--] = list->one[--list->count];
+        stack_strike(list, i--);
         fell++;
     }
     return fell;
 }
 
-/* Chooses of the list: what all filters leave, and of this the candidate with
-   the longest common edges. -1: none stands. Filters see only what stands:
-   where some of those that they left fall, they begin again without these. */
-STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
+/* What all filters leave, and of this the candidate with the longest common
+   edges; -1: none stands. Filters see only what stands: where some of those
+   that they left fall, they begin again without these. */
+static int stack_filter(struct stack_wall *w, struct stack_list *list)
 {
     int best = -1;
     do {
@@ -635,6 +721,17 @@ STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
             (best < 0 || list->one[i].feature[STACK_EDGES]
                              > list->one[best].feature[STACK_EDGES]))
             best = i;
+    return best;
+}
+
+/* The same, of what also stays in the simulator. */
+STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
+{
+    int best = stack_filter(w, list);
+    while (best >= 0 && !stack_stays(w, &list->one[best])) {
+        stack_strike(list, best);
+        best = stack_filter(w, list);
+    }
     return best;
 }
 
@@ -664,6 +761,229 @@ STACK_API int stack_build(struct stack_wall *w)
     }
     free(list.one);
     return bad;
+}
+
+/* ---- The planner `best` -------------------------------------------------- */
+
+/* What a wall that is built by weights cares for. */
+struct stack_weights {
+    double notch;           /* narrower ones are dead, sizes               */
+    double height;          /* of the top of a stone, against a dead area  */
+    double margin;          /* of the wall with it, against a dead area    */
+    double slope;           /* of its top                                  */
+    double noise;
+    double share;           /* of the candidates that are looked at        */
+};
+
+/* Filling counts from 60 % on, and by half at the mean of ... */
+STACK_API double stack_worth(double fill)
+{
+    return 1 / (1 + exp(-30 * (fill - 0.70)));
+}
+
+/* The most (sign 1) or least (-1) of every k neighbours in a[0..n), where what
+   is beside them is `beyond`: out[i] is that of the k that end at i. */
+static void stack_windows(const double *a, int n, int k, double sign,
+                          double beyond, double *out)
+{
+    int at = -k; /* of the extreme */
+    double best = 0;
+    for (int i = 0; i < n + k - 1; i++) {
+        int first = i - k + 1, from = at < first ? first : i;
+        if (at < first) best = -HUGE_VAL;
+        for (int j = from; j <= i; j++) {
+            double v = sign * (j < 0 || j >= n ? beyond : a[j]);
+            if (v < best) continue;
+            best = v;
+            at = j;
+        }
+        out[i] = sign * best;
+    }
+}
+
+/* The sky with notches narrower than k columns filled: for every column the
+   least, over the windows that hold it, of the highest in the window. What is
+   beside the frame is as high as can be. */
+static void stack_close(const double *sky, int n, int k, double *room,
+                        double *out)
+{
+    stack_windows(sky, n, k, 1, HUGE_VAL, room);
+    stack_windows(room, n + k - 1, k, -1, HUGE_VAL, out);
+}
+
+/* Room for the skies that a cost compares. */
+struct stack_skies {
+    double *now, *then, *room, *closed[2];
+};
+
+/* Area that a candidate takes and does not fill: what the closed sky rises by
+   over it, within the frame, less the stone. */
+static double stack_dead(const struct stack_wall *w, const struct stone *s,
+                         double inside, int k, const struct stack_skies *r)
+{
+    const double top = w->options.height;
+    int from = stack_column(w, s->low.x) - 2 * k, n;
+    int to = stack_column(w, s->high.x) + 2 * k;
+    double sum = 0;
+    if (from < 0) from = 0;
+    if (to > w->columns) to = w->columns;
+    n = to - from;
+    for (int i = 0; i < n; i++) {
+        double low, high;
+        r->now[i] = r->then[i] = w->sky[from + i];
+        if (stack_sides(s, stack_column_x(w, from + i), &low, &high))
+            r->then[i] = fmax(high, r->now[i]);
+    }
+    stack_close(r->now, n, k, r->room, r->closed[0]);
+    stack_close(r->then, n, k, r->room, r->closed[1]);
+    for (int i = 0; i < n; i++)
+        sum += fmin(r->closed[1][i + k - 1], top)
+             - fmin(r->closed[0][i + k - 1], top);
+    return sum * w->options.width / w->columns - inside;
+}
+
+static int stack_compare(const void *a, const void *b)
+{
+    double x = ((const struct stack_candidate *)a)->cost;
+    double y = ((const struct stack_candidate *)b)->cost;
+    return (x > y) - (x < y);
+}
+
+/* The candidate of least cost, of the cheapest that stand; -1: none. */
+static int stack_pick(struct stack_wall *w, struct stack_list *list,
+                      const struct stack_weights *g, struct build *chance,
+                      const struct stack_skies *r)
+{
+    enum { ASK = 16 };
+    const double size = w->stock->size;
+    const int k = (int)(g->notch * STACK_COLUMNS);
+    int stand = 0;
+    double low = HUGE_VAL;
+    for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
+    for (int i = 0; i < list->count; i++) {
+        struct stack_candidate *c = &list->one[i];
+        struct stone s = stack_placed(w, &c->place);
+        c->cost = stack_dead(w, &s, c->inside, k, r) / (size * size)
+                + g->height * (s.high.y - low) / size
+                - g->slope * c->feature[STACK_SLOPE]
+                + g->noise * build_uniform(chance, 0, 1);
+    }
+    qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
+    for (int from = 0; from < list->count; from += stand) {
+        stand = 0;
+        for (int i = from; i < list->count && stand < ASK; i++) {
+            struct stack_candidate c = list->one[i];
+            if (!stack_ask(w, &c)) continue;
+            c.cost -= g->margin * fmin(c.m.margin / size, 0.5);
+            list->one[i] = list->one[from + stand];
+            list->one[from + stand++] = c;
+        }
+        if (stand == 0) break;
+        qsort(list->one + from, (size_t)stand, sizeof *list->one,
+              stack_compare);
+        for (int i = from; i < from + stand; i++)
+            if (stack_stays(w, &list->one[i])) return i;
+    }
+    return -1;
+}
+
+/* Builds on what is there, by weights. */
+static int stack_grow(struct stack_wall *w, struct stack_list *list,
+                      const struct stack_weights *g, struct build *chance,
+                      const struct stack_skies *r)
+{
+    int best;
+    do {
+        if (stack_propose(w, list, g->share, chance)) return -1;
+        best = w->laid < w->options.most ? stack_pick(w, list, g, chance, r)
+                                         : -1;
+    } while (best >= 0 && !stack_lay(w, &list->one[best].place));
+    return 0;
+}
+
+/* Takes away the last stones, down to a number of them. */
+static void stack_cut(struct stack_wall *w, int keep)
+{
+    while (w->laid > keep) {
+        w->laid--;
+        w->used[w->place[w->laid].stone] = 0;
+        w->filled -= stone_area_in(&w->stone[w->laid], w->options.width,
+                                   w->options.height);
+        kern_plan_remove(&w->plan, w->laid + 1);
+    }
+    stack_clear_sky(w);
+    for (int i = 0; i < w->laid; i++) stack_raise(w, i);
+}
+
+static double stack_value(const struct stack_wall *w)
+{
+    double fill = w->filled / (w->options.width * w->options.height);
+    return w->m.margin / w->stock->size * stack_worth(fill);
+}
+
+static double stack_between(struct build *chance, double low, double high)
+{
+    return low * pow(high / low, build_uniform(chance, 0, 1));
+}
+
+static struct stack_weights stack_weigh(struct build *chance)
+{
+    struct stack_weights g;
+    g.notch = build_uniform(chance, 0.4, 0.7);
+    g.height = stack_between(chance, 0.05, 0.5);
+    g.margin = stack_between(chance, 0.3, 5);
+    g.slope = stack_between(chance, 0.02, 0.5);
+    g.noise = stack_between(chance, 0.005, 0.1);
+    g.share = build_uniform(chance, 0.3, 1);
+    return g;
+}
+
+/* Builds one wall after the other: some from the ground, then by taking stones
+   off the best one and going on differently; keeps the best. */
+STACK_API int stack_best(struct stack_wall *w)
+{
+    struct stack_list list = { NULL, 0, 0 };
+    struct build *chance = calloc(1, sizeof *chance);
+    struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
+    struct stack_skies r;
+    const size_t n = 4 * (size_t)w->columns * sizeof(double);
+    int bad, keep = 0;
+    double most = -1;
+    r.now = malloc(n);
+    r.then = malloc(n);
+    r.room = malloc(n);
+    r.closed[0] = malloc(n);
+    r.closed[1] = malloc(n);
+    bad = !chance || !kept || !r.now || !r.then || !r.room || !r.closed[0] ||
+          !r.closed[1];
+    if (!bad) chance->state = w->options.seed * UINT64_C(2862933555777941757)
+                            + 3037000493u;
+    for (int i = 0; i < w->options.walls && !bad; i++) {
+        struct stack_weights g = stack_weigh(chance);
+        double value;
+        int from = i < w->options.walls / 4 ? 0
+                 : (int)build_uniform(chance, 0, keep - 1);
+        stack_cut(w, 0);
+        for (int k = 0; k < from && !bad; k++) bad = stack_lay(w, &kept[k]);
+        bad = bad || stack_grow(w, &list, &g, chance, &r);
+        value = stack_value(w);
+        if (getenv("TRACE")) fprintf(stderr, "%d from %d: laid %d TFF %.3f margin %.3f Q %.4f  (notch %.2f height %.3f margin %.2f slope %.2f noise %.3f share %.2f)\n", i, from, w->laid, w->filled/w->options.width/w->options.height, w->m.margin, value, g.notch,g.height,g.margin,g.slope,g.noise,g.share);
+        if (value <= most) continue;
+        most = value;
+        keep = w->laid;
+        memcpy(kept, w->place, (size_t)keep * sizeof *kept);
+    }
+    stack_cut(w, 0);
+    for (int k = 0; k < keep && !bad; k++) bad = stack_lay(w, &kept[k]);
+    free(list.one);
+    free(chance);
+    free(kept);
+    free(r.now);
+    free(r.then);
+    free(r.room);
+    free(r.closed[0]);
+    free(r.closed[1]);
+    return bad ? -1 : 0;
 }
 
 #endif /* STACK_H */
