@@ -64,6 +64,8 @@ enum stack_planner { STACK_HEURISTIC, STACK_COMBINED, STACK_BEST,
 static const char *const stack_planner_name[] = { "heuristic", "combined",
                                                   "best" };
 
+struct stack_wall;
+
 struct stack_options {
     enum stack_planner planner;
     double width, height;   /* of the frame, whose lower left is 0, 0     */
@@ -73,12 +75,15 @@ struct stack_options {
     double friction;
     uint64_t seed;          /* of what `best` leaves to chance            */
     int walls;              /* that `best` builds                         */
+    int load;               /* its goal: the load factor, not the margin  */
+    /* called before each stone, if not NULL, where someone may wait      */
+    void (*progress)(const struct stack_wall *w, int wall);
 };
 
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0.4,
-                               1, 8 };
+                               1, 16, 0, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
@@ -263,6 +268,114 @@ STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
     w->filled += stone_area_in(s, w->options.width, w->options.height);
     w->place[w->laid++] = *place;
     return 0;
+}
+
+/* ---- What a wall is worth ------------------------------------------------ */
+
+/* What of the frame is filled: the target fill fraction. */
+STACK_API double stack_fill(const struct stack_wall *w)
+{
+    return w->filled / (w->options.width * w->options.height);
+}
+
+/* What a filling is worth, 0 to 1: half at 0.70, the middle of the walls that
+   heuristics are known to build (0.65 to 0.79); steep enough that little is
+   lost by calling it 0 below 0.60, where a wall is no wall (0.05 there), and
+   that the best fillings are still told apart (0.95 at 0.80). */
+STACK_API double stack_worth(double fill)
+{
+    return 1 / (1 + exp(-30 * (fill - 0.70)));
+}
+
+/* The quality of a wall: stability times what the filling is worth. Stability
+   is the margin in sizes of a stone: the level without its steps. */
+STACK_API double stack_quality(double stability, double fill)
+{
+    return fill < 0.60 ? 0 : stability * stack_worth(fill);
+}
+
+/* The limit multiplier: the largest horizontal acceleration in units of gravity
+   to the weaker side, with a friction of 0.58 and none in head joints, which
+   are contacts steeper than 45 degrees; -1 where it does not stand at all so.
+   Frictions of the contacts are as before afterwards. */
+STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
+                             kern_work *work)
+{
+    const double friction = 0.58;
+    const kern_options options = kern_defaults();
+    kern_structure joint = *s;
+    kern_real factor[2] = { 0, 0 }, *mu = malloc(((size_t)s->contacts + 1)
+                                                 * sizeof *mu);
+    int falls = !mu;
+    if (!mu) return -1;
+    joint.contact = contact;
+    for (int i = 0; i < s->contacts; i++) {
+        mu[i] = contact[i].mu;
+        contact[i].mu = fabs(contact[i].n.y) > fabs(contact[i].n.x) ? friction
+                                                                    : 0;
+    }
+    for (int k = 0; k < 2; k++)
+        falls |= kern_load_factor(&joint, 0, NULL, k ? 1 : -1, &options, work,
+                                  &factor[k], NULL) != KERN_STANDS;
+    for (int i = 0; i < s->contacts; i++) contact[i].mu = mu[i];
+    free(mu);
+    return falls ? -1 : fmin(factor[0], factor[1]);
+}
+
+/* Writes it in the text format. Returns 0, or -1. */
+STACK_API int stack_write(const struct stack_wall *w, const char *path)
+{
+    FILE *out = fopen(path, "w");
+    if (!out) return -1;
+    fprintf(out, "friction %g\ngravity 0 -9.81\nepsilon %.9g\nfixed base",
+            w->options.friction, w->plan.options.epsilon);
+    for (int i = 0; i < 4; i++)
+        fprintf(out, "  %.9g %.9g", w->ground[i].x, w->ground[i].y);
+    for (int i = 0; i < w->laid; i++) {
+        fprintf(out, "\nblock s%d *", w->place[i].stone);
+        for (int k = 0; k < w->stone[i].n; k++)
+            fprintf(out, "  %.9g %.9g", w->stone[i].v[k].x,
+                    w->stone[i].v[k].y);
+    }
+    fputs("\n", out);
+    return fclose(out) ? -1 : 0;
+}
+
+/* What a picture of some width shows: the frame, and what rises above it. */
+STACK_API void stack_view(const struct stack_wall *w, struct draw_view *v,
+                          double width)
+{
+    const double beside = 0.3 * w->stock->size;
+    v->low = draw_vec(-beside, -beside);
+    v->high = draw_vec(w->options.width + beside, w->options.height + beside);
+    for (int i = 0; i < w->laid; i++)
+        v->high.y = fmax(v->high.y, w->stone[i].high.y + beside);
+    v->left = v->top = DRAW_PAD;
+    v->scale = (width - 2 * DRAW_PAD) / (v->high.x - v->low.x);
+}
+
+/* The ground, and a dashed line around the frame. */
+STACK_API void stack_draw_frame(const struct stack_wall *w,
+                                const struct draw_view *v)
+{
+    struct draw_pt ground = draw_place(v, v->low.x, 0);
+    struct draw_pt top = draw_place(v, 0, w->options.height);
+    draw_rect(v->out, ground.x, ground.y, (v->high.x - v->low.x) * v->scale,
+              -v->low.y * v->scale, "fill=\"#d8d3c8\"");
+    draw_rect(v->out, top.x, top.y, w->options.width * v->scale,
+              w->options.height * v->scale, "fill=\"none\" stroke=\"" DRAW_EDGE
+              "\" stroke-width=\"0.8\" stroke-dasharray=\"5 4\"");
+}
+
+STACK_API void stack_draw_stone(const struct stack_wall *w,
+                                const struct draw_view *v, int i)
+{
+    const int fills = (int)(sizeof draw_stone / sizeof draw_stone[0]);
+    char style[120];
+    snprintf(style, sizeof style, "fill=\"%s\" stroke=\"" DRAW_EDGE "\" "
+             "stroke-width=\"0.9\" stroke-linejoin=\"round\"",
+             draw_stone[i % fills]);
+    draw_block(v, &w->plan.s.block[i + 1], NULL, 0, style);
 }
 
 /* ---- Features ------------------------------------------------------------ */
@@ -775,12 +888,6 @@ struct stack_weights {
     double share;           /* of the candidates that are looked at        */
 };
 
-/* Filling counts from 60 % on, and by half at the mean of ... */
-STACK_API double stack_worth(double fill)
-{
-    return 1 / (1 + exp(-30 * (fill - 0.70)));
-}
-
 /* The most (sign 1) or least (-1) of every k neighbours in a[0..n), where what
    is beside them is `beyond`: out[i] is that of the k that end at i. */
 static void stack_windows(const double *a, int n, int k, double sign,
@@ -915,10 +1022,16 @@ static void stack_cut(struct stack_wall *w, int keep)
     for (int i = 0; i < w->laid; i++) stack_raise(w, i);
 }
 
-static double stack_value(const struct stack_wall *w)
+/* What `best` wants to be high. A wall without a limit is worth less than any
+   that has one. */
+static double stack_value(struct stack_wall *w)
 {
-    double fill = w->filled / (w->options.width * w->options.height);
-    return w->m.margin / w->stock->size * stack_worth(fill);
+    double stable = w->m.margin / w->stock->size;
+    if (w->options.load) {
+        double limit = stack_limit(&w->plan.s, w->plan.contact, &w->work);
+        stable = limit < 0 ? 1e-3 * stable : limit;
+    }
+    return stable * stack_worth(stack_fill(w));
 }
 
 static double stack_between(struct build *chance, double low, double high)
@@ -967,7 +1080,6 @@ STACK_API int stack_best(struct stack_wall *w)
         for (int k = 0; k < from && !bad; k++) bad = stack_lay(w, &kept[k]);
         bad = bad || stack_grow(w, &list, &g, chance, &r);
         value = stack_value(w);
-        if (getenv("TRACE")) fprintf(stderr, "%d from %d: laid %d TFF %.3f margin %.3f Q %.4f  (notch %.2f height %.3f margin %.2f slope %.2f noise %.3f share %.2f)\n", i, from, w->laid, w->filled/w->options.width/w->options.height, w->m.margin, value, g.notch,g.height,g.margin,g.slope,g.noise,g.share);
         if (value <= most) continue;
         most = value;
         keep = w->laid;
@@ -984,6 +1096,13 @@ STACK_API int stack_best(struct stack_wall *w)
     free(r.closed[0]);
     free(r.closed[1]);
     return bad ? -1 : 0;
+}
+
+/* Builds a wall with the planner of the options. Returns 0, or -1 where memory
+   is lacking. */
+STACK_API int stack_plan(struct stack_wall *w)
+{
+    return w->options.planner == STACK_BEST ? stack_best(w) : stack_build(w);
 }
 
 #endif /* STACK_H */
