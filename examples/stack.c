@@ -42,6 +42,8 @@ static const char help[] =
 "      --threshold F=T   how much worse than the best candidate one may be in\n"
 "                        a feature: edges, hole, neighbours, slope, bond\n"
 "      --friction MU     default 0.4\n"
+"      --joints MU       friction in head joints, steeper than 45 degrees, in\n"
+"                        what kern is asked; default as everywhere\n"
 "      --walls N         best: so many walls are built; default 16\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
 "                        margin, the default, or load\n"
@@ -160,6 +162,8 @@ static int read_option(struct settings *o, const char *name, const char *word)
     if (strcmp(name, "--threshold") == 0) return read_threshold(o, word);
     if (strcmp(name, "--friction") == 0)
         return number(name, word, 0, 10, &p->friction);
+    if (strcmp(name, "--joints") == 0)
+        return number(name, word, 0, 10, &p->joints);
     if (strcmp(name, "--out") == 0) o->out = word;
     else if (strcmp(name, "--svg") == 0) o->svg = word;
     else if (strcmp(name, "--film") == 0) o->film = word;

@@ -73,6 +73,7 @@ struct stack_options {
     int look;               /* stones of the stock that may be the next   */
     double threshold[STACK_FILTERS];
     double friction;
+    double joints;          /* friction in head joints; < 0: the same     */
     uint64_t seed;          /* of what `best` leaves to chance            */
     int walls;              /* that `best` builds                         */
     int load;               /* its goal: the load factor, not the margin  */
@@ -83,7 +84,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0.4,
-                               1, 16, 0, NULL };
+                               -1, 1, 16, 0, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
@@ -108,6 +109,7 @@ struct stack_wall {
     char *used;             /* one a stone of the stock                  */
     kern_plan plan;
     kern_work work;
+    int *basis;             /* room for what a plan knows                */
     kern_margin m;
     double filled;          /* area within the frame                     */
     double *sky;            /* height of what is highest, column by column */
@@ -132,6 +134,7 @@ STACK_API void stack_free(struct stack_wall *w)
     free(w->plan.block);
     free(w->plan.contact);
     free(w->plan.known.basis);
+    free(w->basis);
     free(w->work.real);
     free(w->work.index);
     free(w->sky);
@@ -179,6 +182,7 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
         malloc((size_t)blocks * sizeof(kern_block)), blocks,
         malloc((size_t)contacts * sizeof(kern_contact)), contacts,
         malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int)), &w->work);
+    w->basis = malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int));
     w->plan.options.mu = options->friction;
     w->plan.options.epsilon = 0.02 * stock->size;
     w->plan.s.gravity = stones_vec(0, -9.81);
@@ -190,7 +194,7 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
     if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
-        !w->plan.contact || !w->plan.known.basis || !w->place || !w->used ||
+        !w->plan.contact || !w->plan.known.basis || !w->basis || !w->place || !w->used ||
         !w->sky || !w->owner || !w->near.edge)
         return -1;
     w->ground[0] = stones_vec(-1, -0.5);
@@ -250,6 +254,22 @@ static void stack_raise(struct stack_wall *w, int i)
     }
 }
 
+/* Head joints: contacts steeper than 45 degrees. */
+static int stack_is_joint(const kern_contact *c)
+{
+    return fabs(c->n.y) < fabs(c->n.x);
+}
+
+/* Adds a block to the plan, with the friction of head joints. */
+static int stack_add(struct stack_wall *w, const kern_block *block)
+{
+    int from = w->plan.s.contacts, found = kern_plan_add(&w->plan, block);
+    for (int i = from; i < w->plan.s.contacts && w->options.joints >= 0; i++)
+        if (stack_is_joint(&w->plan.contact[i]))
+            w->plan.contact[i].mu = w->options.joints;
+    return found;
+}
+
 /* Lays a stone and measures the wall. Returns 0, or -1 where it falls. */
 STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
 {
@@ -257,7 +277,7 @@ STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
     kern_block block;
     *s = stack_placed(w, place);
     if (kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_STANDS ||
-        kern_plan_add(&w->plan, &block) < 0)
+        stack_add(w, &block) < 0)
         return -1;
     if (kern_plan_measure(&w->plan, &w->m, NULL) != KERN_STANDS) {
         kern_plan_remove(&w->plan, w->laid + 1);
@@ -295,8 +315,7 @@ STACK_API double stack_quality(double stability, double fill)
 }
 
 /* The limit multiplier: the largest horizontal acceleration in units of gravity
-   to the weaker side, with a friction of 0.58 and none in head joints, which
-   are contacts steeper than 45 degrees; -1 where it does not stand at all so.
+   to the weaker side, with a friction of 0.58 and none in head joints; -1 where it does not stand at all so.
    Frictions of the contacts are as before afterwards. */
 STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
                              kern_work *work)
@@ -311,8 +330,7 @@ STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
     joint.contact = contact;
     for (int i = 0; i < s->contacts; i++) {
         mu[i] = contact[i].mu;
-        contact[i].mu = fabs(contact[i].n.y) > fabs(contact[i].n.x) ? friction
-                                                                    : 0;
+        contact[i].mu = stack_is_joint(&contact[i]) ? 0 : friction;
     }
     for (int k = 0; k < 2; k++)
         falls |= kern_load_factor(&joint, 0, NULL, k ? 1 : -1, &options, work,
@@ -512,8 +530,10 @@ struct stack_candidate {
     double inside;          /* area within the frame                     */
     double cost;            /* to `best`                                 */
     int out;                /* a filter dropped it, or it falls          */
-    int known;              /* kern was asked: m is the wall's with it   */
+    int known;              /* kern was asked: what follows is the wall's
+                               with it                                   */
     kern_margin m;
+    double stable;          /* margin in sizes, or load factor           */
 };
 
 struct stack_list {
@@ -670,19 +690,45 @@ STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
     return bad;
 }
 
-/* Asks the plan what the wall would be with a candidate. Returns 1 where it
-   stands. */
+/* The smaller load factor of the plan as it is. */
+static double stack_load(struct stack_wall *w)
+{
+    kern_real factor[2] = { 0, 0 };
+    for (int k = 0; k < 2; k++)
+        if (kern_load_factor(&w->plan.s, 0, NULL, k ? 1 : -1, &w->plan.options,
+                             &w->work, &factor[k], NULL) != KERN_STANDS)
+            return 0;
+    return fmin(factor[0], factor[1]);
+}
+
+/* Asks the plan what the wall would be with a candidate: its margin, or where
+   that is the goal its load factor, which the stone is added for. Returns 1
+   where it stands. */
 static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
+    const int special = w->options.load || w->options.joints >= 0;
+    const struct kern_known known = w->plan.known;
     kern_block block;
     clock_t start = clock();
     kern_status status = kern_block_init(&block, s.v, s.n, 1, NULL);
-    if (status == KERN_STANDS)
-        status = kern_plan_try(&w->plan, &block, &c->m, NULL);
-    w->asking += (double)(clock() - start) / CLOCKS_PER_SEC;
     w->asked++;
     c->known = 1;
+    if (status == KERN_STANDS && !special)
+        status = kern_plan_try(&w->plan, &block, &c->m, NULL);
+    if (status == KERN_STANDS && special) {
+        memcpy(w->basis, known.basis, (size_t)known.columns * sizeof(int));
+        status = stack_add(w, &block) < 0 ? KERN_OVERLAP
+               : kern_plan_measure(&w->plan, &c->m, NULL);
+        c->stable = w->options.load && status == KERN_STANDS ? stack_load(w)
+                                                             : 0;
+        if (w->plan.s.blocks > w->laid + 1)
+            kern_plan_remove(&w->plan, w->laid + 1);
+        memcpy(known.basis, w->basis, (size_t)known.columns * sizeof(int));
+        w->plan.known = known;
+    }
+    if (!w->options.load) c->stable = c->m.margin / w->stock->size;
+    w->asking += (double)(clock() - start) / CLOCKS_PER_SEC;
     return status == KERN_STANDS;
 }
 
@@ -882,8 +928,8 @@ STACK_API int stack_build(struct stack_wall *w)
 struct stack_weights {
     double notch;           /* narrower ones are dead, sizes               */
     double height;          /* of the top of a stone, against a dead area  */
-    double margin;          /* of the wall with it, against a dead area    */
-    double slope;           /* of its top                                  */
+    double stable;          /* of the wall with it, against a dead area    */
+    double slope, bond, edges; /* the features                             */
     double noise;
     double share;           /* of the candidates that are looked at        */
 };
@@ -973,6 +1019,8 @@ static int stack_pick(struct stack_wall *w, struct stack_list *list,
         c->cost = stack_dead(w, &s, c->inside, k, r) / (size * size)
                 + g->height * (s.high.y - low) / size
                 - g->slope * c->feature[STACK_SLOPE]
+                - g->bond * c->feature[STACK_BOND]
+                - g->edges * c->feature[STACK_EDGES]
                 + g->noise * build_uniform(chance, 0, 1);
     }
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
@@ -981,7 +1029,7 @@ static int stack_pick(struct stack_wall *w, struct stack_list *list,
         for (int i = from; i < list->count && stand < ASK; i++) {
             struct stack_candidate c = list->one[i];
             if (!stack_ask(w, &c)) continue;
-            c.cost -= g->margin * fmin(c.m.margin / size, 0.5);
+            c.cost -= g->stable * fmin(c.stable, 0.5);
             list->one[i] = list->one[from + stand];
             list->one[from + stand++] = c;
         }
@@ -1044,8 +1092,10 @@ static struct stack_weights stack_weigh(struct build *chance)
     struct stack_weights g;
     g.notch = build_uniform(chance, 0.4, 0.7);
     g.height = stack_between(chance, 0.05, 0.5);
-    g.margin = stack_between(chance, 0.3, 5);
+    g.stable = stack_between(chance, 0.3, 5);
     g.slope = stack_between(chance, 0.02, 0.5);
+    g.bond = stack_between(chance, 0.02, 0.5);
+    g.edges = stack_between(chance, 0.02, 0.5);
     g.noise = stack_between(chance, 0.005, 0.1);
     g.share = build_uniform(chance, 0.3, 1);
     return g;
