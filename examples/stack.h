@@ -124,7 +124,7 @@ struct stack_wall {
     char message[200];      /* why the wall ended                        */
 };
 
-enum { STACK_COLUMNS = 40 }; /* in a stone of mean size */
+enum { STACK_COLUMNS = 24 }; /* in a stone of mean size */
 
 STACK_API void stack_free(struct stack_wall *w)
 {
@@ -588,13 +588,15 @@ struct stack_anchor {
 };
 
 static const double stack_grid = 0.4; /* between anchors, in sizes          */
+static const double stack_fine = 0.1; /* where none of these will do        */
 static const double stack_slide = 0.8; /* most that a stone slides, in sizes */
 static const double stack_steep = 0.9; /* cosine of the steepest bed        */
 
 /* The faces that look upward and can be seen from there, and a grid. */
-static int stack_anchors(const struct stack_wall *w, struct stack_anchor *a)
+static int stack_anchors(const struct stack_wall *w, double step,
+                         struct stack_anchor *a)
 {
-    const double size = w->stock->size, step = stack_grid * size;
+    const double size = w->stock->size;
     const int grid = (int)ceil(w->options.width / step);
     int n = 0;
     for (int b = 1; b < w->plan.s.blocks; b++)
@@ -657,20 +659,22 @@ static int stack_let_down(struct stack_wall *w, struct stack_list *list,
 }
 
 /* Fills the list with candidates of the next stones of the stock. `share` of
-   all that could be are looked at. Returns 0, or -1 where memory is lacking. */
+   all that could be are looked at; `fine`: of all stones, on a finer grid.
+   Returns 0, or -1 where memory is lacking. */
 STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
-                            double share, struct build *chance)
+                            double share, struct build *chance, int fine)
 {
     const double size = w->stock->size;
-    int stones = 0, anchors, bad = 0, room = (int)ceil(w->options.width / size
-                                                       / stack_grid) + 1;
+    const double step = (fine ? stack_fine : stack_grid) * size;
+    int stones = 0, anchors, bad = 0, room = (int)(w->options.width / step) + 2;
     struct stack_anchor *anchor;
     for (int i = 0; i < w->laid; i++) room += w->stone[i].n;
     anchor = malloc((size_t)room * sizeof *anchor);
     if (!anchor) return -1;
-    anchors = stack_anchors(w, anchor);
+    anchors = stack_anchors(w, step, anchor);
     list->count = 0;
-    for (int k = 0; k < w->stock->stones && stones < w->options.look; k++) {
+    for (int k = 0; k < w->stock->stones &&
+         (fine || stones < w->options.look); k++) {
         const struct stone *s = &w->stock->stone[k];
         if (w->used[k]) continue;
         stones++;
@@ -682,7 +686,7 @@ STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
             for (int c = from; c < to; c++) low = fmin(low, w->sky[c]);
             stack_look(w, x - far, x + far, low - rest_touch);
             for (int bed = 0; bed < s->beds && !bad; bed++)
-                if (share >= 1 || build_uniform(chance, 0, 1) < share)
+                if (fine || share >= 1 || build_uniform(chance, 0, 1) < share)
                     bad = stack_let_down(w, list, k, bed, &anchor[i]);
         }
     }
@@ -894,29 +898,41 @@ STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
     return best;
 }
 
-/* Builds a wall by the filters, from the ground or on what is there. Returns
-   0, or -1 where memory is lacking; w->message says why it ended. */
+/* Why a wall ended. */
+static int stack_ends(struct stack_wall *w)
+{
+    int left = w->stock->stones - w->laid;
+    if (left > 0 && w->laid < w->options.most) return 0;
+    snprintf(w->message, sizeof w->message, "%s", left == 0 ?
+             "every stone of the stock is laid" :
+             "as many stones as asked for are laid");
+    return 1;
+}
+
+static void stack_give_up(struct stack_wall *w)
+{
+    snprintf(w->message, sizeof w->message, "none of the %d stones that are "
+             "left finds a place in the frame where it stands",
+             w->stock->stones - w->laid);
+}
+
+/* Builds a wall by the filters. Returns 0, or -1 where memory is lacking;
+   w->message says why it ended. */
 STACK_API int stack_build(struct stack_wall *w)
 {
     struct stack_list list = { NULL, 0, 0 };
-    int bad = 0, end = 0;
-    while (!bad && !end) {
-        int left = 0, best;
-        for (int i = 0; i < w->stock->stones; i++) left += !w->used[i];
-        if (left == 0 || w->laid == w->options.most) {
-            snprintf(w->message, sizeof w->message, "%s", left == 0 ?
-                     "every stone of the stock is laid" :
-                     "as many stones as asked for are laid");
+    int bad = 0;
+    while (!bad && !stack_ends(w)) {
+        int best = -1;
+        if (w->options.progress) w->options.progress(w, 1);
+        for (int fine = 0; fine < 2 && best < 0 && !bad; fine++) {
+            bad = stack_propose(w, &list, 1, NULL, fine);
+            if (!bad) best = stack_choose(w, &list);
+        }
+        if (!bad && (best < 0 || stack_lay(w, &list.one[best].place))) {
+            stack_give_up(w);
             break;
         }
-        bad = stack_propose(w, &list, 1, NULL);
-        if (bad) break;
-        best = stack_choose(w, &list);
-        end = best < 0 || stack_lay(w, &list.one[best].place);
-        if (end)
-            snprintf(w->message, sizeof w->message, "none of the next %d "
-                     "stones finds a place in the frame where it stands",
-                     w->options.look);
     }
     free(list.one);
     return bad;
@@ -1047,13 +1063,19 @@ static int stack_grow(struct stack_wall *w, struct stack_list *list,
                       const struct stack_weights *g, struct build *chance,
                       const struct stack_skies *r)
 {
-    int best;
-    do {
-        if (stack_propose(w, list, g->share, chance)) return -1;
-        best = w->laid < w->options.most ? stack_pick(w, list, g, chance, r)
-                                         : -1;
-    } while (best >= 0 && !stack_lay(w, &list->one[best].place));
-    return 0;
+    int bad = 0;
+    while (!bad && !stack_ends(w)) {
+        int best = -1;
+        for (int fine = 0; fine < 2 && best < 0 && !bad; fine++) {
+            bad = stack_propose(w, list, g->share, chance, fine);
+            if (!bad) best = stack_pick(w, list, g, chance, r);
+        }
+        if (!bad && (best < 0 || stack_lay(w, &list->one[best].place))) {
+            stack_give_up(w);
+            break;
+        }
+    }
+    return bad;
 }
 
 /* Takes away the last stones, down to a number of them. */
