@@ -33,11 +33,11 @@
 /* ---- Options ------------------------------------------------------------- */
 
 #define STACK_FILTER_LIST(X)                                                  \
-    X(EDGES, "edges", 0.12, "common edges / perimeter")                       \
-    X(HOLE, "hole", 0.06, "area of the hole below / area of the stone")       \
-    X(NEIGHBOURS, "neighbours", 0.25, "height of the neighbours / size")      \
-    X(SLOPE, "slope", 0.10, "slope of the top, as a tangent")                 \
-    X(BOND, "bond", 0.10, "distance to the joints below / size")
+    X(EDGES, "edges", 0.20, "common edges / perimeter")                       \
+    X(HOLE, "hole", 0.25, "area of the hole below / area of the stone")       \
+    X(NEIGHBOURS, "neighbours", 0.04, "height of the neighbours / size")      \
+    X(SLOPE, "slope", 0.03, "slope of the top, as a tangent")                 \
+    X(BOND, "bond", 0.30, "distance to the joints below / size")
 
 enum stack_filter {
 #define STACK_FILTER_ID(id, name, threshold, words) STACK_##id,
@@ -72,6 +72,7 @@ struct stack_options {
     int most;               /* stones that are laid at the most           */
     int look;               /* stones of the stock that may be the next   */
     double threshold[STACK_FILTERS];
+    int levels;             /* filters before that by kern's levels       */
     double friction;
     double joints;          /* friction in head joints; < 0: the same     */
     uint64_t seed;          /* of what `best` leaves to chance            */
@@ -83,7 +84,7 @@ struct stack_options {
 
 STACK_API struct stack_options stack_defaults(void)
 {
-    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0.4,
+    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 3, 0.4,
                                -1, 1, 16, 0, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
@@ -116,6 +117,7 @@ struct stack_wall {
     int *owner;             /* block which that is                       */
     int columns;
     struct rest_near near;  /* room for the edges of all                 */
+    int walls;              /* that `best` has built                     */
     int tried;              /* candidates                                */
     int asked;              /* of these, kern was asked about            */
     double asking;          /* CPU seconds that took                     */
@@ -816,19 +818,18 @@ static int stack_is_filler(const struct stack_wall *w,
            < stack_filler * w->stock->area;
 }
 
-/* Drops what is worse than the best by more than the threshold, feature after
-   feature. */
-static void stack_sift(const struct stack_wall *w, struct stack_list *list)
+/* Drops what is worse than the best in a feature by more than its threshold. */
+static void stack_sift(const struct stack_wall *w, struct stack_list *list,
+                       int feature)
 {
-    for (int k = 0; k < STACK_FILTERS; k++) {
-        double best = -HUGE_VAL;
-        for (int i = 0; i < list->count; i++)
-            if (!list->one[i].out)
-                best = fmax(best, list->one[i].feature[k]);
-        for (int i = 0; i < list->count; i++)
-            if (list->one[i].feature[k] < best - w->options.threshold[k])
-                list->one[i].out = 1;
-    }
+    double best = -HUGE_VAL;
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out)
+            best = fmax(best, list->one[i].feature[feature]);
+    for (int i = 0; i < list->count; i++)
+        if (list->one[i].feature[feature] < best
+                                            - w->options.threshold[feature])
+            list->one[i].out = 1;
 }
 
 /* Drops candidates whose level is below the mean, but for fillers. */
@@ -873,12 +874,20 @@ static int stack_prove(struct stack_wall *w, struct stack_list *list)
    that they left fall, they begin again without these. */
 static int stack_filter(struct stack_wall *w, struct stack_list *list)
 {
-    int best = -1;
-    do {
-        for (int i = 0; i < list->count; i++) list->one[i].out = 0;
-        stack_sift(w, list);
-    } while (stack_prove(w, list) > 0);
-    if (w->options.planner == STACK_COMBINED) stack_sift_levels(w, list);
+    const int levels = w->options.planner == STACK_HEURISTIC ? -1
+                                                             : w->options.levels;
+    int best = -1, k = 0;
+    while (k <= STACK_FILTERS) {
+        if (k == 0)
+            for (int i = 0; i < list->count; i++) list->one[i].out = 0;
+        if ((k == levels || k == STACK_FILTERS) && stack_prove(w, list) > 0) {
+            k = 0;
+            continue;
+        }
+        if (k == levels) stack_sift_levels(w, list);
+        if (k < STACK_FILTERS) stack_sift(w, list, k);
+        k++;
+    }
     for (int i = 0; i < list->count; i++)
         if (!list->one[i].out &&
             (best < 0 || list->one[i].feature[STACK_EDGES]
@@ -896,6 +905,20 @@ STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
         best = stack_filter(w, list);
     }
     return best;
+}
+
+/* Takes away the last stones, down to a number of them. */
+static void stack_cut(struct stack_wall *w, int keep)
+{
+    while (w->laid > keep) {
+        w->laid--;
+        w->used[w->place[w->laid].stone] = 0;
+        w->filled -= stone_area_in(&w->stone[w->laid], w->options.width,
+                                   w->options.height);
+        kern_plan_remove(&w->plan, w->laid + 1);
+    }
+    stack_clear_sky(w);
+    for (int i = 0; i < w->laid; i++) stack_raise(w, i);
 }
 
 /* Why a wall ended. */
@@ -916,32 +939,53 @@ static void stack_give_up(struct stack_wall *w)
              w->stock->stones - w->laid);
 }
 
-/* Builds a wall by the filters. Returns 0, or -1 where memory is lacking;
-   w->message says why it ended. */
+/* Chooses and lays one stone; with `second` not the first choice. Returns 1
+   where it is laid, 0 where none can be, -1 where memory is lacking. */
+static int stack_step(struct stack_wall *w, struct stack_list *list, int second)
+{
+    int best = -1;
+    for (int fine = 0; fine < 2 && best < 0; fine++) {
+        if (stack_propose(w, list, 1, NULL, fine)) return -1;
+        best = stack_choose(w, list);
+        if (best < 0 || !second) continue;
+        stack_strike(list, best);
+        best = stack_choose(w, list);
+    }
+    return best >= 0 && !stack_lay(w, &list->one[best].place);
+}
+
+/* Builds a wall by the filters. Where a number of stones is asked for and there
+   is no place for the next one, some are taken off again, more from time to
+   time, and it goes on with a second choice. Returns 0, or -1 where memory is
+   lacking; w->message says why it ended. */
 STACK_API int stack_build(struct stack_wall *w)
 {
+    enum { RETREATS = 12 };
     struct stack_list list = { NULL, 0, 0 };
-    int bad = 0;
-    while (!bad && !stack_ends(w)) {
-        int best = -1;
+    int laid = 1, retreats = 0;
+    while (laid >= 0 && !stack_ends(w)) {
         if (w->options.progress) w->options.progress(w, 1);
-        for (int fine = 0; fine < 2 && best < 0 && !bad; fine++) {
-            bad = stack_propose(w, &list, 1, NULL, fine);
-            if (!bad) best = stack_choose(w, &list);
-        }
-        if (!bad && (best < 0 || stack_lay(w, &list.one[best].place))) {
+        laid = stack_step(w, &list, laid == 0);
+        if (laid != 0) continue;
+        if (w->options.most > w->stock->stones || retreats == RETREATS) {
             stack_give_up(w);
             break;
         }
+        retreats++;
+        stack_cut(w, w->laid > 2 * retreats ? w->laid - 2 * retreats : 0);
     }
     free(list.one);
-    return bad;
+    return laid < 0 ? -1 : 0;
 }
 
 /* ---- The planner `best` -------------------------------------------------- */
 
-/* What a wall that is built by weights cares for. */
+/* How a wall is built: by the filters, with other thresholds, or by the cost of
+   a candidate, a weighted sum. */
 struct stack_weights {
+    int filters;            /* nonzero: by these; and of what follows, share */
+    double threshold[STACK_FILTERS];
+    int levels;
     double notch;           /* narrower ones are dead, sizes               */
     double height;          /* of the top of a stone, against a dead area  */
     double stable;          /* of the wall with it, against a dead area    */
@@ -1058,17 +1102,22 @@ static int stack_pick(struct stack_wall *w, struct stack_list *list,
     return -1;
 }
 
-/* Builds on what is there, by weights. */
+/* Builds on what is there. */
 static int stack_grow(struct stack_wall *w, struct stack_list *list,
                       const struct stack_weights *g, struct build *chance,
                       const struct stack_skies *r)
 {
+    const int rounds = w->options.most <= w->stock->stones ? 2 : 1;
     int bad = 0;
+    memcpy(w->options.threshold, g->threshold, sizeof g->threshold);
+    w->options.levels = g->levels;
     while (!bad && !stack_ends(w)) {
         int best = -1;
-        for (int fine = 0; fine < 2 && best < 0 && !bad; fine++) {
+        if (w->options.progress) w->options.progress(w, w->walls + 1);
+        for (int fine = 0; fine < rounds && best < 0 && !bad; fine++) {
             bad = stack_propose(w, list, g->share, chance, fine);
-            if (!bad) best = stack_pick(w, list, g, chance, r);
+            if (!bad) best = g->filters ? stack_choose(w, list)
+                                        : stack_pick(w, list, g, chance, r);
         }
         if (!bad && (best < 0 || stack_lay(w, &list->one[best].place))) {
             stack_give_up(w);
@@ -1078,25 +1127,13 @@ static int stack_grow(struct stack_wall *w, struct stack_list *list,
     return bad;
 }
 
-/* Takes away the last stones, down to a number of them. */
-static void stack_cut(struct stack_wall *w, int keep)
-{
-    while (w->laid > keep) {
-        w->laid--;
-        w->used[w->place[w->laid].stone] = 0;
-        w->filled -= stone_area_in(&w->stone[w->laid], w->options.width,
-                                   w->options.height);
-        kern_plan_remove(&w->plan, w->laid + 1);
-    }
-    stack_clear_sky(w);
-    for (int i = 0; i < w->laid; i++) stack_raise(w, i);
-}
-
 /* What `best` wants to be high. A wall without a limit is worth less than any
-   that has one. */
+   that has one, and one that lacks stones that were asked for less still. */
 static double stack_value(struct stack_wall *w)
 {
     double stable = w->m.margin / w->stock->size;
+    if (w->options.most <= w->stock->stones && w->laid < w->options.most)
+        return w->laid - w->options.most;
     if (w->options.load) {
         double limit = stack_limit(&w->plan.s, w->plan.contact, &w->work);
         stable = limit < 0 ? 1e-3 * stable : limit;
@@ -1109,9 +1146,14 @@ static double stack_between(struct build *chance, double low, double high)
     return low * pow(high / low, build_uniform(chance, 0, 1));
 }
 
-static struct stack_weights stack_weigh(struct build *chance)
+static struct stack_weights stack_weigh(const struct stack_options *o,
+                                        struct build *chance)
 {
     struct stack_weights g;
+    g.filters = build_uniform(chance, 0, 1) < 0.5;
+    for (int k = 0; k < STACK_FILTERS; k++)
+        g.threshold[k] = o->threshold[k] * stack_between(chance, 0.4, 2.5);
+    g.levels = (int)build_uniform(chance, 0, STACK_FILTERS + 1);
     g.notch = build_uniform(chance, 0.4, 0.7);
     g.height = stack_between(chance, 0.05, 0.5);
     g.stable = stack_between(chance, 0.3, 5);
@@ -1119,21 +1161,38 @@ static struct stack_weights stack_weigh(struct build *chance)
     g.bond = stack_between(chance, 0.02, 0.5);
     g.edges = stack_between(chance, 0.02, 0.5);
     g.noise = stack_between(chance, 0.005, 0.1);
-    g.share = build_uniform(chance, 0.3, 1);
+    g.share = build_uniform(chance, 0.15, 0.6);
     return g;
 }
 
-/* Builds one wall after the other: some from the ground, then by taking stones
-   off the best one and going on differently; keeps the best. */
+/* Weights like others. */
+static struct stack_weights stack_vary(struct stack_weights g,
+                                       struct build *chance)
+{
+    double *one[] = { &g.height, &g.stable, &g.slope, &g.bond, &g.edges,
+                      &g.noise, &g.share };
+    for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
+        *one[i] *= exp(build_uniform(chance, -0.4, 0.4));
+    for (int k = 0; k < STACK_FILTERS; k++)
+        g.threshold[k] *= exp(build_uniform(chance, -0.4, 0.4));
+    g.notch = fmin(0.8, fmax(0.3, g.notch + build_uniform(chance, -0.1, 0.1)));
+    return g;
+}
+
+/* Builds one wall after the other: a quarter from the ground, then by taking
+   stones off the best one and going on differently, more often than not with
+   weights like those that made it; keeps the best. */
 STACK_API int stack_best(struct stack_wall *w)
 {
     struct stack_list list = { NULL, 0, 0 };
     struct build *chance = calloc(1, sizeof *chance);
     struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
+    const struct stack_options options = w->options;
+    struct stack_weights good;
     struct stack_skies r;
     const size_t n = 4 * (size_t)w->columns * sizeof(double);
     int bad, keep = 0;
-    double most = -1;
+    double most = -HUGE_VAL;
     r.now = malloc(n);
     r.then = malloc(n);
     r.room = malloc(n);
@@ -1144,21 +1203,33 @@ STACK_API int stack_best(struct stack_wall *w)
     if (!bad) chance->state = w->options.seed * UINT64_C(2862933555777941757)
                             + 3037000493u;
     for (int i = 0; i < w->options.walls && !bad; i++) {
-        struct stack_weights g = stack_weigh(chance);
+        const int fresh = keep == 0 || i < w->options.walls / 4;
+        struct stack_weights g = stack_weigh(&options, chance);
         double value;
-        int from = i < w->options.walls / 4 ? 0
-                 : (int)build_uniform(chance, 0, keep - 1);
+        int from = fresh ? 0 : (int)build_uniform(chance, 0, keep - 1);
+        if (!fresh && build_uniform(chance, 0, 1) < 0.6)
+            g = stack_vary(good, chance);
+        if (i < 2) { /* as the other planners do */
+            memcpy(g.threshold, options.threshold, sizeof g.threshold);
+            g.filters = 1;
+            g.share = 1;
+            g.levels = i == 0 ? options.levels : -1;
+        }
+        w->walls = i;
         stack_cut(w, 0);
         for (int k = 0; k < from && !bad; k++) bad = stack_lay(w, &kept[k]);
         bad = bad || stack_grow(w, &list, &g, chance, &r);
         value = stack_value(w);
         if (value <= most) continue;
         most = value;
+        good = g;
         keep = w->laid;
         memcpy(kept, w->place, (size_t)keep * sizeof *kept);
     }
     stack_cut(w, 0);
     for (int k = 0; k < keep && !bad; k++) bad = stack_lay(w, &kept[k]);
+    w->options = options;
+    if (!stack_ends(w)) stack_give_up(w);
     free(list.one);
     free(chance);
     free(kept);

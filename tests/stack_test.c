@@ -314,7 +314,7 @@ static void test_walls(int seeds)
                 o.height = 12;
                 o.most = 30;
                 o.planner = (enum stack_planner)p;
-                o.walls = 2;
+                o.walls = 4;
                 o.seed = (uint64_t)seed;
                 stones_make(&stock, level, 36, (uint64_t)(500 + seed));
                 if (stack_open(&w, &stock, &o) ||
@@ -365,7 +365,7 @@ static void test_filters(void)
     stones_make(&stock, 30, 10, 5);
     if (stack_open(&w, &stock, &o) || stack_propose(&w, &list, 1, NULL, 0)) return;
     check(list.count > 20, "candidates on the ground", list.count, 20);
-    stack_sift(&w, &list);
+    for (int k = 0; k < STACK_FILTERS; k++) stack_sift(&w, &list, k);
     for (int i = 0; i < list.count; i++) kept += !list.one[i].out;
     check(kept >= 1 && kept < list.count, "what filters keep", kept, 1);
     free(list.one);
