@@ -41,10 +41,12 @@ static const char help[] =
 "                        default 6\n"
 "      --threshold F=T   how much worse than the best candidate one may be in\n"
 "                        a feature: edges, hole, neighbours, slope, bond\n"
+"      --levels K        combined: the kern filter comes after K of these five;\n"
+"                        default 0\n"
 "      --friction MU     default 0.4\n"
 "      --joints MU       friction in head joints, steeper than 45 degrees, in\n"
 "                        what kern is asked; default as everywhere\n"
-"      --walls N         best: so many walls are built; default 16\n"
+"      --walls N         best: so many walls are built; default 32\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
 "                        margin, the default, or load\n"
 "      --out FILE        the wall; default wall.kern\n"
@@ -159,6 +161,8 @@ static int read_option(struct settings *o, const char *name, const char *word)
         return whole(name, word, 1, STONES_MOST, &p->look);
     if (strcmp(name, "--walls") == 0)
         return whole(name, word, 1, 100000, &p->walls);
+    if (strcmp(name, "--levels") == 0)
+        return whole(name, word, 0, STACK_FILTERS, &p->levels);
     if (strcmp(name, "--threshold") == 0) return read_threshold(o, word);
     if (strcmp(name, "--friction") == 0)
         return number(name, word, 0, 10, &p->friction);

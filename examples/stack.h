@@ -84,8 +84,8 @@ struct stack_options {
 
 STACK_API struct stack_options stack_defaults(void)
 {
-    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 3, 0.4,
-                               -1, 1, 16, 0, NULL };
+    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0, 0.4,
+                               -1, 1, 32, 0, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
