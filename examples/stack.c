@@ -49,6 +49,8 @@ static const char help[] =
 "      --walls N         best: so many walls are built; default 32\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
 "                        margin, the default, or load\n"
+"      --beat F,M        best: a wall with more filling than F and a limit\n"
+"                        multiplier above M is wanted; implies --goal load\n"
 "      --out FILE        the wall; default wall.kern\n"
 "      --svg FILE        its picture; default wall.svg\n"
 "      --film FILE       a picture that shows how it is built\n"
@@ -122,6 +124,19 @@ static int read_threshold(struct settings *o, const char *word)
                                &o->plan.threshold[k]);
 }
 
+static int read_beat(struct settings *o, const char *word)
+{
+    char fill[40];
+    size_t length = strcspn(word, ",");
+    if (word[length] == '\0' || length >= sizeof fill)
+        return fail("--beat", "FILLING,MULTIPLIER is expected");
+    memcpy(fill, word, length);
+    fill[length] = '\0';
+    o->plan.load = 1;
+    return number("--beat", fill, 1e-3, 1, &o->plan.beat[0]) ||
+           number("--beat", word + length + 1, 1e-3, 10, &o->plan.beat[1]);
+}
+
 /* An option with a value. Returns 0, or -1 where something is wrong. */
 static int read_option(struct settings *o, const char *name, const char *word)
 {
@@ -163,6 +178,7 @@ static int read_option(struct settings *o, const char *name, const char *word)
         return whole(name, word, 1, 100000, &p->walls);
     if (strcmp(name, "--levels") == 0)
         return whole(name, word, 0, STACK_FILTERS, &p->levels);
+    if (strcmp(name, "--beat") == 0) return read_beat(o, word);
     if (strcmp(name, "--threshold") == 0) return read_threshold(o, word);
     if (strcmp(name, "--friction") == 0)
         return number(name, word, 0, 10, &p->friction);
@@ -343,7 +359,7 @@ static double fill_of(const struct measures_of *m, double width, double height)
 static int print_other(const struct settings *o, const char *path, double size)
 {
     struct measures_of m;
-    kern_margin out;
+    kern_margin out = { 0, 0, 0, 0, 0, 0, 0 };
     double collapse = 0;
     int stones = 0;
     if (measures_load(&m, path) ||

@@ -78,6 +78,8 @@ struct stack_options {
     uint64_t seed;          /* of what `best` leaves to chance            */
     int walls;              /* that `best` builds                         */
     int load;               /* its goal: the load factor, not the margin  */
+    double beat[2];         /* with that goal: a filling and a limit
+                               multiplier that both are to be exceeded    */
     /* called before each stone, if not NULL, where someone may wait      */
     void (*progress)(const struct stack_wall *w, int wall);
 };
@@ -85,7 +87,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0, 0.4,
-                               -1, 1, 32, 0, NULL };
+                               -1, 1, 32, 0, { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
@@ -118,8 +120,8 @@ struct stack_wall {
     int columns;
     struct rest_near near;  /* room for the edges of all                 */
     int walls;              /* that `best` has built                     */
-    int tried;              /* candidates                                */
-    int asked;              /* of these, kern was asked about            */
+    int tried;              /* stones let down that came to rest         */
+    int asked;              /* candidates that kern was asked about      */
     double asking;          /* CPU seconds that took                     */
     int swayed, slipped;    /* let go in the simulator; moved            */
     double swaying;         /* CPU seconds that took                     */
@@ -939,35 +941,53 @@ static void stack_give_up(struct stack_wall *w)
              w->stock->stones - w->laid);
 }
 
-/* Chooses and lays one stone; with `second` not the first choice. Returns 1
-   where it is laid, 0 where none can be, -1 where memory is lacking. */
-static int stack_step(struct stack_wall *w, struct stack_list *list, int second)
+/* Chooses and lays one stone. Returns 1 where it is laid, 0 where none can be,
+   -1 where memory is lacking. */
+static int stack_step(struct stack_wall *w, struct stack_list *list,
+                      double share, struct build *chance)
 {
     int best = -1;
     for (int fine = 0; fine < 2 && best < 0; fine++) {
-        if (stack_propose(w, list, 1, NULL, fine)) return -1;
-        best = stack_choose(w, list);
-        if (best < 0 || !second) continue;
-        stack_strike(list, best);
+        if (stack_propose(w, list, share, chance, fine)) return -1;
         best = stack_choose(w, list);
     }
     return best >= 0 && !stack_lay(w, &list->one[best].place);
 }
 
+/* Takes all stones off and lays others. Returns 0, or -1. */
+static int stack_restore(struct stack_wall *w, const struct stack_place *place,
+                         int laid)
+{
+    int bad = 0;
+    stack_cut(w, 0);
+    for (int i = 0; i < laid && !bad; i++) bad = stack_lay(w, &place[i]);
+    return bad;
+}
+
 /* Builds a wall by the filters. Where a number of stones is asked for and there
    is no place for the next one, some are taken off again, more from time to
-   time, and it goes on with a second choice. Returns 0, or -1 where memory is
-   lacking; w->message says why it ended. */
+   time, and it goes on with half of the candidates, by chance; it keeps the
+   longest. Returns 0, or -1 where memory is lacking; w->message says why it
+   ended. */
 STACK_API int stack_build(struct stack_wall *w)
 {
-    enum { RETREATS = 12 };
+    enum { RETREATS = 20 };
+    const int asked = w->options.most <= w->stock->stones;
     struct stack_list list = { NULL, 0, 0 };
-    int laid = 1, retreats = 0;
+    struct build *chance = calloc(1, sizeof *chance);
+    struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
+    int laid = chance && kept ? 1 : -1, retreats = 0, most = 0;
+    if (chance) chance->state = w->options.seed + 1;
     while (laid >= 0 && !stack_ends(w)) {
         if (w->options.progress) w->options.progress(w, 1);
-        laid = stack_step(w, &list, laid == 0);
+        laid = stack_step(w, &list, retreats ? 0.5 : 1, chance);
         if (laid != 0) continue;
-        if (w->options.most > w->stock->stones || retreats == RETREATS) {
+        if (w->laid > most) {
+            most = w->laid;
+            memcpy(kept, w->place, (size_t)most * sizeof *kept);
+        }
+        if (!asked || retreats == RETREATS) {
+            if (w->laid < most && stack_restore(w, kept, most)) laid = -1;
             stack_give_up(w);
             break;
         }
@@ -975,6 +995,8 @@ STACK_API int stack_build(struct stack_wall *w)
         stack_cut(w, w->laid > 2 * retreats ? w->laid - 2 * retreats : 0);
     }
     free(list.one);
+    free(chance);
+    free(kept);
     return laid < 0 ? -1 : 0;
 }
 
@@ -1137,6 +1159,10 @@ static double stack_value(struct stack_wall *w)
     if (w->options.load) {
         double limit = stack_limit(&w->plan.s, w->plan.contact, &w->work);
         stable = limit < 0 ? 1e-3 * stable : limit;
+        if (stack_fill(w) > w->options.beat[0] && w->options.beat[0] > 0 &&
+            limit > w->options.beat[1])
+            return fmin(stack_fill(w) / w->options.beat[0],
+                        limit / w->options.beat[1]); /* above all others */
     }
     return stable * stack_worth(stack_fill(w));
 }
@@ -1216,9 +1242,7 @@ STACK_API int stack_best(struct stack_wall *w)
             g.levels = i == 0 ? options.levels : -1;
         }
         w->walls = i;
-        stack_cut(w, 0);
-        for (int k = 0; k < from && !bad; k++) bad = stack_lay(w, &kept[k]);
-        bad = bad || stack_grow(w, &list, &g, chance, &r);
+        bad = stack_restore(w, kept, from) || stack_grow(w, &list, &g, chance, &r);
         value = stack_value(w);
         if (value <= most) continue;
         most = value;
@@ -1226,8 +1250,7 @@ STACK_API int stack_best(struct stack_wall *w)
         keep = w->laid;
         memcpy(kept, w->place, (size_t)keep * sizeof *kept);
     }
-    stack_cut(w, 0);
-    for (int k = 0; k < keep && !bad; k++) bad = stack_lay(w, &kept[k]);
+    if (!bad) bad = stack_restore(w, kept, keep);
     w->options = options;
     if (!stack_ends(w)) stack_give_up(w);
     free(list.one);

@@ -314,7 +314,7 @@ static void test_walls(int seeds)
                 o.height = 12;
                 o.most = 30;
                 o.planner = (enum stack_planner)p;
-                o.walls = 4;
+                o.walls = 8;
                 o.seed = (uint64_t)seed;
                 stones_make(&stock, level, 36, (uint64_t)(500 + seed));
                 if (stack_open(&w, &stock, &o) ||
