@@ -8,7 +8,13 @@
    filters then keeps the good ones; each is a number and a threshold, see
    stack_filter. The kern filter asks a plan of the wall for the level that the
    wall would have with each candidate, and drops those below the mean. What is
-   left is laid where it has most of the first feature.
+   left is laid where it has most of the first feature, if it also stays there
+   in the simulator: forces that hold it may exist, and it slides yet.
+
+   Features and hierarchy are those that the heuristic planner of V. Thangavelu,
+   Y. Liu, M. Saboia and N. Napp (Dry stacking for automated construction with
+   irregular objects, ICRA 2018) is described with, the kern filter that of the
+   paper; the formulas beside the functions say what is meant here.
 
    The planners: `heuristic` has no kern filter, `combined` has. `best` builds
    several walls, see stack_best().
@@ -1150,21 +1156,24 @@ static int stack_grow(struct stack_wall *w, struct stack_list *list,
 }
 
 /* What `best` wants to be high. A wall without a limit is worth less than any
-   that has one, and one that lacks stones that were asked for less still. */
+   that has one, and one that lacks stones that were asked for less still. What
+   is to be exceeded counts little more once it is. */
 static double stack_value(struct stack_wall *w)
 {
-    double stable = w->m.margin / w->stock->size;
+    const double enough = 1.05, *beat = w->options.beat;
+    double fill = stack_fill(w), stable = w->m.margin / w->stock->size;
     if (w->options.most <= w->stock->stones && w->laid < w->options.most)
         return w->laid - w->options.most;
-    if (w->options.load) {
-        double limit = stack_limit(&w->plan.s, w->plan.contact, &w->work);
-        stable = limit < 0 ? 1e-3 * stable : limit;
-        if (stack_fill(w) > w->options.beat[0] && w->options.beat[0] > 0 &&
-            limit > w->options.beat[1])
-            return fmin(stack_fill(w) / w->options.beat[0],
-                        limit / w->options.beat[1]); /* above all others */
+    if (!w->options.load) return stable * stack_worth(fill);
+    double limit = stack_limit(&w->plan.s, w->plan.contact, &w->work);
+    if (limit < 0) limit = 1e-3 * stable;
+    if (beat[0] > 0 && fill > beat[0] && limit > beat[1])
+        return 1 + fmin(fill / beat[0], limit / beat[1]);
+    if (beat[0] > 0) {
+        fill = fmin(fill, enough * beat[0]);
+        limit = fmin(limit, enough * beat[1]);
     }
-    return stable * stack_worth(stack_fill(w));
+    return limit * stack_worth(fill);
 }
 
 static double stack_between(struct build *chance, double low, double high)
@@ -1216,7 +1225,8 @@ STACK_API int stack_best(struct stack_wall *w)
     const struct stack_options options = w->options;
     struct stack_weights good;
     struct stack_skies r;
-    const size_t n = 4 * (size_t)w->columns * sizeof(double);
+    const size_t n = ((size_t)w->columns + 2 * STACK_COLUMNS)
+                   * sizeof(double);
     int bad, keep = 0;
     double most = -HUGE_VAL;
     r.now = malloc(n);
@@ -1242,7 +1252,8 @@ STACK_API int stack_best(struct stack_wall *w)
             g.levels = i == 0 ? options.levels : -1;
         }
         w->walls = i;
-        bad = stack_restore(w, kept, from) || stack_grow(w, &list, &g, chance, &r);
+        bad = stack_restore(w, kept, from) ||
+              stack_grow(w, &list, &g, chance, &r);
         value = stack_value(w);
         if (value <= most) continue;
         most = value;
