@@ -217,7 +217,7 @@ static int read_arguments(struct settings *o, int argc, char **argv)
         }
     }
     if (!o->stock == (o->irregularity < 0))
-        return fail("stack", "either a STOCK or --irregularity is expected; "
+        return fail("usage", "either a STOCK or --irregularity is expected; "
                              "see --help");
     return 0;
 }
@@ -414,10 +414,11 @@ static int choose_frame(struct settings *o, const struct stones *stock)
 
 static void report(const struct stack_wall *w, double seconds)
 {
-    fprintf(stderr, "stack: %d stones laid in %.2f s: %s\n", w->laid, seconds,
+    fprintf(stderr, "\nstack: %d stones laid in %.2f s: %s\n", w->laid, seconds,
             w->message);
-    fprintf(stderr, "stack: %d candidates, %.0f a second; kern was asked about "
-            "%d, %.0f a second; %d were let go in the simulator, %d moved\n",
+    fprintf(stderr, "stack: %d candidates came to rest, %.0f a second; kern was "
+            "asked about %d, %.0f a second; %d were let go in the simulator, "
+            "%d moved\n",
             w->tried, w->tried / fmax(seconds, 1e-9), w->asked,
             w->asked / fmax(w->asking, 1e-9), w->swayed, w->slipped);
 }
@@ -429,7 +430,7 @@ static int build(struct settings *o, const struct stones *stock)
     int bad = choose_frame(o, stock);
     if (bad) return EXIT_BAD;
     bad = stack_open(&w, stock, &o->plan) || stack_plan(&w);
-    if (bad) fail("stack", "not enough memory");
+    if (bad) fail("planner", "not enough memory");
     if (!bad) report(&w, (double)(clock() - start) / CLOCKS_PER_SEC);
     if (!bad && w.laid == 0) {
         stack_free(&w);
@@ -444,10 +445,13 @@ static int build(struct settings *o, const struct stones *stock)
     return bad ? EXIT_BAD : EXIT_DONE;
 }
 
+/* A dot a wall, and for the planners that build only one a dot a stone. */
 static void show_progress(const struct stack_wall *w, int wall)
 {
-    fprintf(stderr, "\rstack: wall %d, stone %d  ", wall, w->laid);
-    if (w->laid == 0) fprintf(stderr, "\r%30s\r", "");
+    static int shown;
+    if (w->options.planner == STACK_BEST && wall == shown) return;
+    shown = wall;
+    fputc('.', stderr);
     fflush(stderr);
 }
 

@@ -1111,6 +1111,7 @@ static int stack_pick(struct stack_wall *w, struct stack_list *list,
                 - g->edges * c->feature[STACK_EDGES]
                 + g->noise * build_uniform(chance, 0, 1);
     }
+    if (list->count == 0) return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
     for (int from = 0; from < list->count; from += stand) {
         stand = 0;

@@ -133,7 +133,7 @@ static int walls_build(const struct walls *f, const struct stones *stock,
 
 /* ---- Fig. 8 -------------------------------------------------------------- */
 
-static const double walls_wide = 300, walls_high = 190, walls_left = 40,
+static const double walls_wide = 300, walls_high = 212, walls_left = 40,
                     walls_top = 40;
 
 /* One wall in its place: levels downwards, planners to the right. */
