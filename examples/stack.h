@@ -331,21 +331,22 @@ STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
                              kern_work *work)
 {
     const double friction = 0.58;
+    const int contacts = s->contacts;
     const kern_options options = kern_defaults();
     kern_structure joint = *s;
-    kern_real factor[2] = { 0, 0 }, *mu = malloc(((size_t)s->contacts + 1)
-                                                 * sizeof *mu);
-    int falls = !mu;
+    kern_real factor[2] = { 0, 0 };
+    kern_real *mu = calloc((size_t)contacts + 1, sizeof *mu);
+    int falls = 0;
     if (!mu) return -1;
     joint.contact = contact;
-    for (int i = 0; i < s->contacts; i++) {
+    for (int i = 0; i < contacts; i++) {
         mu[i] = contact[i].mu;
         contact[i].mu = stack_is_joint(&contact[i]) ? 0 : friction;
     }
     for (int k = 0; k < 2; k++)
         falls |= kern_load_factor(&joint, 0, NULL, k ? 1 : -1, &options, work,
                                   &factor[k], NULL) != KERN_STANDS;
-    for (int i = 0; i < s->contacts; i++) contact[i].mu = mu[i];
+    for (int i = 0; i < contacts; i++) contact[i].mu = mu[i];
     free(mu);
     return falls ? -1 : fmin(factor[0], factor[1]);
 }
@@ -1186,7 +1187,8 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
                                         struct build *chance)
 {
     struct stack_weights g;
-    g.filters = build_uniform(chance, 0, 1) < 0.5;
+    /* the filters know levels, not loads */
+    g.filters = build_uniform(chance, 0, 1) < 0.5 && !o->load;
     for (int k = 0; k < STACK_FILTERS; k++)
         g.threshold[k] = o->threshold[k] * stack_between(chance, 0.4, 2.5);
     g.levels = (int)build_uniform(chance, 0, STACK_FILTERS + 1);
@@ -1198,6 +1200,7 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
     g.edges = stack_between(chance, 0.02, 0.5);
     g.noise = stack_between(chance, 0.005, 0.1);
     g.share = build_uniform(chance, 0.15, 0.6);
+    if (o->load) g.share = fmin(1, 2 * g.share);
     return g;
 }
 
@@ -1246,7 +1249,7 @@ STACK_API int stack_best(struct stack_wall *w)
         int from = fresh ? 0 : (int)build_uniform(chance, 0, keep - 1);
         if (!fresh && build_uniform(chance, 0, 1) < 0.6)
             g = stack_vary(good, chance);
-        if (i < 2) { /* as the other planners do */
+        if (i < 2 && !options.load) { /* as the other planners do */
             memcpy(g.threshold, options.threshold, sizeof g.threshold);
             g.filters = 1;
             g.share = 1;
