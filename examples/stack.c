@@ -46,7 +46,8 @@ static const char help[] =
 "      --friction MU     default 0.4\n"
 "      --joints MU       friction in head joints, steeper than 45 degrees, in\n"
 "                        what kern is asked; default as everywhere\n"
-"      --walls N         best: so many walls are built; default 32\n"
+"      --walls N         best: so many walls are built; default 32, and fewer\n"
+"                        where these take more than some seconds\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
 "                        margin, the default, or load\n"
 "      --beat F,M        best: a wall with more filling than F and a limit\n"
@@ -174,8 +175,10 @@ static int read_option(struct settings *o, const char *name, const char *word)
         return whole(name, word, 1, STONES_MOST, &p->most);
     if (strcmp(name, "--look") == 0)
         return whole(name, word, 1, STONES_MOST, &p->look);
-    if (strcmp(name, "--walls") == 0)
+    if (strcmp(name, "--walls") == 0) {
+        p->effort = 0;
         return whole(name, word, 1, 100000, &p->walls);
+    }
     if (strcmp(name, "--levels") == 0)
         return whole(name, word, 0, STACK_FILTERS, &p->levels);
     if (strcmp(name, "--beat") == 0) return read_beat(o, word);

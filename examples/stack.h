@@ -83,6 +83,8 @@ struct stack_options {
     double joints;          /* friction in head joints; < 0: the same     */
     uint64_t seed;          /* of what `best` leaves to chance            */
     int walls;              /* that `best` builds                         */
+    int effort;             /* no further one after so many candidates and
+                               questions to kern; 0: no such limit        */
     int load;               /* its goal: the load factor, not the margin  */
     double beat[2];         /* with that goal: a filling and a limit
                                multiplier that both are to be exceeded    */
@@ -93,7 +95,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0, 0.4,
-                               -1, 1, 32, 0, { 0, 0 }, NULL };
+                               -1, 1, 32, 280000, 0, { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
@@ -1242,10 +1244,11 @@ STACK_API int stack_best(struct stack_wall *w)
           !r.closed[1];
     if (!bad) chance->state = w->options.seed * UINT64_C(2862933555777941757)
                             + 3037000493u;
-    for (int i = 0; i < w->options.walls && !bad; i++) {
-        const int fresh = keep == 0 || i < w->options.walls / 4;
+    for (int i = 0; i < options.walls && !bad; i++) {
+        const int fresh = keep == 0 || i < options.walls / 4;
         struct stack_weights g = stack_weigh(&options, chance);
         double value;
+        if (options.effort > 0 && w->tried + w->asked > options.effort) break;
         int from = fresh ? 0 : (int)build_uniform(chance, 0, keep - 1);
         if (!fresh && build_uniform(chance, 0, 1) < 0.6)
             g = stack_vary(good, chance);
