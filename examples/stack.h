@@ -353,7 +353,8 @@ STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
     return falls ? -1 : fmin(factor[0], factor[1]);
 }
 
-/* Writes it in the text format. Returns 0, or -1. */
+/* Writes it in the text format, every digit: stones that were laid corner to
+   corner touch or do not by the last of them. Returns 0, or -1. */
 STACK_API int stack_write(const struct stack_wall *w, const char *path)
 {
     FILE *out = fopen(path, "w");
@@ -365,7 +366,7 @@ STACK_API int stack_write(const struct stack_wall *w, const char *path)
     for (int i = 0; i < w->laid; i++) {
         fprintf(out, "\nblock s%d *", w->place[i].stone);
         for (int k = 0; k < w->stone[i].n; k++)
-            fprintf(out, "  %.9g %.9g", w->stone[i].v[k].x,
+            fprintf(out, "  %.17g %.17g", w->stone[i].v[k].x,
                     w->stone[i].v[k].y);
     }
     fputs("\n", out);
