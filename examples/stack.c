@@ -41,8 +41,8 @@ static const char help[] =
 "                        default 6\n"
 "      --threshold F=T   how much worse than the best candidate one may be in\n"
 "                        a feature: edges, hole, neighbours, slope, bond\n"
-"      --levels K        combined: the kern filter comes after K of these five;\n"
-"                        default 0\n"
+"      --levels K        combined: the kern filter comes after K of these\n"
+"                        five; default 0\n"
 "      --friction MU     default 0.4\n"
 "      --joints MU       friction in head joints, steeper than 45 degrees, in\n"
 "                        what kern is asked; default as everywhere\n"
@@ -419,8 +419,8 @@ static void report(const struct stack_wall *w, double seconds)
 {
     fprintf(stderr, "\nstack: %d stones laid in %.2f s: %s\n", w->laid, seconds,
             w->message);
-    fprintf(stderr, "stack: %d candidates came to rest, %.0f a second; kern was "
-            "asked about %d, %.0f a second; %d were let go in the simulator, "
+    fprintf(stderr, "stack: %d candidates came to rest, %.0f a second; kern "
+            "was asked about %d, %.0f a second; %d were let go in the simulator, "
             "%d moved\n",
             w->tried, w->tried / fmax(seconds, 1e-9), w->asked,
             w->asked / fmax(w->asking, 1e-9), w->swayed, w->slipped);

@@ -94,8 +94,8 @@ struct stack_options {
 
 STACK_API struct stack_options stack_defaults(void)
 {
-    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0, 0.4,
-                               -1, 1, 32, 280000, 0, { 0, 0 }, NULL };
+    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0,
+                               0.4, -1, 1, 32, 280000, 0, { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
@@ -206,7 +206,8 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
     if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
-        !w->plan.contact || !w->plan.known.basis || !w->basis || !w->place || !w->used ||
+        !w->plan.contact || !w->plan.known.basis || !w->basis || !w->place ||
+        !w->used ||
         !w->sky || !w->owner || !w->near.edge)
         return -1;
     w->ground[0] = stones_vec(-1, -0.5);
@@ -327,7 +328,8 @@ STACK_API double stack_quality(double stability, double fill)
 }
 
 /* The limit multiplier: the largest horizontal acceleration in units of gravity
-   to the weaker side, with a friction of 0.58 and none in head joints; -1 where it does not stand at all so.
+   to the weaker side, with a friction of 0.58 and none in head joints;
+   -1 where it does not stand at all so.
    Frictions of the contacts are as before afterwards. */
 STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
                              kern_work *work)
@@ -886,8 +888,8 @@ static int stack_prove(struct stack_wall *w, struct stack_list *list)
    that they left fall, they begin again without these. */
 static int stack_filter(struct stack_wall *w, struct stack_list *list)
 {
-    const int levels = w->options.planner == STACK_HEURISTIC ? -1
-                                                             : w->options.levels;
+    const int levels = w->options.planner == STACK_HEURISTIC
+                     ? -1 : w->options.levels;
     int best = -1, k = 0;
     while (k <= STACK_FILTERS) {
         if (k == 0)

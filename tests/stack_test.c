@@ -122,7 +122,8 @@ static void test_generator(void)
 {
     static const struct shape wanted[] = {
         { 4.4, 0.92, 1.52, 0.18, 5.5, 84 }, { 4.7, 0.85, 1.53, 0.22, 11.5, 79 },
-        { 5.1, 0.81, 1.55, 0.27, 16.3, 77 }, { 5.1, 0.76, 1.62, 0.31, 19.5, 73 },
+        { 5.1, 0.81, 1.55, 0.27, 16.3, 77 },
+        { 5.1, 0.76, 1.62, 0.31, 19.5, 73 },
         { 5.0, 0.73, 1.64, 0.36, 22.1, 68 },
     };
     for (int l = 0; l < 5; l++) {
@@ -363,7 +364,9 @@ static void test_filters(void)
     int kept = 0;
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = 0;
     stones_make(&stock, 30, 10, 5);
-    if (stack_open(&w, &stock, &o) || stack_propose(&w, &list, 1, NULL, 0)) return;
+    if (stack_open(&w, &stock, &o) ||
+        stack_propose(&w, &list, 1, NULL, 0))
+        return;
     check(list.count > 20, "candidates on the ground", list.count, 20);
     for (int k = 0; k < STACK_FILTERS; k++) stack_sift(&w, &list, k);
     for (int i = 0; i < list.count; i++) kept += !list.one[i].out;
