@@ -12,6 +12,11 @@
        cc -O2 -ffp-contract=off -o figures examples/figures.c -lm
        mkdir -p out/structures && ./figures out
 
+   With --walls it builds walls with the planners of stack.h instead, and
+   writes what walls.h says: Figs. 8 and 9.
+
+       mkdir -p out/walls && ./figures --walls out
+
    SPDX-License-Identifier: MIT */
 
 #define KERN_IMPLEMENTATION
@@ -26,13 +31,21 @@
 #include "plot.h"
 #include "table.h"
 
+#include "stones.h"
+#include "stack.h"
+#include "walls.h"
+
 enum { PATH = 4096, LEVELS = 20 };
 
 static const char help[] =
 "usage: figures [--quick] FOLDER\n"
+"       figures --walls [--quick] [--sets N] FOLDER\n"
 "Builds and shakes structures, and writes the table and the figures of the\n"
 "paper into FOLDER, which must hold a folder `structures`.\n"
-"  --quick   few structures, each shaken once\n";
+"  --walls   Figs. 8 and 9 instead: walls of the planners of stack.h, from N\n"
+"            stocks a level of irregularity, 20 if not told otherwise;\n"
+"            FOLDER must hold a folder `walls`\n"
+"  --quick   few structures, each shaken once; 2 stocks a level\n";
 
 struct sample {
     char name[40], path[PATH];
@@ -418,18 +431,25 @@ static int figure_seven(const struct figures *f)
 int main(int argc, char **argv)
 {
     struct figures f = { NULL, 0, 0, NULL };
-    int bad;
+    int bad, walls = 0, sets = 0;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0)
             return fputs(help, stdout) < 0 ? 2 : 0;
         if (strcmp(argv[i], "--quick") == 0) f.quick = 1;
+        else if (strcmp(argv[i], "--walls") == 0) walls = 1;
+        else if (strcmp(argv[i], "--sets") == 0 && i + 1 < argc &&
+                 atoi(argv[i + 1]) > 0)
+            sets = atoi(argv[++i]);
         else if (argv[i][0] != '-' && !f.folder) f.folder = argv[i];
         else f.folder = NULL, i = argc;
     }
-    if (!f.folder) {
+    if (!f.folder || (sets > 0 && !walls) || sets > 1000) {
         fputs(help, stderr);
         return 2;
     }
+    if (walls)
+        return walls_all(f.folder, sets > 0 ? sets : f.quick ? 2 : 20,
+                         f.quick) ? 2 : 0;
     bad = make_samples(&f) || table_one(&f) || figure_three(&f) ||
           figure_six(&f) || figure_seven(&f);
     for (int i = 0; i < f.samples && f.sample; i++) {

@@ -1,0 +1,478 @@
+/* stack - builds a wall from a stock of irregular stones.
+
+   Lays one stone after the other where it rests on those below, and asks the
+   library how safely the wall would stand with each candidate. The stock is
+   the blocks of a structure file, in any pose, or is made by the program.
+
+       cc -O2 -ffp-contract=off -o stack examples/stack.c -lm
+       ./stack --irregularity 30 --stones 36
+       ./stack --help
+
+   SPDX-License-Identifier: MIT */
+
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+
+#include "draw.h"
+#include "rigid.h"
+#include "text.h"
+
+#include "build.h"
+#include "measures.h"
+#include "stones.h"
+#include "stack.h"
+#include "table.h"
+
+static const char help[] =
+"usage: stack [options] STOCK\n"
+"       stack [options] --irregularity L\n"
+"Builds a wall of stones and writes it as a structure, with a picture and a\n"
+"table. STOCK is a structure file, - is stdin: its blocks are the stock.\n"
+"\n"
+"      --irregularity L  makes a stock instead, of L per cent: 0 to 60\n"
+"      --stones N        of so many stones; default 36\n"
+"      --seed S          of the stock and of the planner best; default 1\n"
+"      --planner P       heuristic, combined or best, the default\n"
+"  -w, --width W         of the frame to be filled, in the units of the stock\n"
+"  -h, --height H        of it; default: 16:9, room for 4/3 of the stock\n"
+"      --boxes N         a frame of N mean bounding boxes each way instead\n"
+"      --most N          lay so many stones at the most\n"
+"      --look N          the next N stones of the stock are candidates;\n"
+"                        default 6\n"
+"      --threshold F=T   how much worse than the best candidate one may be in\n"
+"                        a feature: edges, hole, neighbours, slope, bond\n"
+"      --levels K        combined: the kern filter comes after K of these\n"
+"                        five; default 0\n"
+"      --friction MU     default 0.4\n"
+"      --joints MU       friction in head joints, steeper than 45 degrees, in\n"
+"                        what kern is asked; default as everywhere\n"
+"      --walls N         best: so many walls are built; default 32, and fewer\n"
+"                        where these take more than some seconds\n"
+"      --goal G          best: what it wants to be high beside the filling:\n"
+"                        margin, the default, or load\n"
+"      --beat F,M        best: a wall with more filling than F and a limit\n"
+"                        multiplier above M is wanted; implies --goal load\n"
+"      --out FILE        the wall; default wall.kern\n"
+"      --svg FILE        its picture; default wall.svg\n"
+"      --film FILE       a picture that shows how it is built\n"
+"      --steps NAME      a picture a step: NAME-01.svg and so on\n"
+"      --against FILE    another wall, for the same table\n"
+"      --no-shaking      leave out the shaking test\n"
+"      --help, --version\n"
+"\n"
+"Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
+
+enum { EXIT_DONE = 0, EXIT_NONE = 1, EXIT_BAD = 2, PATH = 4096,
+       SHAKE_LEVELS = 20 };
+
+struct settings {
+    struct stack_options plan;
+    const char *stock, *out, *svg, *film, *steps, *against;
+    double irregularity, boxes;
+    int stones, shaking;
+};
+
+static int fail(const char *what, const char *why)
+{
+    fprintf(stderr, "stack: %s: %s\n", what, why);
+    return -1;
+}
+
+/* ---- The command line ---------------------------------------------------- */
+
+/* Reads a number in [low, high]. */
+static int number(const char *name, const char *word, double low, double high,
+                  double *out)
+{
+    char why[120];
+    kern_real value;
+    if (word && text_number(word, &value) && value >= low && value <= high) {
+        *out = value;
+        return 0;
+    }
+    snprintf(why, sizeof why, "a number from %g to %g is expected", low, high);
+    return fail(name, why);
+}
+
+static int whole(const char *name, const char *word, int low, int high,
+                 int *out)
+{
+    double value;
+    if (number(name, word, low, high, &value)) return -1;
+    if (value > floor(value)) return fail(name, "a whole number is expected");
+    *out = (int)value;
+    return 0;
+}
+
+/* One of some names; returns its index, or -1. */
+static int one_of(const char *name, const char *word, size_t length,
+                  const char *const *list, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (strlen(list[i]) == length && strncmp(list[i], word, length) == 0)
+            return i;
+    return fail(name, "no such name; see --help");
+}
+
+static int read_threshold(struct settings *o, const char *word)
+{
+    size_t length = word ? strcspn(word, "=") : 0;
+    int k;
+    if (!word || word[length] == '\0')
+        return fail("--threshold", "FEATURE=NUMBER is expected");
+    k = one_of("--threshold", word, length, stack_filter_name, STACK_FILTERS);
+    return k < 0 ? -1 : number("--threshold", word + length + 1, 0, 1e9,
+                               &o->plan.threshold[k]);
+}
+
+static int read_beat(struct settings *o, const char *word)
+{
+    char fill[40];
+    size_t length = strcspn(word, ",");
+    if (word[length] == '\0' || length >= sizeof fill)
+        return fail("--beat", "FILLING,MULTIPLIER is expected");
+    memcpy(fill, word, length);
+    fill[length] = '\0';
+    o->plan.load = 1;
+    return number("--beat", fill, 1e-3, 1, &o->plan.beat[0]) ||
+           number("--beat", word + length + 1, 1e-3, 10, &o->plan.beat[1]);
+}
+
+/* An option with a value. Returns 0, or -1 where something is wrong. */
+static int read_option(struct settings *o, const char *name, const char *word)
+{
+    static const char *const goal[] = { "margin", "load" };
+    struct stack_options *p = &o->plan;
+    int k, bad;
+    if (!word) return fail(name, "a value is expected");
+    if (strcmp(name, "--irregularity") == 0)
+        return number(name, word, 0, 60, &o->irregularity);
+    if (strcmp(name, "--stones") == 0)
+        return whole(name, word, 1, STONES_MOST, &o->stones);
+    if (strcmp(name, "--seed") == 0) {
+        bad = whole(name, word, 0, INT_MAX, &k);
+        if (!bad) p->seed = (uint64_t)k;
+        return bad;
+    }
+    if (strcmp(name, "--planner") == 0) {
+        k = one_of(name, word, strlen(word), stack_planner_name,
+                   STACK_PLANNERS);
+        if (k >= 0) p->planner = (enum stack_planner)k;
+        return k < 0 ? -1 : 0;
+    }
+    if (strcmp(name, "--goal") == 0) {
+        k = one_of(name, word, strlen(word), goal, 2);
+        p->load = k == 1;
+        return k < 0 ? -1 : 0;
+    }
+    if (strcmp(name, "--width") == 0 || strcmp(name, "-w") == 0)
+        return number(name, word, 1e-3, 1e6, &p->width);
+    if (strcmp(name, "--height") == 0 || strcmp(name, "-h") == 0)
+        return number(name, word, 1e-3, 1e6, &p->height);
+    if (strcmp(name, "--boxes") == 0)
+        return number(name, word, 1, 1000, &o->boxes);
+    if (strcmp(name, "--most") == 0)
+        return whole(name, word, 1, STONES_MOST, &p->most);
+    if (strcmp(name, "--look") == 0)
+        return whole(name, word, 1, STONES_MOST, &p->look);
+    if (strcmp(name, "--walls") == 0) {
+        p->effort = 0;
+        return whole(name, word, 1, 100000, &p->walls);
+    }
+    if (strcmp(name, "--levels") == 0)
+        return whole(name, word, 0, STACK_FILTERS, &p->levels);
+    if (strcmp(name, "--beat") == 0) return read_beat(o, word);
+    if (strcmp(name, "--threshold") == 0) return read_threshold(o, word);
+    if (strcmp(name, "--friction") == 0)
+        return number(name, word, 0, 10, &p->friction);
+    if (strcmp(name, "--joints") == 0)
+        return number(name, word, 0, 10, &p->joints);
+    if (strcmp(name, "--out") == 0) o->out = word;
+    else if (strcmp(name, "--svg") == 0) o->svg = word;
+    else if (strcmp(name, "--film") == 0) o->film = word;
+    else if (strcmp(name, "--steps") == 0) o->steps = word;
+    else if (strcmp(name, "--against") == 0) o->against = word;
+    else return fail(name, "no such option; see --help");
+    return 0;
+}
+
+/* Returns 0, -1 where something is wrong, 1 where all is said. */
+static int read_arguments(struct settings *o, int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0) {
+            fputs(help, stdout);
+            return 1;
+        }
+        if (strcmp(argv[i], "--version") == 0) {
+            printf("stack %s\n", KERN_VERSION);
+            return 1;
+        }
+        if (strcmp(argv[i], "--no-shaking") == 0) {
+            o->shaking = 0;
+        } else if (argv[i][0] == '-' && argv[i][1] != '\0') {
+            if (read_option(o, argv[i], argv[i + 1])) return -1;
+            i++;
+        } else if (o->stock) {
+            return fail(argv[i], "there is a stock already");
+        } else {
+            o->stock = argv[i];
+        }
+    }
+    if (!o->stock == (o->irregularity < 0))
+        return fail("usage", "either a STOCK or --irregularity is expected; "
+                             "see --help");
+    return 0;
+}
+
+/* ---- Pictures ------------------------------------------------------------ */
+
+static int draw_wall(const struct stack_wall *w, const char *path)
+{
+    struct draw_scene scene = { 0 };
+    char caption[200];
+    FILE *out = fopen(path, "w");
+    int bad;
+    if (!out) return fail(path, strerror(errno));
+    snprintf(caption, sizeof caption, "%s: %d stones, filling %.3f, level %d, "
+             "margin %.3g", stack_planner_name[w->options.planner], w->laid,
+             stack_fill(w), w->m.level, w->m.margin);
+    scene.s = &w->plan.s;
+    scene.limiting = -1;
+    scene.caption = caption;
+    bad = draw_svg(out, &scene);
+    bad |= fclose(out);
+    return bad ? fail(path, "cannot be written") : 0;
+}
+
+/* Stones appear one after the other, and it begins again. */
+static int draw_film(const struct stack_wall *w, const char *path)
+{
+    const double each = 0.4, hold = 3, all = each * w->laid + hold;
+    FILE *out = fopen(path, "w");
+    struct draw_view v;
+    int bad;
+    if (!out) return fail(path, strerror(errno));
+    stack_view(w, &v, DRAW_WIDTH);
+    v.out = out;
+    draw_begin(out, DRAW_WIDTH, v.top + (v.high.y - v.low.y) * v.scale
+                                + DRAW_PAD);
+    stack_draw_frame(w, &v);
+    for (int i = 0; i < w->laid; i++) {
+        double at = each * i / all;
+        fprintf(out, "<g><animate attributeName=\"opacity\" dur=\"%.2fs\" "
+                "repeatCount=\"indefinite\" calcMode=\"discrete\" "
+                "keyTimes=\"0;%.4f\" values=\"0;1\"/>\n", all,
+                fmax(at, 0.0001));
+        stack_draw_stone(w, &v, i);
+        fputs("</g>\n", out);
+    }
+    bad = draw_end(out);
+    bad |= fclose(out);
+    return bad ? fail(path, "cannot be written") : 0;
+}
+
+/* Lays the wall once more, with a picture after each stone. */
+static int draw_steps(struct stack_wall *w, const char *name)
+{
+    const int laid = w->laid;
+    char path[PATH];
+    int bad = 0;
+    for (int i = 0; i < laid && !bad; i++) {
+        stack_cut(w, i == 0 ? 0 : i);
+        bad = stack_lay(w, &w->place[i]);
+        snprintf(path, sizeof path, "%s-%02d.svg", name, i + 1);
+        bad = bad || draw_wall(w, path);
+    }
+    return bad;
+}
+
+/* ---- The table ----------------------------------------------------------- */
+
+/* The level of collapse of a wall in a file; the lengths are divided by the
+   mean size of its stones. */
+static int shake(const char *path, double size, double *level)
+{
+    static const struct table empty;
+    struct table t = empty;
+    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
+    int bad;
+    t.plan.first = 1;
+    t.plan.last = SHAKE_LEVELS;
+    t.plan.repeat = 1;
+    t.plan.unit = size;
+    t.plan.seed = 1;
+    t.file = path;
+    bad = table_load(&t) || table_collapse(&t, &r);
+    if (bad) fail(path, t.text.message);
+    *level = r.level;
+    free(r.ads);
+    free(r.first);
+    table_free(&t);
+    return bad;
+}
+
+static void print_head(void)
+{
+    printf("%-24s %6s %7s %6s %7s %9s %9s %7s\n", "wall", "stones", "filling",
+           "level", "margin", "limit", "collapse", "Q");
+}
+
+static void print_row(const char *name, int stones, double fill,
+                      const kern_margin *m, double size, double limit,
+                      double collapse)
+{
+    printf("%-24.24s %6d %7.4f %6d %7.4f ", name, stones, fill, m->level,
+           m->margin);
+    if (limit < 0) printf("%9s ", "none");
+    else printf("%9.4f ", limit);
+    if (collapse <= 0) printf("%9s ", "-");
+    else if (collapse > SHAKE_LEVELS) printf("%8s%d ", ">", SHAKE_LEVELS);
+    else printf("%9.3g ", collapse);
+    printf("%7.4f\n", stack_quality(m->margin / size, fill));
+}
+
+/* The largest filling of a frame that is laid over a wall, wherever it is
+   moved sideways. */
+static double fill_of(const struct measures_of *m, double width, double height)
+{
+    enum { PLACES = 400 };
+    double low = HUGE_VAL, high = -HUGE_VAL, most = 0;
+    for (int i = 0; i < m->s.blocks; i++) {
+        if (m->s.block[i].fixed) continue;
+        low = fmin(low, m->s.block[i].box.low.x);
+        high = fmax(high, m->s.block[i].box.high.x);
+    }
+    for (int k = 0; k <= PLACES; k++) {
+        double x = low + (high - low - width) * k / PLACES, sum = 0;
+        for (int i = 0; i < m->s.blocks; i++) {
+            struct stone s;
+            if (m->s.block[i].fixed ||
+                stone_of(&s, m->s.block[i].vertex, m->s.block[i].vertices))
+                continue;
+            stone_move(&s, stones_vec(m->s.block[i].centre.x - x,
+                                      m->s.block[i].centre.y));
+            sum += stone_area_in(&s, width, height);
+        }
+        most = fmax(most, sum / (width * height));
+    }
+    return most;
+}
+
+static int print_other(const struct settings *o, const char *path, double size)
+{
+    struct measures_of m;
+    kern_margin out = { 0, 0, 0, 0, 0, 0, 0 };
+    double collapse = 0;
+    int stones = 0;
+    if (measures_load(&m, path) ||
+        kern_measure(&m.s, &m.options, &m.work, &out, NULL) < 0) {
+        fail(path, m.text.message[0] ? m.text.message : "cannot be measured");
+        measures_free(&m);
+        return -1;
+    }
+    for (int i = 0; i < m.s.blocks; i++) stones += !m.s.block[i].fixed;
+    if (o->shaking && shake(path, size, &collapse)) collapse = 0;
+    print_row(path, stones, fill_of(&m, o->plan.width, o->plan.height), &out,
+              size, stack_limit(&m.s, m.contact, &m.work), collapse);
+    measures_free(&m);
+    return 0;
+}
+
+static int print_table(const struct settings *o, struct stack_wall *w)
+{
+    double collapse = 0, size = w->stock->size;
+    if (o->shaking && shake(o->out, size, &collapse)) return -1;
+    print_head();
+    print_row(stack_planner_name[o->plan.planner], w->laid, stack_fill(w),
+              &w->m, size, stack_limit(&w->plan.s, w->plan.contact, &w->work),
+              collapse);
+    return o->against ? print_other(o, o->against, size) : 0;
+}
+
+/* ---- All of it ----------------------------------------------------------- */
+
+/* The frame, where it was not given. */
+static int choose_frame(struct settings *o, const struct stones *stock)
+{
+    struct stack_options *p = &o->plan;
+    const double filled = 0.75, shape = 16.0 / 9;
+    double wide = 0, high = 0, area = stock->area * stock->stones / filled;
+    for (int i = 0; i < stock->stones; i++) {
+        const struct stone *s = &stock->stone[i];
+        wide += (s->high.x - s->low.x) / stock->stones;
+        high += (s->high.y - s->low.y) / stock->stones;
+    }
+    if (o->boxes > 0) {
+        p->width = o->boxes * wide;
+        p->height = o->boxes * high;
+    }
+    if (!(p->width > 0) && !(p->height > 0)) p->width = sqrt(area * shape);
+    if (!(p->width > 0)) p->width = area / p->height;
+    if (!(p->height > 0)) p->height = area / p->width;
+    if (p->width > 1000 * stock->size || p->height > 1000 * stock->size)
+        return fail("frame", "more than 1000 stones wide or high");
+    return 0;
+}
+
+static void report(const struct stack_wall *w, double seconds)
+{
+    fprintf(stderr, "\nstack: %d stones laid in %.2f s: %s\n", w->laid, seconds,
+            w->message);
+    fprintf(stderr, "stack: %d candidates came to rest, %.0f a second; kern "
+            "was asked about %d, %.0f a second; %d were let go in the simulator, "
+            "%d moved\n",
+            w->tried, w->tried / fmax(seconds, 1e-9), w->asked,
+            w->asked / fmax(w->asking, 1e-9), w->swayed, w->slipped);
+}
+
+static int build(struct settings *o, const struct stones *stock)
+{
+    struct stack_wall w;
+    clock_t start = clock();
+    int bad = choose_frame(o, stock);
+    if (bad) return EXIT_BAD;
+    bad = stack_open(&w, stock, &o->plan) || stack_plan(&w);
+    if (bad) fail("planner", "not enough memory");
+    if (!bad) report(&w, (double)(clock() - start) / CLOCKS_PER_SEC);
+    if (!bad && w.laid == 0) {
+        stack_free(&w);
+        return EXIT_NONE;
+    }
+    if (!bad && stack_write(&w, o->out))
+        bad = fail(o->out, "cannot be written");
+    bad = bad || draw_wall(&w, o->svg) ||
+          (o->film && draw_film(&w, o->film)) || print_table(o, &w) ||
+          (o->steps && draw_steps(&w, o->steps));
+    stack_free(&w);
+    return bad ? EXIT_BAD : EXIT_DONE;
+}
+
+/* A dot a wall, and for the planners that build only one a dot a stone. */
+static void show_progress(const struct stack_wall *w, int wall)
+{
+    static int shown;
+    if (w->options.planner == STACK_BEST && wall == shown) return;
+    shown = wall;
+    fputc('.', stderr);
+    fflush(stderr);
+}
+
+int main(int argc, char **argv)
+{
+    struct settings o = { stack_defaults(), NULL, "wall.kern", "wall.svg",
+                          NULL, NULL, NULL, -1, 0, 36, 1 };
+    struct stones stock;
+    int bad;
+    o.plan.width = o.plan.height = 0;
+    o.plan.progress = show_progress;
+    bad = read_arguments(&o, argc, argv);
+    if (bad) return bad > 0 ? EXIT_DONE : EXIT_BAD;
+    bad = o.stock ? stones_load(&stock, o.stock)
+                  : stones_make(&stock, o.irregularity, o.stones,
+                                o.plan.seed);
+    if (bad) fail(o.stock ? o.stock : "stock", stock.message);
+    bad = bad ? EXIT_BAD : build(&o, &stock);
+    stones_free(&stock);
+    return bad;
+}

@@ -1,0 +1,1295 @@
+/* stack.h - a planner that builds a wall of irregular stones, for the example
+   programs.
+
+   Include kern.h, draw.h, text.h, rigid.h, build.h and stones.h first.
+
+   A step: several of the next stones are let down, in several turns, at several
+   places, and slid against what is beside them (candidates). A hierarchy of
+   filters then keeps the good ones; each is a number and a threshold, see
+   stack_filter. The kern filter asks a plan of the wall for the level that the
+   wall would have with each candidate, and drops those below the mean. What is
+   left is laid where it has most of the first feature, if it also stays there
+   in the simulator: forces that hold it may exist, and it slides yet.
+
+   Features and hierarchy are those that the heuristic planner of V. Thangavelu,
+   Y. Liu, M. Saboia and N. Napp (Dry stacking for automated construction with
+   irregular objects, ICRA 2018) is described with, the kern filter that of the
+   paper; the formulas beside the functions say what is meant here.
+
+   The planners: `heuristic` has no kern filter, `combined` has. `best` builds
+   several walls, see stack_best().
+
+   Lengths are those of the stock; thresholds are in stones, so they have no
+   unit. The same input gives the same wall.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef STACK_H
+#define STACK_H
+
+#include <time.h>
+
+/* A program may leave some of these functions unused. */
+#if defined(__GNUC__) || defined(__clang__)
+#define STACK_API static __attribute__((unused))
+#else
+#define STACK_API static
+#endif
+
+/* ---- Options ------------------------------------------------------------- */
+
+#define STACK_FILTER_LIST(X)                                                  \
+    X(EDGES, "edges", 0.20, "common edges / perimeter")                       \
+    X(HOLE, "hole", 0.25, "area of the hole below / area of the stone")       \
+    X(NEIGHBOURS, "neighbours", 0.04, "height of the neighbours / size")      \
+    X(SLOPE, "slope", 0.03, "slope of the top, as a tangent")                 \
+    X(BOND, "bond", 0.30, "distance to the joints below / size")
+
+enum stack_filter {
+#define STACK_FILTER_ID(id, name, threshold, words) STACK_##id,
+    STACK_FILTER_LIST(STACK_FILTER_ID)
+#undef STACK_FILTER_ID
+    STACK_FILTERS
+};
+
+static const char *const stack_filter_name[] = {
+#define STACK_FILTER_NAME(id, name, threshold, words) name,
+    STACK_FILTER_LIST(STACK_FILTER_NAME)
+#undef STACK_FILTER_NAME
+};
+
+static const double stack_threshold[] = {
+#define STACK_FILTER_THRESHOLD(id, name, threshold, words) threshold,
+    STACK_FILTER_LIST(STACK_FILTER_THRESHOLD)
+#undef STACK_FILTER_THRESHOLD
+};
+
+enum stack_planner { STACK_HEURISTIC, STACK_COMBINED, STACK_BEST,
+                     STACK_PLANNERS };
+
+static const char *const stack_planner_name[] = { "heuristic", "combined",
+                                                  "best" };
+
+struct stack_wall;
+
+struct stack_options {
+    enum stack_planner planner;
+    double width, height;   /* of the frame, whose lower left is 0, 0     */
+    int most;               /* stones that are laid at the most           */
+    int look;               /* stones of the stock that may be the next   */
+    double threshold[STACK_FILTERS];
+    int levels;             /* filters before that by kern's levels       */
+    double friction;
+    double joints;          /* friction in head joints; < 0: the same     */
+    uint64_t seed;          /* of what `best` leaves to chance            */
+    int walls;              /* that `best` builds                         */
+    int effort;             /* no further one after so many candidates and
+                               questions to kern; 0: no such limit        */
+    int load;               /* its goal: the load factor, not the margin  */
+    double beat[2];         /* with that goal: a filling and a limit
+                               multiplier that both are to be exceeded    */
+    /* called before each stone, if not NULL, where someone may wait      */
+    void (*progress)(const struct stack_wall *w, int wall);
+};
+
+STACK_API struct stack_options stack_defaults(void)
+{
+    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0,
+                               0.4, -1, 1, 32, 280000, 0, { 0, 0 }, NULL };
+    for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
+    return o;
+}
+
+/* A small stone fills what others leave: below this share of the mean area. */
+static const double stack_filler = 0.25;
+
+/* ---- A wall -------------------------------------------------------------- */
+
+struct stack_place {
+    int stone;              /* of the stock                     */
+    kern_vec at, turn;      /* centre; cosine and sine          */
+};
+
+struct stack_wall {
+    const struct stones *stock;
+    struct stack_options options;
+    struct stone *stone;    /* as they lie; block i + 1 of the plan      */
+    struct stack_place *place;
+    int laid;
+    kern_vec ground[4];     /* block 0                                   */
+    char *used;             /* one a stone of the stock                  */
+    kern_plan plan;
+    kern_work work;
+    int *basis;             /* room for what a plan knows                */
+    kern_margin m;
+    double filled;          /* area within the frame                     */
+    double *sky;            /* height of what is highest, column by column */
+    int *owner;             /* block which that is                       */
+    int columns;
+    struct rest_near near;  /* room for the edges of all                 */
+    int walls;              /* that `best` has built                     */
+    int tried;              /* stones let down that came to rest         */
+    int asked;              /* candidates that kern was asked about      */
+    double asking;          /* CPU seconds that took                     */
+    int swayed, slipped;    /* let go in the simulator; moved            */
+    double swaying;         /* CPU seconds that took                     */
+    char message[200];      /* why the wall ended                        */
+};
+
+enum { STACK_COLUMNS = 24 }; /* in a stone of mean size */
+
+STACK_API void stack_free(struct stack_wall *w)
+{
+    free(w->stone);
+    free(w->place);
+    free(w->used);
+    free(w->plan.block);
+    free(w->plan.contact);
+    free(w->plan.known.basis);
+    free(w->basis);
+    free(w->work.real);
+    free(w->work.index);
+    free(w->sky);
+    free(w->owner);
+    free(w->near.edge);
+}
+
+static void stack_clear_sky(struct stack_wall *w)
+{
+    for (int i = 0; i < w->columns; i++) {
+        w->sky[i] = 0;
+        w->owner[i] = 0;
+    }
+}
+
+/* The ground alone. */
+static int stack_begin(struct stack_wall *w)
+{
+    kern_block ground;
+    kern_block_init(&ground, w->ground, 4, 0, NULL);
+    w->plan.s.blocks = w->plan.s.contacts = w->plan.known.columns = 0;
+    w->laid = 0;
+    w->filled = 0;
+    memset(w->used, 0, (size_t)w->stock->stones);
+    stack_clear_sky(w);
+    return kern_plan_add(&w->plan, &ground) < 0 ? -1 : 0;
+}
+
+/* An empty wall. Returns 0, or -1 where memory is lacking. */
+STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
+                         const struct stack_options *options)
+{
+    static const struct stack_wall empty;
+    const size_t stones = (size_t)stock->stones;
+    const int blocks = stock->stones + 2, contacts = 40 * blocks;
+    int reals, ints, corners = 4;
+    *w = empty;
+    w->stock = stock;
+    w->options = *options;
+    for (int i = 0; i < stock->stones; i++) corners += stock->stone[i].n;
+    kern_work_need(blocks, contacts, &reals, &ints);
+    w->work = kern_work_of(malloc((size_t)reals * sizeof(kern_real)), reals,
+                           malloc((size_t)ints * sizeof(int)), ints);
+    w->plan = kern_plan_of(
+        malloc((size_t)blocks * sizeof(kern_block)), blocks,
+        malloc((size_t)contacts * sizeof(kern_contact)), contacts,
+        malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int)), &w->work);
+    w->basis = malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int));
+    w->plan.options.mu = options->friction;
+    w->plan.options.epsilon = 0.02 * stock->size;
+    w->plan.s.gravity = stones_vec(0, -9.81);
+    w->stone = malloc(stones * sizeof *w->stone);
+    w->place = malloc(stones * sizeof *w->place);
+    w->used = malloc(stones);
+    w->columns = (int)ceil(options->width / stock->size * STACK_COLUMNS);
+    w->sky = malloc((size_t)w->columns * sizeof *w->sky);
+    w->owner = malloc((size_t)w->columns * sizeof *w->owner);
+    w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
+    if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
+        !w->plan.contact || !w->plan.known.basis || !w->basis || !w->place ||
+        !w->used ||
+        !w->sky || !w->owner || !w->near.edge)
+        return -1;
+    w->ground[0] = stones_vec(-1, -0.5);
+    w->ground[1] = stones_vec(options->width + 1, -0.5);
+    w->ground[2] = stones_vec(options->width + 1, 0);
+    w->ground[3] = stones_vec(-1, 0);
+    return stack_begin(w);
+}
+
+/* Heights of the lower and the upper side of a stone at x. */
+static int stack_sides(const struct stone *s, double x, double *low,
+                       double *high)
+{
+    *low = HUGE_VAL;
+    *high = -HUGE_VAL;
+    for (int i = 0; i < s->n; i++) {
+        kern_vec p = s->v[i], q = s->v[i + 1 < s->n ? i + 1 : 0];
+        if ((p.x < x) == (q.x < x)) continue;
+        double y = p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y);
+        *low = fmin(*low, y);
+        *high = fmax(*high, y);
+    }
+    return *low < HUGE_VAL;
+}
+
+static double stack_column_x(const struct stack_wall *w, int column)
+{
+    return (column + 0.5) * w->options.width / w->columns;
+}
+
+/* The first column at x or to the right of it, within the frame. */
+static int stack_column(const struct stack_wall *w, double x)
+{
+    double c = ceil(x / w->options.width * w->columns - 0.5);
+    return c < 0 ? 0 : c > w->columns ? w->columns : (int)c;
+}
+
+STACK_API struct stone stack_placed(const struct stack_wall *w,
+                                    const struct stack_place *place)
+{
+    struct stone s = w->stock->stone[place->stone];
+    stone_turn(&s, s.centre, place->turn);
+    stone_move(&s, place->at);
+    return s;
+}
+
+/* The sky rises over stone i of the wall. */
+static void stack_raise(struct stack_wall *w, int i)
+{
+    const struct stone *s = &w->stone[i];
+    for (int c = stack_column(w, s->low.x); c < w->columns; c++) {
+        double low, high;
+        if (!stack_sides(s, stack_column_x(w, c), &low, &high)) break;
+        if (high <= w->sky[c]) continue;
+        w->sky[c] = high;
+        w->owner[c] = i + 1;
+    }
+}
+
+/* Head joints: contacts steeper than 45 degrees. */
+static int stack_is_joint(const kern_contact *c)
+{
+    return fabs(c->n.y) < fabs(c->n.x);
+}
+
+/* Adds a block to the plan, with the friction of head joints. */
+static int stack_add(struct stack_wall *w, const kern_block *block)
+{
+    int from = w->plan.s.contacts, found = kern_plan_add(&w->plan, block);
+    for (int i = from; i < w->plan.s.contacts && w->options.joints >= 0; i++)
+        if (stack_is_joint(&w->plan.contact[i]))
+            w->plan.contact[i].mu = w->options.joints;
+    return found;
+}
+
+/* Lays a stone and measures the wall. Returns 0, or -1 where it falls. */
+STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
+{
+    struct stone *s = &w->stone[w->laid];
+    kern_block block;
+    *s = stack_placed(w, place);
+    if (kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_STANDS ||
+        stack_add(w, &block) < 0)
+        return -1;
+    if (kern_plan_measure(&w->plan, &w->m, NULL) != KERN_STANDS) {
+        kern_plan_remove(&w->plan, w->laid + 1);
+        return -1;
+    }
+    stack_raise(w, w->laid);
+    w->used[place->stone] = 1;
+    w->filled += stone_area_in(s, w->options.width, w->options.height);
+    w->place[w->laid++] = *place;
+    return 0;
+}
+
+/* ---- What a wall is worth ------------------------------------------------ */
+
+/* What of the frame is filled: the target fill fraction. */
+STACK_API double stack_fill(const struct stack_wall *w)
+{
+    return w->filled / (w->options.width * w->options.height);
+}
+
+/* What a filling is worth, 0 to 1: half at 0.70, the middle of the walls that
+   heuristics are known to build (0.65 to 0.79); steep enough that little is
+   lost by calling it 0 below 0.60, where a wall is no wall (0.05 there), and
+   that the best fillings are still told apart (0.95 at 0.80). */
+STACK_API double stack_worth(double fill)
+{
+    return 1 / (1 + exp(-30 * (fill - 0.70)));
+}
+
+/* The quality of a wall: stability times what the filling is worth. Stability
+   is the margin in sizes of a stone: the level without its steps. */
+STACK_API double stack_quality(double stability, double fill)
+{
+    return fill < 0.60 ? 0 : stability * stack_worth(fill);
+}
+
+/* The limit multiplier: the largest horizontal acceleration in units of gravity
+   to the weaker side, with a friction of 0.58 and none in head joints;
+   -1 where it does not stand at all so.
+   Frictions of the contacts are as before afterwards. */
+STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
+                             kern_work *work)
+{
+    const double friction = 0.58;
+    const int contacts = s->contacts;
+    const kern_options options = kern_defaults();
+    kern_structure joint = *s;
+    kern_real factor[2] = { 0, 0 };
+    kern_real *mu = calloc((size_t)contacts + 1, sizeof *mu);
+    int falls = 0;
+    if (!mu) return -1;
+    joint.contact = contact;
+    for (int i = 0; i < contacts; i++) {
+        mu[i] = contact[i].mu;
+        contact[i].mu = stack_is_joint(&contact[i]) ? 0 : friction;
+    }
+    for (int k = 0; k < 2; k++)
+        falls |= kern_load_factor(&joint, 0, NULL, k ? 1 : -1, &options, work,
+                                  &factor[k], NULL) != KERN_STANDS;
+    for (int i = 0; i < contacts; i++) contact[i].mu = mu[i];
+    free(mu);
+    return falls ? -1 : fmin(factor[0], factor[1]);
+}
+
+/* Writes it in the text format, every digit: stones that were laid corner to
+   corner touch or do not by the last of them. Returns 0, or -1. */
+STACK_API int stack_write(const struct stack_wall *w, const char *path)
+{
+    FILE *out = fopen(path, "w");
+    if (!out) return -1;
+    fprintf(out, "friction %g\ngravity 0 -9.81\nepsilon %.9g\nfixed base",
+            w->options.friction, w->plan.options.epsilon);
+    for (int i = 0; i < 4; i++)
+        fprintf(out, "  %.9g %.9g", w->ground[i].x, w->ground[i].y);
+    for (int i = 0; i < w->laid; i++) {
+        fprintf(out, "\nblock s%d *", w->place[i].stone);
+        for (int k = 0; k < w->stone[i].n; k++)
+            fprintf(out, "  %.17g %.17g", w->stone[i].v[k].x,
+                    w->stone[i].v[k].y);
+    }
+    fputs("\n", out);
+    return fclose(out) ? -1 : 0;
+}
+
+/* What a picture of some width shows: the frame, and what rises above it. */
+STACK_API void stack_view(const struct stack_wall *w, struct draw_view *v,
+                          double width)
+{
+    const double beside = 0.3 * w->stock->size;
+    v->low = draw_vec(-beside, -beside);
+    v->high = draw_vec(w->options.width + beside, w->options.height + beside);
+    for (int i = 0; i < w->laid; i++)
+        v->high.y = fmax(v->high.y, w->stone[i].high.y + beside);
+    v->left = v->top = DRAW_PAD;
+    v->scale = (width - 2 * DRAW_PAD) / (v->high.x - v->low.x);
+}
+
+/* The ground, and a dashed line around the frame. */
+STACK_API void stack_draw_frame(const struct stack_wall *w,
+                                const struct draw_view *v)
+{
+    struct draw_pt ground = draw_place(v, v->low.x, 0);
+    struct draw_pt top = draw_place(v, 0, w->options.height);
+    draw_rect(v->out, ground.x, ground.y, (v->high.x - v->low.x) * v->scale,
+              -v->low.y * v->scale, "fill=\"#d8d3c8\"");
+    draw_rect(v->out, top.x, top.y, w->options.width * v->scale,
+              w->options.height * v->scale, "fill=\"none\" stroke=\"" DRAW_EDGE
+              "\" stroke-width=\"0.8\" stroke-dasharray=\"5 4\"");
+}
+
+STACK_API void stack_draw_stone(const struct stack_wall *w,
+                                const struct draw_view *v, int i)
+{
+    const int fills = (int)(sizeof draw_stone / sizeof draw_stone[0]);
+    char style[120];
+    snprintf(style, sizeof style, "fill=\"%s\" stroke=\"" DRAW_EDGE "\" "
+             "stroke-width=\"0.9\" stroke-linejoin=\"round\"",
+             draw_stone[i % fills]);
+    draw_block(v, &w->plan.s.block[i + 1], NULL, 0, style);
+}
+
+/* ---- Features ------------------------------------------------------------ */
+
+/* Edges of the wall that a stone may meet in a box; those far below are out
+   of its reach. */
+STACK_API void stack_look(struct stack_wall *w, double left, double right,
+                          double low)
+{
+    const kern_structure *s = &w->plan.s;
+    w->near.edges = 0;
+    for (int b = 0; b < s->blocks; b++) {
+        const kern_block *block = &s->block[b];
+        if (block->box.high.y < low || block->box.low.x > right ||
+            block->box.high.x < left)
+            continue;
+        for (int i = 0; i < block->vertices; i++) {
+            kern_vec p = block->vertex[i];
+            kern_vec q = block->vertex[i + 1 < block->vertices ? i + 1 : 0];
+            if (fmax(p.y, q.y) >= low && fmin(p.x, q.x) <= right &&
+                fmax(p.x, q.x) >= left)
+                w->near.edge[w->near.edges++] = rest_edge_of(p, q);
+        }
+    }
+}
+
+/* Length along which two edges touch: face to face within 1 degree, and within
+   `gap` of each other. */
+STACK_API double stack_common(const struct rest_edge *a,
+                              const struct rest_edge *b, double gap)
+{
+    const double cosine = 0.99984769515639127; /* of 1 degree */
+    kern_vec t = stones_vec(-a->n.y, a->n.x);
+    double from, to, length = stones_dot(t, stones_sub(a->b, a->a));
+    if (stones_dot(a->n, b->n) > -cosine) return 0;
+    from = fmax(0, stones_dot(t, stones_sub(b->b, a->a)));
+    to = fmin(length, stones_dot(t, stones_sub(b->a, a->a)));
+    if (to <= from) return 0;
+    /* the gap in the middle of what they share */
+    kern_vec m = stones_vec(a->a.x + (from + to) / 2 * t.x,
+                            a->a.y + (from + to) / 2 * t.y);
+    return fabs(stones_dot(b->n, stones_sub(m, b->a))) <= gap ? to - from : 0;
+}
+
+/* Length of all edges that a stone shares with what is near, over its
+   perimeter. More is better: it is held, and fits. */
+STACK_API double stack_edges(const struct rest_near *near,
+                             const struct stone *s)
+{
+    double common = 0, perimeter = 0, gap = 1e-3 * sqrt(s->area);
+    for (int i = 0; i < s->n; i++) {
+        struct rest_edge own = rest_edge_at(s, i);
+        kern_vec t = stones_sub(own.b, own.a);
+        perimeter += sqrt(stones_dot(t, t));
+        for (int k = 0; k < near->edges; k++)
+            common += stack_common(&own, &near->edge[k], gap);
+    }
+    return common / perimeter;
+}
+
+/* Area between a stone and what is below it, over its own area. Less is
+   better: nothing can be laid there any more. */
+STACK_API double stack_hole(const struct stack_wall *w, const struct stone *s)
+{
+    double sum = 0, low, high;
+    for (int i = stack_column(w, s->low.x); i < w->columns &&
+         stack_sides(s, stack_column_x(w, i), &low, &high); i++)
+        sum += fmax(0, low - w->sky[i]);
+    return sum * w->options.width / w->columns / s->area;
+}
+
+/* Mean height of the sky from x to x + way; HUGE_VAL outside of the frame. */
+static double stack_mean_sky(const struct stack_wall *w, double x, double way)
+{
+    int from = stack_column(w, fmin(x, x + way));
+    int to = stack_column(w, fmax(x, x + way));
+    double sum = 0;
+    for (int i = from; i < to; i++) sum += w->sky[i];
+    return to > from ? sum / (to - from) : HUGE_VAL;
+}
+
+/* How far the neighbours, over half a stone on either side, rise above the
+   lowest point of a stone, in sizes. More is better: gaps are closed before a
+   course is begun on top. */
+STACK_API double stack_neighbours(const struct stack_wall *w,
+                                  const struct stone *s)
+{
+    const double size = w->stock->size;
+    double left = stack_mean_sky(w, s->low.x, -size / 2);
+    double right = stack_mean_sky(w, s->high.x, size / 2);
+    if (!(left < HUGE_VAL)) left = right;
+    if (!(right < HUGE_VAL)) right = left;
+    return right < HUGE_VAL ? ((left + right) / 2 - s->low.y) / size : 0;
+}
+
+/* Rise over run of the upper side, without its sign: mean over its width. Less
+   is better: the next stone does not slide. */
+STACK_API double stack_slope(const struct stone *s)
+{
+    double rise = 0, run = 0;
+    for (int i = 0; i < s->n; i++) {
+        struct rest_edge e = rest_edge_at(s, i);
+        if (e.n.y < 0.5) continue;
+        rise += fabs(e.b.y - e.a.y);
+        run += fabs(e.b.x - e.a.x);
+    }
+    return run > 0 ? rise / run : HUGE_VAL;
+}
+
+/* From the ends of a stone to the next joint in the course below it: the
+   shorter way, in sizes, at most 0.5. More is better: no joint runs through. A
+   joint is where the sky below the stone passes from one block to the next. */
+STACK_API double stack_bond(const struct stack_wall *w, const struct stone *s)
+{
+    const double most = 0.5 * w->stock->size, top = s->low.y + most / 2;
+    double least = most;
+    int from = stack_column(w, s->low.x - most);
+    int to = stack_column(w, s->high.x + most);
+    for (int i = from + 1; i < to; i++) {
+        double x = i * w->options.width / w->columns;
+        if (w->owner[i] == w->owner[i - 1] || w->sky[i] > top ||
+            w->sky[i - 1] > top)
+            continue;
+        least = fmin(least, fmin(fabs(x - s->low.x), fabs(x - s->high.x)));
+    }
+    return least / w->stock->size;
+}
+
+/* ---- Candidates ---------------------------------------------------------- */
+
+struct stack_candidate {
+    struct stack_place place;
+    double feature[STACK_FILTERS]; /* signed so that more is better      */
+    double inside;          /* area within the frame                     */
+    double cost;            /* to `best`                                 */
+    int out;                /* a filter dropped it, or it falls          */
+    int known;              /* kern was asked: what follows is the wall's
+                               with it                                   */
+    kern_margin m;
+    double stable;          /* margin in sizes, or load factor           */
+};
+
+struct stack_list {
+    struct stack_candidate *one;
+    int count, room;
+};
+
+static int stack_same(const struct stack_place *a, const struct stack_place *b,
+                      double near)
+{
+    return a->stone == b->stone && fabs(a->at.x - b->at.x) < near &&
+           fabs(a->at.y - b->at.y) < near && fabs(a->turn.x - b->turn.x) < near
+           && fabs(a->turn.y - b->turn.y) < near;
+}
+
+/* Notes a stone at rest, if it lies in the frame and is not known yet.
+   Returns -1 where memory is lacking. */
+static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
+                      const struct stone *s)
+{
+    struct stack_candidate *more, c;
+    if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
+        return 0;
+    c.place.stone = stone;
+    c.place.at = s->centre;
+    c.place.turn = s->turn;
+    c.out = c.known = 0;
+    c.inside = s->high.y <= w->options.height ? s->area :
+               stone_area_in(s, w->options.width, w->options.height);
+    if (c.inside < s->area / 2) return 0;
+    for (int i = list->count - 1; i >= 0 && list->one[i].place.stone == stone;
+         i--)
+        if (stack_same(&list->one[i].place, &c.place, 1e-3 * w->stock->size))
+            return 0;
+    c.feature[STACK_EDGES] = stack_edges(&w->near, s);
+    c.feature[STACK_HOLE] = -stack_hole(w, s);
+    c.feature[STACK_NEIGHBOURS] = stack_neighbours(w, s);
+    c.feature[STACK_SLOPE] = -stack_slope(s);
+    c.feature[STACK_BOND] = stack_bond(w, s);
+    more = rigid_room(list->one, list->count, 1, &list->room, sizeof *more);
+    if (!more) return -1;
+    list->one = more;
+    list->one[list->count++] = c;
+    return 0;
+}
+
+/* A place above which a stone is let down, and the direction of what is there:
+   a bed of the stone is turned to it. */
+struct stack_anchor {
+    double x;
+    kern_vec along;
+};
+
+static const double stack_grid = 0.4; /* between anchors, in sizes          */
+static const double stack_fine = 0.1; /* where none of these will do        */
+static const double stack_slide = 0.8; /* most that a stone slides, in sizes */
+static const double stack_steep = 0.9; /* cosine of the steepest bed        */
+
+/* The faces that look upward and can be seen from there, and a grid. */
+static int stack_anchors(const struct stack_wall *w, double step,
+                         struct stack_anchor *a)
+{
+    const double size = w->stock->size;
+    const int grid = (int)ceil(w->options.width / step);
+    int n = 0;
+    for (int b = 1; b < w->plan.s.blocks; b++)
+        for (int i = 0; i < w->stone[b - 1].n; i++) {
+            struct rest_edge e = rest_edge_at(&w->stone[b - 1], i);
+            double x = (e.a.x + e.b.x) / 2;
+            int column = stack_column(w, x);
+            if (e.n.y < stack_steep || e.a.x - e.b.x < 0.15 * size ||
+                column >= w->columns || w->owner[column] != b)
+                continue;
+            a[n].x = x;
+            a[n++].along = stones_vec(e.n.y, -e.n.x);
+        }
+    for (int i = 0; i < grid; i++) {
+        a[n].x = (i + 0.5) * w->options.width / grid;
+        a[n++].along = stones_vec(1, 0);
+    }
+    return n;
+}
+
+/* Slides a stone at rest to one side until something, or the side of the frame,
+   is in the way, and notes it where it then comes to rest. */
+static int stack_slide_on(struct stack_wall *w, struct stack_list *list,
+                          int stone, struct stone s, double side)
+{
+    kern_vec left, right, d = { side, 0 };
+    double way, room;
+    rest_holds(&w->near, &s, &left, &right);
+    if (right.x - left.x > 0.05 * w->stock->size)
+        d = stones_unit(stones_sub(right, left));
+    if (side * d.x < 0) d = stones_vec(-d.x, -d.y);
+    if (fabs(d.x) < stack_steep) return 0;
+    room = (side > 0 ? w->options.width - s.high.x : s.low.x) / fabs(d.x);
+    way = fmin(rest_way(&w->near, &s, d), room);
+    if (!(way > 0.01 * w->stock->size &&
+          way < stack_slide * w->stock->size))
+        return 0;
+    stone_move(&s, stones_vec(way * d.x, way * d.y));
+    return rest_settle(&w->near, &s) ? stack_note(w, list, stone, &s) : 0;
+}
+
+/* One stone, one bed, one anchor: up to three candidates. */
+static int stack_let_down(struct stack_wall *w, struct stack_list *list,
+                          int stone, int bed, const struct stack_anchor *a)
+{
+    struct stone s = w->stock->stone[stone];
+    const kern_vec b = s.bed[bed];
+    double x, high = 0;
+    stone_turn(&s, s.centre, stones_turned(a->along, stones_vec(b.x, -b.y)));
+    if (s.high.x - s.low.x > w->options.width) return 0;
+    x = fmin(fmax(a->x, -s.low.x), w->options.width - s.high.x);
+    for (int i = 0; i < w->near.edges; i++)
+        high = fmax(high, w->near.edge[i].a.y);
+    stone_move(&s, stones_vec(x, high - s.low.y + 1));
+    if (!rest_settle(&w->near, &s)) return 0;
+    w->tried++;
+    return stack_note(w, list, stone, &s) ||
+           stack_slide_on(w, list, stone, s, -1) ||
+           stack_slide_on(w, list, stone, s, 1);
+}
+
+/* Fills the list with candidates of the next stones of the stock. `share` of
+   all that could be are looked at; `fine`: of all stones, on a finer grid.
+   Returns 0, or -1 where memory is lacking. */
+STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
+                            double share, struct build *chance, int fine)
+{
+    const double size = w->stock->size;
+    const double step = (fine ? stack_fine : stack_grid) * size;
+    int stones = 0, anchors, bad = 0, room = (int)(w->options.width / step) + 2;
+    struct stack_anchor *anchor;
+    for (int i = 0; i < w->laid; i++) room += w->stone[i].n;
+    anchor = malloc((size_t)room * sizeof *anchor);
+    if (!anchor) return -1;
+    anchors = stack_anchors(w, step, anchor);
+    list->count = 0;
+    for (int k = 0; k < w->stock->stones &&
+         (fine || stones < w->options.look); k++) {
+        const struct stone *s = &w->stock->stone[k];
+        if (w->used[k]) continue;
+        stones++;
+        for (int i = 0; i < anchors && !bad; i++) {
+            const double far = 2 * s->reach + stack_slide * size;
+            const double x = anchor[i].x;
+            double low = HUGE_VAL;
+            int from = stack_column(w, x - far), to = stack_column(w, x + far);
+            for (int c = from; c < to; c++) low = fmin(low, w->sky[c]);
+            stack_look(w, x - far, x + far, low - rest_touch);
+            for (int bed = 0; bed < s->beds && !bad; bed++)
+                if (fine || share >= 1 || build_uniform(chance, 0, 1) < share)
+                    bad = stack_let_down(w, list, k, bed, &anchor[i]);
+        }
+    }
+    free(anchor);
+    return bad;
+}
+
+/* The smaller load factor of the plan as it is. */
+static double stack_load(struct stack_wall *w)
+{
+    kern_real factor[2] = { 0, 0 };
+    for (int k = 0; k < 2; k++)
+        if (kern_load_factor(&w->plan.s, 0, NULL, k ? 1 : -1, &w->plan.options,
+                             &w->work, &factor[k], NULL) != KERN_STANDS)
+            return 0;
+    return fmin(factor[0], factor[1]);
+}
+
+/* Asks the plan what the wall would be with a candidate: its margin, or where
+   that is the goal its load factor, which the stone is added for. Returns 1
+   where it stands. */
+static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
+{
+    struct stone s = stack_placed(w, &c->place);
+    const int special = w->options.load || w->options.joints >= 0;
+    const struct kern_known known = w->plan.known;
+    kern_block block;
+    clock_t start = clock();
+    kern_status status = kern_block_init(&block, s.v, s.n, 1, NULL);
+    w->asked++;
+    c->known = 1;
+    if (status == KERN_STANDS && !special)
+        status = kern_plan_try(&w->plan, &block, &c->m, NULL);
+    if (status == KERN_STANDS && special) {
+        memcpy(w->basis, known.basis, (size_t)known.columns * sizeof(int));
+        status = stack_add(w, &block) < 0 ? KERN_OVERLAP
+               : kern_plan_measure(&w->plan, &c->m, NULL);
+        c->stable = w->options.load && status == KERN_STANDS ? stack_load(w)
+                                                             : 0;
+        if (w->plan.s.blocks > w->laid + 1)
+            kern_plan_remove(&w->plan, w->laid + 1);
+        memcpy(known.basis, w->basis, (size_t)known.columns * sizeof(int));
+        w->plan.known = known;
+    }
+    if (!w->options.load) c->stable = c->m.margin / w->stock->size;
+    w->asking += (double)(clock() - start) / CLOCKS_PER_SEC;
+    return status == KERN_STANDS;
+}
+
+/* What forces allow may still slide or tip over: the wall with a candidate is
+   let go in the simulator. A stone may not go farther than this in that time;
+   lengths in sizes, seconds where gravity is 9.81. */
+static const double stack_still = 0.02, stack_wait = 4;
+
+static int stack_simulate(struct rigid_world *r, const struct stack_wall *w,
+                          const struct stone *last)
+{
+    const double unit = w->stock->size;
+    struct rigid_pt v[STONES_CORNERS];
+    for (int i = 0; i < 4; i++)
+        v[i] = rigid_vec(w->ground[i].x / unit, w->ground[i].y / unit);
+    if (rigid_add(r, v, 4, 0, v[0]) < 0) return -1;
+    for (int i = 0; i <= w->laid; i++) {
+        const struct stone *s = i < w->laid ? &w->stone[i] : last;
+        if (!s) continue;
+        for (int k = 0; k < s->n; k++)
+            v[k] = rigid_vec(s->v[k].x / unit, s->v[k].y / unit);
+        if (rigid_add(r, v, s->n, s->area, rigid_vec(s->centre.x / unit,
+                                                     s->centre.y / unit)) < 0)
+            return -1;
+    }
+    return 0;
+}
+
+/* The longest way of a stone when the wall, with one more stone if `last` is
+   not NULL, is let go for some seconds, or until all are calm; HUGE_VAL where
+   memory is lacking. Ends at the first that goes farther than `most`. */
+STACK_API double stack_sway(const struct stack_wall *w,
+                            const struct stone *last, double seconds,
+                            double most)
+{
+    enum { LOOK = 24 }; /* steps: a tenth of a second */
+    const double unit = w->stock->size, calm = 1e-4;
+    struct rigid_world r;
+    double far = 0, fast = 1;
+    int steps;
+    rigid_init(&r);
+    r.friction = w->options.friction;
+    r.slop = 5e-4; /* stones sink in by this */
+    steps = (int)(seconds / r.step);
+    if (stack_simulate(&r, w, last)) far = HUGE_VAL;
+    for (int i = 1; i <= steps && far <= most && fast > calm; i++) {
+        if (rigid_step(&r)) far = HUGE_VAL;
+        if (i % LOOK > 0) continue;
+        fast = 0;
+        for (int k = 1; k < r.blocks; k++) {
+            const struct rigid_block *b = &r.block[k];
+            const struct stone *s = k <= w->laid ? &w->stone[k - 1] : last;
+            far = fmax(far, draw_hypot(b->at.x - s->centre.x / unit,
+                                       b->at.y - s->centre.y / unit));
+            fast = fmax(fast, draw_hypot(b->v.x, b->v.y)
+                              + b->reach * fabs(b->spin));
+        }
+    }
+    rigid_free(&r);
+    return far;
+}
+
+/* Stays a candidate where it is? */
+static int stack_stays(struct stack_wall *w, const struct stack_candidate *c)
+{
+    struct stone s = stack_placed(w, &c->place);
+    clock_t start = clock();
+    double far = stack_sway(w, &s, stack_wait, stack_still);
+    w->swaying += (double)(clock() - start) / CLOCKS_PER_SEC;
+    w->swayed++;
+    w->slipped += far > stack_still;
+    return far <= stack_still;
+}
+
+/* ---- Filters ------------------------------------------------------------- */
+
+static int stack_is_filler(const struct stack_wall *w,
+                           const struct stack_candidate *c)
+{
+    return w->stock->stone[c->place.stone].area
+           < stack_filler * w->stock->area;
+}
+
+/* Drops what is worse than the best in a feature by more than its threshold. */
+static void stack_sift(const struct stack_wall *w, struct stack_list *list,
+                       int feature)
+{
+    double best = -HUGE_VAL;
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out)
+            best = fmax(best, list->one[i].feature[feature]);
+    for (int i = 0; i < list->count; i++)
+        if (list->one[i].feature[feature] < best
+                                            - w->options.threshold[feature])
+            list->one[i].out = 1;
+}
+
+/* Drops candidates whose level is below the mean, but for fillers. */
+static void stack_sift_levels(const struct stack_wall *w,
+                              struct stack_list *list)
+{
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out && !stack_is_filler(w, &list->one[i])) {
+            sum += list->one[i].m.level;
+            count++;
+        }
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out && !stack_is_filler(w, &list->one[i]) &&
+            list->one[i].m.level * count < sum)
+            list->one[i].out = 1;
+}
+
+static void stack_strike(struct stack_list *list, int i)
+{
+    list->one[i] = list->one[--list->count];
+}
+
+/* Asks about all that is left and takes away what falls. Returns how many
+   fell. */
+static int stack_prove(struct stack_wall *w, struct stack_list *list)
+{
+    int fell = 0;
+    for (int i = 0; i < list->count; i++) {
+        if (list->one[i].out || list->one[i].known ||
+            stack_ask(w, &list->one[i]))
+            continue;
+        stack_strike(list, i--);
+        fell++;
+    }
+    return fell;
+}
+
+/* What all filters leave, and of this the candidate with the longest common
+   edges; -1: none stands. Filters see only what stands: where some of those
+   that they left fall, they begin again without these. */
+static int stack_filter(struct stack_wall *w, struct stack_list *list)
+{
+    const int levels = w->options.planner == STACK_HEURISTIC
+                     ? -1 : w->options.levels;
+    int best = -1, k = 0;
+    while (k <= STACK_FILTERS) {
+        if (k == 0)
+            for (int i = 0; i < list->count; i++) list->one[i].out = 0;
+        if ((k == levels || k == STACK_FILTERS) && stack_prove(w, list) > 0) {
+            k = 0;
+            continue;
+        }
+        if (k == levels) stack_sift_levels(w, list);
+        if (k < STACK_FILTERS) stack_sift(w, list, k);
+        k++;
+    }
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out &&
+            (best < 0 || list->one[i].feature[STACK_EDGES]
+                             > list->one[best].feature[STACK_EDGES]))
+            best = i;
+    return best;
+}
+
+/* The same, of what also stays in the simulator. */
+STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
+{
+    int best = stack_filter(w, list);
+    while (best >= 0 && !stack_stays(w, &list->one[best])) {
+        stack_strike(list, best);
+        best = stack_filter(w, list);
+    }
+    return best;
+}
+
+/* Takes away the last stones, down to a number of them. */
+static void stack_cut(struct stack_wall *w, int keep)
+{
+    while (w->laid > keep) {
+        w->laid--;
+        w->used[w->place[w->laid].stone] = 0;
+        w->filled -= stone_area_in(&w->stone[w->laid], w->options.width,
+                                   w->options.height);
+        kern_plan_remove(&w->plan, w->laid + 1);
+    }
+    stack_clear_sky(w);
+    for (int i = 0; i < w->laid; i++) stack_raise(w, i);
+}
+
+/* Why a wall ended. */
+static int stack_ends(struct stack_wall *w)
+{
+    int left = w->stock->stones - w->laid;
+    if (left > 0 && w->laid < w->options.most) return 0;
+    snprintf(w->message, sizeof w->message, "%s", left == 0 ?
+             "every stone of the stock is laid" :
+             "as many stones as asked for are laid");
+    return 1;
+}
+
+static void stack_give_up(struct stack_wall *w)
+{
+    snprintf(w->message, sizeof w->message, "none of the %d stones that are "
+             "left finds a place in the frame where it stands",
+             w->stock->stones - w->laid);
+}
+
+/* Chooses and lays one stone. Returns 1 where it is laid, 0 where none can be,
+   -1 where memory is lacking. */
+static int stack_step(struct stack_wall *w, struct stack_list *list,
+                      double share, struct build *chance)
+{
+    int best = -1;
+    for (int fine = 0; fine < 2 && best < 0; fine++) {
+        if (stack_propose(w, list, share, chance, fine)) return -1;
+        best = stack_choose(w, list);
+    }
+    return best >= 0 && !stack_lay(w, &list->one[best].place);
+}
+
+/* Takes all stones off and lays others. Returns 0, or -1. */
+static int stack_restore(struct stack_wall *w, const struct stack_place *place,
+                         int laid)
+{
+    int bad = 0;
+    stack_cut(w, 0);
+    for (int i = 0; i < laid && !bad; i++) bad = stack_lay(w, &place[i]);
+    return bad;
+}
+
+/* Builds a wall by the filters. Where a number of stones is asked for and there
+   is no place for the next one, some are taken off again, more from time to
+   time, and it goes on with half of the candidates, by chance; it keeps the
+   longest. Returns 0, or -1 where memory is lacking; w->message says why it
+   ended. */
+STACK_API int stack_build(struct stack_wall *w)
+{
+    enum { RETREATS = 20 };
+    const int asked = w->options.most <= w->stock->stones;
+    struct stack_list list = { NULL, 0, 0 };
+    struct build *chance = calloc(1, sizeof *chance);
+    struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
+    int laid = chance && kept ? 1 : -1, retreats = 0, most = 0;
+    if (chance) chance->state = w->options.seed + 1;
+    while (laid >= 0 && !stack_ends(w)) {
+        if (w->options.progress) w->options.progress(w, 1);
+        laid = stack_step(w, &list, retreats ? 0.5 : 1, chance);
+        if (laid != 0) continue;
+        if (w->laid > most) {
+            most = w->laid;
+            memcpy(kept, w->place, (size_t)most * sizeof *kept);
+        }
+        if (!asked || retreats == RETREATS) {
+            if (w->laid < most && stack_restore(w, kept, most)) laid = -1;
+            stack_give_up(w);
+            break;
+        }
+        retreats++;
+        stack_cut(w, w->laid > 2 * retreats ? w->laid - 2 * retreats : 0);
+    }
+    free(list.one);
+    free(chance);
+    free(kept);
+    return laid < 0 ? -1 : 0;
+}
+
+/* ---- The planner `best` -------------------------------------------------- */
+
+/* How a wall is built: by the filters, with other thresholds, or by the cost of
+   a candidate, a weighted sum. */
+struct stack_weights {
+    int filters;            /* nonzero: by these; and of what follows, share */
+    double threshold[STACK_FILTERS];
+    int levels;
+    double notch;           /* narrower ones are dead, sizes               */
+    double height;          /* of the top of a stone, against a dead area  */
+    double stable;          /* of the wall with it, against a dead area    */
+    double slope, bond, edges; /* the features                             */
+    double noise;
+    double share;           /* of the candidates that are looked at        */
+};
+
+/* The most (sign 1) or least (-1) of every k neighbours in a[0..n), where what
+   is beside them is `beyond`: out[i] is that of the k that end at i. */
+static void stack_windows(const double *a, int n, int k, double sign,
+                          double beyond, double *out)
+{
+    int at = -k; /* of the extreme */
+    double best = 0;
+    for (int i = 0; i < n + k - 1; i++) {
+        int first = i - k + 1, from = at < first ? first : i;
+        if (at < first) best = -HUGE_VAL;
+        for (int j = from; j <= i; j++) {
+            double v = sign * (j < 0 || j >= n ? beyond : a[j]);
+            if (v < best) continue;
+            best = v;
+            at = j;
+        }
+        out[i] = sign * best;
+    }
+}
+
+/* The sky with notches narrower than k columns filled: for every column the
+   least, over the windows that hold it, of the highest in the window. What is
+   beside the frame is as high as can be. */
+static void stack_close(const double *sky, int n, int k, double *room,
+                        double *out)
+{
+    stack_windows(sky, n, k, 1, HUGE_VAL, room);
+    stack_windows(room, n + k - 1, k, -1, HUGE_VAL, out);
+}
+
+/* Room for the skies that a cost compares. */
+struct stack_skies {
+    double *now, *then, *room, *closed[2];
+};
+
+/* Area that a candidate takes and does not fill: what the closed sky rises by
+   over it, within the frame, less the stone. */
+static double stack_dead(const struct stack_wall *w, const struct stone *s,
+                         double inside, int k, const struct stack_skies *r)
+{
+    const double top = w->options.height;
+    int from = stack_column(w, s->low.x) - 2 * k, n;
+    int to = stack_column(w, s->high.x) + 2 * k;
+    double sum = 0;
+    if (from < 0) from = 0;
+    if (to > w->columns) to = w->columns;
+    n = to - from;
+    for (int i = 0; i < n; i++) {
+        double low, high;
+        r->now[i] = r->then[i] = w->sky[from + i];
+        if (stack_sides(s, stack_column_x(w, from + i), &low, &high))
+            r->then[i] = fmax(high, r->now[i]);
+    }
+    stack_close(r->now, n, k, r->room, r->closed[0]);
+    stack_close(r->then, n, k, r->room, r->closed[1]);
+    for (int i = 0; i < n; i++)
+        sum += fmin(r->closed[1][i + k - 1], top)
+             - fmin(r->closed[0][i + k - 1], top);
+    return sum * w->options.width / w->columns - inside;
+}
+
+static int stack_compare(const void *a, const void *b)
+{
+    double x = ((const struct stack_candidate *)a)->cost;
+    double y = ((const struct stack_candidate *)b)->cost;
+    return (x > y) - (x < y);
+}
+
+/* The candidate of least cost, of the cheapest that stand; -1: none. */
+static int stack_pick(struct stack_wall *w, struct stack_list *list,
+                      const struct stack_weights *g, struct build *chance,
+                      const struct stack_skies *r)
+{
+    enum { ASK = 16 };
+    const double size = w->stock->size;
+    const int k = (int)(g->notch * STACK_COLUMNS);
+    int stand = 0;
+    double low = HUGE_VAL;
+    for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
+    for (int i = 0; i < list->count; i++) {
+        struct stack_candidate *c = &list->one[i];
+        struct stone s = stack_placed(w, &c->place);
+        c->cost = stack_dead(w, &s, c->inside, k, r) / (size * size)
+                + g->height * (s.high.y - low) / size
+                - g->slope * c->feature[STACK_SLOPE]
+                - g->bond * c->feature[STACK_BOND]
+                - g->edges * c->feature[STACK_EDGES]
+                + g->noise * build_uniform(chance, 0, 1);
+    }
+    if (list->count == 0) return -1;
+    qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
+    for (int from = 0; from < list->count; from += stand) {
+        stand = 0;
+        for (int i = from; i < list->count && stand < ASK; i++) {
+            struct stack_candidate c = list->one[i];
+            if (!stack_ask(w, &c)) continue;
+            c.cost -= g->stable * fmin(c.stable, 0.5);
+            list->one[i] = list->one[from + stand];
+            list->one[from + stand++] = c;
+        }
+        if (stand == 0) break;
+        qsort(list->one + from, (size_t)stand, sizeof *list->one,
+              stack_compare);
+        for (int i = from; i < from + stand; i++)
+            if (stack_stays(w, &list->one[i])) return i;
+    }
+    return -1;
+}
+
+/* Builds on what is there. */
+static int stack_grow(struct stack_wall *w, struct stack_list *list,
+                      const struct stack_weights *g, struct build *chance,
+                      const struct stack_skies *r)
+{
+    const int rounds = w->options.most <= w->stock->stones ? 2 : 1;
+    int bad = 0;
+    memcpy(w->options.threshold, g->threshold, sizeof g->threshold);
+    w->options.levels = g->levels;
+    while (!bad && !stack_ends(w)) {
+        int best = -1;
+        if (w->options.progress) w->options.progress(w, w->walls + 1);
+        for (int fine = 0; fine < rounds && best < 0 && !bad; fine++) {
+            bad = stack_propose(w, list, g->share, chance, fine);
+            if (!bad) best = g->filters ? stack_choose(w, list)
+                                        : stack_pick(w, list, g, chance, r);
+        }
+        if (!bad && (best < 0 || stack_lay(w, &list->one[best].place))) {
+            stack_give_up(w);
+            break;
+        }
+    }
+    return bad;
+}
+
+/* What `best` wants to be high. A wall without a limit is worth less than any
+   that has one, and one that lacks stones that were asked for less still. What
+   is to be exceeded counts little more once it is. */
+static double stack_value(struct stack_wall *w)
+{
+    const double enough = 1.05, *beat = w->options.beat;
+    double fill = stack_fill(w), stable = w->m.margin / w->stock->size;
+    if (w->options.most <= w->stock->stones && w->laid < w->options.most)
+        return w->laid - w->options.most;
+    if (!w->options.load) return stable * stack_worth(fill);
+    double limit = stack_limit(&w->plan.s, w->plan.contact, &w->work);
+    if (limit < 0) limit = 1e-3 * stable;
+    if (beat[0] > 0 && fill > beat[0] && limit > beat[1])
+        return 1 + fmin(fill / beat[0], limit / beat[1]);
+    if (beat[0] > 0) {
+        fill = fmin(fill, enough * beat[0]);
+        limit = fmin(limit, enough * beat[1]);
+    }
+    return limit * stack_worth(fill);
+}
+
+static double stack_between(struct build *chance, double low, double high)
+{
+    return low * pow(high / low, build_uniform(chance, 0, 1));
+}
+
+static struct stack_weights stack_weigh(const struct stack_options *o,
+                                        struct build *chance)
+{
+    struct stack_weights g;
+    /* the filters know levels, not loads */
+    g.filters = build_uniform(chance, 0, 1) < 0.5 && !o->load;
+    for (int k = 0; k < STACK_FILTERS; k++)
+        g.threshold[k] = o->threshold[k] * stack_between(chance, 0.4, 2.5);
+    g.levels = (int)build_uniform(chance, 0, STACK_FILTERS + 1);
+    g.notch = build_uniform(chance, 0.4, 0.7);
+    g.height = stack_between(chance, 0.05, 0.5);
+    g.stable = stack_between(chance, 0.3, 5);
+    g.slope = stack_between(chance, 0.02, 0.5);
+    g.bond = stack_between(chance, 0.02, 0.5);
+    g.edges = stack_between(chance, 0.02, 0.5);
+    g.noise = stack_between(chance, 0.005, 0.1);
+    g.share = build_uniform(chance, 0.15, 0.6);
+    if (o->load) g.share = fmin(1, 2 * g.share);
+    return g;
+}
+
+/* Weights like others. */
+static struct stack_weights stack_vary(struct stack_weights g,
+                                       struct build *chance)
+{
+    double *one[] = { &g.height, &g.stable, &g.slope, &g.bond, &g.edges,
+                      &g.noise, &g.share };
+    for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
+        *one[i] *= exp(build_uniform(chance, -0.4, 0.4));
+    for (int k = 0; k < STACK_FILTERS; k++)
+        g.threshold[k] *= exp(build_uniform(chance, -0.4, 0.4));
+    g.notch = fmin(0.8, fmax(0.3, g.notch + build_uniform(chance, -0.1, 0.1)));
+    return g;
+}
+
+/* Builds one wall after the other: a quarter from the ground, then by taking
+   stones off the best one and going on differently, more often than not with
+   weights like those that made it; keeps the best. */
+STACK_API int stack_best(struct stack_wall *w)
+{
+    struct stack_list list = { NULL, 0, 0 };
+    struct build *chance = calloc(1, sizeof *chance);
+    struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
+    const struct stack_options options = w->options;
+    struct stack_weights good;
+    struct stack_skies r;
+    const size_t n = ((size_t)w->columns + 2 * STACK_COLUMNS)
+                   * sizeof(double);
+    int bad, keep = 0;
+    double most = -HUGE_VAL;
+    r.now = malloc(n);
+    r.then = malloc(n);
+    r.room = malloc(n);
+    r.closed[0] = malloc(n);
+    r.closed[1] = malloc(n);
+    bad = !chance || !kept || !r.now || !r.then || !r.room || !r.closed[0] ||
+          !r.closed[1];
+    if (!bad) chance->state = w->options.seed * UINT64_C(2862933555777941757)
+                            + 3037000493u;
+    for (int i = 0; i < options.walls && !bad; i++) {
+        const int fresh = keep == 0 || i < options.walls / 4;
+        struct stack_weights g = stack_weigh(&options, chance);
+        double value;
+        if (options.effort > 0 && w->tried + w->asked > options.effort) break;
+        int from = fresh ? 0 : (int)build_uniform(chance, 0, keep - 1);
+        if (!fresh && build_uniform(chance, 0, 1) < 0.6)
+            g = stack_vary(good, chance);
+        if (i < 2 && !options.load) { /* as the other planners do */
+            memcpy(g.threshold, options.threshold, sizeof g.threshold);
+            g.filters = 1;
+            g.share = 1;
+            g.levels = i == 0 ? options.levels : -1;
+        }
+        w->walls = i;
+        bad = stack_restore(w, kept, from) ||
+              stack_grow(w, &list, &g, chance, &r);
+        value = stack_value(w);
+        if (value <= most) continue;
+        most = value;
+        good = g;
+        keep = w->laid;
+        memcpy(kept, w->place, (size_t)keep * sizeof *kept);
+    }
+    if (!bad) bad = stack_restore(w, kept, keep);
+    w->options = options;
+    if (!stack_ends(w)) stack_give_up(w);
+    free(list.one);
+    free(chance);
+    free(kept);
+    free(r.now);
+    free(r.then);
+    free(r.room);
+    free(r.closed[0]);
+    free(r.closed[1]);
+    return bad ? -1 : 0;
+}
+
+/* Builds a wall with the planner of the options. Returns 0, or -1 where memory
+   is lacking. */
+STACK_API int stack_plan(struct stack_wall *w)
+{
+    return w->options.planner == STACK_BEST ? stack_best(w) : stack_build(w);
+}
+
+#endif /* STACK_H */

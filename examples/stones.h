@@ -1,0 +1,503 @@
+/* stones.h - stones for the example programs that build walls: a stock of them,
+   and where one comes to rest.
+
+   Include kern.h, text.h, rigid.h and build.h first. stones_load() takes the
+   blocks of a structure file as a stock, stones_make() makes one of a given
+   irregularity. rest_drop(), rest_slide() and rest_settle() move a polygon the
+   way a hand would lay it: straight down, along what carries it, and turning
+   about what it touches until something holds it on either side of its centre.
+   Each motion ends at the first touch, so that nothing overlaps.
+
+   Only + - * / and sqrt() are used: the same input gives the same bits.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef STONES_H
+#define STONES_H
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* A program may leave some of these functions unused. */
+#if defined(__GNUC__) || defined(__clang__)
+#define STONES_API static __attribute__((unused))
+#else
+#define STONES_API static
+#endif
+
+enum { STONES_CORNERS = 64, STONES_BEDS = 8, STONES_MOST = 1000 };
+
+/* Counter-clockwise; in a stock about its centroid, in a wall in place. */
+struct stone {
+    kern_vec v[STONES_CORNERS];
+    int n;
+    kern_vec centre;
+    double area;
+    double reach;           /* of the farthest corner, from the centre */
+    kern_vec low, high;     /* its box                                 */
+    kern_vec turn;          /* by which it was turned: cosine, sine    */
+    kern_vec bed[STONES_BEDS]; /* directions of the longest edges of its
+                                  hull, as in the stock                */
+    int beds;
+};
+
+struct stones {
+    struct stone *stone;
+    int stones;
+    double size;            /* mean square root of the areas           */
+    double area;            /* mean                                    */
+    char message[600];      /* what is wrong                           */
+};
+
+/* ---- Vectors ------------------------------------------------------------- */
+
+static kern_vec stones_vec(double x, double y)
+{
+    kern_vec v;
+    v.x = x;
+    v.y = y;
+    return v;
+}
+
+static kern_vec stones_sub(kern_vec a, kern_vec b)
+{
+    return stones_vec(a.x - b.x, a.y - b.y);
+}
+
+static double stones_dot(kern_vec a, kern_vec b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+static double stones_cross(kern_vec a, kern_vec b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+static kern_vec stones_unit(kern_vec a)
+{
+    double length = sqrt(stones_dot(a, a));
+    return stones_vec(a.x / length, a.y / length);
+}
+
+/* p turned by the angle whose cosine and sine are q. */
+static kern_vec stones_turned(kern_vec q, kern_vec p)
+{
+    return stones_vec(q.x * p.x - q.y * p.y, q.y * p.x + q.x * p.y);
+}
+
+/* ---- A stone ------------------------------------------------------------- */
+
+/* Box and reach after the corners have moved with the centre. */
+STONES_API void stone_frame(struct stone *s)
+{
+    s->low = s->high = s->v[0];
+    for (int i = 1; i < s->n; i++) {
+        s->low.x = fmin(s->low.x, s->v[i].x);
+        s->low.y = fmin(s->low.y, s->v[i].y);
+        s->high.x = fmax(s->high.x, s->v[i].x);
+        s->high.y = fmax(s->high.y, s->v[i].y);
+    }
+}
+
+STONES_API void stone_move(struct stone *s, kern_vec way)
+{
+    for (int i = 0; i < s->n; i++)
+        s->v[i] = stones_vec(s->v[i].x + way.x, s->v[i].y + way.y);
+    s->centre = stones_vec(s->centre.x + way.x, s->centre.y + way.y);
+    s->low = stones_vec(s->low.x + way.x, s->low.y + way.y);
+    s->high = stones_vec(s->high.x + way.x, s->high.y + way.y);
+}
+
+/* Turns it about a point, by the angle with this cosine and sine. */
+STONES_API void stone_turn(struct stone *s, kern_vec about, kern_vec turn)
+{
+    for (int i = 0; i < s->n; i++) {
+        kern_vec p = stones_turned(turn, stones_sub(s->v[i], about));
+        s->v[i] = stones_vec(about.x + p.x, about.y + p.y);
+    }
+    kern_vec c = stones_turned(turn, stones_sub(s->centre, about));
+    s->centre = stones_vec(about.x + c.x, about.y + c.y);
+    s->turn = stones_unit(stones_turned(turn, s->turn));
+    stone_frame(s);
+}
+
+/* The edges of the hull that a stone may lie on: the longest first, none like
+   one before it. */
+static void stone_find_beds(struct stone *s)
+{
+    const double alike = 0.9986; /* cosine of 3 degrees */
+    struct rigid_pt p[STONES_CORNERS], hull[2 * STONES_CORNERS];
+    double last = HUGE_VAL;
+    int n;
+    for (int i = 0; i < s->n; i++) p[i] = rigid_vec(s->v[i].x, s->v[i].y);
+    n = build_hull(p, s->n, hull);
+    s->beds = 0;
+    while (s->beds < STONES_BEDS) {
+        double longest = 0.04 * s->area;
+        kern_vec bed = { 0, 0 };
+        for (int i = 0; i < n; i++) {
+            struct rigid_pt e = rigid_sub(hull[(i + 1) % n], hull[i]);
+            double square = rigid_dot(e, e);
+            if (square <= longest || square >= last) continue;
+            longest = square;
+            bed = stones_unit(stones_vec(e.x, e.y));
+        }
+        if (!(longest > 0.04 * s->area)) break;
+        last = longest;
+        int like = 0;
+        for (int k = 0; k < s->beds; k++)
+            like |= stones_dot(bed, s->bed[k]) > alike;
+        if (!like) s->bed[s->beds++] = bed;
+    }
+}
+
+/* Fills a stone from corners in either order, about its centroid. */
+STONES_API int stone_of(struct stone *s, const kern_vec *v, int n)
+{
+    kern_block b;
+    if (n > STONES_CORNERS || kern_block_init(&b, v, n, 1, NULL) != KERN_STANDS)
+        return -1;
+    s->n = n;
+    s->area = fabs(b.area);
+    s->centre = stones_vec(0, 0);
+    s->turn = stones_vec(1, 0);
+    s->reach = 0;
+    for (int i = 0; i < n; i++) {
+        s->v[i] = stones_sub(v[b.area > 0 ? i : n - 1 - i], b.centre);
+        s->reach = fmax(s->reach, sqrt(stones_dot(s->v[i], s->v[i])));
+    }
+    stone_frame(s);
+    stone_find_beds(s);
+    return 0;
+}
+
+/* Cuts off the part of a polygon where n.p > limit; room for one corner more
+   an edge. Where it falls into pieces, seams of no width join them. */
+static int stones_cut(const kern_vec *v, int n, kern_vec normal, double limit,
+                      kern_vec *out)
+{
+    int k = 0;
+    for (int i = 0; i < n; i++) {
+        kern_vec p = v[i], q = v[i + 1 < n ? i + 1 : 0];
+        double a = stones_dot(normal, p) - limit;
+        double b = stones_dot(normal, q) - limit;
+        if (a <= 0) out[k++] = p;
+        if ((a < 0 && b > 0) || (a > 0 && b < 0))
+            out[k++] = stones_vec(p.x + a / (a - b) * (q.x - p.x),
+                                  p.y + a / (a - b) * (q.y - p.y));
+    }
+    return k;
+}
+
+/* The area of the part in a frame from 0, 0 to width, height. */
+STONES_API double stone_area_in(const struct stone *s, double width,
+                                double height)
+{
+    const kern_vec normal[4] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
+    const double limit[4] = { 0, width, 0, height };
+    kern_vec v[2][STONES_CORNERS * 16];
+    double sum = 0;
+    int n = s->n;
+    for (int i = 0; i < n; i++) v[0][i] = s->v[i];
+    for (int k = 0; k < 4; k++)
+        n = stones_cut(v[k % 2], n, normal[k], limit[k], v[(k + 1) % 2]);
+    for (int i = 0; i < n; i++)
+        sum += stones_cross(v[0][i], v[0][i + 1 < n ? i + 1 : 0]) / 2;
+    return sum;
+}
+
+/* ---- Stocks -------------------------------------------------------------- */
+
+STONES_API void stones_free(struct stones *s)
+{
+    free(s->stone);
+    s->stone = NULL;
+}
+
+static int stones_fail(struct stones *s, const char *what, const char *why)
+{
+    snprintf(s->message, sizeof s->message, "%s%s%s", what, *why ? ": " : "",
+             why);
+    return -1;
+}
+
+static int stones_sum_up(struct stones *s)
+{
+    s->size = s->area = 0;
+    for (int i = 0; i < s->stones; i++) {
+        s->area += s->stone[i].area / s->stones;
+        s->size += sqrt(s->stone[i].area) / s->stones;
+    }
+    return 0;
+}
+
+/* The blocks of a structure file, in any pose, are the stock; what is fixed
+   there is left out. Returns 0, or -1 with a message. */
+STONES_API int stones_load(struct stones *s, const char *path)
+{
+    struct text_file t;
+    char line[40];
+    int bad = text_load(&t, path), stones = t.blocks - t.fixed;
+    s->stones = 0;
+    s->stone = NULL;
+    if (bad) {
+        snprintf(line, sizeof line, t.line ? "line %d" : "it", t.line);
+        stones_fail(s, line, t.message);
+    } else if (stones > STONES_MOST) {
+        bad = stones_fail(s, "more than 1000 stones", "");
+    } else {
+        s->stone = calloc((size_t)stones, sizeof *s->stone);
+        if (!s->stone) bad = stones_fail(s, "not enough memory", "");
+    }
+    for (int i = 0; i < t.blocks && !bad; i++)
+        if (!t.block[i].fixed &&
+            stone_of(&s->stone[s->stones++], t.block[i].vertex,
+                     t.block[i].vertices))
+            bad = stones_fail(s, t.name[i],
+                              "a stone of more than 64 corners");
+    text_free(&t);
+    return bad ? -1 : stones_sum_up(s);
+}
+
+/* A convex stone of irregularity L in per cent, f = L/100, area about 1: a
+   rectangle 3:2 whose area varies by 0.15 + 0.2 f (standard deviation), on each
+   side with probability min(0.7, 2 f) one more point in its middle part, every
+   point moved by up to 0.75 f of the sides, the convex hull, made smaller by
+   what moving adds. Corners that stand out by less than 0.012 are none. */
+STONES_API void stone_make(struct build *b, double level, struct stone *s)
+{
+    const double f = level / 100, shrink = 1 / sqrt(1 + 0.42 * f);
+    do {
+        struct rigid_pt p[8], hull[2 * 8];
+        kern_vec v[8];
+        double area = 1 + (0.15 + 0.2 * f) * sqrt(3) * build_uniform(b, -1, 1);
+        double high = sqrt(area / 1.5), wide = 1.5 * high;
+        int n = 4, k;
+        for (int i = 0; i < 4; i++)
+            p[i] = rigid_vec(i == 1 || i == 2 ? wide : 0, i > 1 ? high : 0);
+        for (int i = 0; i < 4; i++)
+            if (build_uniform(b, 0, 1) < fmin(0.7, 2 * f)) {
+                double at = build_uniform(b, 0.3, 0.7);
+                struct rigid_pt q = p[i], r = p[(i + 1) % 4];
+                p[n++] = rigid_vec(q.x + at * (r.x - q.x),
+                                   q.y + at * (r.y - q.y));
+            }
+        for (int i = 0; i < n; i++) {
+            p[i].x = shrink * (p[i].x + 0.75 * f * wide
+                               * build_uniform(b, -1, 1));
+            p[i].y = shrink * (p[i].y + 0.75 * f * high
+                               * build_uniform(b, -1, 1));
+        }
+        n = build_hull(p, n, hull);
+        for (int i = k = 0; i < n; i++) {
+            struct rigid_pt before = k ? rigid_vec(v[k - 1].x, v[k - 1].y)
+                                       : hull[n - 1];
+            struct rigid_pt chord = rigid_sub(hull[(i + 1) % n], before);
+            double out = rigid_cross(chord, rigid_sub(hull[i], before));
+            if (-out >= 0.012 * sqrt(rigid_dot(chord, chord)))
+                v[k++] = stones_vec(hull[i].x, hull[i].y);
+        }
+        s->area = 0;
+        if (k >= 3) stone_of(s, v, k);
+    } while (s->area < 0.12);
+}
+
+/* Makes a stock. Returns 0, or -1 with a message. */
+STONES_API int stones_make(struct stones *s, double level, int stones,
+                           uint64_t seed)
+{
+    struct build *b = calloc(1, sizeof *b);
+    s->stones = stones;
+    s->stone = calloc((size_t)stones, sizeof *s->stone);
+    if (b && s->stone) {
+        b->state = seed * UINT64_C(2862933555777941757) + 3037000493u;
+        for (int i = 0; i < stones; i++) stone_make(b, level, &s->stone[i]);
+    }
+    free(b);
+    return s->stone && b ? stones_sum_up(s)
+                         : stones_fail(s, "not enough memory", "");
+}
+
+/* ---- What a stone may meet ----------------------------------------------- */
+
+struct rest_edge {
+    kern_vec a, b;          /* the stone is on the left of it */
+    kern_vec n;             /* outer normal, unit             */
+};
+
+/* Edges near a place. */
+struct rest_near {
+    struct rest_edge *edge;
+    int edges;
+};
+
+/* Lengths, in stones of size 1: what still touches, and what is beside an end
+   of an edge. */
+static const double rest_touch = 1e-7, rest_beside = 1e-9;
+
+static struct rest_edge rest_edge_of(kern_vec a, kern_vec b)
+{
+    struct rest_edge e = { a, b, { 0, 0 } };
+    kern_vec t = stones_unit(stones_sub(b, a));
+    e.n = stones_vec(t.y, -t.x);
+    return e;
+}
+
+static struct rest_edge rest_edge_at(const struct stone *s, int i)
+{
+    return rest_edge_of(s->v[i], s->v[i + 1 < s->n ? i + 1 : 0]);
+}
+
+/* Is p, which lies on the line of an edge, between its ends? */
+static int rest_on(const struct rest_edge *e, kern_vec p)
+{
+    kern_vec t = stones_vec(-e->n.y, e->n.x);
+    return stones_dot(t, stones_sub(p, e->a)) > -rest_beside &&
+           stones_dot(t, stones_sub(e->b, p)) > -rest_beside;
+}
+
+/* The way along unit vector d after which point p meets edge e from outside. */
+static double rest_way_one(const struct rest_edge *e, kern_vec p, kern_vec d)
+{
+    double into = -stones_dot(e->n, d), gap, way;
+    if (into < 1e-9) return HUGE_VAL;
+    gap = stones_dot(e->n, stones_sub(p, e->a));
+    if (gap < -rest_touch) return HUGE_VAL;
+    way = gap / into;
+    return rest_on(e, stones_vec(p.x + way * d.x, p.y + way * d.y))
+           ? fmax(way, 0) : HUGE_VAL;
+}
+
+/* How far a stone can go along d before it touches something. */
+STONES_API double rest_way(const struct rest_near *near, const struct stone *s,
+                           kern_vec d)
+{
+    const kern_vec back = stones_vec(-d.x, -d.y);
+    double way = HUGE_VAL;
+    for (int i = 0; i < s->n; i++) {
+        struct rest_edge own = rest_edge_at(s, i);
+        int ahead = stones_dot(own.n, d) > 0;
+        for (int k = 0; k < near->edges; k++) {
+            const struct rest_edge *e = &near->edge[k];
+            way = fmin(way, rest_way_one(e, own.a, d));
+            if (ahead) way = fmin(way, rest_way_one(&own, e->a, back));
+        }
+    }
+    return way;
+}
+
+/* A turn from 0 to a whole one, as a number that grows with it: 0..4. */
+static double rest_order(kern_vec turn)
+{
+    return turn.y >= 0 ? 1 - turn.x : 3 + turn.x;
+}
+
+/* The turn (side 1: counter-clockwise) about c after which p meets e from
+   outside, seen in that sense: sine positive. Returns its order. */
+static double rest_turn_one(const struct rest_edge *e, kern_vec c, kern_vec p,
+                            double side, kern_vec *turn)
+{
+    kern_vec arm = stones_sub(p, c), to;
+    double square = stones_dot(arm, arm);
+    double h = stones_dot(e->n, stones_sub(e->a, c)), k = square - h * h;
+    if (k < 0 || square < rest_touch * rest_touch) return HUGE_VAL;
+    k = side * sqrt(k);
+    to = stones_vec(h * e->n.x - k * e->n.y, h * e->n.y + k * e->n.x);
+    if (!rest_on(e, stones_vec(c.x + to.x, c.y + to.y))) return HUGE_VAL;
+    turn->x = stones_dot(arm, to) / square;
+    turn->y = side * stones_cross(arm, to) / square;
+    if (turn->y < 0 && turn->x > 0 && -turn->y * sqrt(square) < rest_touch)
+        *turn = stones_vec(1, 0);
+    return rest_order(*turn);
+}
+
+/* How far a stone can turn about c before it touches something. */
+STONES_API double rest_turn(const struct rest_near *near, const struct stone *s,
+                            kern_vec c, double side, kern_vec *turn)
+{
+    double least = HUGE_VAL;
+    for (int i = 0; i < s->n; i++) {
+        struct rest_edge own = rest_edge_at(s, i);
+        for (int k = 0; k < near->edges; k++) {
+            kern_vec t[2];
+            double order[2];
+            order[0] = rest_turn_one(&near->edge[k], c, own.a, side, &t[0]);
+            order[1] = rest_turn_one(&own, c, near->edge[k].a, -side, &t[1]);
+            for (int j = 0; j < 2; j++)
+                if (order[j] < least) {
+                    least = order[j];
+                    *turn = t[j];
+                }
+        }
+    }
+    turn->y *= side;
+    return least;
+}
+
+/* ---- Coming to rest ------------------------------------------------------ */
+
+/* Notes a point of contact, if its force has a part that points upward. */
+static void rest_hold(kern_vec p, double up, kern_vec *left, kern_vec *right)
+{
+    if (up < 0.05) return;
+    if (p.x < left->x) *left = p;
+    if (p.x > right->x) *right = p;
+}
+
+/* The leftmost and the rightmost point that carries a stone; none: left is to
+   the right of right. */
+static void rest_holds(const struct rest_near *near, const struct stone *s,
+                       kern_vec *left, kern_vec *right)
+{
+    *left = stones_vec(HUGE_VAL, 0);
+    *right = stones_vec(-HUGE_VAL, 0);
+    for (int i = 0; i < s->n; i++) {
+        struct rest_edge own = rest_edge_at(s, i);
+        for (int k = 0; k < near->edges; k++) {
+            const struct rest_edge *e = &near->edge[k];
+            if (fabs(stones_dot(e->n, stones_sub(own.a, e->a))) < rest_touch &&
+                rest_on(e, own.a))
+                rest_hold(own.a, e->n.y, left, right);
+            if (fabs(stones_dot(own.n, stones_sub(e->a, own.a))) < rest_touch &&
+                rest_on(&own, e->a))
+                rest_hold(e->a, -own.n.y, left, right);
+        }
+    }
+}
+
+/* Lets a stone down. Returns 0 where there is nothing below. */
+STONES_API int rest_drop(const struct rest_near *near, struct stone *s)
+{
+    double way = rest_way(near, s, stones_vec(0, -1));
+    if (way < HUGE_VAL) stone_move(s, stones_vec(0, -way));
+    return way < HUGE_VAL;
+}
+
+/* Lets a stone down and turns it about the contact next to its centre until
+   it is held on both sides, by less than a right angle in all. Returns 1 where
+   it is, or where something beside it stops the turning. */
+STONES_API int rest_settle(const struct rest_near *near, struct stone *s)
+{
+    enum { ROUNDS = 12 };
+    kern_vec left, right, turn = { 1, 0 }, whole = { 1, 0 };
+    if (!rest_drop(near, s)) return 0;
+    for (int i = 0; i < ROUNDS; i++) {
+        double side;
+        rest_holds(near, s, &left, &right);
+        if (left.x > right.x) return 0;
+        if (left.x < s->centre.x && s->centre.x < right.x) return 1;
+        side = s->centre.x >= right.x ? -1 : 1;
+        if (!(rest_turn(near, s, side < 0 ? right : left, side, &turn) < 4))
+            return 0;
+        if (side * turn.y <= rest_touch) return i > 0 || turn.x > 0;
+        whole = stones_turned(turn, whole);
+        if (turn.x < 0 || whole.x < 0) return 0;
+        stone_turn(s, side < 0 ? right : left, turn);
+    }
+    return 0;
+}
+
+#endif /* STONES_H */

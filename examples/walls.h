@@ -1,0 +1,395 @@
+/* walls.h - the paper's Figs. 8 and 9: walls that the planners of stack.h build
+   from the same stocks, and their quality over the irregularity of the stones.
+
+   Include kern.h, draw.h, text.h, rigid.h, build.h, plot.h, table.h, stones.h
+   and stack.h first. walls_all() writes into a folder:
+
+       walls/                   every wall, for the program kern
+       walls.csv                one line a wall
+       fig8.svg                 the walls of the first set, side by side
+       fig9.svg, fig9.csv       quality over irregularity: mean and deviation
+       fig9.md                  differences between planners, with intervals
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef WALLS_H
+#define WALLS_H
+
+enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_SHAKE = 20,
+       WALLS_PATH = 4096 };
+
+/* What quality takes for stability: the first is the one that is meant. */
+#define WALLS_STABILITY_LIST(X)                                               \
+    X(MARGIN, "margin / size")                                                \
+    X(LEVEL, "level")                                                         \
+    X(COLLAPSE, "level of collapse")
+
+enum walls_stability {
+#define WALLS_STABILITY_ID(id, words) WALLS_##id,
+    WALLS_STABILITY_LIST(WALLS_STABILITY_ID)
+#undef WALLS_STABILITY_ID
+    WALLS_STABILITIES
+};
+
+static const char *const walls_stability_words[] = {
+#define WALLS_STABILITY_WORDS(id, words) words,
+    WALLS_STABILITY_LIST(WALLS_STABILITY_WORDS)
+#undef WALLS_STABILITY_WORDS
+};
+
+static const char *const walls_colour[] = { DRAW_GHOST, DRAW_KERN,
+                                            "#2f6b3a" };
+
+struct walls_one {
+    int laid;
+    double fill, seconds;
+    double stability[WALLS_STABILITIES];
+    int tried, asked;
+    double asking;
+};
+
+struct walls {
+    const char *folder;
+    int sets, quick;
+    /* one a level, set and planner */
+    struct walls_one *one;
+};
+
+static struct walls_one *walls_at(const struct walls *f, int level, int set,
+                                  int planner)
+{
+    return &f->one[(level * f->sets + set) * STACK_PLANNERS + planner];
+}
+
+static double walls_quality(const struct walls_one *o, int stability)
+{
+    return stack_quality(o->stability[stability], o->fill);
+}
+
+static int walls_fail(const char *what, const char *name)
+{
+    fprintf(stderr, "figures: %s %s\n", what, name);
+    return -1;
+}
+
+static FILE *walls_out(const struct walls *f, const char *name)
+{
+    char path[WALLS_PATH];
+    FILE *out;
+    snprintf(path, sizeof path, "%s/%s", f->folder, name);
+    out = fopen(path, "w");
+    if (!out) walls_fail("cannot write", path);
+    return out;
+}
+
+/* ---- Building ------------------------------------------------------------ */
+
+static int walls_shake(const char *path, double *level)
+{
+    static const struct table empty;
+    struct table t = empty;
+    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
+    int bad;
+    t.plan.first = 1;
+    t.plan.last = WALLS_SHAKE;
+    t.plan.repeat = 1;
+    t.plan.unit = 1;
+    t.plan.seed = 1;
+    t.file = path;
+    bad = table_load(&t) || table_collapse(&t, &r);
+    *level = r.level;
+    free(r.ads);
+    free(r.first);
+    table_free(&t);
+    return bad ? walls_fail("cannot shake", path) : 0;
+}
+
+/* Plans one wall, writes and shakes it; leaves it open. */
+static int walls_build(const struct walls *f, const struct stones *stock,
+                       int level, int set, int planner, struct stack_wall *w)
+{
+    struct walls_one *one = walls_at(f, level, set, planner);
+    struct stack_options o = stack_defaults();
+    char path[WALLS_PATH];
+    clock_t start = clock();
+    o.planner = (enum stack_planner)planner;
+    o.seed = (uint64_t)set + 1;
+    if (f->quick) o.walls = 4;
+    if (stack_open(w, stock, &o) || stack_plan(w))
+        return walls_fail("not enough memory for", "a wall");
+    one->seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    one->laid = w->laid;
+    one->fill = stack_fill(w);
+    one->stability[WALLS_MARGIN] = w->m.margin / stock->size;
+    one->stability[WALLS_LEVEL] = w->m.level;
+    one->tried = w->tried;
+    one->asked = w->asked;
+    one->asking = w->asking;
+    snprintf(path, sizeof path, "%s/walls/i%d-%02d-%s.kern", f->folder,
+             10 + 10 * level, set + 1, stack_planner_name[planner]);
+    if (stack_write(w, path)) return walls_fail("cannot write", path);
+    return walls_shake(path, &one->stability[WALLS_COLLAPSE]);
+}
+
+/* ---- Fig. 8 -------------------------------------------------------------- */
+
+static const double walls_wide = 300, walls_high = 212, walls_left = 40,
+                    walls_top = 40;
+
+/* One wall in its place: levels downwards, planners to the right. */
+static void walls_draw(const struct walls *f, FILE *out, int level,
+                       int planner, const struct stack_wall *w)
+{
+    const struct walls_one *one = walls_at(f, level, 0, planner);
+    struct draw_view v;
+    char text[120];
+    stack_view(w, &v, walls_wide);
+    v.out = out;
+    v.scale = walls_wide / (w->options.width + 1);
+    v.left = walls_left + planner * walls_wide;
+    v.top = walls_top + level * walls_high + walls_high - 34
+          - (v.high.y - v.low.y) * v.scale;
+    stack_draw_frame(w, &v);
+    for (int i = 0; i < w->laid; i++) stack_draw_stone(w, &v, i);
+    snprintf(text, sizeof text, "filling %.2f, level %d, Q %.3f", one->fill,
+             w->m.level, walls_quality(one, WALLS_MARGIN));
+    draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
+    draw_text(out, v.left + walls_wide / 2 - 14, walls_top
+              + level * walls_high + walls_high - 20, 11, "middle", text,
+              strlen(text));
+    draw_close(out);
+}
+
+static void walls_head(FILE *out)
+{
+    char text[40];
+    draw_begin(out, walls_left + STACK_PLANNERS * walls_wide,
+               walls_top + WALLS_LEVELS * walls_high);
+    draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
+    for (int p = 0; p < STACK_PLANNERS; p++)
+        draw_text(out, walls_left + (p + 0.5) * walls_wide - 14, 20, 13,
+                  "middle", stack_planner_name[p],
+                  strlen(stack_planner_name[p]));
+    for (int l = 0; l < WALLS_LEVELS; l++) {
+        snprintf(text, sizeof text, "%d", 10 + 10 * l);
+        draw_text(out, 22, walls_top + (l + 0.5) * walls_high, 13, "middle",
+                  text, strlen(text));
+    }
+    draw_close(out);
+}
+
+/* Builds everything; Fig. 8 is drawn on the way. */
+static int walls_make(const struct walls *f)
+{
+    FILE *out = walls_out(f, "fig8.svg");
+    int bad = !out;
+    if (out) walls_head(out);
+    for (int l = 0; l < WALLS_LEVELS && !bad; l++)
+        for (int set = 0; set < f->sets && !bad; set++) {
+            struct stones stock;
+            fprintf(stderr, "figures: irregularity %d, set %d of %d\n",
+                    10 + 10 * l, set + 1, f->sets);
+            bad = stones_make(&stock, 10 + 10 * l, WALLS_STONES,
+                              (uint64_t)set + 1);
+            for (int p = 0; p < STACK_PLANNERS && !bad; p++) {
+                struct stack_wall w;
+                bad = walls_build(f, &stock, l, set, p, &w);
+                if (!bad && set == 0) walls_draw(f, out, l, p, &w);
+                stack_free(&w);
+            }
+            stones_free(&stock);
+        }
+    if (out) {
+        bad |= draw_end(out);
+        bad |= fclose(out);
+    }
+    return bad;
+}
+
+/* ---- Fig. 9 -------------------------------------------------------------- */
+
+/* Mean and standard deviation. */
+static void walls_moments(const double *x, int n, double *mean, double *sd)
+{
+    double sum = 0, squares = 0;
+    for (int i = 0; i < n; i++) sum += x[i];
+    *mean = sum / n;
+    for (int i = 0; i < n; i++) squares += (x[i] - *mean) * (x[i] - *mean);
+    *sd = n > 1 ? sqrt(squares / (n - 1)) : 0;
+}
+
+/* Half the 95 % interval of a mean: Student's t, by its series in 1 / degrees
+   of freedom (2.093 for 19; the table has the same). */
+static double walls_interval(double sd, int n)
+{
+    const double z = 1.959964, d = n - 1;
+    double t = z + (z * z * z + z) / (4 * d)
+             + (5 * pow(z, 5) + 16 * pow(z, 3) + 3 * z) / (96 * d * d);
+    return n > 1 ? t * sd / sqrt(n) : 0;
+}
+
+/* Of a planner at a level; less another's on the same stocks, if that is not
+   negative. */
+static void walls_sum_up(const struct walls *f, int level, int planner,
+                         int less, int stability, double *mean, double *sd)
+{
+    double *x = malloc((size_t)f->sets * sizeof *x);
+    *mean = *sd = 0;
+    if (!x) return;
+    for (int i = 0; i < f->sets; i++) {
+        x[i] = walls_quality(walls_at(f, level, i, planner), stability);
+        if (less >= 0)
+            x[i] -= walls_quality(walls_at(f, level, i, less), stability);
+    }
+    walls_moments(x, f->sets, mean, sd);
+    free(x);
+}
+
+static int walls_list(const struct walls *f)
+{
+    FILE *out = walls_out(f, "walls.csv");
+    if (!out) return -1;
+    fprintf(out, "irregularity,set,planner,stones,filling,level,margin_sizes,"
+            "collapse,Q,seconds,candidates,asked,asked_a_second\n");
+    for (int l = 0; l < WALLS_LEVELS; l++)
+        for (int set = 0; set < f->sets; set++)
+            for (int p = 0; p < STACK_PLANNERS; p++) {
+                const struct walls_one *o = walls_at(f, l, set, p);
+                fprintf(out, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.3g,%d,%d,"
+                        "%.0f\n", 10 + 10 * l, set + 1, stack_planner_name[p],
+                        o->laid, o->fill, o->stability[WALLS_LEVEL],
+                        o->stability[WALLS_MARGIN],
+                        o->stability[WALLS_COLLAPSE],
+                        walls_quality(o, WALLS_MARGIN), o->seconds, o->tried,
+                        o->asked, o->asked / fmax(o->asking, 1e-9));
+            }
+    return fclose(out) ? walls_fail("cannot write", "walls.csv") : 0;
+}
+
+/* Differences of two planners, for each choice of stability. */
+static void walls_differences(const struct walls *f, FILE *out, int more,
+                              int less)
+{
+    fprintf(out, "\n%s less %s, mean of the paired differences of Q and its "
+            "95 %% interval:\n\n| stability |", stack_planner_name[more],
+            stack_planner_name[less]);
+    for (int l = 0; l < WALLS_LEVELS; l++) fprintf(out, " %d |", 10 + 10 * l);
+    fprintf(out, "\n|---|---|---|---|---|---|\n");
+    for (int k = 0; k < WALLS_STABILITIES; k++) {
+        fprintf(out, "| %s |", walls_stability_words[k]);
+        for (int l = 0; l < WALLS_LEVELS; l++) {
+            double mean, sd;
+            walls_sum_up(f, l, more, less, k, &mean, &sd);
+            fprintf(out, " %.3g ± %.2g |", mean, walls_interval(sd, f->sets));
+        }
+        fprintf(out, "\n");
+    }
+}
+
+/* Means of what else there is, over all sets of a level. */
+static void walls_means(const struct walls *f, FILE *out)
+{
+    fprintf(out, "| irregularity | planner | stones | filling | level | "
+            "margin / size | collapse | Q | candidates a stone | asked a stone "
+            "| seconds a stone |\n|---|---|---|---|---|---|---|---|---|---|---|"
+            "\n");
+    for (int l = 0; l < WALLS_LEVELS; l++)
+        for (int p = 0; p < STACK_PLANNERS; p++) {
+            double sum[9] = { 0 };
+            for (int set = 0; set < f->sets; set++) {
+                const struct walls_one *o = walls_at(f, l, set, p);
+                sum[0] += o->laid;
+                sum[1] += o->fill;
+                sum[2] += o->stability[WALLS_LEVEL];
+                sum[3] += o->stability[WALLS_MARGIN];
+                sum[4] += o->stability[WALLS_COLLAPSE];
+                sum[5] += walls_quality(o, WALLS_MARGIN);
+                sum[6] += o->tried;
+                sum[7] += o->asked;
+                sum[8] += o->seconds;
+            }
+            fprintf(out, "| %d | %s | %.1f | %.3f | %.1f | %.3f | %.1f | %.3f "
+                    "| %.0f | %.0f | %.3f |\n", 10 + 10 * l,
+                    stack_planner_name[p], sum[0] / f->sets, sum[1] / f->sets,
+                    sum[2] / f->sets, sum[3] / f->sets, sum[4] / f->sets,
+                    sum[5] / f->sets, sum[6] / sum[0], sum[7] / sum[0],
+                    sum[8] / sum[0]);
+        }
+}
+
+static int walls_tables(const struct walls *f)
+{
+    FILE *csv = walls_out(f, "fig9.csv"), *md = walls_out(f, "fig9.md");
+    if (!csv || !md) return -1;
+    fprintf(csv, "irregularity,planner,sets,mean,deviation,interval\n");
+    for (int l = 0; l < WALLS_LEVELS; l++)
+        for (int p = 0; p < STACK_PLANNERS; p++) {
+            double mean, sd;
+            walls_sum_up(f, l, p, -1, WALLS_MARGIN, &mean, &sd);
+            fprintf(csv, "%d,%s,%d,%.5f,%.5f,%.5f\n", 10 + 10 * l,
+                    stack_planner_name[p], f->sets, mean, sd,
+                    walls_interval(sd, f->sets));
+        }
+    walls_means(f, md);
+    walls_differences(f, md, STACK_COMBINED, STACK_HEURISTIC);
+    walls_differences(f, md, STACK_BEST, STACK_HEURISTIC);
+    walls_differences(f, md, STACK_BEST, STACK_COMBINED);
+    return fclose(csv) | fclose(md) ? walls_fail("cannot write", "fig9") : 0;
+}
+
+/* One planner's curve: a bar of a standard deviation each way. */
+static void walls_curve(const struct walls *f, const struct plot *p,
+                        int planner)
+{
+    double x[WALLS_LEVELS], mean[WALLS_LEVELS];
+    char style[80];
+    snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"1.2\"",
+             walls_colour[planner]);
+    for (int l = 0; l < WALLS_LEVELS; l++) {
+        double sd;
+        walls_sum_up(f, l, planner, -1, WALLS_MARGIN, &mean[l], &sd);
+        x[l] = 10 + 10 * l + 0.7 * (planner - 1); /* bars side by side */
+        draw_line(p->out, plot_place(p, x[l], fmax(mean[l] - sd, p->y0)),
+                  plot_place(p, x[l], fmin(mean[l] + sd, p->y1)), style);
+        plot_point(p, x[l], mean[l], walls_colour[planner]);
+    }
+    plot_curve(p, x, mean, WALLS_LEVELS, walls_colour[planner], 1.8);
+    draw_line(p->out, draw_vec(p->left + 236, p->top + 18 + 18 * planner),
+              draw_vec(p->left + 260, p->top + 18 + 18 * planner), style);
+    plot_text(p, p->left + 268, p->top + 22 + 18 * planner, 11.5, "start",
+              stack_planner_name[planner]);
+}
+
+static int walls_nine(const struct walls *f)
+{
+    FILE *out = walls_out(f, "fig9.svg");
+    struct plot p = { NULL, 5, 55, 0, 0.1, 0, 0, 0, 0 };
+    int bad;
+    if (!out) return -1;
+    for (int l = 0; l < WALLS_LEVELS; l++)
+        for (int k = 0; k < STACK_PLANNERS; k++) {
+            double mean, sd;
+            walls_sum_up(f, l, k, -1, WALLS_MARGIN, &mean, &sd);
+            p.y1 = fmax(p.y1, mean + sd);
+        }
+    plot_begin(&p, out, "Quality of walls: mean and standard deviation",
+               "irregularity, %", "Q = margin / size x f(filling)", 0);
+    for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k);
+    bad = plot_end(&p);
+    return fclose(out) | bad ? walls_fail("cannot write", "fig9.svg") : 0;
+}
+
+/* All of it, from so many stocks a level. */
+static int walls_all(const char *folder, int sets, int quick)
+{
+    struct walls f = { folder, sets, quick, NULL };
+    int bad;
+    f.one = calloc((size_t)(WALLS_LEVELS * sets * STACK_PLANNERS),
+                   sizeof *f.one);
+    bad = !f.one || walls_make(&f) || walls_list(&f) || walls_tables(&f) ||
+          walls_nine(&f);
+    free(f.one);
+    return bad;
+}
+
+#endif /* WALLS_H */

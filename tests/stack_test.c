@@ -1,0 +1,402 @@
+/* stack_test - are the stones, the geometry and the walls of the planner right?
+
+       cc -O2 -ffp-contract=off -o stack_test tests/stack_test.c -lm
+       ./stack_test            walls from 1 seed a level and planner
+       ./stack_test 20         from 20
+
+   SPDX-License-Identifier: MIT */
+
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+
+#include "../examples/draw.h"
+#include "../examples/rigid.h"
+#include "../examples/text.h"
+
+#include "../examples/build.h"
+#include "../examples/stones.h"
+#include "../examples/stack.h"
+
+static const double pi = 3.14159265358979323846;
+static int failures;
+
+static void check(int good, const char *what, double found, double wanted)
+{
+    if (good) return;
+    printf("FAILED  %s: %.9g, wanted %.9g\n", what, found, wanted);
+    failures++;
+}
+
+static void near_to(const char *what, double found, double wanted,
+                    double allowed)
+{
+    check(fabs(found - wanted) <= allowed, what, found, wanted);
+}
+
+/* ---- Statistics of the stones that are made ------------------------------ */
+
+/* Means over stones of 0.25 and more of the mean area; `aspect` is a median. */
+struct shape {
+    double corners, rect, aspect, cv, corner, least;
+};
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The smallest rectangle around a convex stone lies along one of its edges. */
+static void smallest_box(const struct stone *s, double *area, double *aspect)
+{
+    *area = HUGE_VAL;
+    for (int i = 0; i < s->n; i++) {
+        kern_vec n = rest_edge_at(s, i).n, t = stones_vec(-n.y, n.x);
+        double low[2] = { HUGE_VAL, HUGE_VAL };
+        double high[2] = { -HUGE_VAL, -HUGE_VAL }, a, b;
+        for (int k = 0; k < s->n; k++) {
+            double along = stones_dot(t, s->v[k]), out = stones_dot(n, s->v[k]);
+            low[0] = fmin(low[0], along);
+            high[0] = fmax(high[0], along);
+            low[1] = fmin(low[1], out);
+            high[1] = fmax(high[1], out);
+        }
+        a = high[0] - low[0];
+        b = high[1] - low[1];
+        if (a * b >= *area) continue;
+        *area = a * b;
+        *aspect = fmax(a, b) / fmin(a, b);
+    }
+}
+
+/* Departure of the four largest turns from 90 degrees, and the least interior
+   angle, in degrees. */
+static void angles(const struct stone *s, double *corner, double *least)
+{
+    double turn[STONES_CORNERS];
+    int most = s->n < 4 ? s->n : 4;
+    for (int i = 0; i < s->n; i++) {
+        kern_vec a = rest_edge_at(s, i).n;
+        kern_vec b = rest_edge_at(s, i + 1 < s->n ? i + 1 : 0).n;
+        turn[i] = atan2(stones_cross(a, b), stones_dot(a, b)) * 180 / pi;
+    }
+    qsort(turn, (size_t)s->n, sizeof *turn, ascending);
+    *least = 180 - turn[s->n - 1];
+    *corner = 0;
+    for (int i = 0; i < most; i++)
+        *corner += fabs(turn[s->n - 1 - i] - 90) / most;
+}
+
+static struct shape statistics(const struct stones *all)
+{
+    struct shape mean = { 0, 0, 0, 0, 0, 0 };
+    double *aspect = malloc((size_t)all->stones * sizeof *aspect);
+    double sum = 0, squares = 0;
+    int n = 0;
+    for (int i = 0; i < all->stones && aspect; i++) {
+        const struct stone *s = &all->stone[i];
+        double box = 1, corner, least;
+        if (s->area < 0.25) continue;
+        smallest_box(s, &box, &aspect[n++]);
+        angles(s, &corner, &least);
+        mean.corners += s->n;
+        mean.rect += s->area / box;
+        mean.corner += corner;
+        mean.least += least;
+        sum += s->area;
+        squares += s->area * s->area;
+    }
+    qsort(aspect, (size_t)n, sizeof *aspect, ascending);
+    mean.corners /= n;
+    mean.rect /= n;
+    mean.corner /= n;
+    mean.least /= n;
+    mean.aspect = aspect[n / 2];
+    mean.cv = sqrt(squares / n - sum / n * (sum / n)) / (sum / n);
+    free(aspect);
+    return mean;
+}
+
+/* Against published statistics of 600 stones a level. */
+static void test_generator(void)
+{
+    static const struct shape wanted[] = {
+        { 4.4, 0.92, 1.52, 0.18, 5.5, 84 }, { 4.7, 0.85, 1.53, 0.22, 11.5, 79 },
+        { 5.1, 0.81, 1.55, 0.27, 16.3, 77 },
+        { 5.1, 0.76, 1.62, 0.31, 19.5, 73 },
+        { 5.0, 0.73, 1.64, 0.36, 22.1, 68 },
+    };
+    for (int l = 0; l < 5; l++) {
+        struct stones all;
+        struct shape found;
+        stones_make(&all, 10 + 10 * l, 1000, 7);
+        found = statistics(&all);
+        near_to("corners of a stone", found.corners, wanted[l].corners, 0.15);
+        near_to("share of the smallest rectangle", found.rect, wanted[l].rect,
+                0.015);
+        near_to("aspect", found.aspect, wanted[l].aspect, 0.06);
+        near_to("deviation of the area", found.cv, wanted[l].cv, 0.025);
+        near_to("turn off 90 degrees", found.corner, wanted[l].corner, 1);
+        near_to("least angle", found.least, wanted[l].least, 2);
+        near_to("mean area", all.area, 1, 0.05);
+        stones_free(&all);
+    }
+}
+
+/* ---- Geometry by hand ---------------------------------------------------- */
+
+static struct stone box(double left, double low, double right, double high)
+{
+    const kern_vec v[4] = { { left, low }, { right, low }, { right, high },
+                            { left, high } };
+    struct stone s;
+    stone_of(&s, v, 4);
+    stone_move(&s, stones_vec((left + right) / 2, (low + high) / 2));
+    return s;
+}
+
+static void put(struct stack_wall *w, double left, double low, double right,
+                double high)
+{
+    struct stack_place place = { 0, { 0, 0 }, { 1, 0 } };
+    struct stones *stock = (struct stones *)(size_t)w->stock;
+    place.stone = w->laid;
+    place.at = stones_vec((left + right) / 2, (low + high) / 2);
+    stock->stone[w->laid] = box(left, low, right, high);
+    stone_move(&stock->stone[w->laid], stones_vec(-place.at.x, -place.at.y));
+    check(stack_lay(w, &place) == 0, "a box stands", left, low);
+}
+
+/* Boxes 0..1 and 1.5..2.5, both 1 high, in a frame of 4 by 3. */
+static int two_boxes(struct stack_wall *w, struct stones *stock)
+{
+    struct stack_options o = stack_defaults();
+    o.width = 4;
+    o.height = 3;
+    stones_make(stock, 0, 4, 1);
+    stock->size = stock->area = 1;
+    if (stack_open(w, stock, &o)) return -1;
+    put(w, 0, 0, 1, 1);
+    put(w, 1.5, 0, 2.5, 1);
+    stack_look(w, -1, 5, -1);
+    return 0;
+}
+
+static void test_features(void)
+{
+    const double column = 1.0 / STACK_COLUMNS;
+    struct stones stock;
+    struct stack_wall w;
+    struct stone slab = box(0.25, 1, 2.25, 1.5), low = box(1, 0, 1.5, 0.5);
+    struct stone roof;
+    const kern_vec gable[5] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1.5 },
+                                { 0, 1 } };
+    if (two_boxes(&w, &stock)) return;
+    stone_of(&roof, gable, 5);
+    /* the slab lies on 0.75 + 0.75 of its perimeter of 5 */
+    near_to("common edges of a slab", stack_edges(&w.near, &slab), 0.3, 1e-12);
+    /* a box in the gap: 0.5 below and 0.5 on either side of 2 */
+    near_to("common edges in a gap", stack_edges(&w.near, &low), 0.75, 1e-12);
+    near_to("hole below a slab", stack_hole(&w, &slab), 0.5, 2 * column);
+    near_to("no hole in the gap", stack_hole(&w, &low), 0, 1e-12);
+    /* the gap's neighbours: 1 high over half a stone on both sides */
+    near_to("neighbours of a gap", stack_neighbours(&w, &low), 1, 1e-12);
+    /* the slab's: left 0.25 of 0.5 is outside of the frame, what is in it is
+       1 high; right half 1 high, half nothing; 1 below the slab */
+    near_to("neighbours of a slab", stack_neighbours(&w, &slab),
+            (1 + 0.5) / 2 - 1, 2 * column);
+    near_to("slope of a box", stack_slope(&slab), 0, 0);
+    near_to("slope of a gable", stack_slope(&roof), 0.5, 1e-12);
+    /* joints below the slab at 1, 1.5 and 2.5; its right end is at 2.25 */
+    near_to("bond of a slab", stack_bond(&w, &slab), 0.25, column);
+    near_to("area in a frame", stone_area_in(&slab, 1.25, 1.25), 0.25, 1e-12);
+    near_to("area of a gable's lower half", stone_area_in(&roof, 9, 9),
+            /* its centroid is at 0, 0: what lies right of it and above */
+            roof.area / 2 - 1 * -roof.low.y, 1e-9);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+/* A closed sky: notches of less than k columns are filled. */
+static void test_sky(void)
+{
+    const double sky[8] = { 1, 0, 2, 0, 0, 0, 3, 0 };
+    const double wanted[8] = { 1, 1, 2, 0, 0, 0, 3, 3 };
+    const double wide[8] = { 2, 2, 2, 2, 2, 2, 3, 3 };
+    double room[16], out[16];
+    stack_close(sky, 8, 2, room, out);
+    for (int i = 0; i < 8; i++)
+        near_to("closed sky", out[i + 1], wanted[i], 0);
+    stack_close(sky, 8, 4, room, out);
+    for (int i = 1; i < 8; i++)
+        near_to("sky closed wider", out[i + 3], wide[i], 0);
+}
+
+/* A square that comes down turned by 30 degrees, beside a box or not. */
+static void test_rest(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    struct stone s = box(-0.5, -0.5, 0.5, 0.5), t;
+    if (two_boxes(&w, &stock)) return;
+    stone_turn(&s, s.centre, stones_vec(sqrt(3) / 2, 0.5));
+    t = s;
+    stone_move(&t, stones_vec(3.4, 5));
+    check(rest_settle(&w.near, &t), "a square comes to rest", 0, 1);
+    near_to("flat on the ground", t.low.y, 0, 1e-12);
+    near_to("and as high as it is", t.high.y, 1, 1e-12);
+    /* above the gap of 0.5 it turns until two corners of the boxes carry it */
+    t = s;
+    stone_move(&t, stones_vec(1.3, 5));
+    check(rest_settle(&w.near, &t), "a square rests in a gap", 0, 1);
+    check(t.low.y >= 1 - 1e-12 || t.low.y > 0.5, "it does not fall through",
+          t.low.y, 1);
+    /* slid against a box it stops there */
+    t = box(2.6, 0, 3.6, 1);
+    near_to("way to a box", rest_way(&w.near, &t, stones_vec(-1, 0)), 0.1,
+            1e-12);
+    near_to("way down", rest_way(&w.near, &t, stones_vec(0, -1)), 0, 1e-12);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+static void test_quality(void)
+{
+    near_to("half of it at 0.70", stack_worth(0.70), 0.5, 1e-12);
+    near_to("at 0.80", stack_worth(0.80), 1 / (1 + exp(-3)), 1e-12);
+    near_to("no wall below 0.60", stack_quality(1, 0.5999), 0, 0);
+    near_to("quality", stack_quality(0.2, 0.70), 0.1, 1e-12);
+}
+
+/* The limit multiplier of a box: it tips at width / height, or slides. */
+static void test_limit(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    if (two_boxes(&w, &stock)) return;
+    near_to("boxes slide", stack_limit(&w.plan.s, w.plan.contact, &w.work),
+            0.58, 1e-5);
+    put(&w, 1.75, 1, 2.25, 3);
+    near_to("a post tips", stack_limit(&w.plan.s, w.plan.contact, &w.work),
+            0.25, 1e-5);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+/* ---- Walls --------------------------------------------------------------- */
+
+/* Builds the wall again, stone by stone: at each step nothing overlaps, it
+   stands, and it stays when it is let go. */
+static void replay(struct stack_wall *w, const struct stack_wall *built)
+{
+    const double far = 0.05, seconds = 2;
+    for (int i = 0; i < built->laid; i++) {
+        kern_contact contact[4000];
+        if (stack_lay(w, &built->place[i])) {
+            check(0, "a wall stands at every step", i, built->laid);
+            return;
+        }
+        check(kern_contacts(w->plan.block, w->plan.s.blocks, &w->plan.options,
+                            contact, 4000, &w->work) >= 0,
+              "nothing overlaps", i, built->laid);
+        check(stack_sway(w, NULL, seconds, far) <= far, "a wall stays", i, far);
+    }
+}
+
+/* Thirty stones of 36, in a frame that is high enough. */
+static void test_walls(int seeds)
+{
+    for (int level = 10; level <= 50; level += 10)
+        for (int seed = 1; seed <= seeds; seed++)
+            for (int p = 0; p < STACK_PLANNERS; p++) {
+                struct stones stock;
+                struct stack_wall w, again;
+                struct stack_options o = stack_defaults();
+                o.height = 12;
+                o.most = 30;
+                o.planner = (enum stack_planner)p;
+                o.walls = 8;
+                o.seed = (uint64_t)seed;
+                stones_make(&stock, level, 36, (uint64_t)(500 + seed));
+                if (stack_open(&w, &stock, &o) ||
+                    stack_open(&again, &stock, &o) || stack_plan(&w)) {
+                    check(0, "memory for a wall", level, seed);
+                    return;
+                }
+                if (w.laid < 30)
+                    printf("%d, seed %d, %s: %s\n", level, seed,
+                           stack_planner_name[p], w.message);
+                check(w.laid == 30, "30 stones are laid", w.laid, 30);
+                replay(&again, &w);
+                near_to("the same margin", again.m.margin, w.m.margin, 1e-6);
+                stack_free(&again);
+                stack_free(&w);
+                stones_free(&stock);
+            }
+}
+
+/* The same input, the same wall. */
+static void test_same(void)
+{
+    struct stack_options o = stack_defaults();
+    struct stones stock;
+    struct stack_wall w[2];
+    o.walls = 3;
+    stones_make(&stock, 40, 20, 3);
+    for (int k = 0; k < 2; k++)
+        if (stack_open(&w[k], &stock, &o) || stack_plan(&w[k])) return;
+    check(w[0].laid == w[1].laid, "the same wall", w[0].laid, w[1].laid);
+    for (int i = 0; i < w[0].laid && i < w[1].laid; i++)
+        check(stack_same(&w[0].place[i], &w[1].place[i], 1e-300) ||
+              w[0].place[i].at.x - w[1].place[i].at.x == 0,
+              "the same place", w[0].place[i].at.x, w[1].place[i].at.x);
+    for (int k = 0; k < 2; k++) stack_free(&w[k]);
+    stones_free(&stock);
+}
+
+/* The filters keep the best of each feature, whatever the thresholds. */
+static void test_filters(void)
+{
+    struct stack_options o = stack_defaults();
+    struct stones stock;
+    struct stack_wall w;
+    struct stack_list list = { NULL, 0, 0 };
+    int kept = 0;
+    for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = 0;
+    stones_make(&stock, 30, 10, 5);
+    if (stack_open(&w, &stock, &o) ||
+        stack_propose(&w, &list, 1, NULL, 0))
+        return;
+    check(list.count > 20, "candidates on the ground", list.count, 20);
+    for (int k = 0; k < STACK_FILTERS; k++) stack_sift(&w, &list, k);
+    for (int i = 0; i < list.count; i++) kept += !list.one[i].out;
+    check(kept >= 1 && kept < list.count, "what filters keep", kept, 1);
+    free(list.one);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+static void test_bad_stocks(void)
+{
+    struct stones s;
+    check(stones_load(&s, "no such file") != 0, "a file that is not there", 0,
+          -1);
+    check(strstr(s.message, "cannot be read") != NULL, "is said so", 0, 1);
+    stones_free(&s);
+}
+
+int main(int argc, char **argv)
+{
+    test_generator();
+    test_features();
+    test_sky();
+    test_rest();
+    test_quality();
+    test_limit();
+    test_filters();
+    test_same();
+    test_bad_stocks();
+    test_walls(argc > 1 ? atoi(argv[1]) : 1);
+    printf(failures ? "%d failures\n" : "all passed\n", failures);
+    return failures ? 1 : 0;
+}
