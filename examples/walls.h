@@ -372,6 +372,7 @@ static int walls_nine(const struct walls *f)
             walls_sum_up(f, l, k, -1, WALLS_MARGIN, &mean, &sd);
             p.y1 = fmax(p.y1, mean + sd);
         }
+    p.y1 *= 1.25; /* the names stand above */
     plot_begin(&p, out, "Quality of walls: mean and standard deviation",
                "irregularity, %", "Q = margin / size x f(filling)", 0);
     for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k);
