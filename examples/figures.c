@@ -61,22 +61,6 @@ struct figures {
     struct sample *sample;
 };
 
-static int fail(const char *what, const char *name)
-{
-    fprintf(stderr, "figures: %s %s\n", what, name);
-    return -1;
-}
-
-static FILE *open_out(const struct figures *f, const char *name)
-{
-    char path[PATH];
-    FILE *out;
-    snprintf(path, sizeof path, "%s/%s", f->folder, name);
-    out = fopen(path, "w");
-    if (!out) fail("cannot write", path);
-    return out;
-}
-
 /* ---- Structures ---------------------------------------------------------- */
 
 static int shake_file(const char *path, int first, int last, int repeat,
@@ -92,7 +76,7 @@ static int shake_file(const char *path, int first, int last, int repeat,
     t.plan.seed = 1;
     t.file = path;
     bad = table_load(&t) || table_collapse(&t, r);
-    if (bad) fail(path, t.text.message);
+    if (bad) figures_fail(path, t.text.message);
     table_free(&t);
     return bad;
 }
@@ -125,13 +109,13 @@ static int build_sample(const struct figures *f, int i, struct sample *s)
         bad = measure_file(s->path, s->value);
     }
     free(b);
-    return bad ? fail("cannot build", s->path) : 0;
+    return bad ? figures_fail("cannot build", s->path) : 0;
 }
 
 static int write_labels(const struct figures *f)
 {
-    FILE *out = open_out(f, "labels.csv");
-    FILE *stones = open_out(f, "stones.csv");
+    FILE *out = figures_out(f->folder, "labels.csv");
+    FILE *stones = figures_out(f->folder, "stones.csv");
     if (!out || !stones) return -1;
     fprintf(out, "name,family,irregularity,stones,level,level_sd\n");
     fprintf(stones, "name,stone,level\n");
@@ -143,14 +127,14 @@ static int write_labels(const struct figures *f)
         for (int k = 0; k < s->stones; k++)
             fprintf(stones, "%s,s%d,%.6g\n", s->name, k, s->shaken.first[k]);
     }
-    return fclose(out) | fclose(stones) ? fail("cannot write", "labels") : 0;
+    return fclose(out) | fclose(stones) ? figures_fail("cannot write", "labels") : 0;
 }
 
 static int make_samples(struct figures *f)
 {
     f->samples = f->quick ? 6 : 80;
     f->sample = calloc((size_t)f->samples, sizeof *f->sample);
-    if (!f->sample) return fail("not enough memory for", "the structures");
+    if (!f->sample) return figures_fail("not enough memory for", "the structures");
     for (int i = 0; i < f->samples; i++) {
         struct sample *s = &f->sample[i];
         fprintf(stderr, "figures: structure %d of %d\n", i + 1, f->samples);
@@ -216,7 +200,7 @@ static int time_sample(const struct sample *s, double cost[COSTS])
 /* The structures with the most stones of each kind. */
 static int table_one(const struct figures *f)
 {
-    FILE *csv = open_out(f, "table1.csv"), *md = open_out(f, "table1.md");
+    FILE *csv = figures_out(f->folder, "table1.csv"), *md = figures_out(f->folder, "table1.md");
     if (!csv || !md) return -1;
     fprintf(csv, "name,stones,shaking_one_level,shaking,margin,profile\n");
     fprintf(md, "CPU seconds; measures with the search for contacts.\n\n"
@@ -230,7 +214,7 @@ static int table_one(const struct figures *f)
             if ((int)f->sample[i].kind == kind &&
                 (!s || f->sample[i].stones > s->stones))
                 s = &f->sample[i];
-        if (!s || time_sample(s, cost)) return fail("cannot time", "measures");
+        if (!s || time_sample(s, cost)) return figures_fail("cannot time", "measures");
         fprintf(csv, "%s,%d", s->name, s->stones);
         fprintf(md, "| %s | %d |", s->name, s->stones);
         for (int k = 0; k < COSTS; k++) {
@@ -241,7 +225,7 @@ static int table_one(const struct figures *f)
         fprintf(md, " %.0f | %.0f |\n", cost[COST_SHAKING] / cost[COST_MARGIN],
                 cost[COST_SHAKING] / cost[COST_PROFILE]);
     }
-    return fclose(csv) | fclose(md) ? fail("cannot write", "table1") : 0;
+    return fclose(csv) | fclose(md) ? figures_fail("cannot write", "table1") : 0;
 }
 
 /* ---- Fig. 3 -------------------------------------------------------------- */
@@ -251,7 +235,7 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
 {
     struct draw_scene scene = { 0 };
     kern_proof proof = { NULL, NULL };
-    FILE *out = open_out(f, name);
+    FILE *out = figures_out(f->folder, name);
     int bad;
     proof.force = calloc((size_t)m->s.contacts, sizeof *proof.force);
     bad = !out || !proof.force ||
@@ -266,7 +250,7 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
     bad = bad || draw_svg(out, &scene);
     if (out) bad |= fclose(out) != 0;
     free(proof.force);
-    return bad ? fail("cannot draw", name) : 0;
+    return bad ? figures_fail("cannot draw", name) : 0;
 }
 
 /* The first structure, as it is and at the last step of Algorithm 1. */
@@ -300,7 +284,7 @@ static void level_axis(double *x)
 
 static int figure_six(const struct figures *f)
 {
-    FILE *csv = open_out(f, "fig6.csv"), *svg = open_out(f, "fig6.svg");
+    FILE *csv = figures_out(f->folder, "fig6.csv"), *svg = figures_out(f->folder, "fig6.svg");
     struct plot p = { NULL, 0, LEVELS, 0, 1.5, 0, 0, 0, 0 };
     double x[LEVELS], most = 0;
     char shade[8];
@@ -326,7 +310,7 @@ static int figure_six(const struct figures *f)
     }
     plot_colours(&p, 0, most, "load factor of the weaker half");
     bad = plot_end(&p);
-    return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig6") : 0;
+    return fclose(csv) | fclose(svg) | bad ? figures_fail("cannot write", "fig6") : 0;
 }
 
 static void write_brick(FILE *out, int course, int i, double x, double width)
@@ -343,7 +327,7 @@ static int write_wall(const char *path, double out_by)
     enum { COURSES = 5, BRICKS = 5 };
     const double width = 1, joint = 0.02, half = (width - joint) / 2;
     FILE *out = fopen(path, "w");
-    if (!out) return fail("cannot write", path);
+    if (!out) return figures_fail("cannot write", path);
     fprintf(out, "friction 0.4\ngravity 0 -9.81\ntolerance 0.001\n"
             "fixed base -2 -1  %d -1  %d 0  -2 0\n", BRICKS + 2, BRICKS + 2);
     for (int c = 0; c < COURSES; c++) {
@@ -355,7 +339,7 @@ static int write_wall(const char *path, double out_by)
             x += (end ? half : width) + joint;
         }
     }
-    return fclose(out) ? fail("cannot write", path) : 0;
+    return fclose(out) ? figures_fail("cannot write", path) : 0;
 }
 
 /* Draws a wall and returns its margin and level. */
@@ -365,7 +349,7 @@ static int draw_wall(const struct figures *f, const char *path,
     struct measures_of w;
     struct draw_scene scene = { 0 };
     char caption[120];
-    FILE *out = open_out(f, name);
+    FILE *out = figures_out(f->folder, name);
     int bad = !out || measures_load(&w, path) ||
               kern_measure(&w.s, &w.options, &w.work, m, NULL) != KERN_STANDS;
     if (!bad) {
@@ -378,7 +362,7 @@ static int draw_wall(const struct figures *f, const char *path,
         measures_free(&w);
     }
     if (out) bad |= fclose(out) != 0;
-    return bad ? fail("cannot draw", name) : 0;
+    return bad ? figures_fail("cannot draw", name) : 0;
 }
 
 static int figure_seven(const struct figures *f)
@@ -389,7 +373,7 @@ static int figure_seven(const struct figures *f)
     struct table_report r[2] = { { NULL, NULL, 0, 0, 0, 0 },
                                  { NULL, NULL, 0, 0, 0, 0 } };
     struct plot p = { NULL, 0, LEVELS, 0, 0.1, 0, 0, 0, 0 };
-    FILE *csv = open_out(f, "fig7.csv"), *svg = open_out(f, "fig7.svg");
+    FILE *csv = figures_out(f->folder, "fig7.csv"), *svg = figures_out(f->folder, "fig7.svg");
     kern_margin m[2];
     double x[LEVELS];
     char path[PATH], text[80];
@@ -425,7 +409,7 @@ static int figure_seven(const struct figures *f)
         free(r[k].first);
     }
     bad = plot_end(&p);
-    return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig7") : 0;
+    return fclose(csv) | fclose(svg) | bad ? figures_fail("cannot write", "fig7") : 0;
 }
 
 int main(int argc, char **argv)

@@ -62,8 +62,7 @@ static const char help[] =
 "\n"
 "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
 
-enum { EXIT_DONE = 0, EXIT_NONE = 1, EXIT_BAD = 2, PATH = 4096,
-       SHAKE_LEVELS = 20 };
+enum { EXIT_DONE = 0, EXIT_NONE = 1, EXIT_BAD = 2, PATH = 4096 };
 
 struct settings {
     struct stack_options plan;
@@ -289,29 +288,6 @@ static int draw_steps(struct stack_wall *w, const char *name)
 
 /* ---- The table ----------------------------------------------------------- */
 
-/* The level of collapse of a wall in a file; the lengths are divided by the
-   mean size of its stones. */
-static int shake(const char *path, double size, double *level)
-{
-    static const struct table empty;
-    struct table t = empty;
-    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
-    int bad;
-    t.plan.first = 1;
-    t.plan.last = SHAKE_LEVELS;
-    t.plan.repeat = 1;
-    t.plan.unit = size;
-    t.plan.seed = 1;
-    t.file = path;
-    bad = table_load(&t) || table_collapse(&t, &r);
-    if (bad) fail(path, t.text.message);
-    *level = r.level;
-    free(r.ads);
-    free(r.first);
-    table_free(&t);
-    return bad;
-}
-
 static void print_head(void)
 {
     printf("%-24s %6s %7s %6s %7s %9s %9s %7s\n", "wall", "stones", "filling",
@@ -327,7 +303,7 @@ static void print_row(const char *name, int stones, double fill,
     if (limit < 0) printf("%9s ", "none");
     else printf("%9.4f ", limit);
     if (collapse <= 0) printf("%9s ", "-");
-    else if (collapse > SHAKE_LEVELS) printf("%8s%d ", ">", SHAKE_LEVELS);
+    else if (collapse > TABLE_LEVELS) printf("%8s%d ", ">", TABLE_LEVELS);
     else printf("%9.3g ", collapse);
     printf("%7.4f\n", stack_quality(m->margin / size, fill));
 }
@@ -372,7 +348,7 @@ static int print_other(const struct settings *o, const char *path, double size)
         return -1;
     }
     for (int i = 0; i < m.s.blocks; i++) stones += !m.s.block[i].fixed;
-    if (o->shaking && shake(path, size, &collapse)) collapse = 0;
+    if (o->shaking && table_once("stack", path, size, &collapse)) collapse = 0;
     print_row(path, stones, fill_of(&m, o->plan.width, o->plan.height), &out,
               size, stack_limit(&m.s, m.contact, &m.work), collapse);
     measures_free(&m);
@@ -382,7 +358,7 @@ static int print_other(const struct settings *o, const char *path, double size)
 static int print_table(const struct settings *o, struct stack_wall *w)
 {
     double collapse = 0, size = w->stock->size;
-    if (o->shaking && shake(o->out, size, &collapse)) return -1;
+    if (o->shaking && table_once("stack", o->out, size, &collapse)) return -1;
     print_head();
     print_row(stack_planner_name[o->plan.planner], w->laid, stack_fill(w),
               &w->m, size, stack_limit(&w->plan.s, w->plan.contact, &w->work),

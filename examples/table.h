@@ -465,4 +465,30 @@ static inline int table_collapse(struct table *t, struct table_report *r)
     return bad ? table_fail(t, "not enough memory to shake it") : 0;
 }
 
+enum { TABLE_LEVELS = 20 };
+
+/* The level of collapse of the structure in a file, shaken once at each level
+   of TABLE_LEVELS, in its `unit` of length. Says what is wrong on stderr. */
+static inline int table_once(const char *program, const char *path,
+                             double unit, double *level)
+{
+    static const struct table empty;
+    struct table t = empty;
+    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
+    int bad;
+    t.plan.first = 1;
+    t.plan.last = TABLE_LEVELS;
+    t.plan.repeat = 1;
+    t.plan.unit = unit;
+    t.plan.seed = 1;
+    t.file = path;
+    bad = table_load(&t) || table_collapse(&t, &r);
+    if (bad) fprintf(stderr, "%s: %s: %s\n", program, path, t.text.message);
+    *level = r.level;
+    free(r.ads);
+    free(r.first);
+    table_free(&t);
+    return bad;
+}
+
 #endif /* TABLE_H */

@@ -15,8 +15,7 @@
 #ifndef WALLS_H
 #define WALLS_H
 
-enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_SHAKE = 20,
-       WALLS_PATH = 4096 };
+enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_PATH = 4096 };
 
 /* What quality takes for stability: the first is the one that is meant. */
 #define WALLS_STABILITY_LIST(X)                                               \
@@ -66,43 +65,23 @@ static double walls_quality(const struct walls_one *o, int stability)
     return stack_quality(o->stability[stability], o->fill);
 }
 
-static int walls_fail(const char *what, const char *name)
+static int figures_fail(const char *what, const char *name)
 {
     fprintf(stderr, "figures: %s %s\n", what, name);
     return -1;
 }
 
-static FILE *walls_out(const struct walls *f, const char *name)
+static FILE *figures_out(const char *folder, const char *name)
 {
     char path[WALLS_PATH];
     FILE *out;
-    snprintf(path, sizeof path, "%s/%s", f->folder, name);
+    snprintf(path, sizeof path, "%s/%s", folder, name);
     out = fopen(path, "w");
-    if (!out) walls_fail("cannot write", path);
+    if (!out) figures_fail("cannot write", path);
     return out;
 }
 
 /* ---- Building ------------------------------------------------------------ */
-
-static int walls_shake(const char *path, double *level)
-{
-    static const struct table empty;
-    struct table t = empty;
-    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
-    int bad;
-    t.plan.first = 1;
-    t.plan.last = WALLS_SHAKE;
-    t.plan.repeat = 1;
-    t.plan.unit = 1;
-    t.plan.seed = 1;
-    t.file = path;
-    bad = table_load(&t) || table_collapse(&t, &r);
-    *level = r.level;
-    free(r.ads);
-    free(r.first);
-    table_free(&t);
-    return bad ? walls_fail("cannot shake", path) : 0;
-}
 
 /* Plans one wall, writes and shakes it; leaves it open. */
 static int walls_build(const struct walls *f, const struct stones *stock,
@@ -116,7 +95,7 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     o.seed = (uint64_t)set + 1;
     if (f->quick) o.walls = 4;
     if (stack_open(w, stock, &o) || stack_plan(w))
-        return walls_fail("not enough memory for", "a wall");
+        return figures_fail("not enough memory for", "a wall");
     one->seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     one->laid = w->laid;
     one->fill = stack_fill(w);
@@ -127,8 +106,8 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     one->asking = w->asking;
     snprintf(path, sizeof path, "%s/walls/i%d-%02d-%s.kern", f->folder,
              10 + 10 * level, set + 1, stack_planner_name[planner]);
-    if (stack_write(w, path)) return walls_fail("cannot write", path);
-    return walls_shake(path, &one->stability[WALLS_COLLAPSE]);
+    if (stack_write(w, path)) return figures_fail("cannot write", path);
+    return table_once("figures", path, 1, &one->stability[WALLS_COLLAPSE]);
 }
 
 /* ---- Fig. 8 -------------------------------------------------------------- */
@@ -181,7 +160,7 @@ static void walls_head(FILE *out)
 /* Builds everything; Fig. 8 is drawn on the way. */
 static int walls_make(const struct walls *f)
 {
-    FILE *out = walls_out(f, "fig8.svg");
+    FILE *out = figures_out(f->folder, "fig8.svg");
     int bad = !out;
     if (out) walls_head(out);
     for (int l = 0; l < WALLS_LEVELS && !bad; l++)
@@ -247,7 +226,7 @@ static void walls_sum_up(const struct walls *f, int level, int planner,
 
 static int walls_list(const struct walls *f)
 {
-    FILE *out = walls_out(f, "walls.csv");
+    FILE *out = figures_out(f->folder, "walls.csv");
     if (!out) return -1;
     fprintf(out, "irregularity,set,planner,stones,filling,level,margin_sizes,"
             "collapse,Q,seconds,candidates,asked,asked_a_second\n");
@@ -263,7 +242,7 @@ static int walls_list(const struct walls *f)
                         walls_quality(o, WALLS_MARGIN), o->seconds, o->tried,
                         o->asked, o->asked / fmax(o->asking, 1e-9));
             }
-    return fclose(out) ? walls_fail("cannot write", "walls.csv") : 0;
+    return fclose(out) ? figures_fail("cannot write", "walls.csv") : 0;
 }
 
 /* Differences of two planners, for each choice of stability. */
@@ -319,7 +298,7 @@ static void walls_means(const struct walls *f, FILE *out)
 
 static int walls_tables(const struct walls *f)
 {
-    FILE *csv = walls_out(f, "fig9.csv"), *md = walls_out(f, "fig9.md");
+    FILE *csv = figures_out(f->folder, "fig9.csv"), *md = figures_out(f->folder, "fig9.md");
     if (!csv || !md) return -1;
     fprintf(csv, "irregularity,planner,sets,mean,deviation,interval\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
@@ -334,7 +313,7 @@ static int walls_tables(const struct walls *f)
     walls_differences(f, md, STACK_COMBINED, STACK_HEURISTIC);
     walls_differences(f, md, STACK_BEST, STACK_HEURISTIC);
     walls_differences(f, md, STACK_BEST, STACK_COMBINED);
-    return fclose(csv) | fclose(md) ? walls_fail("cannot write", "fig9") : 0;
+    return fclose(csv) | fclose(md) ? figures_fail("cannot write", "fig9") : 0;
 }
 
 /* One planner's curve: a bar of a standard deviation each way. */
@@ -362,7 +341,7 @@ static void walls_curve(const struct walls *f, const struct plot *p,
 
 static int walls_nine(const struct walls *f)
 {
-    FILE *out = walls_out(f, "fig9.svg");
+    FILE *out = figures_out(f->folder, "fig9.svg");
     struct plot p = { NULL, 5, 55, 0, 0.1, 0, 0, 0, 0 };
     int bad;
     if (!out) return -1;
@@ -377,7 +356,7 @@ static int walls_nine(const struct walls *f)
                "irregularity, %", "Q = margin / size x f(filling)", 0);
     for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k);
     bad = plot_end(&p);
-    return fclose(out) | bad ? walls_fail("cannot write", "fig9.svg") : 0;
+    return fclose(out) | bad ? figures_fail("cannot write", "fig9.svg") : 0;
 }
 
 /* All of it, from so many stocks a level. */
