@@ -110,10 +110,11 @@
        KERN_INTS, bytes                820     1,880     4,840    18,080
        both KERN_LEAN_ sizes         6,540    11,952    32,032   135,072
 
-   Memory as large as KERN_REALS is enough for everything. Walls are content
-   with KERN_LEAN_REALS and KERN_LEAN_INTS: 2.8 MB for 1000 blocks instead of
-   8.8. What lies between serves too. Arches and chains whose kerns are all but
-   closed need the whole, and say so (KERN_NO_SPACE).
+   Memory as large as KERN_REALS was enough for every structure that was tried.
+   Walls are content with KERN_LEAN_REALS and KERN_LEAN_INTS: 2.8 MB for 1000
+   blocks instead of 8.8. What lies between serves too. Arches and chains whose
+   kerns are all but closed need the whole, and say so (KERN_NO_SPACE, rarely
+   undecided).
 
 
    VERDICTS AND PROOFS                                             >>verdicts
