@@ -893,8 +893,8 @@ extern "C" {
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 
 /* Bounds of loops and counts. */
-#define KERN_RENEW         40      /* least pivots until the base is chosen anew*/
-#define KERN_KEEP          8       /* and before it is when the matrix changes*/
+#define KERN_RENEW         40      /* least pivots between choices of a base */
+#define KERN_KEEP          8       /* and where the matrix changes           */
 #define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
