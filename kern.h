@@ -544,9 +544,9 @@ typedef struct kern_lp {
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_REALS_OF(blocks, contacts, extras) \
-    ((extras) * (extras) + 5 * (extras) + 45 * (blocks) + 12 * (contacts) + 16)
+    ((extras) * (extras) + 5 * (extras) + 60 * (blocks) + 18 * (contacts) + 64)
 #define KERN_INTS_OF(blocks, contacts, extras) \
-    (2 * (extras) + 19 * (blocks) + 4 * (contacts) + 4)
+    (2 * (extras) + 30 * (blocks) + 12 * (contacts) + 64)
 #define KERN_REALS(blocks, contacts) \
     KERN_REALS_OF(blocks, contacts, KERN_EXTRAS(blocks))
 #define KERN_INTS(blocks, contacts) \
@@ -891,6 +891,18 @@ extern "C" {
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
+
+/* Least forces: what a group may miss as a share of its load; how much is added
+   to the diagonal of a matrix, as a share of its mean; a pivot of three rows
+   that is rounding; forces, in loads of a part, beyond which it is said to
+   fall. */
+#define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
+#define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
+#define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
+#define KERN_POUR_BOUND  KERN_R(50)
+#define KERN_LEAST_ROUNDS  30
+#define KERN_POUR_ROUNDS   8
+#define KERN_ROWS_MOST     16
 
 /* Bounds of loops and counts. */
 #define KERN_RENEW         40      /* least pivots between choices of a base */
@@ -2191,8 +2203,6 @@ typedef struct kern_program {
     const kern_real *cost;  /* or NULL                                        */
     const int *ends;        /* network: head and tail group of columns 2 i and
                                2 i + 1, rows / 3 for none; NULL: dense        */
-    const int *order;       /* network: the groups, each before those that
-                               carry it                                       */
     const kern_real *weight; /* network: 1 / what is large for a group; 0 for
                                none, after the last                           */
     kern_real most;         /* what a variable can be at the most; 0: all     */
@@ -2221,7 +2231,6 @@ typedef struct kern_simplex {
     int *far;               /* slot: the group that its column leads to       */
     int *slot;              /* slot of a row of S                             */
     int *place;             /* column: its position, or KERN_OUT              */
-    int *rank;              /* group: its place in the order                  */
     int *link;              /* scratch: groups + 1 + 2 rows                   */
     kern_real *block;       /* 18 a group: D^-1, and what its columns do to
                                the groups that they lead to                   */
@@ -2321,12 +2330,10 @@ static kern_real kern_lp_weight(const kern_program *lp, int j, kern_real unit)
 }
 
 /* The first of the groups of network column j in the order of carrying. */
-static int kern_lp_first(const kern_simplex *sx, int j)
+static int kern_lp_first(const kern_program *lp, int j)
 {
-    const int head = kern_lp_head(sx->lp, j), tail = kern_lp_tail(sx->lp, j);
-    if (head >= sx->groups || tail >= sx->groups)
-        return head < tail ? head : tail;
-    return sx->rank[head] < sx->rank[tail] ? head : tail;
+    const int head = kern_lp_head(lp, j), tail = kern_lp_tail(lp, j);
+    return head < tail ? head : tail;
 }
 
 /* ---- solves with the base ---- */
@@ -2356,7 +2363,7 @@ static void kern_base_solve(const kern_simplex *sx, int from, kern_real *v)
 {
     int i;
     for (i = from; i < sx->groups; i++)
-        kern_base_carry(sx, sx->lp->order[i], v);
+        kern_base_carry(sx, i, v);
 }
 
 /* c := B0^-T c, in the opposite order; c is zero in groups of a higher rank
@@ -2364,10 +2371,9 @@ static void kern_base_solve(const kern_simplex *sx, int from, kern_real *v)
 static void kern_base_solve_t(const kern_simplex *sx, int from, kern_real *c)
 {
     kern_real *none = c + sx->lp->rows;
-    int i;
+    int g;
     none[0] = none[1] = none[2] = KERN_R(0);
-    for (i = from; i >= 0; i--) {
-        const int g = sx->lp->order[i];
+    for (g = from; g >= 0; g--) {
         const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
         const int *far = sx->far + 3 * g;
         const kern_real *p = c + 3 * far[0], *q = c + 3 * far[1];
@@ -2647,18 +2653,16 @@ static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
     for (g = 0; g <= sx->groups; g++)
         end[g] = 0;
     for (i = 0; i < n; i++)
-        end[kern_lp_first(sx, list[i]) + 1]++;
+        end[kern_lp_first(sx->lp, list[i]) + 1]++;
     for (g = 0; g < sx->groups; g++)
         end[g + 1] += end[g];
     for (i = 0; i < n; i++)
-        over[end[kern_lp_first(sx, list[i])]++] = list[i];
+        over[end[kern_lp_first(sx->lp, list[i])]++] = list[i];
     for (i = 0; i < sx->lp->rows; i++)
         ones[i] = (unsigned)i * 2654435761u & 0x10000u ? KERN_R(1)
                                                        : KERN_R(-1);
-    for (i = 0; i < sx->groups; i++) {
-        int from, wild;
-        g = sx->lp->order[i];
-        from = g > 0 ? end[g - 1] : 0;
+    for (g = 0; g < sx->groups; g++) {
+        int from = g > 0 ? end[g - 1] : 0, wild;
         kern_base_fill(sx, g, over + from, end[g] - from);
         while ((wild = kern_base_wild(sx, g, ones)) != KERN_OUT) {
             int at = from;
@@ -2689,7 +2693,7 @@ static void kern_extras_make(kern_simplex *sx, int rows)
             sx->temp[i] = KERN_R(0);
         kern_lp_subtract(sx->lp, extra[c], KERN_R(-1), sx->temp);
         kern_base_solve(sx, sx->groups > 0
-                        ? sx->rank[kern_lp_first(sx, extra[c])] : 0, sx->temp);
+                        ? kern_lp_first(sx->lp, extra[c]) : 0, sx->temp);
         for (r = 0; r < rows; r++)
             sx->inv[(size_t)r * (size_t)sx->room + (size_t)c] =
                 sx->temp[sx->slot[r]];
@@ -2906,7 +2910,7 @@ static void kern_basis_column(kern_simplex *sx, int j)
     for (i = 0; i < sx->lp->rows; i++)
         sx->alpha[i] = KERN_R(0);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
-    kern_basis_solve(sx, sx->groups > 0 ? sx->rank[kern_lp_first(sx, j)] : 0,
+    kern_basis_solve(sx, sx->groups > 0 ? kern_lp_first(sx->lp, j) : 0,
                      sx->alpha);
 }
 
@@ -2919,7 +2923,7 @@ static void kern_basis_row(kern_simplex *sx, int s)
     for (i = 0; i < sx->lp->rows; i++)
         sx->temp[i] = KERN_R(0);
     sx->temp[s] = KERN_R(1);
-    kern_base_solve_t(sx, sx->groups > 0 ? sx->rank[s / 3] : -1, sx->temp);
+    kern_base_solve_t(sx, sx->groups > 0 ? s / 3 : -1, sx->temp);
     kern_extras_across(sx, NULL);
 }
 
@@ -3457,7 +3461,6 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->far = kern_take_ints(take, 3 * sx->groups);
     sx->slot = kern_take_ints(take, room);
     sx->place = kern_take_ints(take, lp->cols);
-    sx->rank = kern_take_ints(take, sx->groups);
     sx->link = kern_take_ints(take, sx->groups + 1 + 2 * m);
     sx->block = kern_take_reals(take, 18 * sx->groups);
     sx->inv = kern_take_reals(take, room * room);
@@ -3592,21 +3595,19 @@ static void kern_simplex_crash(kern_simplex *sx)
     }
     for (i = 0; i < kern_extra(sx, 0); i++)
         sx->base[i] = lp->cols + i;
-    for (i = 0; i < sx->groups; i++)
-        sx->rank[lp->order[i]] = i;
     for (i = 0; i <= sx->groups; i++)
         first[i] = -1;
     for (j = lp->cols - 1; j >= 0 && sx->groups > 0; j--) {
-        const int g = kern_lp_first(sx, j);
+        const int g = kern_lp_first(sx->lp, j);
         next[j] = first[g];
         first[g] = j;
     }
     for (i = 0; i < sx->knowns; i++)
         if (sx->known[i] < lp->cols)
-            kept[kern_lp_first(sx, sx->known[i])] = 1;
+            kept[kern_lp_first(sx->lp, sx->known[i])] = 1;
     for (i = 0; i < sx->groups; i++)
-        if (!kept[lp->order[i]])
-            kern_crash_group(sx, lp->order[i], first[lp->order[i]]);
+        if (!kept[i])
+            kern_crash_group(sx, i, first[i]);
     kern_crash_known(sx);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
@@ -3774,7 +3775,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.a = lp->a;
     p.rhs = lp->rhs;
     p.cost = lp->cost;
-    p.ends = p.order = NULL;
+    p.ends = NULL;
     p.weight = NULL;
     p.most = KERN_R(0);
     p.pivots = lp->pivots;
@@ -4156,30 +4157,36 @@ KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
 }
 
 /* ---- The model ------------------------------------------------- >>model */
-/* Blocks and contacts become groups and columns. The model lives in the work
-   memory for the length of a call; from question to question only what a
-   question changes is made anew, and the basis stays. */
+/* Free blocks become groups of three rows, numbered from top to bottom as
+   gravity sees them, so that what a group carries has a smaller number. What
+   is fixed, or has been taken away, is the ground, and has the number after
+   the last. A contact belongs to the upper one of its two groups: it carries
+   that group. */
 
 typedef struct kern_model {
     const kern_structure *s;
     kern_work *work;
+    int pivots;               /* limit of a linear program; 0: by its size    */
     int relative;
     kern_real mean;           /* size of the free blocks                      */
     kern_real weight;         /* unit of force: all that acts on free blocks  */
-    kern_real shrink;         /* that the columns were made for               */
-    kern_program lp;
-    int *group;               /* of a block; fixed ones: after the last       */
-    int *ends, *order;
-    kern_real *arc, *rhs, *weight_of;
-    kern_real *unit;          /* of a block: 1 / the unit of its torques      */
-    kern_real *x;             /* solution, two a contact point                */
-    kern_real *y;             /* certificate, three a group; then three of 0  */
+    int groups;
+    int *group;               /* of a block                                   */
+    int *block;               /* of a group                                   */
+    int *ends;                /* of a contact: groups of its blocks b and a   */
+    int *start, *touch;       /* contacts of group g: touch[start[g]] ...     */
+    kern_real *unit;          /* of a group: 1 / the unit of its torques      */
+    kern_real *load;          /* three a group: what contacts must exert      */
+    kern_real *size;          /* of a group: magnitude of all that acts       */
+    kern_real *arm;           /* four a contact: torques of n and t on b, and
+                                 of -n and -t on a, in their units            */
+    kern_force *force;        /* one a contact: of the last verdict           */
+    kern_motion *motion;      /* one a block: of the last verdict             */
     kern_real *sum;           /* scratch of the proof, four a block           */
-    kern_force *force;        /* of the last verdict                          */
-    kern_motion *motion;
-    kern_status found;        /* what the program said, proven or not         */
-    kern_simplex simplex;     /* last: it is long, and what lies behind it is
-                                 farther to reach for the processor           */
+    int *leader, *next;       /* of a group: see >>pour                       */
+    int *dirty, *local;
+    int again;
+    kern_take rest;           /* work memory that is left                     */
 } kern_model;
 
 /* Slices of the work arrays that hold structs of numbers. */
@@ -4190,26 +4197,25 @@ typedef char kern_wrench_is_three[sizeof(kern_wrench) == 3 * sizeof(kern_real)
 typedef char kern_motion_is_three[sizeof(kern_motion) == 3 * sizeof(kern_real)
                                   ? 1 : -1];
 
-static void kern_model_lay(kern_model *m, int blocks, int free_blocks,
-                           int contacts, int room, kern_take *take)
+static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
 {
-    m->lp.rows = 3 * free_blocks;
-    m->lp.cols = 2 * contacts;
+    kern_take *take = &m->rest;
     m->group = kern_take_ints(take, blocks);
-    m->lp.ends = m->ends = kern_take_ints(take, 2 * contacts);
-    m->lp.order = m->order = kern_take_ints(take, free_blocks);
-    m->lp.a = m->arc = kern_take_reals(take, 8 * contacts);
-    m->lp.rhs = m->rhs = kern_take_reals(take, 3 * free_blocks);
-    m->lp.weight = m->weight_of = kern_take_reals(take, free_blocks + 1);
-    m->unit = kern_take_reals(take, blocks);
-    m->x = kern_take_reals(take, 2 * contacts);
-    m->y = kern_take_reals(take, 3 * free_blocks + 3);
-    m->sum = kern_take_reals(take, 4 * blocks);
+    m->block = kern_take_ints(take, groups);
+    m->ends = kern_take_ints(take, 2 * contacts);
+    m->start = kern_take_ints(take, groups + 2);
+    m->touch = kern_take_ints(take, 2 * contacts);
+    m->leader = kern_take_ints(take, groups);
+    m->next = kern_take_ints(take, groups);
+    m->dirty = kern_take_ints(take, groups);
+    m->local = kern_take_ints(take, groups + 1);
+    m->unit = kern_take_reals(take, groups + 1);
+    m->load = kern_take_reals(take, 3 * groups);
+    m->size = kern_take_reals(take, groups);
+    m->arm = kern_take_reals(take, 4 * contacts);
     m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
     m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
-    m->lp.cost = NULL;
-    m->lp.most = KERN_BOUND;
-    kern_simplex_lay(&m->simplex, &m->lp, room, take);
+    m->sum = kern_take_reals(take, 4 * blocks);
 }
 
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
@@ -4235,189 +4241,1084 @@ KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
     return w;
 }
 
-/* Blocks from top to bottom, as gravity sees them: what is higher rests on
-   what is lower. Shell sort, since it needs neither memory nor recursion. */
-static void kern_model_order(kern_model *m, const kern_real *height)
+/* Whether block i comes before block j in the order of carrying. */
+static int kern_model_above(const kern_model *m, int i, int j)
 {
-    const int n = m->simplex.groups;
+    const kern_vec down = m->s->gravity;
+    const kern_real a = kern_vec_dot(m->s->block[i].centre, down);
+    const kern_real b = kern_vec_dot(m->s->block[j].centre, down);
+    return a < b || (a <= b && i < j);
+}
+
+/* Shell sort, since it needs neither memory nor recursion. */
+static void kern_model_order(kern_model *m)
+{
+    const int n = m->groups;
     int gap, i, j;
-    for (i = 0; i < n; i++)
-        m->order[i] = i;
     for (gap = 1; gap < n / 9; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < n; i++) {
-            const int g = m->order[i];
+            const int b = m->block[i];
             for (j = i; j >= gap; j -= gap) {
-                const int h = m->order[j - gap];
-                if (height[h] > height[g]
-                    || (h < g && height[h] >= height[g]))
+                if (kern_model_above(m, m->block[j - gap], b))
                     break;
-                m->order[j] = h;
+                m->block[j] = m->block[j - gap];
             }
-            m->order[j] = g;
+            m->block[j] = b;
         }
 }
 
-/* Gives every block that is free, and not `fallen`, one of the groups. What has
-   been taken away has the group of the ground, and so have both ends of its
-   contacts. */
+/* Lists the contacts of every group: a counting sort. */
+static void kern_model_touch(kern_model *m)
+{
+    int *at = m->start + 1; /* where the next contact of a group goes */
+    int g, i;
+    for (g = 0; g <= m->groups + 1; g++)
+        m->start[g] = 0;
+    for (i = 0; i < 2 * m->s->contacts; i++)
+        if (m->ends[i] < m->groups && m->ends[i] != m->ends[i ^ 1])
+            at[m->ends[i] + 1]++;
+    for (g = 0; g < m->groups; g++)
+        at[g + 1] += at[g];
+    for (i = 0; i < 2 * m->s->contacts; i++)
+        if (m->ends[i] < m->groups && m->ends[i] != m->ends[i ^ 1])
+            m->touch[at[m->ends[i]]++] = i >> 1;
+}
+
+/* Gives every block that is free, and not `fallen`, one of the groups. */
 static void kern_model_group(kern_model *m, const kern_real *fallen)
 {
     const kern_structure *s = m->s;
-    kern_real *height = m->simplex.temp; /* scratch between programs */
-    const int ground = m->simplex.groups;
-    int i, n = 0;
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        m->group[i] = ground;
-        if (b->fixed || kern_is_gone(fallen, i, i))
-            continue;
-        height[n] = -kern_vec_dot(b->centre, s->gravity);
-        m->group[i] = n++;
-    }
-    kern_model_order(m, height);
-    for (i = 0; i < 3; i++)
-        m->y[3 * ground + i] = KERN_R(0);
+    int i, g;
+    m->groups = 0;
+    for (i = 0; i < s->blocks; i++)
+        if (!s->block[i].fixed && !kern_is_gone(fallen, i, i))
+            m->block[m->groups++] = i;
+    kern_model_order(m);
+    for (i = 0; i < s->blocks; i++)
+        m->group[i] = m->groups;
+    for (g = 0; g < m->groups; g++)
+        m->group[m->block[g]] = g;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_gone(fallen, c->a, c->b);
-        m->ends[2 * i] = gone ? ground : m->group[c->b];
-        m->ends[2 * i + 1] = gone ? ground : m->group[c->a];
+        m->ends[2 * i] = gone ? m->groups : m->group[c->b];
+        m->ends[2 * i + 1] = gone ? m->groups : m->group[c->a];
     }
+    kern_model_touch(m);
 }
 
 static kern_status kern_model_open(kern_model *m, const kern_structure *s,
                                    const kern_options *o, kern_work *work)
 {
-    kern_take take;
     kern_status status;
-    int free_blocks = 0, room;
+    int free_blocks = 0;
     if (!work)
         return KERN_BAD_POINTER;
     kern_fault_clear(&work->fault);
     status = kern_structure_check(s, o, &work->fault, &free_blocks);
     if (status != KERN_STANDS)
         return status;
-    room = KERN_EXTRAS(free_blocks);
-    do {
-        if (room < KERN_LEAN_EXTRAS(free_blocks))
-            return KERN_NO_SPACE;
-        kern_take_open(&take, work);
-        kern_model_lay(m, s->blocks, free_blocks, s->contacts, room, &take);
-        room--;
-    } while (!kern_take_fits(&take));
+    kern_take_open(&m->rest, work);
+    kern_model_lay(m, s->blocks, free_blocks, s->contacts);
+    if (!kern_take_fits(&m->rest))
+        return KERN_NO_SPACE;
     m->s = s;
     m->work = work;
-    m->lp.pivots = o->pivots;
+    m->pivots = o->pivots;
+    m->relative = o->relative;
+    m->mean = kern_mean_size(s->block, s->blocks);
+    m->weight = KERN_R(1);
     kern_model_group(m, NULL);
     return KERN_STANDS;
 }
 
 /* A block of its own group: neither ground, nor taken away. */
 static int kern_is_free(const kern_model *m, int block)
-{ return m->group[block] < m->simplex.groups; }
+{ return m->group[block] < m->groups; }
 
-/* The columns of A at a shrinkage: what changes with it is the torques. Their
-   unit is the size of the block, or where kerns have grown beyond it, how
-   far. */
-static void kern_model_columns(kern_model *m, const kern_question *q)
+/* The torques of contact i for a question. Of all that a contact has in Eq. (5)
+   only they depend on the shrinkage. */
+static inline void kern_model_arm(kern_model *m, const kern_question *q, int i)
 {
-    const kern_structure *s = m->s;
+    const kern_contact *c = m->s->contact + i;
+    const kern_real ub = m->unit[m->ends[2 * i]];
+    const kern_real ua = m->unit[m->ends[2 * i + 1]];
+    kern_real *to = m->arm + 4 * (size_t)i;
+    kern_vec arm[2];
+    kern_arms(m->s, c, q, arm);
+    to[0] = kern_vec_cross(arm[1], c->n) * ub;
+    to[1] = kern_vec_dot(arm[1], c->n) * ub;
+    to[2] = -kern_vec_cross(arm[0], c->n) * ua;
+    to[3] = -kern_vec_dot(arm[0], c->n) * ua;
+}
+
+/* The unit of a group's torques is the size of its block, or where kerns have
+   grown beyond it, how far. */
+static void kern_model_unit(kern_model *m, const kern_question *q, int g)
+{
+    const kern_real size = kern_block_size(m->s->block + m->block[g]);
     const kern_real grown = kern_max(-q->shrink, KERN_R(0));
-    int i, edge;
-    m->shrink = q->shrink;
-    for (i = 0; i < s->blocks; i++) {
-        const kern_real size = kern_block_size(s->block + i);
-        m->unit[i] = 1 / (q->relative ? size * (1 + grown) : size + grown);
-        if (!kern_is_free(m, i))
-            m->unit[i] = KERN_R(0);
+    m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
+}
+
+/* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
+static void kern_model_load(kern_model *m, const kern_question *q, int g)
+{
+    kern_real *load = m->load + 3 * (size_t)g;
+    kern_wrench w;
+    m->size[g] = kern_wrench_on(m->s, q, m->block[g], &w);
+    load[0] = -w.fx / m->weight;
+    load[1] = -w.fy / m->weight;
+    load[2] = -w.torque * m->unit[g] / m->weight;
+    m->size[g] /= m->weight;
+}
+
+/* All of the model for a question. */
+static void kern_model_set(kern_model *m, const kern_question *q)
+{
+    int i, g;
+    kern_wrench w;
+    m->weight = KERN_R(0);
+    for (g = 0; g < m->groups; g++) {
+        kern_model_unit(m, q, g);
+        m->weight += kern_wrench_on(m->s, q, m->block[g], &w);
     }
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        kern_real *f = m->arc + 8 * (size_t)i, mu = c->mu;
-        kern_vec arm[2];
-        kern_arms(s, c, q, arm);
+    if (!(m->weight > 0))
+        m->weight = KERN_R(1);
+    m->unit[m->groups] = KERN_R(0);
+    for (g = 0; g <= m->groups; g++)
+        m->local[g] = KERN_OUT;
+    for (g = 0; g < m->groups; g++)
+        kern_model_load(m, q, g);
+    for (i = 0; i < m->s->contacts; i++)
+        kern_model_arm(m, q, i);
+}
+
+/* ---- Parts ------------------------------------------------------ >>part */
+/* Some of the groups with all contacts that touch them, all other blocks held.
+   What is held can exert whatever is needed, so where a part falls the whole
+   falls: the motion of the part, and none of the others, proves it. */
+
+typedef struct kern_part {
+    kern_model *m;
+    int groups, contacts;
+    int own;                  /* contacts that carry a group of the part come
+                                 first, then those by which others rest on it */
+    int *group;               /* of the part, ascending                       */
+    int *contact;             /* of the part                                  */
+    int *ends;                /* of a contact: groups of the part, or `groups` */
+    kern_take rest;           /* work memory behind these                     */
+    /* least forces */
+    int *first, *offset;      /* of a group: first column of its rows in the
+                                 factor, and where these begin                */
+    kern_real *u, *step, *left; /* three a group, and three of 0              */
+    kern_real *b;             /* loads, three a group                         */
+    kern_real *way;           /* four a contact: u and step along n and t     */
+    kern_real *factor;
+    /* the linear program */
+    kern_program lp;
+    kern_real *arc, *rhs, *weight_of, *x, *y;
+    kern_status found;        /* what the program said, proven or not         */
+    kern_simplex simplex;
+} kern_part;
+
+/* The contact k of a part has ends head and tail there. */
+static void kern_part_contact(kern_part *p, int k, int i)
+{
+    const kern_model *m = p->m;
+    int end;
+    p->contact[k] = i;
+    for (end = 0; end < 2; end++) {
+        const int g = m->ends[2 * i + end];
+        p->ends[2 * k + end] = m->local[g] == KERN_OUT ? p->groups
+                                                       : m->local[g];
+    }
+}
+
+/* Lists the contacts of the part by which its groups are carried, or those by
+   which others rest on them. */
+static void kern_part_list(kern_part *p, int own)
+{
+    const kern_model *m = p->m;
+    int n, k;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n];
+        for (k = m->start[g]; k < m->start[g + 1]; k++) {
+            const int i = m->touch[k];
+            const int other = m->ends[2 * i] == g ? m->ends[2 * i + 1]
+                                                  : m->ends[2 * i];
+            if (own ? other > g : other < g && m->local[other] == KERN_OUT)
+                kern_part_contact(p, p->contacts++, i);
+        }
+    }
+}
+
+/* Opens the part of the `groups` groups that m->local marks, the last of which
+   is `last`. Returns 0 if the work memory does not hold it. */
+static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
+{
+    int g, n = groups, most = 0;
+    p->m = m;
+    p->rest = m->rest;
+    p->groups = groups;
+    p->group = kern_take_ints(&p->rest, groups);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    for (g = last; n > 0; g--)
+        if (m->local[g] != KERN_OUT) {
+            m->local[g] = --n;
+            p->group[n] = g;
+            most += m->start[g + 1] - m->start[g];
+        }
+    p->contact = kern_take_ints(&p->rest, most);
+    p->ends = kern_take_ints(&p->rest, 2 * most);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    p->contacts = 0;
+    kern_part_list(p, 1);
+    p->own = p->contacts;
+    kern_part_list(p, 0);
+    return 1;
+}
+
+
+/* ---- Least forces ----------------------------------------------- >>force */
+/* Of all admissible forces on a part, those of least squares:
+
+       min |x|^2 / 2,  A x = b,  x >= 0.
+
+   Its dual is max b.u - |max(0, A'u)|^2 / 2 in three unknowns a group, concave
+   and of piecewise constant curvature, and x = max(0, A'u). Newton's method
+   ends after a few steps: the matrix A_S A_S' of the rays S that are pressed
+   has the pattern of the part's groups, and is factored (Cholesky) in their
+   order, row by row from the first column that is not zero. Where no forces
+   exist the dual grows without limit. */
+
+/* What a contact's two rays make of the motion (wn, wt) along n and t: force
+   and its derivative. */
+typedef struct kern_spring {
+    kern_real f, r;           /* normal and tangential                        */
+    kern_real nn, nt, tt;
+} kern_spring;
+
+static inline kern_spring kern_spring_of(kern_real wn, kern_real wt,
+                                         kern_real mu)
+{
+    const kern_real plus = wn + mu * wt, minus = wn - mu * wt;
+    kern_spring s;
+    s.f = s.r = s.nn = s.nt = s.tt = KERN_R(0);
+    if (plus > 0) {
+        s.f = plus;
+        s.r = mu * plus;
+        s.nn = KERN_R(1);
+        s.nt = mu;
+        s.tt = mu * mu;
+    }
+    if (minus > 0) {
+        s.f += minus;
+        s.r -= mu * minus;
+        s.nn += KERN_R(1);
+        s.nt -= mu;
+        s.tt += mu * mu;
+    }
+    return s;
+}
+
+/* Contact i's n and t as rows of the group at an end: 0 is block b, 1 is a. */
+static inline void kern_model_rows(const kern_model *m, int i, int end,
+                                   kern_real n[3], kern_real t[3])
+{
+    const kern_vec v = m->s->contact[i].n;
+    const kern_real *arm = m->arm + 4 * (size_t)i + 2 * end;
+    n[0] = end ? -v.x : v.x;
+    n[1] = end ? -v.y : v.y;
+    n[2] = arm[0];
+    t[0] = -n[1];
+    t[1] = n[0];
+    t[2] = arm[1];
+}
+
+/* v -= sign times the force of contact i, in the rows of the group at an end */
+static inline void kern_model_carry(const kern_model *m, int i, int end,
+                                    kern_real f, kern_real r, kern_real *v)
+{
+    kern_real n[3], t[3];
+    kern_model_rows(m, i, end, n, t);
+    v[0] -= f * n[0] + r * t[0];
+    v[1] -= f * n[1] + r * t[1];
+    v[2] -= f * n[2] + r * t[2];
+}
+
+/* Lays out what the least forces of the part need; 0 if there is no room. */
+static int kern_least_lay(kern_part *p)
+{
+    kern_take take = p->rest;
+    const int n = 3 * p->groups + 3;
+    int g, k, end = 0;
+    p->first = kern_take_ints(&take, p->groups);
+    p->offset = kern_take_ints(&take, p->groups);
+    p->u = kern_take_reals(&take, n);
+    p->step = kern_take_reals(&take, n);
+    p->left = kern_take_reals(&take, n);
+    p->b = kern_take_reals(&take, n);
+    p->way = kern_take_reals(&take, 4 * p->contacts);
+    if (!kern_take_fits(&take))
+        return 0;
+    for (g = 0; g < p->groups; g++)
+        p->first[g] = g;
+    for (k = 0; k < p->own; k++) {
+        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+        const int low = h < t ? h : t, high = h < t ? t : h;
+        if (high < p->groups && low < p->first[high])
+            p->first[high] = low;
+    }
+    for (g = 0; g < p->groups; g++) {
+        p->offset[g] = end;
+        end += 9 * (g - p->first[g] + 1);
+    }
+    p->factor = kern_take_reals(&take, end);
+    return kern_take_fits(&take);
+}
+
+/* How v moves the contacts along n and t: to p->way from `to` on. */
+static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
+                            int to)
+{
+    int k;
+    for (k = 0; k < contacts; k++) {
+        const kern_real *h = v + 3 * p->ends[2 * k];
+        const kern_real *t = v + 3 * p->ends[2 * k + 1];
+        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
+        const kern_vec n = p->m->s->contact[p->contact[k]].n;
+        const kern_real x = h[0] - t[0], y = h[1] - t[1];
+        kern_real *way = p->way + 4 * (size_t)k + to;
+        way[0] = n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
+        way[1] = n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
+    }
+}
+
+/* b less what the forces of u exert, to p->left; returns the value of the dual
+   at u, and in *most the largest force. */
+static kern_real kern_least_left(kern_part *p, const kern_real *b,
+                                 int contacts, kern_real *most)
+{
+    kern_real value = KERN_R(0);
+    int i, k, end;
+    *most = KERN_R(0);
+    for (i = 0; i < 3 * p->groups; i++) {
+        p->left[i] = b[i];
+        value += b[i] * p->u[i];
+    }
+    for (k = 0; k < contacts; k++) {
+        const int c = p->contact[k];
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real mu = p->m->s->contact[c].mu;
+        const kern_spring s = kern_spring_of(w[0], w[1], mu);
+        if (!(s.f > 0))
+            continue;
+        *most = kern_max(*most, s.f);
+        value -= (s.f * w[0] + s.r * w[1]) / 2;
+        for (end = 0; end < 2; end++)
+            if (p->ends[2 * k + end] < p->groups)
+                kern_model_carry(p->m, c, end, s.f, s.r,
+                                 p->left + 3 * p->ends[2 * k + end]);
+    }
+    return value;
+}
+
+/* Adds to the factor's rows of the group at `end` and columns of that at
+   `other` what a contact's two ends have in common there. */
+static void kern_least_add(kern_part *p, int k, int end, int other,
+                           const kern_spring *s)
+{
+    const int g = p->ends[2 * k + end], h = p->ends[2 * k + other];
+    const int length = 3 * (g - p->first[g] + 1);
+    kern_real *to = p->factor + p->offset[g] + 3 * (h - p->first[g]);
+    kern_real n[3], t[3], on[3], ot[3];
+    int r, c;
+    kern_model_rows(p->m, p->contact[k], end, n, t);
+    kern_model_rows(p->m, p->contact[k], other, on, ot);
+    for (r = 0; r < 3; r++, to += length) {
+        const kern_real a = s->nn * n[r] + s->nt * t[r];
+        const kern_real b = s->nt * n[r] + s->tt * t[r];
+        for (c = 0; c < 3; c++)
+            to[c] += a * on[c] + b * ot[c];
+    }
+}
+
+/* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
+static void kern_least_matrix(kern_part *p, int contacts, int all)
+{
+    const int last = p->groups - 1;
+    const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
+    kern_real trace = KERN_R(0);
+    int i, k, g;
+    for (i = 0; i < size; i++)
+        p->factor[i] = KERN_R(0);
+    for (k = 0; k < contacts; k++) {
+        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_spring_of(
+            all ? KERN_R(1) : w[0], all ? KERN_R(0) : w[1],
+            p->m->s->contact[p->contact[k]].mu);
+        if (!(s.nn > 0))
+            continue;
+        if (h < p->groups)
+            kern_least_add(p, k, 0, 0, &s);
+        if (t < p->groups)
+            kern_least_add(p, k, 1, 1, &s);
+        if (h < p->groups && t < p->groups)
+            kern_least_add(p, k, h > t ? 0 : 1, h > t ? 1 : 0, &s);
+    }
+    for (i = 0; i < 2; i++) /* first its mean, then a share of it */
+        for (g = 0; g < p->groups; g++) {
+            const int length = 3 * (g - p->first[g] + 1);
+            kern_real *d = p->factor + p->offset[g] + length - 3;
+            for (k = 0; k < 3; k++, d += length + 1) {
+                if (i == 0)
+                    trace += *d;
+                else
+                    *d += KERN_LEAST_SHIFT * trace / (3 * p->groups);
+            }
+        }
+}
+
+/* sum of a[i] b[i] */
+static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
+{
+    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
+    int i;
+    for (i = 0; i + 4 <= n; i += 4) {
+        s0 += a[i] * b[i];
+        s1 += a[i + 1] * b[i + 1];
+        s2 += a[i + 2] * b[i + 2];
+        s3 += a[i + 3] * b[i + 3];
+    }
+    for (; i < n; i++)
+        s0 += a[i] * b[i];
+    return s0 + s1 + (s2 + s3);
+}
+
+/* Row i of the factor, as if from column 0 on; *from is its first column. */
+static kern_real *kern_least_row(const kern_part *p, int i, int *from)
+{
+    const int g = i / 3, length = 3 * (g - p->first[g] + 1);
+    *from = 3 * p->first[g];
+    return p->factor + p->offset[g] + (i - 3 * g) * length;
+}
+
+/* Cholesky's L of the matrix where it stands, then p->step := its solution of
+   p->left. */
+static void kern_least_solve(kern_part *p)
+{
+    const int n = 3 * p->groups;
+    int i, j, fi, fj;
+    for (i = 0; i < n; i++) {
+        kern_real *row = kern_least_row(p, i, &fi), d;
+        for (j = fi; j < i; j++) {
+            const kern_real *other = kern_least_row(p, j, &fj);
+            const int from = fi > fj ? fi : fj;
+            row[j - fi] = (row[j - fi] - kern_dot(row + (from - fi),
+                                                  other + (from - fj),
+                                                  j - from))
+                          / other[j - fj];
+        }
+        d = row[i - fi] - kern_dot(row, row, i - fi);
+        row[i - fi] = KERN_SQRT(kern_max(d, KERN_EPS * KERN_EPS
+                                            + KERN_EPS * row[i - fi]));
+    }
+    for (i = 0; i < n; i++) {
+        const kern_real *row = kern_least_row(p, i, &fi);
+        p->step[i] = (p->left[i] - kern_dot(row, p->step + fi, i - fi))
+                     / row[i - fi];
+    }
+    for (i = n - 1; i >= 0; i--) {
+        const kern_real *row = kern_least_row(p, i, &fi);
+        p->step[i] /= row[i - fi];
+        for (j = fi; j < i; j++)
+            p->step[j] -= p->step[i] * row[j - fi];
+    }
+}
+
+/* The slope of the dual at u + share * step. */
+static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
+                                  int contacts, kern_real share)
+{
+    kern_real slope = KERN_R(0);
+    int i, k;
+    for (i = 0; i < 3 * p->groups; i++)
+        slope += b[i] * p->step[i];
+    for (k = 0; k < contacts; k++) {
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_spring_of(
+            w[0] + share * w[2], w[1] + share * w[3],
+            p->m->s->contact[p->contact[k]].mu);
+        slope -= s.f * w[2] + s.r * w[3];
+    }
+    return slope;
+}
+
+/* How far to go along the step: where the dual is largest, to a few percent. */
+static kern_real kern_least_share(const kern_part *p, const kern_real *b,
+                                  int contacts)
+{
+    const kern_real first = kern_least_slope(p, b, contacts, KERN_R(0));
+    kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
+    int round;
+    at_hi = kern_least_slope(p, b, contacts, hi);
+    for (round = 0; round < 12 && at_hi > first / 8; round++) {
+        lo = hi;
+        at_lo = at_hi;
+        hi *= 4;
+        at_hi = kern_least_slope(p, b, contacts, hi);
+    }
+    if (at_hi >= -first / 8)
+        return hi;
+    for (round = 0; round < 12; round++) {
+        const kern_real share = kern_min(kern_max(at_lo / (at_lo - at_hi),
+                                                  KERN_R(0.1)), KERN_R(0.9));
+        kern_real slope;
+        at = lo + (hi - lo) * share;
+        slope = kern_least_slope(p, b, contacts, at);
+        if (kern_abs(slope) <= first / 8)
+            break;
+        if (slope > 0) {
+            lo = at;
+            at_lo = slope;
+        } else {
+            hi = at;
+            at_hi = slope;
+        }
+    }
+    return at;
+}
+
+/* Least forces of a part under the loads b: KERN_STANDS with u, KERN_FALLS
+   where they would be larger than `bound`, which is no proof, or
+   KERN_UNDECIDED. */
+static kern_status kern_least_find(kern_part *p, const kern_real *b,
+                                   int contacts, kern_real tolerance,
+                                   kern_real bound)
+{
+    const int n = 3 * p->groups;
+    int i, round;
+    for (i = 0; i < n + 3; i++)
+        p->u[i] = p->step[i] = KERN_R(0);
+    for (round = 0; round < KERN_LEAST_ROUNDS; round++) {
+        kern_real most, value, share;
+        kern_least_ways(p, p->u, contacts, 0);
+        value = kern_least_left(p, b, contacts, &most);
+        if (kern_largest(p->left, n) <= tolerance + 4 * KERN_EPS * most)
+            return KERN_STANDS;
+        if (!(value <= bound * bound / 2))
+            return KERN_FALLS;
+        kern_least_matrix(p, contacts, round == 0);
+        kern_least_solve(p);
+        kern_least_ways(p, p->step, contacts, 2);
+        share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
+        for (i = 0; i < n; i++)
+            p->u[i] += share * p->step[i];
+    }
+    return KERN_UNDECIDED;
+}
+
+/* ---- Pouring ----------------------------------------------------- >>pour */
+/* Whether a wall stands, group by group from top to bottom: each passes what
+   it carries on to what carries it by its least forces, in three unknowns.
+   Groups that cannot do so alone form a unit with those that rest on them.
+   Forces found so balance every group, and prove that the structure stands. A
+   unit that cannot be balanced even where all others can exert whatever is
+   needed is a part that falls. 
+
+   leader[g] is the last group of g's unit, next[g] another group of the unit in
+   a circle, dirty[g] says of a leader that its unit must be balanced again. */
+
+/* Writes the force of contact i, and marks what it rests on if that is new. */
+static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
+                            kern_real r, kern_real tolerance)
+{
+    kern_force *to = m->force + i;
+    const kern_real change = kern_abs(f - to->normal)
+                             + kern_abs(r - to->tangential);
+    to->normal = f;
+    to->tangential = r;
+    if (on < m->groups && change > tolerance) {
+        const int last = m->leader[on];
+        m->dirty[last] = 1;
+        m->again = last < m->again ? last : m->again;
+    }
+}
+
+/* The load of group g and of what rests on it, but for members of its own
+   unit. */
+static void kern_pour_load(const kern_model *m, int g, kern_real *b)
+{
+    int k;
+    b[0] = m->load[3 * g];
+    b[1] = m->load[3 * g + 1];
+    b[2] = m->load[3 * g + 2];
+    for (k = m->start[g]; k < m->start[g + 1]; k++) {
+        const int i = m->touch[k], end = m->ends[2 * i] == g ? 0 : 1;
+        const int other = m->ends[2 * i + (1 - end)];
+        if (other < g && m->leader[other] != m->leader[g])
+            kern_model_carry(m, i, end, m->force[i].normal,
+                             m->force[i].tangential, b);
+    }
+}
+
+/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. A direction in
+   which there is nothing but rounding is left out. */
+static void kern_pour_three(const kern_real h[6], const kern_real b[3],
+                            kern_real x[3])
+{
+    const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
+    const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
+    const kern_real l1 = h[1] * i0, l3 = h[3] * i0;
+    const kern_real d1 = h[2] - l1 * h[1], e = h[4] - l3 * h[1];
+    const kern_real i1 = d1 > least ? 1 / d1 : KERN_R(0);
+    const kern_real l4 = e * i1;
+    const kern_real d2 = h[5] - l3 * h[3] - l4 * e;
+    const kern_real i2 = d2 > least ? 1 / d2 : KERN_R(0);
+    const kern_real y1 = b[1] - l1 * b[0];
+    const kern_real y2 = b[2] - l3 * b[0] - l4 * y1;
+    x[2] = y2 * i2;
+    x[1] = y1 * i1 - l4 * x[2];
+    x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
+}
+
+typedef struct kern_row { /* a contact that carries the group */
+    kern_real n[3], t[3], mu;
+    int contact, on, mask;
+} kern_row;
+
+static inline kern_real kern_three(const kern_real *a, const kern_real *b)
+{ return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* Lists the contacts that carry group g; returns how many, or one more than
+   there is room for. */
+static int kern_pour_rows(const kern_model *m, int g,
+                          kern_row row[KERN_ROWS_MOST])
+{
+    int k, n = 0;
+    for (k = m->start[g]; k < m->start[g + 1]; k++) {
+        const int i = m->touch[k], end = m->ends[2 * i] == g ? 0 : 1;
+        const int other = m->ends[2 * i + (1 - end)];
+        if (other < g)
+            continue;
+        if (n == KERN_ROWS_MOST)
+            return n + 1;
+        kern_model_rows(m, i, end, row[n].n, row[n].t);
+        row[n].mu = m->s->contact[i].mu;
+        row[n].contact = i;
+        row[n].on = other;
+        row[n].mask = 3;
+        n++;
+    }
+    return n;
+}
+
+/* What the rays in the masks exert under u, less b; and their matrix. */
+static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
+                          const kern_real b[3], kern_real left[3],
+                          kern_real h[6])
+{
+    int k, j;
+    for (j = 0; j < 6; j++)
+        h[j] = KERN_R(0);
+    left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
+    for (k = 0; k < n; k++) {
+        const kern_row *c = row + k;
+        const kern_real plus = c->mask & 1 ? KERN_R(1) : KERN_R(0);
+        const kern_real minus = c->mask & 2 ? KERN_R(1) : KERN_R(0);
+        const kern_real nn = plus + minus, nt = c->mu * (plus - minus);
+        const kern_real tt = c->mu * c->mu * nn;
+        kern_real wn, wt, v[3], w[3];
+        if (c->mask == 0)
+            continue;
+        wn = kern_three(c->n, u);
+        wt = kern_three(c->t, u);
+        for (j = 0; j < 3; j++) {
+            v[j] = nn * c->n[j] + nt * c->t[j];
+            w[j] = nt * c->n[j] + tt * c->t[j];
+            left[j] -= v[j] * wn + w[j] * wt;
+        }
+        h[0] += v[0] * c->n[0] + w[0] * c->t[0];
+        h[1] += v[1] * c->n[0] + w[1] * c->t[0];
+        h[2] += v[1] * c->n[1] + w[1] * c->t[1];
+        h[3] += v[2] * c->n[0] + w[2] * c->t[0];
+        h[4] += v[2] * c->n[1] + w[2] * c->t[1];
+        h[5] += v[2] * c->n[2] + w[2] * c->t[2];
+    }
+}
+
+/* Balances group g alone. Newton's method by full steps: where that does not
+   end soon it is left to kern_least_find(). */
+static int kern_pour_alone(kern_model *m, int g)
+{
+    kern_row row[KERN_ROWS_MOST];
+    kern_real b[3], u[3], left[3], h[6], step[3];
+    kern_real most = KERN_R(0), tolerance = KERN_POUR_TOL * m->size[g];
+    const int n = kern_pour_rows(m, g, row);
+    int k, j, round, changed = 1;
+    if (n > KERN_ROWS_MOST)
+        return 0;
+    kern_pour_load(m, g, b);
+    u[0] = u[1] = u[2] = KERN_R(0);
+    for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
+        kern_pour_sum(row, n, u, b, left, h);
+        kern_pour_three(h, left, step);
+        for (j = 0; j < 3; j++)
+            u[j] += step[j];
+        changed = 0;
+        for (k = 0; k < n; k++) {
+            const kern_real wn = kern_three(row[k].n, u);
+            const kern_real wt = row[k].mu * kern_three(row[k].t, u);
+            const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
+            changed |= mask != row[k].mask;
+            row[k].mask = mask;
+        }
+    }
+    for (round = 0; round < 3; round++) {
+        kern_pour_sum(row, n, u, b, left, h);
+        most = kern_largest(u, 3);
+        if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
+            break;
+        if (changed || round == 2)
+            return 0;
+        kern_pour_three(h, left, step);
+        for (j = 0; j < 3; j++)
+            u[j] += step[j];
+    }
+    for (k = 0; k < n; k++) {
+        const kern_spring s = kern_spring_of(kern_three(row[k].n, u),
+                                             kern_three(row[k].t, u),
+                                             row[k].mu);
+        kern_pour_write(m, row[k].contact, row[k].on, s.f, s.r, tolerance);
+    }
+    return 1;
+}
+
+/* Joins two units; returns the last group of both. */
+static int kern_pour_join(kern_model *m, int g, int h)
+{
+    const int swap = m->next[g];
+    const int last = m->leader[g] > m->leader[h] ? m->leader[g]
+                                                 : m->leader[h];
+    int i = g;
+    m->dirty[m->leader[g]] = m->dirty[m->leader[h]] = 0;
+    m->next[g] = m->next[h];
+    m->next[h] = swap;
+    do {
+        m->leader[i] = last;
+        i = m->next[i];
+    } while (i != g);
+    return last;
+}
+
+/* Sets the mark of every group of g's unit that has none; returns how many. */
+static int kern_pour_mark(kern_model *m, int g, int mark)
+{
+    int i = g, n = 0;
+    do {
+        if (m->local[i] == KERN_OUT) {
+            m->local[i] = mark;
+            n++;
+        }
+        i = m->next[i];
+    } while (i != g);
+    return n;
+}
+
+/* Adds to the unit of `last` those that rest on it, `levels` of them. Returns
+   how many groups have been added; they are marked. */
+static int kern_pour_grow(kern_model *m, int *last, int levels)
+{
+    int g, k, added = 0;
+    kern_pour_mark(m, *last, 0);
+    for (g = *last; g >= 0; g--) {
+        if (m->local[g] == KERN_OUT || m->local[g] >= levels)
+            continue;
+        for (k = m->start[g]; k < m->start[g + 1]; k++) {
+            const int i = m->touch[k];
+            const int h = m->ends[2 * i] == g ? m->ends[2 * i + 1]
+                                              : m->ends[2 * i];
+            if (h < g && m->local[h] == KERN_OUT) {
+                added += kern_pour_mark(m, h, m->local[g] + 1);
+                *last = kern_pour_join(m, g, h);
+            }
+        }
+    }
+    return added;
+}
+
+/* Takes the marks of a unit back. */
+static void kern_pour_unmark(kern_model *m, int g)
+{
+    int i = g;
+    do {
+        m->local[i] = KERN_OUT;
+        i = m->next[i];
+    } while (i != g);
+}
+
+/* What is found out about a unit. */
+typedef enum kern_poured {
+    KERN_POURED,              /* its groups are balanced                      */
+    KERN_POUR_FALLS,          /* a part that seems to fall is open            */
+    KERN_POUR_LATER,          /* it has grown to groups that come later       */
+    KERN_POUR_DRY             /* out of work memory or budget                 */
+} kern_poured;
+
+/* The loads of a part for its least forces: with the forces by which others
+   rest on it, or without, where these are unknown. */
+static void kern_pour_loads(const kern_part *p, int free_above)
+{
+    int n, j;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n];
+        kern_real *b = p->b + 3 * n;
+        if (free_above)
+            for (j = 0; j < 3; j++)
+                b[j] = p->m->load[3 * g + j];
+        else
+            kern_pour_load(p->m, g, b);
+    }
+}
+
+/* Writes the least forces of a part. */
+static void kern_pour_keep(kern_part *p, kern_real tolerance)
+{
+    kern_model *m = p->m;
+    int k;
+    for (k = 0; k < p->own; k++) {
+        const int i = p->contact[k];
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_spring_of(w[0], w[1],
+                                             m->s->contact[i].mu);
+        const int low = m->ends[2 * i] > m->ends[2 * i + 1] ? 0 : 1;
+        const int on = m->ends[2 * i + low];
+        const int inside = p->ends[2 * k + low] < p->groups;
+        kern_pour_write(m, i, inside ? m->groups : on, s.f, s.r, tolerance);
+    }
+}
+
+/* Balances the unit of `last`, and lets it grow until it can be balanced, or a
+   part of it is seen to fall. */
+static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int *last,
+                                  int *budget)
+{
+    const int begun = *last;
+    int groups = kern_pour_mark(m, *last, 0), levels;
+    for (levels = 1; ; levels *= 2) {
+        kern_real load = KERN_R(0), least = KERN_INFINITY;
+        kern_status status;
+        int n, added;
+        if (!kern_part_open(p, m, groups, *last) || !kern_least_lay(p)) {
+            kern_pour_unmark(m, *last);
+            return KERN_POUR_DRY;
+        }
+        for (n = 0; n < groups; n++) {
+            least = kern_min(least, m->size[p->group[n]]);
+            load += m->size[p->group[n]];
+        }
+        *budget -= p->contacts * 8;
+        kern_pour_loads(p, 0);
+        for (n = 0; n < 3 * groups; n++)
+            load += kern_abs(p->b[n]);
+        status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
+                                 KERN_POUR_BOUND * load);
+        if (status == KERN_STANDS) {
+            kern_pour_keep(p, KERN_POUR_TOL * least);
+            kern_pour_unmark(m, *last);
+            return KERN_POURED;
+        }
+        if (p->own < p->contacts) {
+            kern_pour_loads(p, 1);
+            status = kern_least_find(p, p->b, p->contacts,
+                                     KERN_POUR_TOL * least,
+                                     KERN_POUR_BOUND * load);
+        }
+        if (status == KERN_FALLS)
+            return KERN_POUR_FALLS;
+        kern_pour_unmark(m, *last);
+        added = kern_pour_grow(m, last, levels);
+        groups += added;
+        if (added == 0 || *budget < 0) {
+            kern_pour_unmark(m, *last);
+            return KERN_POUR_DRY;
+        }
+        if (*last > begun) {
+            kern_pour_unmark(m, *last);
+            m->dirty[*last] = 1;
+            return KERN_POUR_LATER;
+        }
+    }
+}
+
+/* Balances all groups: KERN_POURED with m->force, KERN_POUR_FALLS with an open
+   part, or KERN_POUR_DRY. */
+static kern_poured kern_pour(kern_model *m, kern_part *p)
+{
+    int budget = 64 * (m->s->contacts + m->groups) + 2000;
+    int g, at;
+    for (g = 0; g < m->groups; g++) {
+        m->leader[g] = m->next[g] = g;
+        m->dirty[g] = 1;
+    }
+    for (g = 0; g < m->s->contacts; g++)
+        m->force[g].normal = m->force[g].tangential = KERN_R(0);
+    for (at = 0; at < m->groups; ) {
+        kern_poured found;
+        int last = at;
+        if (!m->dirty[at]) {
+            at++;
+            continue;
+        }
+        m->dirty[at] = 0;
+        m->again = m->groups;
+        budget--;
+        if (m->next[at] != at || !kern_pour_alone(m, at)) {
+            found = kern_pour_unit(m, p, &last, &budget);
+            if (found == KERN_POUR_FALLS || found == KERN_POUR_DRY)
+                return found;
+        }
+        if (budget < 0)
+            return KERN_POUR_DRY;
+        at = m->again < at + 1 ? m->again : at + 1;
+    }
+    return KERN_POURED;
+}
+
+/* ---- Verdicts --------------------------------------------------- >>verdict */
+
+/* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
+static kern_status kern_part_lay(kern_part *p)
+{
+    const int n = p->groups;
+    int room = KERN_EXTRAS(n);
+    p->lp.rows = 3 * n;
+    p->lp.cols = 2 * p->contacts;
+    p->lp.ends = p->ends;
+    p->lp.cost = NULL;
+    p->lp.most = KERN_BOUND;
+    p->lp.pivots = p->m->pivots;
+    for (; room >= KERN_LEAN_EXTRAS(n); room--) {
+        kern_take take = p->rest;
+        p->lp.a = p->arc = kern_take_reals(&take, 8 * p->contacts);
+        p->lp.rhs = p->rhs = kern_take_reals(&take, 3 * n);
+        p->lp.weight = p->weight_of = kern_take_reals(&take, n + 1);
+        p->x = kern_take_reals(&take, 2 * p->contacts);
+        p->y = kern_take_reals(&take, 3 * n + 3);
+        kern_simplex_lay(&p->simplex, &p->lp, room, &take);
+        if (kern_take_fits(&take)) {
+            p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
+            return KERN_STANDS;
+        }
+    }
+    return KERN_NO_SPACE;
+}
+
+/* Eq. (5) for a question: two columns a contact, along the edges n + mu t and
+   n - mu t of its friction cone, and the loads on the right. */
+static void kern_part_set(kern_part *p, const kern_question *q)
+{
+    kern_model *m = p->m;
+    int n, k, edge, j;
+    for (n = 0; n < p->groups; n++) {
+        kern_model_unit(m, q, p->group[n]);
+        kern_model_load(m, q, p->group[n]);
+        for (j = 0; j < 3; j++)
+            p->rhs[3 * n + j] = m->load[3 * p->group[n] + j];
+        p->weight_of[n] = 1 / kern_max(m->size[p->group[n]],
+                                       KERN_LEAST_SCALE);
+    }
+    p->weight_of[n] = KERN_R(0);
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
+        const kern_contact *c = m->s->contact + i;
+        const kern_real *arm = m->arm + 4 * (size_t)i;
+        kern_real *f = p->arc + 8 * (size_t)k, mu = c->mu;
+        kern_model_arm(m, q, i);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
             const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
             f[0] = ray.x;
             f[1] = ray.y;
-            f[2] = kern_vec_cross(arm[1], ray) * m->unit[c->b];
-            f[3] = kern_vec_cross(ray, arm[0]) * m->unit[c->a];
+            f[2] = arm[0] + mu * arm[1];
+            f[3] = arm[2] + mu * arm[3];
         }
+    }
+    p->simplex.stale = 1;
+}
+
+/* y as a motion of the part, its fastest block at speed 1. */
+static void kern_part_motion(kern_part *p)
+{
+    kern_model *m = p->m;
+    kern_real *part = (kern_real *)(void *)m->motion, most = KERN_R(0);
+    int i, n;
+    for (i = 0; i < 3 * m->s->blocks; i++)
+        part[i] = KERN_R(0);
+    for (n = 0; n < p->groups; n++) {
+        const int b = m->block[p->group[n]];
+        kern_motion *v = m->motion + b;
+        *v = ((const kern_motion *)(const void *)p->y)[n];
+        v->spin *= m->unit[p->group[n]];
+        most = kern_max(most, kern_max(
+            KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
+            kern_abs(v->spin) * kern_block_size(m->s->block + b)));
+    }
+    for (n = 0; n < p->groups && most > 0; n++) {
+        kern_motion *v = m->motion + m->block[p->group[n]];
+        v->vx /= most;
+        v->vy /= most;
+        v->spin /= most;
     }
 }
 
-/* The right-hand side of A x = -w, in units of all that acts. */
-static void kern_model_loads(kern_model *m, const kern_question *q)
-{
-    const kern_structure *s = m->s;
-    int i, g;
-    m->weight = KERN_R(0);
-    for (i = 0; i < s->blocks; i++)
-        if (kern_is_free(m, i)) {
-            kern_wrench *w = (kern_wrench *)(void *)m->rhs + m->group[i];
-            kern_real *size = m->weight_of + m->group[i];
-            *size = kern_wrench_on(s, q, i, w);
-            w->torque *= m->unit[i];
-            m->weight += *size;
-        }
-    if (!(m->weight > 0))
-        m->weight = KERN_R(1);
-    for (i = 0; i < m->lp.rows; i++)
-        m->rhs[i] /= -m->weight;
-    for (g = 0; g < m->simplex.groups; g++)
-        m->weight_of[g] = 1 / kern_max(m->weight_of[g] / m->weight,
-                                       KERN_LEAST_SCALE);
-    m->weight_of[g] = KERN_R(0); /* the ground carries everything */
-}
+/* Whether the part is all there is. */
+static int kern_part_is_whole(const kern_part *p)
+{ return p->groups == p->m->groups; }
 
-/* x as forces. What is negative by rounding is nothing. */
-static void kern_model_forces(kern_model *m)
+/* The forces of a program of all groups. What is negative by rounding is
+   nothing. */
+static void kern_part_forces(kern_part *p)
 {
-    int i;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_real x1 = kern_max(m->x[2 * i], KERN_R(0));
-        const kern_real x2 = kern_max(m->x[2 * i + 1], KERN_R(0));
+    kern_model *m = p->m;
+    int k;
+    for (k = 0; k < m->s->contacts; k++)
+        m->force[k].normal = m->force[k].tangential = KERN_R(0);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
+        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
+        const int i = p->contact[k];
         m->force[i].normal = (x1 + x2) * m->weight;
         m->force[i].tangential = m->s->contact[i].mu * (x1 - x2) * m->weight;
     }
 }
 
-/* y as a motion, its fastest block at speed 1. */
-static void kern_model_motion(kern_model *m)
+/* The proof of a verdict, and the verdict itself only if the proof holds. That
+   a part stands is no verdict, and needs no proof. */
+static kern_status kern_part_prove(kern_part *p, const kern_question *q,
+                                   kern_status status)
 {
-    kern_real *part = (kern_real *)(void *)m->motion, most = KERN_R(0);
-    int i;
-    for (i = 0; i < m->s->blocks; i++) {
-        kern_motion *v = m->motion + i;
-        *v = ((const kern_motion *)(const void *)m->y)[m->group[i]];
-        v->spin *= m->unit[i];
-        most = kern_max(most, kern_max(
-            KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
-            kern_abs(v->spin) * kern_block_size(m->s->block + i)));
-    }
-    for (i = 0; i < 3 * m->s->blocks && most > 0; i++)
-        part[i] /= most;
-}
-
-/* The proof of a verdict, and the verdict itself only if the proof holds. */
-static kern_status kern_model_prove(kern_model *m, const kern_question *q,
-                                    kern_status status)
-{
+    kern_model *m = p->m;
     kern_real error = KERN_INFINITY;
     int lift;
+    if (status == KERN_STANDS && !kern_part_is_whole(p))
+        return status;
     for (lift = 0; status == KERN_FALLS && !(error <= 1)
-                   && lift <= m->simplex.started; lift++) {
+                   && lift <= p->simplex.started; lift++) {
         if (lift)
-            kern_certificate_lift(&m->simplex, m->y);
-        kern_model_motion(m);
+            kern_certificate_lift(&p->simplex, p->y);
+        kern_part_motion(p);
         error = kern_prove_motion(m->s, q, m->motion);
     }
-    if (!(error <= 1)) {
+    if (!(error <= 1) && kern_part_is_whole(p)) {
         /* forces may still do, within the tolerance */
         status = KERN_STANDS;
-        kern_model_forces(m);
+        kern_part_forces(p);
         error = kern_prove_forces(m->s, q, m->force, m->sum);
     }
     if (!(error <= 1))
@@ -4427,61 +5328,105 @@ static kern_status kern_model_prove(kern_model *m, const kern_question *q,
 }
 
 /* Sum of the solution: of all normal forces, in weights. */
-static kern_real kern_model_total(const kern_model *m)
+static kern_real kern_part_total(const kern_part *p)
 {
     kern_real total = KERN_R(0);
     int i;
-    for (i = 0; i < m->lp.cols; i++)
-        total += m->x[i];
+    for (i = 0; i < p->lp.cols; i++)
+        total += p->x[i];
     return total;
 }
 
 /* Forces were found, but larger than is allowed: the least there are, by
    costs of 1. If they still are too large their prices are a motion that shows
-   that no smaller ones exist. The costs stand where forces will. */
-static kern_status kern_model_least(kern_model *m, int own)
+   that no smaller ones exist. */
+static kern_status kern_part_least(kern_part *p, int own)
 {
-    kern_real *one = (kern_real *)(void *)m->force;
+    kern_real *one = (kern_real *)(void *)p->m->force; /* not in use here */
     kern_status status;
     int i;
-    if (!(kern_model_total(m) > KERN_BOUND))
+    if (!(kern_part_total(p) > KERN_BOUND))
         return KERN_STANDS;
-    for (i = 0; i < m->lp.cols; i++)
+    for (i = 0; i < p->lp.cols; i++)
         one[i] = KERN_R(1);
-    m->lp.cost = one;
-    status = kern_program_solve(&m->simplex, own, m->x, m->y, m->work);
-    m->lp.cost = NULL;
+    p->lp.cost = one;
+    status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
+    p->lp.cost = NULL;
     if (status != KERN_STANDS)
         return status < 0 ? status : KERN_UNDECIDED;
-    for (i = 0; i < m->lp.rows; i++)
-        m->y[i] = -m->y[i];
-    return kern_model_total(m) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
+    for (i = 0; i < p->lp.rows; i++)
+        p->y[i] = -p->y[i];
+    return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
 }
 
-/* Answers a question with a proof, or not at all. */
-static kern_status kern_model_ask(kern_model *m, const kern_question *q)
+/* Answers a question about a part by the simplex method. */
+static kern_status kern_part_ask(kern_part *p, const kern_question *q)
 {
-    kern_status status;
+    kern_status status = KERN_UNDECIDED;
     int own;
-    m->found = KERN_UNDECIDED;
-    if (!m->simplex.started || q->shrink > m->shrink
-        || q->shrink < m->shrink) {
-        kern_model_columns(m, q);
-        m->simplex.stale = 1;
-    }
-    kern_model_loads(m, q);
+    p->found = KERN_UNDECIDED;
+    kern_part_set(p, q);
     for (own = 0; own < 2; own++) {
-        status = kern_program_solve(&m->simplex, own, m->x, m->y, m->work);
+        status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
         if (status == KERN_STANDS)
-            status = kern_model_least(m, own);
-        m->found = status;
+            status = kern_part_least(p, own);
+        p->found = status;
         if (status >= 0)
-            status = kern_model_prove(m, q, status);
+            status = kern_part_prove(p, q, status);
         if (status >= 0)
             break;
         /* once more from the crash basis */
-        m->simplex.started = 0;
+        p->simplex.started = 0;
     }
+    return status;
+}
+
+/* Opens all groups as one part. */
+static kern_status kern_part_all(kern_part *p, kern_model *m)
+{
+    int g;
+    for (g = 0; g < m->groups; g++)
+        m->local[g] = 0;
+    if (!kern_part_open(p, m, m->groups, m->groups - 1))
+        return KERN_NO_SPACE;
+    return kern_part_lay(p);
+}
+
+/* Answers a question with a proof, or not at all. The forces by pouring, or the
+   motion of the part that it shows; where it shows neither, the linear program
+   of the whole. After KERN_FALLS the part that falls is open. */
+static kern_status kern_model_ask(kern_model *m, kern_part *p,
+                                  const kern_question *q)
+{
+    kern_poured poured;
+    kern_status status = KERN_UNDECIDED;
+    int i;
+    p->found = KERN_UNDECIDED;
+    m->work->solves++;
+    kern_model_set(m, q);
+    poured = kern_pour(m, p);
+    if (poured == KERN_POURED) {
+        kern_real error;
+        for (i = 0; i < m->s->contacts; i++) {
+            m->force[i].normal *= m->weight;
+            m->force[i].tangential *= m->weight;
+        }
+        error = kern_prove_forces(m->s, q, m->force, m->sum);
+        if (error <= 1) {
+            m->work->error = kern_max(m->work->error, error);
+            p->found = KERN_STANDS;
+            return KERN_STANDS;
+        }
+    }
+    if (poured == KERN_POUR_FALLS) {
+        if (kern_part_lay(p) == KERN_STANDS)
+            status = kern_part_ask(p, q);
+        if (status == KERN_FALLS)
+            return status;
+    }
+    status = kern_part_all(p, m);
+    if (status == KERN_STANDS)
+        status = kern_part_ask(p, q);
     return status;
 }
 
@@ -4510,7 +5455,8 @@ typedef struct kern_path {
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
     int never;                /* nonzero: it stands to the end                */
-    kern_real reach;          /* how far the last forces would do             */
+    kern_part *part;          /* that fell last                               */
+    int alone;                /* nonzero: it is asked about the part alone    */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -4545,23 +5491,25 @@ static kern_question kern_path_at(const kern_path *path, kern_real s)
    if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
    closes. One that was closed opens to the side that helps. In *rate how fast
    it changes at `to`. */
-static kern_real kern_shrink_power(const kern_model *m, kern_real from,
+static kern_real kern_shrink_power(const kern_part *p, kern_real from,
                                    kern_real to, kern_real *rate)
 {
-    const kern_structure *s = m->s;
+    const kern_model *m = p->m;
     kern_real sum = KERN_R(0);
     int i;
     *rate = KERN_R(0);
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
+    for (i = 0; i < p->contacts; i++) {
+        const kern_contact *c = m->s->contact + p->contact[i];
         const kern_real travel = kern_travel(c, m->mean);
-        const kern_real n = m->x[2 * i] + m->x[2 * i + 1];
+        const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
+        const int head = m->ends[2 * p->contact[i]];
+        const int tail = m->ends[2 * p->contact[i] + 1];
         kern_real was, is, work;
         if (!(n > 0 || n < 0))
             continue;
         /* the arm grows along t, and t x (f n + r t) = -f */
-        work = n * (m->y[3 * m->group[c->b] + 2] * m->unit[c->b]
-                    - m->y[3 * m->group[c->a] + 2] * m->unit[c->a]);
+        work = n * (p->y[3 * p->ends[2 * i] + 2] * m->unit[head]
+                    - p->y[3 * p->ends[2 * i + 1] + 2] * m->unit[tail]);
         if (!m->relative && from >= kern_abs(travel))
             work = travel > 0 ? -kern_abs(work) : kern_abs(work);
         sum -= work * kern_shift(travel, from, m->relative, &was);
@@ -4572,35 +5520,37 @@ static kern_real kern_shrink_power(const kern_model *m, kern_real from,
 }
 
 /* How fast y grows when kerns shrink, as a share of its length. */
-static kern_real kern_shrink_growth(kern_model *m, kern_real shrink)
+static kern_real kern_shrink_growth(kern_part *p, kern_real shrink)
 {
-    const kern_structure *s = m->s;
+    const kern_model *m = p->m;
     kern_real *change = (kern_real *)(void *)m->force; /* not in use here */
-    int i;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
+    int k;
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
         const kern_real spin =
-            m->y[3 * m->group[c->b] + 2] * m->unit[c->b]
-            - m->y[3 * m->group[c->a] + 2] * m->unit[c->a];
+            p->y[3 * p->ends[2 * k] + 2] * m->unit[m->ends[2 * i]]
+            - p->y[3 * p->ends[2 * k + 1] + 2] * m->unit[m->ends[2 * i + 1]];
         kern_real rate;
-        kern_shift(kern_travel(c, m->mean), shrink, m->relative, &rate);
-        change[2 * i] = change[2 * i + 1] = -rate * spin;
+        kern_shift(kern_travel(m->s->contact + i, m->mean), shrink,
+                   m->relative, &rate);
+        change[2 * k] = change[2 * k + 1] = -rate * spin;
     }
-    return kern_row_growth(&m->simplex, m->y, change);
+    return kern_row_growth(&p->simplex, p->y, change);
 }
 
 /* Where the mechanism y that falls at s, by `power` < 0, stops to fall. As
    kerns close, y grows without bound where the power per unit of y is nearly
    straight: it is that which is followed, with its bends where kerns close.
    Returns `holds` where it is not seen to stop after that. */
-static kern_real kern_shrink_edge(kern_model *m, kern_real holds, kern_real s,
-                                  kern_real power)
+static kern_real kern_shrink_edge(kern_part *p, kern_real holds,
+                                  kern_real s, kern_real power)
 {
-    const kern_real same = KERN_SAME_EDGE * (m->relative ? 1 : m->mean) / 8;
-    const kern_real growth = power * kern_shrink_growth(m, s);
+    const kern_real same = KERN_SAME_EDGE
+                           * (p->m->relative ? 1 : p->m->mean) / 8;
+    const kern_real growth = power * kern_shrink_growth(p, s);
     kern_real lo = holds, hi = s, at = s, rate, left = power;
     int round;
-    kern_shrink_power(m, s, s, &rate);
+    kern_shrink_power(p, s, s, &rate);
     for (round = 0; round < KERN_BENDS; round++) {
         const kern_real step = left / (rate - growth);
         if (kern_abs(step) <= same)
@@ -4608,7 +5558,7 @@ static kern_real kern_shrink_edge(kern_model *m, kern_real holds, kern_real s,
         at -= step;
         if (!(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
-        left = power - (at - s) * growth + kern_shrink_power(m, s, at, &rate);
+        left = power - (at - s) * growth + kern_shrink_power(p, s, at, &rate);
         if (left < 0)
             hi = at;
         else
@@ -4617,50 +5567,25 @@ static kern_real kern_shrink_edge(kern_model *m, kern_real holds, kern_real s,
     return holds;
 }
 
-/* How far kerns of line contacts can shrink with the forces just found: each
-   until it ends where its load passes. A loaded point that travels by itself
-   has no such place. */
-static kern_real kern_shrink_reach(const kern_model *m, kern_real shrink)
-{
-    const kern_structure *s = m->s;
-    kern_real reach = KERN_INFINITY;
-    int i, line;
-    for (i = 0; i < s->contacts; i += 1 + line) {
-        const kern_contact *c = s->contact + i;
-        const kern_real n = m->force[i].normal;
-        kern_real other, travel, share;
-        line = c->line && i + 1 < s->contacts && c[1].line;
-        other = line ? m->force[i + 1].normal : KERN_R(0);
-        if (!(kern_abs(c->travel) > 0) || !(n + other > 0))
-            continue;
-        if (!line)
-            return shrink;
-        travel = m->relative ? KERN_R(1) : kern_abs(c->travel);
-        share = kern_abs(n - other) / (n + other);
-        if (share > KERN_TRAVEL && travel > shrink)
-            reach = kern_min(reach, travel - (travel - shrink) * share);
-    }
-    return reach;
-}
-
 /* y.rhs' where a load grows or gravity turns. */
-static kern_real kern_load_rate(const kern_model *m, const kern_path *path,
+static kern_real kern_load_rate(const kern_path *path,
                                 const kern_question *q, kern_real s)
 {
+    const kern_part *p = path->part;
+    const kern_model *m = p->m;
     kern_real sum = KERN_R(0);
-    int i;
-    for (i = 0; i < m->s->blocks; i++) {
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n], i = m->block[g];
         const kern_block *b = m->s->block + i;
-        const kern_real *y = m->y + 3 * m->group[i];
+        const kern_real *y = p->y + 3 * n;
         kern_wrench w;
-        if (!kern_is_free(m, i))
-            continue;
         if (path->kind == KERN_PATH_LOAD)
             kern_pattern_on(m->s, q, i, &w);
         else
             kern_weigh(kern_vec_turn(q->gravity), 4 / (1 + s * s) * b->mass
                                                   * KERN_R(q->side), &w);
-        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[i])
+        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[g])
                / m->weight;
     }
     return sum;
@@ -4681,30 +5606,29 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
             proof->motion[i] = m->motion[i];
 }
 
-/* Asks at s. Where it falls Newton's method says where that ends; where it
-   stands while kerns shrink, the forces say how much farther they go. */
+/* Asks at s. Where it falls Newton's method says where that ends. */
 static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_question q = kern_path_at(path, s);
-    const kern_status status = kern_model_ask(m, &q);
+    kern_part *p = path->part;
+    const kern_status status = path->alone ? kern_part_ask(p, &q)
+                                           : kern_model_ask(m, p, &q);
     kern_real power = KERN_R(0);
     int i;
-    kern_proof_out(m, path->proof, status);
-    if (status == KERN_STANDS) {
+    if (status == KERN_FALLS || !path->alone)
+        kern_proof_out(m, path->proof, status);
+    if (status == KERN_STANDS)
         path->holds = s;
-        path->reach = path->kind == KERN_PATH_SHRINK
-                      ? kern_shrink_reach(m, s) : s;
-    }
     if (status == KERN_FALLS)
         path->fails = s;
     /* near to critical even a certificate that proves nothing tells where */
-    if (status == KERN_STANDS || m->found != KERN_FALLS)
+    if (status == KERN_STANDS || p->found != KERN_FALLS)
         return status;
-    for (i = 0; i < m->lp.rows; i++)
-        power += m->y[i] * m->rhs[i];
+    for (i = 0; i < p->lp.rows; i++)
+        power += p->y[i] * p->rhs[i];
     path->edge = path->kind == KERN_PATH_SHRINK
-                 ? kern_shrink_edge(m, path->holds, s, power)
-                 : s - power / kern_load_rate(m, path, &q, s);
+                 ? kern_shrink_edge(p, path->holds, s, power)
+                 : s - power / kern_load_rate(path, &q, s);
     return status;
 }
 
@@ -4731,7 +5655,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         const int near = inside && hi - r <= aside * KERN_R(1.05);
         const int closed = near && r - lo <= under * KERN_R(1.05)
                            && (r - lo >= under / 2 || lo <= path->start);
-        const int pivots = m->work->pivots, single = m->simplex.violated == 1;
+        const int pivots = m->work->pivots;
+        const int single = path->part->simplex.violated == 1;
         kern_real at;
         kern_status status;
         if ((known && closed) || hi - lo <= half / 8
@@ -4812,23 +5737,16 @@ static kern_travels kern_travels_of(const kern_model *m)
     return t;
 }
 
-/* Goes from a place that stands toward the end, until it falls; then finds the
-   edge. Steps grow as long as they need few pivots (far beyond the edge the
-   simplex has much to do that is of no use), or are `even` where verdicts may
-   change more than once. */
+/* Goes from a place that stands toward the end in even steps, until it falls;
+   then finds the edge: where verdicts may change more than once. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step, int even)
+                                   kern_real step)
 {
-    const kern_real end = path->end, half = path->tolerance * KERN_R(0.45);
-    const kern_real least = step / 4;
     kern_real at = path->holds;
     int round, tries;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real reach = even ? at : path->reach + half;
-        const kern_real next = kern_min(end, kern_max(at + step, reach));
-        const int before = m->work->pivots;
+        const kern_real next = kern_min(path->end, at + step);
         kern_status status = kern_path_ask(m, path, next);
-        int pivots;
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
             status = kern_path_ask(m, path,
@@ -4838,23 +5756,73 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             return kern_path_edge(m, path);
         if (status != KERN_STANDS)
             return status;
-        if (next >= end) {
+        if (next >= path->end) {
             path->never = 1;
-            path->edge = path->fails = end;
+            path->edge = path->fails = path->end;
             return KERN_STANDS;
         }
         at = next;
-        pivots = m->work->pivots - before;
-        if (!even && 3 * pivots < KERN_MANY)
-            step *= KERN_R(1.6);
-        else if (!even && pivots < KERN_MANY)
-            step *= KERN_R(1.25);
-        else if (!even && pivots > 2 * KERN_MANY)
-            step *= KERN_R(0.7);
-        if (!even)
-            step = kern_max(step, kern_max(least, at / 16));
     }
     return KERN_UNDECIDED;
+}
+
+/* The edge of the part that fell last, all else held: no other edge of the
+   whole is farther. KERN_FALLS where the part falls at the start. */
+static kern_status kern_path_part(kern_model *m, kern_path *path)
+{
+    kern_status status = KERN_STANDS;
+    path->alone = 1;
+    if (path->edge <= path->holds + path->tolerance)
+        status = kern_path_ask(m, path, path->holds);
+    if (status == KERN_STANDS)
+        status = kern_path_edge(m, path);
+    path->alone = 0;
+    return status;
+}
+
+/* The first edge of a path on which the verdict changes but once. What falls
+   at some place is a part, most often a small one. Its own edge is found with
+   all else held, and the whole is asked a little before that. If it falls there
+   by another part, that one's edge comes next: edges only come nearer. */
+static kern_status kern_path_search(kern_model *m, kern_path *path,
+                                    kern_real first)
+{
+    const kern_real start = path->holds;
+    kern_real holds = start, at = kern_min(start + first, path->end);
+    kern_status status;
+    int round, seen = 0;
+    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
+        status = kern_path_ask(m, path, at);
+        if (status == KERN_STANDS) {
+            if (seen)
+                break;
+            holds = at;
+            if (at >= path->end) {
+                path->never = 1;
+                path->edge = path->fails = at;
+                return KERN_STANDS;
+            }
+            at = kern_min(path->end, start + 2 * (at - start));
+        } else if (status == KERN_FALLS) {
+            if (at <= start)
+                return KERN_FALLS;
+            path->holds = holds;
+            status = kern_path_part(m, path);
+            if (status != KERN_STANDS)
+                return status;
+            at = path->holds;
+            seen = 1;
+        } else if (status == KERN_UNDECIDED && seen
+                   && path->fails - at < path->tolerance * KERN_WIDEST / 2)
+            at = kern_max(start, path->fails - 2 * (path->fails - at));
+        else if (status == KERN_UNDECIDED && !seen)
+            at = holds + (at - holds) * KERN_R(0.7);
+        else
+            return status;
+    }
+    path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
+    return path->fails - path->holds <= path->tolerance * KERN_WIDEST
+           ? KERN_STANDS : KERN_UNDECIDED;
 }
 
 static kern_real kern_step(const kern_model *m, const kern_options *o)
@@ -4891,7 +5859,7 @@ static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
         const kern_question q = kern_path_at(path, at);
         kern_status status = KERN_STANDS;
         if (!known || (at > path->holds && at < path->fails))
-            status = kern_model_ask(m, &q);
+            status = kern_model_ask(m, path->part, &q);
         else if (at > path->holds)
             status = KERN_FALLS;
         if (status == KERN_UNDECIDED)
@@ -4908,9 +5876,9 @@ static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
 /* Opens the model and a path in it that begins at `shrink`, or says what is
    wrong with what was handed in; `out` is where the answer goes. */
 static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
-                                  kern_model *m, const kern_structure *s,
-                                  kern_real shrink, const kern_options *o,
-                                  kern_work *work, const void *out,
+                                  kern_model *m, kern_part *part,
+                                  const kern_structure *s, kern_real shrink,
+                                  const kern_options *o, kern_work *work, const void *out,
                                   const kern_proof *proof)
 {
     const kern_status status = kern_model_open(m, s, o, work);
@@ -4923,12 +5891,12 @@ static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
     path->kind = kind;
     path->proof = proof;
     path->q = kern_question_of(s, o, shrink);
-    m->relative = path->q.relative;
-    m->mean = path->q.mean;
+    path->part = part;
+    path->alone = 0;
     path->unit = kind == KERN_PATH_SHRINK && !m->relative ? m->mean : 1;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = path->reach = KERN_R(0);
+    path->holds = path->fails = path->edge = KERN_R(0);
     path->never = 0;
     return KERN_STANDS;
 }
@@ -4938,60 +5906,34 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
                                  const kern_proof *proof)
 {
     kern_model m;
+    kern_part part;
     kern_path path;
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, s, shrink,
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s, shrink,
                                         o, work, work, proof);
     if (status != KERN_STANDS)
         return status;
-    status = kern_model_ask(&m, &path.q);
+    status = kern_model_ask(&m, &part, &path.q);
     kern_proof_out(&m, proof, status);
     return status;
-}
-
-/* From where it held and fell before something was changed: most changes leave
-   both as they were. */
-static kern_status kern_path_resume(kern_model *m, kern_path *path,
-                                    const kern_known *known)
-{
-    const kern_real at = kern_min(known->fails, path->end);
-    kern_status status = kern_path_ask(m, path, at);
-    if (status == KERN_STANDS && at < path->end)
-        return kern_path_climb(m, path, path->unit * KERN_FIRST, 0);
-    if (status == KERN_STANDS) {
-        path->never = 1;
-        path->edge = path->fails = at;
-    }
-    if (status != KERN_FALLS)
-        return status;
-    if (path->edge > known->holds / 2) {
-        status = kern_path_edge(m, path);
-        if (status != KERN_STANDS || path->holds > 0)
-            return status;
-    }
-    status = kern_path_ask(m, path, KERN_R(0));
-    return status == KERN_STANDS ? kern_path_edge(m, path) : status;
 }
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
    the margin tell the level; where they are not the literal scan comes first,
    and the margin is looked for before the place where it ends. */
-static kern_status kern_measure_path(kern_model *m, kern_path *path,
-                                     const kern_known *known, int nested,
+static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
-    kern_status status = KERN_UNDECIDED;
-    if (nested && known && known->columns > 0 && known->fails > 0)
-        status = kern_path_resume(m, path, known);
-    if (status == KERN_UNDECIDED) {
+    kern_status status;
+    if (nested)
+        status = kern_path_search(m, path, path->unit * KERN_FIRST);
+    else {
         status = kern_path_ask(m, path, KERN_R(0));
-        if (status == KERN_STANDS && !nested)
+        if (status == KERN_STANDS)
             status = kern_level_scan(m, path, last, 0, out);
-        if (!nested && out->level > 0)
+        if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
         if (status == KERN_STANDS)
-            status = kern_path_climb(m, path, nested ? path->unit * KERN_FIRST
-                                                     : out->most / KERN_SCAN,
-                                     !nested);
+            status = kern_path_climb(m, path, out->most / KERN_SCAN);
     }
     if (path->never && path->end < out->most) /* where the scan said it falls */
         return KERN_UNDECIDED;
@@ -5004,21 +5946,18 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path,
     return nested ? kern_level_scan(m, path, last, 1, out) : status;
 }
 
-/* The measure, from what is known, which becomes what is known now where it
-   is given to be `kept`. */
-static kern_status kern_measure_from(const kern_structure *s,
-                                     const kern_options *o, kern_work *work,
-                                     const kern_known *known, kern_known *kept,
-                                     kern_margin *out, const kern_proof *proof)
+KERN_API kern_status kern_measure(const kern_structure *s,
+                                  const kern_options *o, kern_work *work,
+                                  kern_margin *out, const kern_proof *proof)
 {
     kern_model m;
+    kern_part part;
     kern_path path;
     kern_travels travels;
     kern_margin r;
-    kern_status status;
     int last = 0;
-    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, s, KERN_R(0), o, work,
-                            out, proof);
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s,
+                                        KERN_R(0), o, work, out, proof);
     if (status != KERN_STANDS)
         return status;
     travels = kern_travels_of(&m);
@@ -5030,27 +5969,10 @@ static kern_status kern_measure_from(const kern_structure *s,
     if (status != KERN_STANDS)
         return status;
     path.end = r.most;
-    if (known) {
-        m.simplex.known = known->basis;
-        m.simplex.knowns = known->columns;
-    }
-    status = kern_measure_path(&m, &path, known, travels.nested, last, &r);
+    status = kern_measure_path(&m, &path, travels.nested, last, &r);
     if (status == KERN_STANDS || status == KERN_FALLS)
         *out = r;
-    if (kept && status >= 0) {
-        kept->columns = m.simplex.started
-                        ? kern_basis_list(&m.simplex, kept->basis) : 0;
-        kept->holds = r.holds;
-        kept->fails = r.fails;
-    }
     return status;
-}
-
-KERN_API kern_status kern_measure(const kern_structure *s,
-                                  const kern_options *o, kern_work *work,
-                                  kern_margin *out, const kern_proof *proof)
-{
-    return kern_measure_from(s, o, work, NULL, NULL, out, proof);
 }
 
 /* The extent: the longest side of the box around the free blocks. */
@@ -5084,11 +6006,12 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
                                   kern_real *deficit)
 {
     kern_model m;
+    kern_part part;
     kern_path path;
     kern_status status;
     kern_travels travels;
     kern_real limit, growth, grown;
-    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, s, KERN_R(0), o, work,
+    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s, KERN_R(0), o, work,
                             deficit, NULL);
     if (status != KERN_STANDS)
         return status;
@@ -5154,9 +6077,10 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
     const int tilt = kind == KERN_PATH_TILT;
     kern_real step = KERN_R(0.05);
     kern_model m;
+    kern_part part;
     kern_path path;
     int i, loaded = 0;
-    kern_status status = kern_path_open(&path, kind, &m, s, shrink, o, work,
+    kern_status status = kern_path_open(&path, kind, &m, &part, s, shrink, o, work,
                                         out, proof);
     if (status != KERN_STANDS)
         return status;
@@ -5178,7 +6102,8 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
         step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = kern_path_climb(&m, &path, step, loaded);
+        status = loaded ? kern_path_climb(&m, &path, step)
+                        : kern_path_search(&m, &path, step);
     if (status == KERN_STANDS)
         *out = tilt ? 4 * kern_angle_of(path.edge)
                     : path.never ? KERN_INFINITY : path.edge;
@@ -5237,15 +6162,10 @@ static int kern_moves(const kern_model *m, int i)
 /* Takes away the blocks that move in the last mechanism. */
 static void kern_fall_take(kern_model *m, kern_fall *fall, kern_real at)
 {
-    int i, moved = 0;
+    int i;
     for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && kern_moves(m, i)) {
+        if (kern_is_free(m, i) && kern_moves(m, i))
             kern_fall_add(fall, i, at);
-            moved++;
-        }
-    m->simplex.groups -= moved;
-    m->simplex.started = 0;
-    m->lp.rows = 3 * m->simplex.groups;
     kern_model_group(m, fall->value);
 }
 
@@ -5260,7 +6180,7 @@ static kern_status kern_fall_at(kern_model *m, kern_path *path,
     while (status == KERN_FALLS) {
         kern_real beyond = path->fails;
         kern_fall_take(m, fall, at);
-        if (m->lp.rows == 0)
+        if (m->groups == 0)
             return KERN_STANDS;
         status = kern_path_ask(m, path, beyond);
         /* too near to critical to tell: a little farther */
@@ -5285,7 +6205,8 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
         even = !kern_travels_of(m).nested;
         step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
     }
-    status = kern_path_climb(m, path, step, even);
+    status = even ? kern_path_climb(m, path, step)
+                  : kern_path_search(m, path, step);
     *at = path->edge;
     if (status == KERN_STANDS && !path->never)
         status = kern_path_ask(m, path, path->fails);
@@ -5299,12 +6220,12 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     kern_real at = KERN_R(0);
     kern_status status = kern_path_ask(m, path, at);
     int i;
-    while (m->lp.rows > 0 && !path->never) {
+    while (m->groups > 0 && !path->never) {
         if (status == KERN_FALLS)
             status = kern_fall_at(m, path, fall, at);
         if (status != KERN_STANDS)
             return status;
-        if (m->lp.rows > 0)
+        if (m->groups > 0)
             status = kern_fall_climb(m, path, &at);
     }
     for (i = 0; i < m->s->blocks; i++)
@@ -5318,11 +6239,12 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
                                   kern_real *value, kern_collapse *out)
 {
     kern_model m;
+    kern_part part;
     kern_path path;
     kern_fall fall;
     int i, free_blocks, half;
     kern_status status = kern_path_open(
-        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, s, KERN_R(0), o,
+        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, &part, s, KERN_R(0), o,
         work, value ? out : NULL, NULL);
     if (status != KERN_STANDS)
         return status;
@@ -5331,7 +6253,7 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     path.q.side = side;
     path.q.fallen = value;
     path.end = side ? KERN_PROFILE_MOST : kern_travels_of(&m).most;
-    free_blocks = m.simplex.groups;
+    free_blocks = m.groups;
     half = (free_blocks + 1) / 2;
     fall.weak = half;
     fall.sum = fall.weak_sum = KERN_R(0);
@@ -5446,57 +6368,18 @@ KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
 {
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
-    return kern_measure_from(&plan->s, &plan->options, plan->work,
-                             &plan->known, &plan->known, out, proof);
-}
-
-/* Mark of a free block that is held while another is asked about alone. */
-#define KERN_HELD (-32767)
-
-/* The last block alone, with its contacts as the last `found`, on neighbours
-   that are held: it cannot stand better than that on neighbours that give
-   way. So where it fails alone is as good a place to ask first as where the
-   plan failed before. */
-static void kern_plan_alone(kern_plan *plan, int found, kern_known *known)
-{
-    kern_structure alone = plan->s;
-    kern_status status;
-    kern_margin m;
-    int i;
-    alone.contacts = found;
-    alone.contact += plan->s.contacts - found;
-    for (i = 0; i < found; i++)
-        if (!alone.contact[i].line && kern_abs(alone.contact[i].travel) > 0)
-            return; /* not nested: nothing is asked there */
-    for (i = 0; i + 1 < plan->s.blocks; i++)
-        if (!plan->block[i].fixed)
-            plan->block[i].fixed = KERN_HELD;
-    status = kern_measure_from(&alone, &plan->options, plan->work, NULL, NULL,
-                               &m, NULL);
-    for (i = 0; i + 1 < plan->s.blocks; i++)
-        if (plan->block[i].fixed == KERN_HELD)
-            plan->block[i].fixed = 0;
-    if (status == KERN_FALLS)
-        known->columns = 0; /* made for shrunken kerns, it is far from done */
-    else if (status == KERN_STANDS && !m.saturated && m.fails < known->fails) {
-        known->fails = m.fails;
-        known->holds = m.holds;
-    }
+    return kern_measure(&plan->s, &plan->options, plan->work,
+                             out, proof);
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
-    kern_known known;
     kern_status status;
     const int found = kern_plan_add(plan, block);
     if (found < 0)
         return (kern_status)found;
-    known = plan->known;
-    if (known.fails > 0 && !block->fixed)
-        kern_plan_alone(plan, found, &known);
-    status = kern_measure_from(&plan->s, &plan->options, plan->work, &known,
-                               NULL, out, proof);
+    status = kern_measure(&plan->s, &plan->options, plan->work, out, proof);
     plan->s.blocks--;
     plan->s.contacts -= found;
     return status;
