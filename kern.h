@@ -900,6 +900,8 @@ extern "C" {
 #define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_POUR_BOUND  KERN_R(50)
+#define KERN_POUR_BUDGET 4000
+#define KERN_MOVING      KERN_R(1e-3)
 #define KERN_LEAST_ROUNDS  30
 #define KERN_POUR_ROUNDS   8
 #define KERN_ROWS_MOST     16
@@ -4185,6 +4187,8 @@ typedef struct kern_model {
     kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next;       /* of a group: see >>pour                       */
     int *dirty, *local;
+    int *fell;                /* of a group: whether a part with it fell      */
+    int wide;                 /* by how much the next part of them is widened */
     int again;
     kern_take rest;           /* work memory that is left                     */
 } kern_model;
@@ -4209,6 +4213,7 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->next = kern_take_ints(take, groups);
     m->dirty = kern_take_ints(take, groups);
     m->local = kern_take_ints(take, groups + 1);
+    m->fell = kern_take_ints(take, groups);
     m->unit = kern_take_reals(take, groups + 1);
     m->load = kern_take_reals(take, 3 * groups);
     m->size = kern_take_reals(take, groups);
@@ -4313,7 +4318,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
                                    const kern_options *o, kern_work *work)
 {
     kern_status status;
-    int free_blocks = 0;
+    int free_blocks = 0, i;
     if (!work)
         return KERN_BAD_POINTER;
     kern_fault_clear(&work->fault);
@@ -4330,6 +4335,9 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     m->relative = o->relative;
     m->mean = kern_mean_size(s->block, s->blocks);
     m->weight = KERN_R(1);
+    m->wide = 0;
+    for (i = 0; i < free_blocks; i++)
+        m->fell[i] = 0;
     kern_model_group(m, NULL);
     return KERN_STANDS;
 }
@@ -4417,6 +4425,7 @@ typedef struct kern_part {
     kern_real *b;             /* loads, three a group                         */
     kern_real *way;           /* four a contact: u and step along n and t     */
     kern_real *factor;
+    int cost;                 /* of a step, in products                       */
     /* the linear program */
     kern_program lp;
     kern_real *arc, *rhs, *weight_of, *x, *y;
@@ -4574,9 +4583,12 @@ static int kern_least_lay(kern_part *p)
         if (high < p->groups && low < p->first[high])
             p->first[high] = low;
     }
+    p->cost = 100 * p->contacts;
     for (g = 0; g < p->groups; g++) {
+        const int width = g - p->first[g] + 1;
         p->offset[g] = end;
-        end += 9 * (g - p->first[g] + 1);
+        end += 9 * width;
+        p->cost += 14 * width * width;
     }
     p->factor = kern_take_reals(&take, end);
     return kern_take_fits(&take);
@@ -4800,7 +4812,7 @@ static kern_real kern_least_share(const kern_part *p, const kern_real *b,
    KERN_UNDECIDED. */
 static kern_status kern_least_find(kern_part *p, const kern_real *b,
                                    int contacts, kern_real tolerance,
-                                   kern_real bound)
+                                   kern_real bound, int *budget)
 {
     const int n = 3 * p->groups;
     int i, round;
@@ -4817,6 +4829,7 @@ static kern_status kern_least_find(kern_part *p, const kern_real *b,
         kern_least_matrix(p, contacts, round == 0);
         kern_least_solve(p);
         kern_least_ways(p, p->step, contacts, 2);
+        *budget -= p->cost;
         share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
         for (i = 0; i < n; i++)
             p->u[i] += share * p->step[i];
@@ -5104,54 +5117,97 @@ static void kern_pour_keep(kern_part *p, kern_real tolerance)
     }
 }
 
+/* Least forces of the open part, written if they balance it. Where they do not,
+   they are looked for with all else held: KERN_FALLS where there are none. */
+static kern_status kern_pour_part(kern_part *p, int *budget)
+{
+    const kern_model *m = p->m;
+    kern_real load = KERN_R(0), least = KERN_INFINITY;
+    kern_status status;
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        least = kern_min(least, m->size[p->group[n]]);
+        load += m->size[p->group[n]];
+    }
+    kern_pour_loads(p, 0);
+    for (n = 0; n < 3 * p->groups; n++)
+        load += kern_abs(p->b[n]);
+    status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
+                             KERN_POUR_BOUND * load, budget);
+    if (status == KERN_STANDS)
+        kern_pour_keep(p, KERN_POUR_TOL * least);
+    else if (p->own < p->contacts) {
+        kern_pour_loads(p, 1);
+        status = kern_least_find(p, p->b, p->contacts, KERN_POUR_TOL * least,
+                                 KERN_POUR_BOUND * load, budget);
+        if (status == KERN_STANDS)
+            status = KERN_UNDECIDED;
+    }
+    return status;
+}
+
+/* Opens what moves in the part, which seems to fall: where no forces exist u
+   grows along a mechanism. */
+static void kern_pour_moving(kern_part *p)
+{
+    kern_model *m = p->m;
+    const kern_real least = KERN_MOVING * kern_largest(p->u, 3 * p->groups);
+    int n, last = 0, groups = 0;
+    for (n = 0; n < p->groups; n++) {
+        m->local[p->group[n]] = KERN_OUT;
+        if (kern_largest(p->u + 3 * n, 3) > least) {
+            last = p->group[n];
+            m->local[last] = 0;
+            groups++;
+        }
+    }
+    kern_part_open(p, m, groups, last); /* no larger than it was */
+}
+
+/* All groups as one unit. */
+static kern_poured kern_pour_whole(kern_model *m, kern_part *p, int *budget)
+{
+    kern_status status;
+    int g;
+    for (g = 0; g < m->groups; g++)
+        m->local[g] = 0;
+    if (!kern_part_open(p, m, m->groups, m->groups - 1) || !kern_least_lay(p)
+        || p->cost > *budget)
+        return KERN_POUR_DRY;
+    status = kern_pour_part(p, budget);
+    if (status == KERN_FALLS)
+        kern_pour_moving(p);
+    return status == KERN_STANDS ? KERN_POURED
+           : status == KERN_FALLS ? KERN_POUR_FALLS : KERN_POUR_DRY;
+}
+
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
    part of it is seen to fall. */
-static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int *last,
+static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
                                   int *budget)
 {
-    const int begun = *last;
-    int groups = kern_pour_mark(m, *last, 0), levels;
+    const int begun = last;
+    int groups = kern_pour_mark(m, last, 0), levels;
     for (levels = 1; ; levels *= 2) {
-        kern_real load = KERN_R(0), least = KERN_INFINITY;
-        kern_status status;
-        int n, added;
-        if (!kern_part_open(p, m, groups, *last) || !kern_least_lay(p)) {
-            kern_pour_unmark(m, *last);
-            return KERN_POUR_DRY;
-        }
-        for (n = 0; n < groups; n++) {
-            least = kern_min(least, m->size[p->group[n]]);
-            load += m->size[p->group[n]];
-        }
-        *budget -= p->contacts * 8;
-        kern_pour_loads(p, 0);
-        for (n = 0; n < 3 * groups; n++)
-            load += kern_abs(p->b[n]);
-        status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
-                                 KERN_POUR_BOUND * load);
-        if (status == KERN_STANDS) {
-            kern_pour_keep(p, KERN_POUR_TOL * least);
-            kern_pour_unmark(m, *last);
-            return KERN_POURED;
-        }
-        if (p->own < p->contacts) {
-            kern_pour_loads(p, 1);
-            status = kern_least_find(p, p->b, p->contacts,
-                                     KERN_POUR_TOL * least,
-                                     KERN_POUR_BOUND * load);
-        }
+        kern_status status = KERN_NO_SPACE;
+        int added;
+        if (kern_part_open(p, m, groups, last) && kern_least_lay(p)
+            && p->cost <= *budget)
+            status = kern_pour_part(p, budget);
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
-        kern_pour_unmark(m, *last);
-        added = kern_pour_grow(m, last, levels);
-        groups += added;
-        if (added == 0 || *budget < 0) {
-            kern_pour_unmark(m, *last);
+        kern_pour_unmark(m, last);
+        if (status == KERN_STANDS)
+            return KERN_POURED;
+        if (status == KERN_NO_SPACE)
             return KERN_POUR_DRY;
-        }
-        if (*last > begun) {
-            kern_pour_unmark(m, *last);
-            m->dirty[*last] = 1;
+        added = kern_pour_grow(m, &last, levels);
+        groups += added;
+        if (added == 0)
+            return KERN_POUR_DRY;
+        if (last > begun) {
+            kern_pour_unmark(m, last);
+            m->dirty[last] = 1;
             return KERN_POUR_LATER;
         }
     }
@@ -5161,7 +5217,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int *last,
    part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
-    int budget = 64 * (m->s->contacts + m->groups) + 2000;
+    int budget = KERN_POUR_BUDGET * (m->s->contacts + m->groups);
     int g, at;
     for (g = 0; g < m->groups; g++) {
         m->leader[g] = m->next[g] = g;
@@ -5171,19 +5227,20 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
         m->force[g].normal = m->force[g].tangential = KERN_R(0);
     for (at = 0; at < m->groups; ) {
         kern_poured found;
-        int last = at;
         if (!m->dirty[at]) {
             at++;
             continue;
         }
         m->dirty[at] = 0;
         m->again = m->groups;
-        budget--;
         if (m->next[at] != at || !kern_pour_alone(m, at)) {
-            found = kern_pour_unit(m, p, &last, &budget);
-            if (found == KERN_POUR_FALLS || found == KERN_POUR_DRY)
+            found = kern_pour_unit(m, p, at, &budget);
+            if (found == KERN_POUR_DRY)
+                return kern_pour_whole(m, p, &budget);
+            if (found == KERN_POUR_FALLS)
                 return found;
         }
+        budget -= 300;
         if (budget < 0)
             return KERN_POUR_DRY;
         at = m->again < at + 1 ? m->again : at + 1;
@@ -5392,6 +5449,42 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
     return kern_part_lay(p);
 }
 
+/* Notes what fell. Where a part falls that has groups in common with one that
+   fell before, the mechanism is larger than either: it is widened by its
+   neighbours, each time twice as far. */
+static int kern_part_widen(kern_part *p)
+{
+    kern_model *m = p->m;
+    int g, k, n, again = 0, last, groups, levels;
+    for (n = 0; n < p->groups; n++) {
+        again |= m->fell[p->group[n]];
+        m->fell[p->group[n]] = 1;
+    }
+    if (!again || kern_part_is_whole(p))
+        return 1;
+    m->wide = 2 * m->wide + 1;
+    groups = p->groups;
+    last = p->group[groups - 1];
+    for (levels = 0; levels < m->wide && groups < m->groups; levels++) {
+        for (n = 0; n < p->groups; n++)
+            for (g = p->group[n], k = m->start[g]; k < m->start[g + 1]; k++) {
+                const int i = m->touch[k];
+                const int h = m->ends[2 * i] == g ? m->ends[2 * i + 1]
+                                                  : m->ends[2 * i];
+                if (h < m->groups && m->local[h] == KERN_OUT) {
+                    m->local[h] = 0;
+                    last = h > last ? h : last;
+                    groups++;
+                }
+            }
+        if (!kern_part_open(p, m, groups, last))
+            return 0;
+    }
+    for (n = 0; n < p->groups; n++)
+        m->fell[p->group[n]] = 1;
+    return 1;
+}
+
 /* Answers a question with a proof, or not at all. The forces by pouring, or the
    motion of the part that it shows; where it shows neither, the linear program
    of the whole. After KERN_FALLS the part that falls is open. */
@@ -5419,7 +5512,7 @@ static kern_status kern_model_ask(kern_model *m, kern_part *p,
         }
     }
     if (poured == KERN_POUR_FALLS) {
-        if (kern_part_lay(p) == KERN_STANDS)
+        if (kern_part_widen(p) && kern_part_lay(p) == KERN_STANDS)
             status = kern_part_ask(p, q);
         if (status == KERN_FALLS)
             return status;
@@ -5790,7 +5883,10 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     const kern_real start = path->holds;
     kern_real holds = start, at = kern_min(start + first, path->end);
     kern_status status;
-    int round, seen = 0;
+    int round, seen = 0, g;
+    m->wide = 0;
+    for (g = 0; g < m->groups; g++)
+        m->fell[g] = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         status = kern_path_ask(m, path, at);
         if (status == KERN_STANDS) {
