@@ -901,7 +901,8 @@ extern "C" {
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_POUR_BOUND  KERN_R(50)
 #define KERN_POUR_BUDGET 4000
-#define KERN_MOVING      KERN_R(1e-3)
+#define KERN_UNIT_MOST   8
+#define KERN_WIDE_SMALL  32
 #define KERN_LEAST_ROUNDS  30
 #define KERN_POUR_ROUNDS   8
 #define KERN_ROWS_MOST     16
@@ -4187,6 +4188,7 @@ typedef struct kern_model {
     kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next;       /* of a group: see >>pour                       */
     int *dirty, *local;
+    int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: whether a part with it fell      */
     int wide;                 /* by how much the next part of them is widened */
     int again;
@@ -4296,7 +4298,7 @@ static void kern_model_group(kern_model *m, const kern_real *fallen)
 {
     const kern_structure *s = m->s;
     int i, g;
-    m->groups = 0;
+    m->groups = m->plain = 0;
     for (i = 0; i < s->blocks; i++)
         if (!s->block[i].fixed && !kern_is_gone(fallen, i, i))
             m->block[m->groups++] = i;
@@ -5136,6 +5138,8 @@ static kern_status kern_pour_part(kern_part *p, int *budget)
                              KERN_POUR_BOUND * load, budget);
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
+    else if (p->own < p->contacts && p->groups == 1)
+        status = KERN_UNDECIDED; /* it will lean on what rests on it */
     else if (p->own < p->contacts) {
         kern_pour_loads(p, 1);
         status = kern_least_find(p, p->b, p->contacts, KERN_POUR_TOL * least,
@@ -5144,41 +5148,6 @@ static kern_status kern_pour_part(kern_part *p, int *budget)
             status = KERN_UNDECIDED;
     }
     return status;
-}
-
-/* Opens what moves in the part, which seems to fall: where no forces exist u
-   grows along a mechanism. */
-static void kern_pour_moving(kern_part *p)
-{
-    kern_model *m = p->m;
-    const kern_real least = KERN_MOVING * kern_largest(p->u, 3 * p->groups);
-    int n, last = 0, groups = 0;
-    for (n = 0; n < p->groups; n++) {
-        m->local[p->group[n]] = KERN_OUT;
-        if (kern_largest(p->u + 3 * n, 3) > least) {
-            last = p->group[n];
-            m->local[last] = 0;
-            groups++;
-        }
-    }
-    kern_part_open(p, m, groups, last); /* no larger than it was */
-}
-
-/* All groups as one unit. */
-static kern_poured kern_pour_whole(kern_model *m, kern_part *p, int *budget)
-{
-    kern_status status;
-    int g;
-    for (g = 0; g < m->groups; g++)
-        m->local[g] = 0;
-    if (!kern_part_open(p, m, m->groups, m->groups - 1) || !kern_least_lay(p)
-        || p->cost > *budget)
-        return KERN_POUR_DRY;
-    status = kern_pour_part(p, budget);
-    if (status == KERN_FALLS)
-        kern_pour_moving(p);
-    return status == KERN_STANDS ? KERN_POURED
-           : status == KERN_FALLS ? KERN_POUR_FALLS : KERN_POUR_DRY;
 }
 
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
@@ -5203,7 +5172,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0)
+        if (added == 0 || groups > KERN_UNIT_MOST)
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -5235,9 +5204,7 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
         m->again = m->groups;
         if (m->next[at] != at || !kern_pour_alone(m, at)) {
             found = kern_pour_unit(m, p, at, &budget);
-            if (found == KERN_POUR_DRY)
-                return kern_pour_whole(m, p, &budget);
-            if (found == KERN_POUR_FALLS)
+            if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
                 return found;
         }
         budget -= 300;
@@ -5449,6 +5416,14 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
     return kern_part_lay(p);
 }
 
+static void kern_falls_clear(kern_model *m)
+{
+    int g;
+    m->wide = 0;
+    for (g = 0; g < m->groups; g++)
+        m->fell[g] = 0;
+}
+
 /* Notes what fell. Where a part falls that has groups in common with one that
    fell before, the mechanism is larger than either: it is widened by its
    neighbours, each time twice as far. */
@@ -5462,7 +5437,7 @@ static int kern_part_widen(kern_part *p)
     }
     if (!again || kern_part_is_whole(p))
         return 1;
-    m->wide = 2 * m->wide + 1;
+    m->wide = m->groups <= KERN_WIDE_SMALL ? m->groups : 2 * m->wide + 1;
     groups = p->groups;
     last = p->group[groups - 1];
     for (levels = 0; levels < m->wide && groups < m->groups; levels++) {
@@ -5485,42 +5460,64 @@ static int kern_part_widen(kern_part *p)
     return 1;
 }
 
-/* Answers a question with a proof, or not at all. The forces by pouring, or the
-   motion of the part that it shows; where it shows neither, the linear program
-   of the whole. After KERN_FALLS the part that falls is open. */
+/* What is poured for a question: KERN_STANDS with a proof; KERN_FALLS with an
+   open part that seems to fall; or KERN_UNDECIDED. */
+static kern_status kern_model_pour(kern_model *m, kern_part *p,
+                                   const kern_question *q)
+{
+    kern_real error;
+    int i;
+    m->work->solves++;
+    kern_model_set(m, q);
+    switch (kern_pour(m, p)) {
+    case KERN_POURED: break;
+    case KERN_POUR_FALLS: return KERN_FALLS;
+    default: return KERN_UNDECIDED;
+    }
+    for (i = 0; i < m->s->contacts; i++) {
+        m->force[i].normal *= m->weight;
+        m->force[i].tangential *= m->weight;
+    }
+    error = kern_prove_forces(m->s, q, m->force, m->sum);
+    if (!(error <= 1))
+        return KERN_UNDECIDED;
+    m->work->error = kern_max(m->work->error, error);
+    p->found = KERN_STANDS;
+    return KERN_STANDS;
+}
+
+/* All questions from now on go to the linear program of all groups, which
+   starts from its last basis. */
+static kern_status kern_model_plain(kern_model *m, kern_part *p,
+                                    const kern_question *q)
+{
+    kern_status status;
+    kern_model_set(m, q);
+    status = kern_part_all(p, m);
+    m->plain = status == KERN_STANDS;
+    return status;
+}
+
+/* Answers a question with a proof, or not at all: by the forces that are poured,
+   or the motion of the part that falls then, or else by the linear program of
+   the whole. After KERN_FALLS the part that falls is open. */
 static kern_status kern_model_ask(kern_model *m, kern_part *p,
                                   const kern_question *q)
 {
-    kern_poured poured;
-    kern_status status = KERN_UNDECIDED;
-    int i;
+    kern_status status;
     p->found = KERN_UNDECIDED;
-    m->work->solves++;
-    kern_model_set(m, q);
-    poured = kern_pour(m, p);
-    if (poured == KERN_POURED) {
-        kern_real error;
-        for (i = 0; i < m->s->contacts; i++) {
-            m->force[i].normal *= m->weight;
-            m->force[i].tangential *= m->weight;
-        }
-        error = kern_prove_forces(m->s, q, m->force, m->sum);
-        if (error <= 1) {
-            m->work->error = kern_max(m->work->error, error);
-            p->found = KERN_STANDS;
-            return KERN_STANDS;
-        }
-    }
-    if (poured == KERN_POUR_FALLS) {
-        if (kern_part_widen(p) && kern_part_lay(p) == KERN_STANDS)
-            status = kern_part_ask(p, q);
-        if (status == KERN_FALLS)
+    if (!m->plain) {
+        status = kern_model_pour(m, p, q);
+        if (status == KERN_STANDS)
+            return status;
+        if (status == KERN_FALLS && kern_part_lay(p) == KERN_STANDS
+            && kern_part_ask(p, q) == KERN_FALLS)
+            return KERN_FALLS;
+        status = kern_model_plain(m, p, q);
+        if (status != KERN_STANDS)
             return status;
     }
-    status = kern_part_all(p, m);
-    if (status == KERN_STANDS)
-        status = kern_part_ask(p, q);
-    return status;
+    return kern_part_ask(p, q);
 }
 
 /* ---- The kern -------------------------------------------------- >>kern */
@@ -5548,6 +5545,7 @@ typedef struct kern_path {
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
     int never;                /* nonzero: it stands to the end                */
+    kern_real reach;          /* how far the last forces would do             */
     kern_part *part;          /* that fell last                               */
     int alone;                /* nonzero: it is asked about the part alone    */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
@@ -5660,6 +5658,32 @@ static kern_real kern_shrink_edge(kern_part *p, kern_real holds,
     return holds;
 }
 
+/* How far kerns of line contacts can shrink with the forces just found: each
+   until it ends where its load passes. A loaded point that travels by itself
+   has no such place. */
+static kern_real kern_shrink_reach(const kern_model *m, kern_real shrink)
+{
+    const kern_structure *s = m->s;
+    kern_real reach = KERN_INFINITY;
+    int i, line;
+    for (i = 0; i < s->contacts; i += 1 + line) {
+        const kern_contact *c = s->contact + i;
+        const kern_real n = m->force[i].normal;
+        kern_real other, travel, share;
+        line = c->line && i + 1 < s->contacts && c[1].line;
+        other = line ? m->force[i + 1].normal : KERN_R(0);
+        if (!(kern_abs(c->travel) > 0) || !(n + other > 0))
+            continue;
+        if (!line)
+            return shrink;
+        travel = m->relative ? KERN_R(1) : kern_abs(c->travel);
+        share = kern_abs(n - other) / (n + other);
+        if (share > KERN_TRAVEL && travel > shrink)
+            reach = kern_min(reach, travel - (travel - shrink) * share);
+    }
+    return reach;
+}
+
 /* y.rhs' where a load grows or gravity turns. */
 static kern_real kern_load_rate(const kern_path *path,
                                 const kern_question *q, kern_real s)
@@ -5708,10 +5732,13 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
                                            : kern_model_ask(m, p, &q);
     kern_real power = KERN_R(0);
     int i;
-    if (status == KERN_FALLS || !path->alone)
+    if (status == KERN_FALLS || !path->alone || m->plain)
         kern_proof_out(m, path->proof, status);
-    if (status == KERN_STANDS)
+    if (status == KERN_STANDS) {
         path->holds = s;
+        path->reach = path->kind == KERN_PATH_SHRINK && m->plain
+                      ? kern_shrink_reach(m, s) : s;
+    }
     if (status == KERN_FALLS)
         path->fails = s;
     /* near to critical even a certificate that proves nothing tells where */
@@ -5830,16 +5857,23 @@ static kern_travels kern_travels_of(const kern_model *m)
     return t;
 }
 
-/* Goes from a place that stands toward the end in even steps, until it falls;
-   then finds the edge: where verdicts may change more than once. */
+/* Goes from a place that stands toward the end, until it falls; then finds the
+   edge. Steps grow as long as they need few pivots (far beyond the edge the
+   simplex has much to do that is of no use), or are `even` where verdicts may
+   change more than once. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step)
+                                   kern_real step, int even)
 {
+    const kern_real end = path->end, half = path->tolerance * KERN_R(0.45);
+    const kern_real least = step / 4;
     kern_real at = path->holds;
     int round, tries;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real next = kern_min(path->end, at + step);
+        const kern_real reach = even ? at : path->reach + half;
+        const kern_real next = kern_min(end, kern_max(at + step, reach));
+        const int before = m->work->pivots;
         kern_status status = kern_path_ask(m, path, next);
+        int pivots;
         /* too near to critical to tell: a little aside */
         for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
             status = kern_path_ask(m, path,
@@ -5849,12 +5883,21 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             return kern_path_edge(m, path);
         if (status != KERN_STANDS)
             return status;
-        if (next >= path->end) {
+        if (next >= end) {
             path->never = 1;
-            path->edge = path->fails = path->end;
+            path->edge = path->fails = end;
             return KERN_STANDS;
         }
         at = next;
+        pivots = m->work->pivots - before;
+        if (!even && 3 * pivots < KERN_MANY)
+            step *= KERN_R(1.6);
+        else if (!even && pivots < KERN_MANY)
+            step *= KERN_R(1.25);
+        else if (!even && pivots > 2 * KERN_MANY)
+            step *= KERN_R(0.7);
+        if (!even)
+            step = kern_max(step, kern_max(least, at / 16));
     }
     return KERN_UNDECIDED;
 }
@@ -5873,25 +5916,56 @@ static kern_status kern_path_part(kern_model *m, kern_path *path)
     return status;
 }
 
+/* As kern_path_search(), by the linear program of the whole. */
+static kern_status kern_path_plain(kern_model *m, kern_path *path,
+                                   kern_real step)
+{
+    const kern_question q = kern_path_at(path, path->holds);
+    kern_status status = kern_model_plain(m, path->part, &q);
+    if (status == KERN_STANDS)
+        status = kern_path_ask(m, path, path->holds);
+    return status == KERN_STANDS ? kern_path_climb(m, path, step, 0) : status;
+}
+
+/* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
+   shows neither. */
+static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_question q = kern_path_at(path, s);
+    kern_status status = kern_model_pour(m, path->part, &q);
+    if (status == KERN_STANDS) {
+        kern_proof_out(m, path->proof, status);
+        path->holds = s;
+    }
+    if (status != KERN_FALLS)
+        return status;
+    if (!kern_part_widen(path->part)
+        || kern_part_lay(path->part) != KERN_STANDS)
+        return KERN_UNDECIDED;
+    path->alone = 1;
+    status = kern_path_ask(m, path, s);
+    path->alone = 0;
+    return status == KERN_FALLS ? status : KERN_UNDECIDED;
+}
+
 /* The first edge of a path on which the verdict changes but once. What falls
    at some place is a part, most often a small one. Its own edge is found with
    all else held, and the whole is asked a little before that. If it falls there
    by another part, that one's edge comes next: edges only come nearer. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real first)
+                                    kern_real first, kern_real step)
 {
     const kern_real start = path->holds;
     kern_real holds = start, at = kern_min(start + first, path->end);
-    kern_status status;
-    int round, seen = 0, g;
-    m->wide = 0;
-    for (g = 0; g < m->groups; g++)
-        m->fell[g] = 0;
-    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        status = kern_path_ask(m, path, at);
+    int round, seen = 0;
+    kern_falls_clear(m);
+    for (round = 0; round < KERN_EDGE_ROUNDS && !m->plain; round++) {
+        kern_status status = kern_path_pour(m, path, at);
+        if (status == KERN_STANDS && seen) {
+            path->edge = kern_min(kern_max(path->edge, at), path->fails);
+            return KERN_STANDS;
+        }
         if (status == KERN_STANDS) {
-            if (seen)
-                break;
             holds = at;
             if (at >= path->end) {
                 path->never = 1;
@@ -5899,26 +5973,22 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                 return KERN_STANDS;
             }
             at = kern_min(path->end, start + 2 * (at - start));
-        } else if (status == KERN_FALLS) {
-            if (at <= start)
-                return KERN_FALLS;
-            path->holds = holds;
+            continue;
+        }
+        if (status == KERN_FALLS && at <= start)
+            return KERN_FALLS;
+        path->holds = holds;
+        if (status == KERN_FALLS)
             status = kern_path_part(m, path);
-            if (status != KERN_STANDS)
-                return status;
-            at = path->holds;
-            seen = 1;
-        } else if (status == KERN_UNDECIDED && seen
-                   && path->fails - at < path->tolerance * KERN_WIDEST / 2)
-            at = kern_max(start, path->fails - 2 * (path->fails - at));
-        else if (status == KERN_UNDECIDED && !seen)
-            at = holds + (at - holds) * KERN_R(0.7);
-        else
+        if (status == KERN_FALLS)
             return status;
+        if (status != KERN_STANDS)
+            break;
+        at = path->holds;
+        seen = 1;
     }
-    path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
-    return path->fails - path->holds <= path->tolerance * KERN_WIDEST
-           ? KERN_STANDS : KERN_UNDECIDED;
+    path->holds = holds;
+    return kern_path_plain(m, path, step);
 }
 
 static kern_real kern_step(const kern_model *m, const kern_options *o)
@@ -5992,7 +6062,7 @@ static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
     path->unit = kind == KERN_PATH_SHRINK && !m->relative ? m->mean : 1;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = KERN_R(0);
+    path->holds = path->fails = path->edge = path->reach = KERN_R(0);
     path->never = 0;
     return KERN_STANDS;
 }
@@ -6021,7 +6091,8 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
 {
     kern_status status;
     if (nested)
-        status = kern_path_search(m, path, path->unit * KERN_FIRST);
+        status = kern_path_search(m, path, path->unit * KERN_FIRST,
+                                  path->unit * KERN_FIRST);
     else {
         status = kern_path_ask(m, path, KERN_R(0));
         if (status == KERN_STANDS)
@@ -6029,7 +6100,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
         if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
         if (status == KERN_STANDS)
-            status = kern_path_climb(m, path, out->most / KERN_SCAN);
+            status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
     }
     if (path->never && path->end < out->most) /* where the scan said it falls */
         return KERN_UNDECIDED;
@@ -6198,8 +6269,8 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
         step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = loaded ? kern_path_climb(&m, &path, step)
-                        : kern_path_search(&m, &path, step);
+        status = loaded ? kern_path_climb(&m, &path, step, 1)
+                        : kern_path_search(&m, &path, step, step);
     if (status == KERN_STANDS)
         *out = tilt ? 4 * kern_angle_of(path.edge)
                     : path.never ? KERN_INFINITY : path.edge;
@@ -6301,8 +6372,8 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
         even = !kern_travels_of(m).nested;
         step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
     }
-    status = even ? kern_path_climb(m, path, step)
-                  : kern_path_search(m, path, step);
+    status = even ? kern_path_climb(m, path, step, 1)
+                  : kern_path_search(m, path, step, step);
     *at = path->edge;
     if (status == KERN_STANDS && !path->never)
         status = kern_path_ask(m, path, path->fails);
