@@ -899,9 +899,15 @@ extern "C" {
 #define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
 #define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
-#define KERN_POUR_BOUND  KERN_R(50)
+#define KERN_POUR_BOUND  KERN_R(PB)
 #define KERN_POUR_BUDGET 4000
-#define KERN_UNIT_MOST   8
+#ifndef UM
+#define UM 8
+#define PB 1000
+#define PR 6
+#endif
+#define KERN_UNIT_MOST   UM
+#define KERN_PART_ROUNDS PR
 #define KERN_WIDE_SMALL  32
 #define KERN_LEAST_ROUNDS  30
 #define KERN_POUR_ROUNDS   8
@@ -5732,7 +5738,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
                                            : kern_model_ask(m, p, &q);
     kern_real power = KERN_R(0);
     int i;
-    if (status == KERN_FALLS || !path->alone || m->plain)
+    if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
         kern_proof_out(m, path->proof, status);
     if (status == KERN_STANDS) {
         path->holds = s;
@@ -5760,7 +5766,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
    changed its sign between them that is the edge; if not, it is asked at the
    edge too, where yet another mechanism may fall. What stands beyond an edge
    is nearer to the true one than thought: then in steps that grow. */
-static kern_status kern_path_edge(kern_model *m, kern_path *path)
+static kern_status kern_path_edge(kern_model *m, kern_path *path, int rounds)
 {
     const kern_real half = path->tolerance * KERN_R(0.45);
     const kern_real same = path->unit * KERN_SAME_EDGE;
@@ -5768,7 +5774,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     kern_real aside = half, under = half;
     kern_real share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     int round, known = 0;
-    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
+    for (round = 0; round < rounds; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
         const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
         const int inside = r >= lo && r <= hi;
@@ -5821,6 +5827,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         if (!closed && status == KERN_FALLS)
             share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     }
+    if (round == rounds && rounds < KERN_EDGE_ROUNDS)
+        return KERN_STANDS;
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
@@ -5880,7 +5888,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
                 kern_max(next - path->tolerance * KERN_R(tries) / 4,
                          at + (next - at) / 2));
         if (status == KERN_FALLS)
-            return kern_path_edge(m, path);
+            return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
         if (status != KERN_STANDS)
             return status;
         if (next >= end) {
@@ -5911,7 +5919,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path)
     if (path->edge <= path->holds + path->tolerance)
         status = kern_path_ask(m, path, path->holds);
     if (status == KERN_STANDS)
-        status = kern_path_edge(m, path);
+        status = kern_path_edge(m, path, KERN_PART_ROUNDS);
     path->alone = 0;
     return status;
 }
@@ -5961,9 +5969,15 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_falls_clear(m);
     for (round = 0; round < KERN_EDGE_ROUNDS && !m->plain; round++) {
         kern_status status = kern_path_pour(m, path, at);
-        if (status == KERN_STANDS && seen) {
+        if (status == KERN_STANDS && seen
+            && path->fails - at <= path->tolerance * KERN_WIDEST) {
             path->edge = kern_min(kern_max(path->edge, at), path->fails);
             return KERN_STANDS;
+        }
+        if (status == KERN_STANDS && seen) {
+            holds = at;
+            at += (path->fails - at) / 2;
+            continue;
         }
         if (status == KERN_STANDS) {
             holds = at;
@@ -5984,6 +5998,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             return status;
         if (status != KERN_STANDS)
             break;
+        if (kern_part_is_whole(path->part) && path->holds > holds
+            && path->fails - path->holds <= path->tolerance * KERN_WIDEST)
+            return status;
         at = path->holds;
         seen = 1;
     }
@@ -6205,7 +6222,7 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
         }
     }
     if (status == KERN_STANDS)
-        status = kern_path_edge(&m, &path);
+        status = kern_path_edge(&m, &path, KERN_EDGE_ROUNDS);
     if (status == KERN_STANDS) {
         *deficit = -path.edge;
         status = KERN_FALLS;
