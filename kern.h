@@ -898,13 +898,20 @@ extern "C" {
    fall. */
 #define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
 #define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
+#define KERN_LEAST_FIRST KERN_R(1e-3)
+#define KERN_LEAST_NEXT  KERN_R(1e-2)
+#define KERN_LEAST_LAST  KERN_PICK(1e-13, 1e-7)
+#define KERN_MOVING      KERN_R(1e-3)
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_POUR_BOUND  KERN_R(PB)
 #define KERN_POUR_BUDGET 4000
 #ifndef UM
-#define UM 8
+#define UM 16
 #define PB 1000
 #define PR 6
+#define RG 4
+#define WH 1000000
+#define EX 1
 #endif
 #define KERN_UNIT_MOST   UM
 #define KERN_PART_ROUNDS PR
@@ -4196,8 +4203,9 @@ typedef struct kern_model {
     int *dirty, *local;
     int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: whether a part with it fell      */
+    int falls;                /* the mark of the last of them                 */
     int wide;                 /* by how much the next part of them is widened */
-    int again;
+    int again, regrown;
     kern_take rest;           /* work memory that is left                     */
 } kern_model;
 
@@ -4619,17 +4627,18 @@ static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
     }
 }
 
-/* b less what the forces of u exert, to p->left; returns the value of the dual
-   at u, and in *most the largest force. */
+/* The gradient of the dual at u to p->left: b less what the forces of u exert,
+   less prox u. Returns its value, and in *most the largest force. */
 static kern_real kern_least_left(kern_part *p, const kern_real *b,
-                                 int contacts, kern_real *most)
+                                 int contacts, kern_real prox,
+                                 kern_real *most)
 {
     kern_real value = KERN_R(0);
     int i, k, end;
     *most = KERN_R(0);
     for (i = 0; i < 3 * p->groups; i++) {
-        p->left[i] = b[i];
-        value += b[i] * p->u[i];
+        p->left[i] = b[i] - prox * p->u[i];
+        value += (b[i] - prox * p->u[i] / 2) * p->u[i];
     }
     for (k = 0; k < contacts; k++) {
         const int c = p->contact[k];
@@ -4669,7 +4678,8 @@ static void kern_least_add(kern_part *p, int k, int end, int other,
 }
 
 /* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
-static void kern_least_matrix(kern_part *p, int contacts, int all)
+static void kern_least_matrix(kern_part *p, int contacts, int all,
+                              kern_real prox)
 {
     const int last = p->groups - 1;
     const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
@@ -4700,7 +4710,8 @@ static void kern_least_matrix(kern_part *p, int contacts, int all)
                 if (i == 0)
                     trace += *d;
                 else
-                    *d += KERN_LEAST_SHIFT * trace / (3 * p->groups);
+                    *d += prox + KERN_LEAST_SHIFT * trace
+                                 / KERN_R(3 * p->groups);
             }
         }
 }
@@ -4764,12 +4775,13 @@ static void kern_least_solve(kern_part *p)
 
 /* The slope of the dual at u + share * step. */
 static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
-                                  int contacts, kern_real share)
+                                  int contacts, kern_real prox,
+                                  kern_real share)
 {
     kern_real slope = KERN_R(0);
     int i, k;
     for (i = 0; i < 3 * p->groups; i++)
-        slope += b[i] * p->step[i];
+        slope += (b[i] - prox * (p->u[i] + share * p->step[i])) * p->step[i];
     for (k = 0; k < contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_spring_of(
@@ -4782,17 +4794,20 @@ static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
 
 /* How far to go along the step: where the dual is largest, to a few percent. */
 static kern_real kern_least_share(const kern_part *p, const kern_real *b,
-                                  int contacts)
+                                  int contacts, kern_real prox)
 {
-    const kern_real first = kern_least_slope(p, b, contacts, KERN_R(0));
+    const kern_real first = kern_least_slope(p, b, contacts, prox,
+                                             KERN_R(0));
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
     int round;
-    at_hi = kern_least_slope(p, b, contacts, hi);
+    at_hi = kern_least_slope(p, b, contacts, prox,
+                                             hi);
     for (round = 0; round < 12 && at_hi > first / 8; round++) {
         lo = hi;
         at_lo = at_hi;
         hi *= 4;
-        at_hi = kern_least_slope(p, b, contacts, hi);
+        at_hi = kern_least_slope(p, b, contacts, prox,
+                                             hi);
     }
     if (at_hi >= -first / 8)
         return hi;
@@ -4801,7 +4816,8 @@ static kern_real kern_least_share(const kern_part *p, const kern_real *b,
                                                   KERN_R(0.1)), KERN_R(0.9));
         kern_real slope;
         at = lo + (hi - lo) * share;
-        slope = kern_least_slope(p, b, contacts, at);
+        slope = kern_least_slope(p, b, contacts, prox,
+                                             at);
         if (kern_abs(slope) <= first / 8)
             break;
         if (slope > 0) {
@@ -4815,30 +4831,44 @@ static kern_real kern_least_share(const kern_part *p, const kern_real *b,
     return at;
 }
 
-/* Least forces of a part under the loads b: KERN_STANDS with u, KERN_FALLS
-   where they would be larger than `bound`, which is no proof, or
-   KERN_UNDECIDED. */
+/* Least forces of a part under the loads b: KERN_STANDS with u; KERN_FALLS,
+   which is no proof, where they would be larger than `bound`, or where what is
+   left of b, prox u, does not become less with prox; or KERN_UNDECIDED. */
 static kern_status kern_least_find(kern_part *p, const kern_real *b,
-                                   int contacts, kern_real tolerance,
-                                   kern_real bound, int *budget)
+                                   int contacts, kern_real prox,
+                                   kern_real tolerance, kern_real bound,
+                                   int *budget)
 {
     const int n = 3 * p->groups;
+    kern_real last = KERN_INFINITY;
     int i, round;
     for (i = 0; i < n + 3; i++)
         p->u[i] = p->step[i] = KERN_R(0);
     for (round = 0; round < KERN_LEAST_ROUNDS; round++) {
-        kern_real most, value, share;
+        kern_real most, value, share, left, fall;
         kern_least_ways(p, p->u, contacts, 0);
-        value = kern_least_left(p, b, contacts, &most);
-        if (kern_largest(p->left, n) <= tolerance + 4 * KERN_EPS * most)
-            return KERN_STANDS;
+        value = kern_least_left(p, b, contacts, prox, &most);
+        left = kern_largest(p->left, n);
+        fall = prox * kern_largest(p->u, n);
+        if (round > 0 && left <= fall / 16 + tolerance + 4 * KERN_EPS * most) {
+            if (fall <= tolerance)
+                return KERN_STANDS;
+            if (fall > last / 4)
+                return KERN_FALLS;
+            last = fall;
+            prox *= KERN_LEAST_NEXT;
+            if (prox < KERN_LEAST_LAST)
+                return KERN_UNDECIDED;
+            value = kern_least_left(p, b, contacts, prox, &most);
+        }
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        kern_least_matrix(p, contacts, round == 0);
+        kern_least_matrix(p, contacts, round == 0, prox);
         kern_least_solve(p);
         kern_least_ways(p, p->step, contacts, 2);
         *budget -= p->cost;
-        share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
+        share = round == 0 ? KERN_R(1)
+                           : kern_least_share(p, b, contacts, prox);
         for (i = 0; i < n; i++)
             p->u[i] += share * p->step[i];
     }
@@ -5066,7 +5096,9 @@ static int kern_pour_grow(kern_model *m, int *last, int levels)
             const int h = m->ends[2 * i] == g ? m->ends[2 * i + 1]
                                               : m->ends[2 * i];
             if (h < g && m->local[h] == KERN_OUT) {
-                added += kern_pour_mark(m, h, m->local[g] + 1);
+                const int joined = kern_pour_mark(m, h, m->local[g] + 1);
+                m->regrown += joined > 2;
+                added += joined;
                 *last = kern_pour_join(m, g, h);
             }
         }
@@ -5127,7 +5159,7 @@ static void kern_pour_keep(kern_part *p, kern_real tolerance)
 
 /* Least forces of the open part, written if they balance it. Where they do not,
    they are looked for with all else held: KERN_FALLS where there are none. */
-static kern_status kern_pour_part(kern_part *p, int *budget)
+static kern_status kern_pour_part(kern_part *p, kern_real prox, int *budget)
 {
     const kern_model *m = p->m;
     kern_real load = KERN_R(0), least = KERN_INFINITY;
@@ -5140,7 +5172,7 @@ static kern_status kern_pour_part(kern_part *p, int *budget)
     kern_pour_loads(p, 0);
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->b[n]);
-    status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
+    status = kern_least_find(p, p->b, p->own, prox, KERN_POUR_TOL * least,
                              KERN_POUR_BOUND * load, budget);
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
@@ -5148,12 +5180,47 @@ static kern_status kern_pour_part(kern_part *p, int *budget)
         status = KERN_UNDECIDED; /* it will lean on what rests on it */
     else if (p->own < p->contacts) {
         kern_pour_loads(p, 1);
-        status = kern_least_find(p, p->b, p->contacts, KERN_POUR_TOL * least,
+        status = kern_least_find(p, p->b, p->contacts, prox,
+                                 KERN_POUR_TOL * least,
                                  KERN_POUR_BOUND * load, budget);
         if (status == KERN_STANDS)
             status = KERN_UNDECIDED;
     }
     return status;
+}
+
+/* Opens what moves in the part, which seems to fall: where no forces exist u
+   grows along a mechanism. */
+static void kern_pour_moving(kern_part *p)
+{
+    kern_model *m = p->m;
+    const kern_real least = KERN_MOVING * kern_largest(p->u, 3 * p->groups);
+    int n, last = 0, groups = 0;
+    for (n = 0; n < p->groups; n++) {
+        m->local[p->group[n]] = KERN_OUT;
+        if (kern_largest(p->u + 3 * n, 3) > least) {
+            last = p->group[n];
+            m->local[last] = 0;
+            groups++;
+        }
+    }
+    kern_part_open(p, m, groups, last); /* no larger than it was */
+}
+
+/* All groups as one unit. */
+static kern_poured kern_pour_whole(kern_model *m, kern_part *p)
+{
+    kern_status status;
+    int g, budget = KERN_COUNT_MOST;
+    for (g = 0; g < m->groups; g++)
+        m->local[g] = 0;
+    if (!kern_part_open(p, m, m->groups, m->groups - 1) || !kern_least_lay(p))
+        return KERN_POUR_DRY;
+    status = kern_pour_part(p, KERN_LEAST_FIRST, &budget);
+    if (status == KERN_FALLS)
+        kern_pour_moving(p);
+    return status == KERN_STANDS ? KERN_POURED
+           : status == KERN_FALLS ? KERN_POUR_FALLS : KERN_POUR_DRY;
 }
 
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
@@ -5168,7 +5235,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
         int added;
         if (kern_part_open(p, m, groups, last) && kern_least_lay(p)
             && p->cost <= *budget)
-            status = kern_pour_part(p, budget);
+            status = kern_pour_part(p, KERN_LEAST_LAST, budget);
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
         kern_pour_unmark(m, last);
@@ -5178,7 +5245,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0 || groups > KERN_UNIT_MOST)
+        if (added == 0 || groups > KERN_UNIT_MOST || m->regrown > RG)
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -5194,6 +5261,7 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
     int budget = KERN_POUR_BUDGET * (m->s->contacts + m->groups);
     int g, at;
+    m->regrown = 0;
     for (g = 0; g < m->groups; g++) {
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = 1;
@@ -5425,28 +5493,26 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
 static void kern_falls_clear(kern_model *m)
 {
     int g;
-    m->wide = 0;
+    m->wide = m->falls = 0;
     for (g = 0; g < m->groups; g++)
         m->fell[g] = 0;
 }
 
-/* Notes what fell. Where a part falls that has groups in common with one that
+/* Notes what falls. Where a part falls that has groups in common with one that
    fell before, the mechanism is larger than either: it is widened by its
-   neighbours, each time twice as far. */
-static int kern_part_widen(kern_part *p)
+   neighbours, each time twice as far. Lays out its linear program. */
+static kern_status kern_part_widen(kern_part *p)
 {
     kern_model *m = p->m;
-    int g, k, n, again = 0, last, groups, levels;
-    for (n = 0; n < p->groups; n++) {
+    int g, k, n, again = 0, last = p->group[p->groups - 1], levels;
+    int groups = p->groups;
+    for (n = 0; n < groups; n++)
         again |= m->fell[p->group[n]];
-        m->fell[p->group[n]] = 1;
-    }
-    if (!again || kern_part_is_whole(p))
-        return 1;
-    m->wide = m->groups <= KERN_WIDE_SMALL ? m->groups : 2 * m->wide + 1;
-    groups = p->groups;
-    last = p->group[groups - 1];
-    for (levels = 0; levels < m->wide && groups < m->groups; levels++) {
+    if (again)
+        m->wide = groups * 2 <= m->groups && m->groups > KERN_WIDE_SMALL
+                  ? 2 * m->wide + 1 : m->groups;
+    for (levels = again ? m->wide : 0; levels > 0 && groups < m->groups;
+         levels--) {
         for (n = 0; n < p->groups; n++)
             for (g = p->group[n], k = m->start[g]; k < m->start[g + 1]; k++) {
                 const int i = m->touch[k];
@@ -5459,11 +5525,29 @@ static int kern_part_widen(kern_part *p)
                 }
             }
         if (!kern_part_open(p, m, groups, last))
-            return 0;
+            return KERN_NO_SPACE;
     }
+    m->falls++;
     for (n = 0; n < p->groups; n++)
-        m->fell[p->group[n]] = 1;
-    return 1;
+        m->fell[p->group[n]] = m->falls;
+    return kern_part_lay(p);
+}
+
+/* Opens the part again that kern_part_widen() noted last. */
+static kern_status kern_part_again(kern_part *p, kern_model *m)
+{
+    int g, last = 0, groups = 0;
+    for (g = 0; g < m->groups; g++) {
+        m->local[g] = KERN_OUT;
+        if (m->fell[g] == m->falls) {
+            m->local[g] = 0;
+            last = g;
+            groups++;
+        }
+    }
+    if (!kern_part_open(p, m, groups, last))
+        return KERN_NO_SPACE;
+    return kern_part_lay(p);
 }
 
 /* What is poured for a question: KERN_STANDS with a proof; KERN_FALLS with an
@@ -5471,11 +5555,15 @@ static int kern_part_widen(kern_part *p)
 static kern_status kern_model_pour(kern_model *m, kern_part *p,
                                    const kern_question *q)
 {
+    kern_poured poured;
     kern_real error;
     int i;
     m->work->solves++;
     kern_model_set(m, q);
-    switch (kern_pour(m, p)) {
+    poured = kern_pour(m, p);
+    if (poured == KERN_POUR_DRY && m->groups >= WH)
+        poured = kern_pour_whole(m, p);
+    switch (poured) {
     case KERN_POURED: break;
     case KERN_POUR_FALLS: return KERN_FALLS;
     default: return KERN_UNDECIDED;
@@ -5910,29 +5998,21 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* The edge of the part that fell last, all else held: no other edge of the
-   whole is farther. KERN_FALLS where the part falls at the start. */
-static kern_status kern_path_part(kern_model *m, kern_path *path)
-{
-    kern_status status = KERN_STANDS;
-    path->alone = 1;
-    if (path->edge <= path->holds + path->tolerance)
-        status = kern_path_ask(m, path, path->holds);
-    if (status == KERN_STANDS)
-        status = kern_path_edge(m, path, KERN_PART_ROUNDS);
-    path->alone = 0;
-    return status;
-}
-
-/* As kern_path_search(), by the linear program of the whole. */
+/* As kern_path_search(), by the linear program of the whole: from the bracket
+   that is known, if one is. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_real step)
+                                   kern_real step, int fell)
 {
     const kern_question q = kern_path_at(path, path->holds);
     kern_status status = kern_model_plain(m, path->part, &q);
-    if (status == KERN_STANDS)
+    fell &= path->holds > path->start
+            && path->edge - path->holds < path->edge / 4;
+    if (status == KERN_STANDS && !fell)
         status = kern_path_ask(m, path, path->holds);
-    return status == KERN_STANDS ? kern_path_climb(m, path, step, 0) : status;
+    if (status == KERN_STANDS)
+        status = fell ? kern_path_edge(m, path, KERN_EDGE_ROUNDS)
+                      : kern_path_climb(m, path, step, 0);
+    return status;
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
@@ -5947,8 +6027,7 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s)
     }
     if (status != KERN_FALLS)
         return status;
-    if (!kern_part_widen(path->part)
-        || kern_part_lay(path->part) != KERN_STANDS)
+    if (kern_part_widen(path->part) != KERN_STANDS)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_ask(m, path, s);
@@ -5956,56 +6035,72 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_FALLS ? status : KERN_UNDECIDED;
 }
 
+/* Narrows the bracket of the open part alone, in a few questions. */
+static kern_status kern_path_part(kern_model *m, kern_path *path)
+{
+    kern_status status;
+    path->alone = 1;
+    status = kern_path_edge(m, path, kern_part_is_whole(path->part)
+                                     ? KERN_EDGE_ROUNDS : KERN_PART_ROUNDS);
+    path->alone = 0;
+    return status;
+}
+
 /* The first edge of a path on which the verdict changes but once. What falls
-   at some place is a part, most often a small one. Its own edge is found with
-   all else held, and the whole is asked a little before that. If it falls there
-   by another part, that one's edge comes next: edges only come nearer. */
+   at some place is a part, most often a small one, and no edge of the whole
+   lies beyond that of a part, all else held. So the path is poured where the
+   part that fell last is seen to stand, until nothing falls there. Then the
+   edge of that part is found exactly, and poured before. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
     const kern_real start = path->holds;
+    const kern_real wide = path->tolerance * KERN_WIDEST;
     kern_real holds = start, at = kern_min(start + first, path->end);
-    int round, seen = 0;
+    int round, fell = 0;
+    path->start = start;
     kern_falls_clear(m);
-    for (round = 0; round < KERN_EDGE_ROUNDS && !m->plain; round++) {
+    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         kern_status status = kern_path_pour(m, path, at);
-        if (status == KERN_STANDS && seen
-            && path->fails - at <= path->tolerance * KERN_WIDEST) {
-            path->edge = kern_min(kern_max(path->edge, at), path->fails);
-            return KERN_STANDS;
-        }
-        if (status == KERN_STANDS && seen) {
-            holds = at;
-            at += (path->fails - at) / 2;
-            continue;
-        }
+        int exact = 1;
         if (status == KERN_STANDS) {
             holds = at;
-            if (at >= path->end) {
+            if (fell && path->fails - at <= wide) {
+                path->edge = kern_min(kern_max(path->edge, at), path->fails);
+                return status;
+            }
+            if (!fell && at >= path->end) {
                 path->never = 1;
                 path->edge = path->fails = at;
-                return KERN_STANDS;
+                return status;
             }
-            at = kern_min(path->end, start + 2 * (at - start));
-            continue;
+            if (fell)
+                status = kern_part_again(path->part, m);
+            else
+                at = kern_min(path->end, start + 2 * (at - start));
+        } else if (status == KERN_FALLS) {
+            if (at <= start)
+                return status;
+            fell = 1;
+            exact = EX;
+            status = KERN_STANDS;
         }
-        if (status == KERN_FALLS && at <= start)
-            return KERN_FALLS;
         path->holds = holds;
-        if (status == KERN_FALLS)
+        if (status == KERN_STANDS && fell && exact
+            && path->edge > start + path->tolerance) {
             status = kern_path_part(m, path);
-        if (status == KERN_FALLS)
-            return status;
+            at = path->holds;
+            if (status == KERN_STANDS && kern_part_is_whole(path->part)
+                && at > holds && path->fails - at <= wide)
+                return status;
+        } else if (fell)
+            at = kern_max(start, kern_min(path->edge, at)
+                                 - path->tolerance / 2);
         if (status != KERN_STANDS)
             break;
-        if (kern_part_is_whole(path->part) && path->holds > holds
-            && path->fails - path->holds <= path->tolerance * KERN_WIDEST)
-            return status;
-        at = path->holds;
-        seen = 1;
     }
     path->holds = holds;
-    return kern_path_plain(m, path, step);
+    return kern_path_plain(m, path, step, fell);
 }
 
 static kern_real kern_step(const kern_model *m, const kern_options *o)
