@@ -901,13 +901,14 @@ extern "C" {
 #define KERN_LEAST_FIRST KERN_R(1e-3)
 #define KERN_LEAST_NEXT  KERN_R(1e-2)
 #define KERN_LEAST_LAST  KERN_PICK(1e-13, 1e-7)
+#define KERN_PARTING KERN_PICK(1e-6, 1e-3)
 #define KERN_MOVING      KERN_R(1e-3)
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_POUR_BOUND  KERN_R(PB)
 #define KERN_POUR_BUDGET 4000
 #ifndef UM
-#define UM 16
-#define PB 1000
+#define UM 32
+#define PB 50
 #define PR 6
 #define RG 4
 #define WH 1000000
@@ -5004,9 +5005,9 @@ static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
     }
 }
 
-/* Balances group g alone. Newton's method by full steps: where that does not
-   end soon it is left to kern_least_find(). */
-static int kern_pour_alone(kern_model *m, int g)
+/* Balances group g alone, by Newton's method with full steps. KERN_FALLS where
+   that ends with something left; KERN_UNDECIDED where it does not end soon. */
+static kern_status kern_pour_alone(kern_model *m, int g)
 {
     kern_row row[KERN_ROWS_MOST];
     kern_real b[3], u[3], left[3], h[6], step[3];
@@ -5014,7 +5015,7 @@ static int kern_pour_alone(kern_model *m, int g)
     const int n = kern_pour_rows(m, g, row);
     int k, j, round, changed = 1;
     if (n > KERN_ROWS_MOST)
-        return 0;
+        return KERN_UNDECIDED;
     kern_pour_load(m, g, b);
     u[0] = u[1] = u[2] = KERN_R(0);
     for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
@@ -5036,8 +5037,10 @@ static int kern_pour_alone(kern_model *m, int g)
         most = kern_largest(u, 3);
         if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
             break;
-        if (changed || round == 2)
-            return 0;
+        if (changed)
+            return KERN_UNDECIDED;
+        if (round == 2)
+            return KERN_FALLS;
         kern_pour_three(h, left, step);
         for (j = 0; j < 3; j++)
             u[j] += step[j];
@@ -5048,7 +5051,7 @@ static int kern_pour_alone(kern_model *m, int g)
                                              row[k].mu);
         kern_pour_write(m, row[k].contact, row[k].on, s.f, s.r, tolerance);
     }
-    return 1;
+    return KERN_STANDS;
 }
 
 /* Joins two units; returns the last group of both. */
@@ -5124,22 +5127,6 @@ typedef enum kern_poured {
     KERN_POUR_DRY             /* out of work memory or budget                 */
 } kern_poured;
 
-/* The loads of a part for its least forces: with the forces by which others
-   rest on it, or without, where these are unknown. */
-static void kern_pour_loads(const kern_part *p, int free_above)
-{
-    int n, j;
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        kern_real *b = p->b + 3 * n;
-        if (free_above)
-            for (j = 0; j < 3; j++)
-                b[j] = p->m->load[3 * g + j];
-        else
-            kern_pour_load(p->m, g, b);
-    }
-}
-
 /* Writes the least forces of a part. */
 static void kern_pour_keep(kern_part *p, kern_real tolerance)
 {
@@ -5157,8 +5144,29 @@ static void kern_pour_keep(kern_part *p, kern_real tolerance)
     }
 }
 
-/* Least forces of the open part, written if they balance it. Where they do not,
-   they are looked for with all else held: KERN_FALLS where there are none. */
+/* Whether the part, which cannot be balanced under what rests on it, moves away
+   from that along u, and is driven by its own loads: then no other forces from
+   above would help. */
+static int kern_pour_parts(kern_part *p)
+{
+    const kern_model *m = p->m;
+    const kern_real most = KERN_PARTING * kern_largest(p->u, 3 * p->groups);
+    kern_real power = KERN_R(0);
+    int n, j, k;
+    for (n = 0; n < p->groups; n++)
+        for (j = 0; j < 3; j++)
+            power += p->u[3 * n + j] * m->load[3 * p->group[n] + j];
+    kern_least_ways(p, p->u, p->contacts, 0);
+    for (k = p->own; k < p->contacts; k++) {
+        const kern_real *w = p->way + 4 * (size_t)k;
+        if (w[0] + m->s->contact[p->contact[k]].mu * kern_abs(w[1]) > most)
+            return 0;
+    }
+    return power > 0;
+}
+
+/* Least forces of the open part, written if they balance it. KERN_FALLS where
+   no forces would, all else held. */
 static kern_status kern_pour_part(kern_part *p, kern_real prox, int *budget)
 {
     const kern_model *m = p->m;
@@ -5168,24 +5176,16 @@ static kern_status kern_pour_part(kern_part *p, kern_real prox, int *budget)
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
+        kern_pour_load(m, p->group[n], p->b + 3 * n);
     }
-    kern_pour_loads(p, 0);
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->b[n]);
     status = kern_least_find(p, p->b, p->own, prox, KERN_POUR_TOL * least,
                              KERN_POUR_BOUND * load, budget);
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
-    else if (p->own < p->contacts && p->groups == 1)
-        status = KERN_UNDECIDED; /* it will lean on what rests on it */
-    else if (p->own < p->contacts) {
-        kern_pour_loads(p, 1);
-        status = kern_least_find(p, p->b, p->contacts, prox,
-                                 KERN_POUR_TOL * least,
-                                 KERN_POUR_BOUND * load, budget);
-        if (status == KERN_STANDS)
-            status = KERN_UNDECIDED;
-    }
+    if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
+        status = KERN_UNDECIDED;
     return status;
 }
 
@@ -5226,7 +5226,7 @@ static kern_poured kern_pour_whole(kern_model *m, kern_part *p)
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
    part of it is seen to fall. */
 static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
-                                  int *budget)
+                                  int failed, int *budget)
 {
     const int begun = last;
     int groups = kern_pour_mark(m, last, 0), levels;
@@ -5235,7 +5235,9 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
         int added;
         if (kern_part_open(p, m, groups, last) && kern_least_lay(p)
             && p->cost <= *budget)
-            status = kern_pour_part(p, KERN_LEAST_LAST, budget);
+            status = failed && groups == 1
+                     ? p->own < p->contacts ? KERN_UNDECIDED : KERN_FALLS
+                     : kern_pour_part(p, KERN_LEAST_LAST, budget);
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
         kern_pour_unmark(m, last);
@@ -5270,14 +5272,17 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
         m->force[g].normal = m->force[g].tangential = KERN_R(0);
     for (at = 0; at < m->groups; ) {
         kern_poured found;
+        kern_status alone = KERN_UNDECIDED;
         if (!m->dirty[at]) {
             at++;
             continue;
         }
         m->dirty[at] = 0;
         m->again = m->groups;
-        if (m->next[at] != at || !kern_pour_alone(m, at)) {
-            found = kern_pour_unit(m, p, at, &budget);
+        if (m->next[at] == at)
+            alone = kern_pour_alone(m, at);
+        if (alone != KERN_STANDS) {
+            found = kern_pour_unit(m, p, at, alone == KERN_FALLS, &budget);
             if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
                 return found;
         }
