@@ -901,6 +901,7 @@ extern "C" {
 #define KERN_LEAST_FIRST KERN_R(1e-3)
 #define KERN_LEAST_NEXT  KERN_R(1e-2)
 #define KERN_LEAST_LAST  KERN_PICK(1e-13, 1e-7)
+#define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
 #define KERN_PARTING KERN_PICK(1e-6, 1e-3)
 #define KERN_MOVING      KERN_R(1e-3)
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
@@ -928,7 +929,7 @@ extern "C" {
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
 #define KERN_MANY          8       /* pivots between them                     */
-#define KERN_FIRST         KERN_R(0.12) /* and the first, of a block's size   */
+#define KERN_FIRST         KERN_R(0.15)
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
@@ -4394,21 +4395,30 @@ static void kern_model_load(kern_model *m, const kern_question *q, int g)
     kern_real *load = m->load + 3 * (size_t)g;
     kern_wrench w;
     m->size[g] = kern_wrench_on(m->s, q, m->block[g], &w);
-    load[0] = -w.fx / m->weight;
-    load[1] = -w.fy / m->weight;
-    load[2] = -w.torque * m->unit[g] / m->weight;
-    m->size[g] /= m->weight;
+    load[0] = -w.fx;
+    load[1] = -w.fy;
+    load[2] = -w.torque * m->unit[g];
+}
+
+/* The same in units of force. */
+static void kern_model_scale(kern_model *m, int g)
+{
+    const kern_real one = 1 / m->weight;
+    m->load[3 * g] *= one;
+    m->load[3 * g + 1] *= one;
+    m->load[3 * g + 2] *= one;
+    m->size[g] *= one;
 }
 
 /* All of the model for a question. */
 static void kern_model_set(kern_model *m, const kern_question *q)
 {
     int i, g;
-    kern_wrench w;
     m->weight = KERN_R(0);
     for (g = 0; g < m->groups; g++) {
         kern_model_unit(m, q, g);
-        m->weight += kern_wrench_on(m->s, q, m->block[g], &w);
+        kern_model_load(m, q, g);
+        m->weight += m->size[g];
     }
     if (!(m->weight > 0))
         m->weight = KERN_R(1);
@@ -4416,7 +4426,7 @@ static void kern_model_set(kern_model *m, const kern_question *q)
     for (g = 0; g <= m->groups; g++)
         m->local[g] = KERN_OUT;
     for (g = 0; g < m->groups; g++)
-        kern_model_load(m, q, g);
+        kern_model_scale(m, g);
     for (i = 0; i < m->s->contacts; i++)
         kern_model_arm(m, q, i);
 }
@@ -4921,8 +4931,9 @@ static void kern_pour_load(const kern_model *m, int g, kern_real *b)
 }
 
 /* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. A direction in
-   which there is nothing but rounding is left out. */
-static void kern_pour_three(const kern_real h[6], const kern_real b[3],
+   which there is nothing but rounding is left out. Returns whether the matrix
+   is far from singular. */
+static int kern_pour_three(const kern_real h[6], const kern_real b[3],
                             kern_real x[3])
 {
     const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
@@ -4938,6 +4949,7 @@ static void kern_pour_three(const kern_real h[6], const kern_real b[3],
     x[2] = y2 * i2;
     x[1] = y1 * i1 - l4 * x[2];
     x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
+    return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
 }
 
 typedef struct kern_row { /* a contact that carries the group */
@@ -5013,14 +5025,14 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     kern_real b[3], u[3], left[3], h[6], step[3];
     kern_real most = KERN_R(0), tolerance = KERN_POUR_TOL * m->size[g];
     const int n = kern_pour_rows(m, g, row);
-    int k, j, round, changed = 1;
+    int k, j, round, changed = 1, good = 0;
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pour_load(m, g, b);
     u[0] = u[1] = u[2] = KERN_R(0);
     for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
         kern_pour_sum(row, n, u, b, left, h);
-        kern_pour_three(h, left, step);
+        good = kern_pour_three(h, left, step);
         for (j = 0; j < 3; j++)
             u[j] += step[j];
         changed = 0;
@@ -5032,7 +5044,7 @@ static kern_status kern_pour_alone(kern_model *m, int g)
             row[k].mask = mask;
         }
     }
-    for (round = 0; round < 3; round++) {
+    for (round = 0; round < 3 && !(good && !changed); round++) {
         kern_pour_sum(row, n, u, b, left, h);
         most = kern_largest(u, 3);
         if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
@@ -5332,6 +5344,7 @@ static void kern_part_set(kern_part *p, const kern_question *q)
     for (n = 0; n < p->groups; n++) {
         kern_model_unit(m, q, p->group[n]);
         kern_model_load(m, q, p->group[n]);
+        kern_model_scale(m, p->group[n]);
         for (j = 0; j < 3; j++)
             p->rhs[3 * n + j] = m->load[3 * p->group[n] + j];
         p->weight_of[n] = 1 / kern_max(m->size[p->group[n]],
@@ -5558,7 +5571,7 @@ static kern_status kern_part_again(kern_part *p, kern_model *m)
 /* What is poured for a question: KERN_STANDS with a proof; KERN_FALLS with an
    open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pour(kern_model *m, kern_part *p,
-                                   const kern_question *q)
+                                   const kern_question *q, int proven)
 {
     kern_poured poured;
     kern_real error;
@@ -5573,6 +5586,9 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     case KERN_POUR_FALLS: return KERN_FALLS;
     default: return KERN_UNDECIDED;
     }
+    p->found = KERN_STANDS;
+    if (!proven)
+        return KERN_STANDS;
     for (i = 0; i < m->s->contacts; i++) {
         m->force[i].normal *= m->weight;
         m->force[i].tangential *= m->weight;
@@ -5581,7 +5597,6 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     if (!(error <= 1))
         return KERN_UNDECIDED;
     m->work->error = kern_max(m->work->error, error);
-    p->found = KERN_STANDS;
     return KERN_STANDS;
 }
 
@@ -5606,7 +5621,7 @@ static kern_status kern_model_ask(kern_model *m, kern_part *p,
     kern_status status;
     p->found = KERN_UNDECIDED;
     if (!m->plain) {
-        status = kern_model_pour(m, p, q);
+        status = kern_model_pour(m, p, q, 1);
         if (status == KERN_STANDS)
             return status;
         if (status == KERN_FALLS && kern_part_lay(p) == KERN_STANDS
@@ -5915,6 +5930,9 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path, int rounds)
             else
                 share *= KERN_R(0.7);
         }
+        if (!closed && !near && status == KERN_STANDS
+            && rounds < KERN_EDGE_ROUNDS)
+            return status; /* the whole is asked there first */
         if (!closed && status == KERN_STANDS)
             known = near && single && pivots == m->work->pivots;
         if (!closed && status == KERN_FALLS)
@@ -6022,12 +6040,14 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
    shows neither. */
-static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s)
+static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
+                                  int proven)
 {
     const kern_question q = kern_path_at(path, s);
-    kern_status status = kern_model_pour(m, path->part, &q);
+    kern_status status = kern_model_pour(m, path->part, &q, proven);
     if (status == KERN_STANDS) {
-        kern_proof_out(m, path->proof, status);
+        if (proven)
+            kern_proof_out(m, path->proof, status);
         path->holds = s;
     }
     if (status != KERN_FALLS)
@@ -6066,15 +6086,16 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     path->start = start;
     kern_falls_clear(m);
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        kern_status status = kern_path_pour(m, path, at);
+        const int last = fell ? path->fails - at <= wide : at >= path->end;
+        kern_status status = kern_path_pour(m, path, at, last);
         int exact = 1;
         if (status == KERN_STANDS) {
             holds = at;
-            if (fell && path->fails - at <= wide) {
+            if (fell && last) {
                 path->edge = kern_min(kern_max(path->edge, at), path->fails);
                 return status;
             }
-            if (!fell && at >= path->end) {
+            if (last) {
                 path->never = 1;
                 path->edge = path->fails = at;
                 return status;
