@@ -314,6 +314,7 @@ typedef float kern_real;
 #define kern_measure         kern_measure_f32
 #define kern_near            kern_near_f32
 #define kern_plan_add        kern_plan_add_f32
+#define kern_plan_bears      kern_plan_bears_f32
 #define kern_plan_measure    kern_plan_measure_f32
 #define kern_plan_of         kern_plan_of_f32
 #define kern_plan_remove     kern_plan_remove_f32
@@ -494,9 +495,9 @@ typedef struct kern_work {
 
 /* What a measure leaves to the next one of nearly the same structure. */
 typedef struct kern_known {
-    int *basis;           /* columns of the last basis: 2 a contact point     */
-    int columns;          /* there are; 0: nothing is known                   */
-    kern_real holds, fails; /* where it stood and fell; 0: it stood nowhere   */
+    kern_motion *motion;  /* one a block: of the mechanism, at fails          */
+    kern_real holds, margin, fails; /* of the last measure; fails 0: there
+                                       was none                               */
 } kern_known;
 
 /* A structure that a planner changes by one block at a time. kern_plan_of()
@@ -555,7 +556,6 @@ typedef struct kern_lp {
     KERN_REALS_OF(blocks, contacts, KERN_LEAN_EXTRAS(blocks))
 #define KERN_LEAN_INTS(blocks, contacts) \
     KERN_INTS_OF(blocks, contacts, KERN_LEAN_EXTRAS(blocks))
-#define KERN_PLAN_INTS(blocks) (3 * (blocks))
 #define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows) + 12)
 #define KERN_LP_INTS(rows, cols) (6 * (rows) + (cols) + 4)
 
@@ -734,17 +734,18 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
                                   kern_collapse *out);
 
 /* -- planning -- */
-/* A planner asks the same of many structures that differ by a stone. What was
-   found out about a structure is where the question about the next one begins:
-   no contact is searched twice, and the linear program starts from the last
-   basis, at the shrinkage where the structure was critical. Answers are those
-   of kern_measure(), and as well proven. */
+/* A planner asks the same of many structures that differ by a stone. No contact
+   is searched twice, and what was found out about a structure is where the
+   question about the next one begins: at the shrinkage where it was critical,
+   with the mechanism that it had there. Answers are those of kern_measure(),
+   and as well proven. */
 
-/* An empty plan: arrays for so many blocks and contact points, KERN_PLAN_INTS(
-   blocks) ints for the basis, and work memory for a structure of that size. */
+/* An empty plan: arrays for so many blocks and contact points, `motion` for as
+   many blocks, and work memory for a structure of that size. Gravity is
+   (0, -9.81). */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
-                                int *basis, kern_work *work);
+                                kern_motion *motion, kern_work *work);
 
 /* Adds a block behind the others and finds its contacts. Returns how many
    contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
@@ -765,10 +766,20 @@ KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
    the block: one motion more, and the forces of the block's contacts, which
    then lie behind plan->s.contacts, last. If the plan has not been measured
    since it was changed, do that first: every try then starts from it.
-   Time: that of a few questions without a pivot, where the block does not
-   change which stones are the weakest. */
+   Time: that of one verdict, where the block does not change which stones are
+   the weakest. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
+
+/* Whether the margin with the block added is at least `margin` [m] (relative: a
+   share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
+   Where kerns are not nested it is kern_plan_try() that tells. KERN_BAD_NUMBER
+   also for a margin below 0. The plan stays as it is. Time: that of one verdict
+   at the most, and for a block that cannot be held there by its neighbours
+   much less. */
+KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
+                                     kern_real margin,
+                                     const kern_proof *proof);
 
 /* -- proofs -- */
 
@@ -4188,6 +4199,7 @@ typedef struct kern_model {
     int relative;
     kern_real mean;           /* size of the free blocks                      */
     kern_real weight;         /* unit of force: all that acts on free blocks  */
+    int from;                 /* blocks before it are held                    */
     int groups;
     int *group;               /* of a block                                   */
     int *block;               /* of a group                                   */
@@ -4315,7 +4327,7 @@ static void kern_model_group(kern_model *m, const kern_real *fallen)
     const kern_structure *s = m->s;
     int i, g;
     m->groups = m->plain = 0;
-    for (i = 0; i < s->blocks; i++)
+    for (i = m->from; i < s->blocks; i++)
         if (!s->block[i].fixed && !kern_is_gone(fallen, i, i))
             m->block[m->groups++] = i;
     kern_model_order(m);
@@ -4332,17 +4344,12 @@ static void kern_model_group(kern_model *m, const kern_real *fallen)
     kern_model_touch(m);
 }
 
+/* Opens the model of a structure that has been checked, with so many free
+   blocks: of all, or of its last block with all others held. */
 static kern_status kern_model_open(kern_model *m, const kern_structure *s,
-                                   const kern_options *o, kern_work *work)
+                                   const kern_options *o, kern_work *work,
+                                   int free_blocks, int last_only)
 {
-    kern_status status;
-    int free_blocks = 0, i;
-    if (!work)
-        return KERN_BAD_POINTER;
-    kern_fault_clear(&work->fault);
-    status = kern_structure_check(s, o, &work->fault, &free_blocks);
-    if (status != KERN_STANDS)
-        return status;
     kern_take_open(&m->rest, work);
     kern_model_lay(m, s->blocks, free_blocks, s->contacts);
     if (!kern_take_fits(&m->rest))
@@ -4353,9 +4360,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     m->relative = o->relative;
     m->mean = kern_mean_size(s->block, s->blocks);
     m->weight = KERN_R(1);
-    m->wide = 0;
-    for (i = 0; i < free_blocks; i++)
-        m->fell[i] = 0;
+    m->from = last_only ? s->blocks - 1 : 0;
     kern_model_group(m, NULL);
     return KERN_STANDS;
 }
@@ -5650,6 +5655,14 @@ typedef enum kern_path_kind {
     KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
 } kern_path_kind;
 
+/* What is known before a search: where a structure like it stood and fell, and
+   how. */
+typedef struct kern_seed {
+    kern_real holds, edge, fails; /* fails 0: nothing                         */
+    const kern_motion *motion; /* of all blocks but the last; NULL: they rest */
+    kern_motion last;          /* of the last                                 */
+} kern_seed;
+
 typedef struct kern_path {
     kern_path_kind kind;
     kern_question q;          /* at s = 0; what the path changes is replaced  */
@@ -5661,6 +5674,7 @@ typedef struct kern_path {
     int never;                /* nonzero: it stands to the end                */
     kern_real reach;          /* how far the last forces would do             */
     kern_part *part;          /* that fell last                               */
+    const kern_seed *seed;    /* or NULL                                      */
     int alone;                /* nonzero: it is asked about the part alone    */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
@@ -6071,6 +6085,32 @@ static kern_status kern_path_part(kern_model *m, kern_path *path)
     return status;
 }
 
+/* Whether the motion that is known still proves that it falls where it did. */
+static int kern_path_still_falls(kern_model *m, kern_path *path)
+{
+    const kern_seed *seed = path->seed;
+    const kern_question q = kern_path_at(path, seed->fails);
+    const int last = m->s->blocks - 1;
+    kern_real error;
+    int i;
+    for (i = 0; i < m->s->blocks; i++) {
+        kern_motion *v = m->motion + i;
+        v->vx = v->vy = v->spin = KERN_R(0);
+        if (i == last)
+            *v = seed->last;
+        else if (seed->motion)
+            *v = seed->motion[i];
+    }
+    error = kern_prove_motion(m->s, &q, m->motion);
+    if (!(error <= 1))
+        return 0;
+    m->work->error = kern_max(m->work->error, error);
+    kern_proof_out(m, path->proof, KERN_FALLS);
+    path->fails = seed->fails;
+    path->edge = seed->edge;
+    return 1;
+}
+
 /* The first edge of a path on which the verdict changes but once. What falls
    at some place is a part, most often a small one, and no edge of the whole
    lies beyond that of a part, all else held. So the path is poured where the
@@ -6081,12 +6121,17 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 {
     const kern_real start = path->holds;
     const kern_real wide = path->tolerance * KERN_WIDEST;
+    const kern_seed *seed = path->seed;
+    int seeded = seed && seed->fails > start && seed->fails <= path->end;
     kern_real holds = start, at = kern_min(start + first, path->end);
     int round, fell = 0;
+    if (seeded)
+        at = kern_max(start, seed->holds);
     path->start = start;
     kern_falls_clear(m);
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const int last = fell ? path->fails - at <= wide : at >= path->end;
+        const int last = fell ? path->fails - at <= wide
+                              : seeded || at >= path->end;
         kern_status status = kern_path_pour(m, path, at, last);
         int exact = 1;
         if (status == KERN_STANDS) {
@@ -6095,22 +6140,27 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                 path->edge = kern_min(kern_max(path->edge, at), path->fails);
                 return status;
             }
-            if (last) {
+            if (seeded && kern_path_still_falls(m, path))
+                return status;
+            if (at >= path->end) {
                 path->never = 1;
                 path->edge = path->fails = at;
                 return status;
             }
             if (fell)
                 status = kern_part_again(path->part, m);
+            else if (seeded && seed->fails > at)
+                at = seed->fails;
             else
-                at = kern_min(path->end, start + 2 * (at - start));
+                at = kern_min(path->end,
+                              start + kern_max(2 * (at - start), first));
         } else if (status == KERN_FALLS) {
             if (at <= start)
                 return status;
             fell = 1;
-            exact = EX;
             status = KERN_STANDS;
         }
+        seeded = 0;
         path->holds = holds;
         if (status == KERN_STANDS && fell && exact
             && path->edge > start + path->tolerance) {
@@ -6177,32 +6227,52 @@ static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
     return KERN_STANDS;
 }
 
-/* Opens the model and a path in it that begins at `shrink`, or says what is
-   wrong with what was handed in; `out` is where the answer goes. */
+/* Opens the model of a structure that has been checked, and a path in it that
+   begins at `shrink`. */
+static kern_status kern_path_begin(kern_path *path, kern_path_kind kind,
+                                   kern_model *m, const kern_structure *s,
+                                   kern_real shrink, const kern_options *o,
+                                   kern_work *work, int free_blocks,
+                                   int last_only)
+{
+    path->kind = kind;
+    path->proof = NULL;
+    path->q = kern_question_of(s, o, shrink);
+    path->seed = NULL;
+    path->alone = 0;
+    path->unit = kind == KERN_PATH_SHRINK && !o->relative ? path->q.mean : 1;
+    path->tolerance = KERN_WIDTH * path->unit;
+    path->start = path->end = KERN_R(0);
+    path->holds = path->fails = path->edge = path->reach = KERN_R(0);
+    path->never = 0;
+    return kern_model_open(m, s, o, work, free_blocks, last_only);
+}
+
+/* The same, or what is wrong with what was handed in; `out` is where the answer
+   goes. */
 static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
                                   kern_model *m, kern_part *part,
                                   const kern_structure *s, kern_real shrink,
-                                  const kern_options *o, kern_work *work, const void *out,
-                                  const kern_proof *proof)
+                                  const kern_options *o, kern_work *work,
+                                  const void *out, const kern_proof *proof)
 {
-    const kern_status status = kern_model_open(m, s, o, work);
+    kern_status status;
+    int free_blocks = 0;
+    if (!work)
+        return KERN_BAD_POINTER;
+    kern_fault_clear(&work->fault);
+    status = kern_structure_check(s, o, &work->fault, &free_blocks);
     if (status != KERN_STANDS)
         return status;
     if (!out)
         return KERN_BAD_POINTER;
     if (!kern_is_finite(shrink))
         return KERN_BAD_NUMBER;
-    path->kind = kind;
-    path->proof = proof;
-    path->q = kern_question_of(s, o, shrink);
+    status = kern_path_begin(path, kind, m, s, shrink, o, work, free_blocks,
+                             0);
     path->part = part;
-    path->alone = 0;
-    path->unit = kind == KERN_PATH_SHRINK && !m->relative ? m->mean : 1;
-    path->tolerance = KERN_WIDTH * path->unit;
-    path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = path->reach = KERN_R(0);
-    path->never = 0;
-    return KERN_STANDS;
+    path->proof = proof;
+    return status;
 }
 
 KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
@@ -6251,6 +6321,35 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     return nested ? kern_level_scan(m, path, last, 1, out) : status;
 }
 
+/* The measure of what falls at once, and how many steps of Algorithm 1 there
+   would be. */
+static kern_status kern_measure_none(const kern_model *m,
+                                     const kern_options *o, kern_margin *out,
+                                     int *last)
+{
+    out->most = kern_travels_of(m).most;
+    out->epsilon = kern_step(m, o);
+    out->margin = out->holds = out->fails = KERN_R(0);
+    out->level = out->saturated = 0;
+    return kern_steps(out, last);
+}
+
+/* The measure along a path that has been opened. */
+static kern_status kern_measure_along(kern_model *m, kern_path *path,
+                                      const kern_options *o, kern_margin *out)
+{
+    kern_margin r;
+    int last = 0;
+    kern_status status = kern_measure_none(m, o, &r, &last);
+    if (status != KERN_STANDS)
+        return status;
+    path->end = r.most;
+    status = kern_measure_path(m, path, kern_travels_of(m).nested, last, &r);
+    if (status == KERN_STANDS || status == KERN_FALLS)
+        *out = r;
+    return status;
+}
+
 KERN_API kern_status kern_measure(const kern_structure *s,
                                   const kern_options *o, kern_work *work,
                                   kern_margin *out, const kern_proof *proof)
@@ -6258,26 +6357,11 @@ KERN_API kern_status kern_measure(const kern_structure *s,
     kern_model m;
     kern_part part;
     kern_path path;
-    kern_travels travels;
-    kern_margin r;
-    int last = 0;
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s,
-                                        KERN_R(0), o, work, out, proof);
-    if (status != KERN_STANDS)
-        return status;
-    travels = kern_travels_of(&m);
-    r.most = travels.most;
-    r.epsilon = kern_step(&m, o);
-    r.margin = r.holds = r.fails = KERN_R(0);
-    r.level = r.saturated = 0;
-    status = kern_steps(&r, &last);
-    if (status != KERN_STANDS)
-        return status;
-    path.end = r.most;
-    status = kern_measure_path(&m, &path, travels.nested, last, &r);
-    if (status == KERN_STANDS || status == KERN_FALLS)
-        *out = r;
-    return status;
+    const kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m,
+                                              &part, s, KERN_R(0), o, work,
+                                              out, proof);
+    return status == KERN_STANDS ? kern_measure_along(&m, &path, o, out)
+                                 : status;
 }
 
 /* The extent: the longest side of the box around the free blocks. */
@@ -6580,14 +6664,14 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
 }
 
 /* ---- Planning ---------------------------------------------------- >>plan */
-/* What is known of a structure is the basis that its last measure ended with,
-   by its columns, and the bracket of its margin. A block that is added on top
-   takes columns of its own (a crash basis for one group), everything else
-   keeps its own, and is asked again where it was critical. */
+/* What is known of a structure is the bracket of its last margin, and the
+   mechanism at the end of it. A stone that does not touch what moves there
+   leaves both as they are: one verdict at the near end, and the old motion at
+   the far end, prove it. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
-                                int *basis, kern_work *work)
+                                kern_motion *motion, kern_work *work)
 {
     kern_plan plan;
     plan.options = kern_defaults();
@@ -6597,9 +6681,8 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
     plan.s.gravity = kern_vec_make(0, KERN_R(-9.81));
     plan.block_room = blocks;
     plan.contact_room = contacts;
-    plan.known.basis = basis;
-    plan.known.columns = 0;
-    plan.known.holds = plan.known.fails = KERN_R(0);
+    plan.known.motion = motion;
+    plan.known.holds = plan.known.margin = plan.known.fails = KERN_R(0);
     plan.work = work;
     return plan;
 }
@@ -6607,13 +6690,14 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
 /* Whether all that a plan needs was given. */
 static int kern_plan_is_whole(const kern_plan *plan)
 {
-    return plan && plan->block && plan->contact && plan->known.basis
+    return plan && plan->block && plan->contact && plan->known.motion
            && plan->work;
 }
 
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 {
     kern_structure *s;
+    kern_motion *rest;
     int found;
     if (!kern_plan_is_whole(plan) || !block)
         return (int)KERN_BAD_POINTER;
@@ -6627,6 +6711,8 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
                        plan->contact_room - s->contacts, plan->work);
     if (found < 0)
         return found;
+    rest = plan->known.motion + s->blocks;
+    rest->vx = rest->vy = rest->spin = KERN_R(0);
     s->blocks++;
     s->contacts += found;
     return found;
@@ -6635,59 +6721,222 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 {
     kern_structure *s;
-    int *moved, k, n = 0, columns = 0;
+    int k, n = 0;
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
     s = &plan->s;
-    moved = plan->work->index;
     kern_fault_clear(&plan->work->fault);
     if (i < 0 || i >= s->blocks)
         return KERN_BAD_BLOCK;
-    if (!moved || plan->work->indices < s->contacts)
-        return KERN_NO_SPACE;
     for (k = 0; k < s->contacts; k++) {
         kern_contact *c = &plan->contact[k];
-        moved[k] = KERN_OUT;
         if (c->a == i || c->b == i)
             continue;
         c->a -= c->a > i;
         c->b -= c->b > i;
-        moved[k] = n;
         plan->contact[n++] = *c;
     }
-    for (k = 0; k < plan->known.columns; k++) {
-        const int j = plan->known.basis[k];
-        if (moved[j / 2] != KERN_OUT)
-            plan->known.basis[columns++] = 2 * moved[j / 2] + (j & 1);
-    }
-    for (k = i; k + 1 < s->blocks; k++)
+    for (k = i; k + 1 < s->blocks; k++) {
         plan->block[k] = plan->block[k + 1];
+        plan->known.motion[k] = plan->known.motion[k + 1];
+    }
     s->contacts = n;
     s->blocks--;
-    plan->known.columns = columns;
     return KERN_STANDS;
+}
+
+/* What is known of the plan as it is. */
+static kern_seed kern_plan_seed(const kern_plan *plan)
+{
+    kern_seed seed;
+    seed.holds = plan->known.holds;
+    seed.edge = plan->known.margin;
+    seed.fails = plan->known.fails;
+    seed.motion = plan->known.motion;
+    seed.last = plan->known.motion[plan->s.blocks - 1];
+    return seed;
 }
 
 KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
                                        const kern_proof *proof)
 {
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_seed seed;
+    kern_proof kept;
+    kern_status status;
+    int i;
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
-    return kern_measure(&plan->s, &plan->options, plan->work,
-                             out, proof);
+    kept.force = proof ? proof->force : NULL;
+    kept.motion = plan->known.motion;
+    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, &plan->s,
+                            KERN_R(0), &plan->options, plan->work, out, &kept);
+    if (status != KERN_STANDS)
+        return status;
+    seed = kern_plan_seed(plan);
+    path.seed = &seed;
+    status = kern_measure_along(&m, &path, &plan->options, out);
+    plan->known.fails = KERN_R(0);
+    if (status < 0)
+        return status;
+    for (i = 0; i < plan->s.blocks; i++) {
+        kern_motion *v = plan->known.motion + i;
+        if (status == KERN_STANDS && out->saturated)
+            v->vx = v->vy = v->spin = KERN_R(0);
+        else if (proof && proof->motion)
+            proof->motion[i] = *v;
+    }
+    if (status == KERN_STANDS) {
+        plan->known.holds = out->holds;
+        plan->known.margin = out->margin;
+        plan->known.fails = out->fails;
+    }
+    return status;
+}
+
+/* Opens the model of the plan's last block alone, with its contacts as the last
+   `found`, on neighbours that are held: it cannot stand better than that on
+   neighbours that give way, and its motion proves that the whole falls. */
+static kern_status kern_plan_alone(const kern_plan *plan, int found,
+                                   kern_path *path, kern_model *m,
+                                   kern_part *part, kern_structure *s)
+{
+    *s = plan->s;
+    s->contacts = found;
+    s->contact += plan->s.contacts - found;
+    path->part = part;
+    return kern_path_begin(path, KERN_PATH_SHRINK, m, s, KERN_R(0),
+                           &plan->options, plan->work, 1, 1);
+}
+
+/* Where the last block falls alone: what is known of it to *seed, if that is
+   nearer than what is known there. KERN_FALLS where it falls at once. */
+static kern_status kern_plan_nearer(const kern_plan *plan, int found,
+                                    const kern_proof *proof, kern_seed *seed)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_structure s;
+    kern_travels travels;
+    kern_status status = kern_plan_alone(plan, found, &path, &m, &part, &s);
+    if (status != KERN_STANDS)
+        return status;
+    travels = kern_travels_of(&m);
+    if (!travels.nested)
+        return KERN_STANDS;
+    path.end = travels.most;
+    path.seed = seed;
+    path.proof = proof;
+    status = kern_path_search(&m, &path, path.unit * KERN_FIRST,
+                              path.unit * KERN_FIRST);
+    if (status == KERN_STANDS && !path.never && path.fails < seed->fails) {
+        seed->holds = path.holds;
+        seed->edge = path.edge;
+        seed->fails = path.fails;
+        seed->motion = NULL;
+        seed->last = m.motion[plan->s.blocks - 1];
+    }
+    return status == KERN_FALLS ? status : KERN_STANDS;
+}
+
+/* Takes the last block of the plan away again. */
+static void kern_plan_undo(kern_plan *plan, int found)
+{
+    plan->s.blocks--;
+    plan->s.contacts -= found;
+}
+
+/* Checks a plan with a block that has just been added. */
+static kern_status kern_plan_check(const kern_plan *plan, const void *out,
+                                   int *free_blocks)
+{
+    const kern_status status = kern_structure_check(
+        &plan->s, &plan->options, &plan->work->fault, free_blocks);
+    return status == KERN_STANDS && !out ? KERN_BAD_POINTER : status;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
-    kern_status status;
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_seed seed;
+    kern_status status, alone = KERN_STANDS;
+    int free_blocks = 0, last;
     const int found = kern_plan_add(plan, block);
     if (found < 0)
         return (kern_status)found;
-    status = kern_measure(&plan->s, &plan->options, plan->work, out, proof);
-    plan->s.blocks--;
-    plan->s.contacts -= found;
+    status = kern_plan_check(plan, out, &free_blocks);
+    seed = kern_plan_seed(plan);
+    if (status == KERN_STANDS && !block->fixed && seed.fails > 0)
+        alone = kern_plan_nearer(plan, found, proof, &seed);
+    if (status == KERN_STANDS)
+        status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
+                                 KERN_R(0), &plan->options, plan->work,
+                                 free_blocks, 0);
+    path.part = &part;
+    path.proof = proof;
+    path.seed = &seed;
+    if (status == KERN_STANDS && alone == KERN_FALLS) {
+        status = kern_measure_none(&m, &plan->options, out, &last);
+        status = status == KERN_STANDS ? alone : status;
+    } else if (status == KERN_STANDS)
+        status = kern_measure_along(&m, &path, &plan->options, out);
+    kern_plan_undo(plan, found);
     return status;
+}
+
+/* Answers for the model of a path at a shrinkage. */
+static kern_status kern_plan_stands(kern_model *m, kern_path *path,
+                                    kern_real shrink, const kern_proof *proof)
+{
+    const kern_question q = kern_path_at(path, shrink);
+    const kern_status status = kern_model_ask(m, path->part, &q);
+    kern_proof_out(m, proof, status);
+    return status;
+}
+
+KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
+                                     kern_real margin, const kern_proof *proof)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_structure s;
+    kern_margin r;
+    kern_status status;
+    int free_blocks = 0, nested = 1;
+    const int found = kern_plan_add(plan, block);
+    if (found < 0)
+        return (kern_status)found;
+    status = kern_plan_check(plan, plan, &free_blocks);
+    if (status == KERN_STANDS && !(margin >= 0 && kern_is_finite(margin)))
+        status = KERN_BAD_NUMBER;
+    if (status == KERN_STANDS && !block->fixed) {
+        status = kern_plan_alone(plan, found, &path, &m, &part, &s);
+        nested = status != KERN_STANDS || kern_travels_of(&m).nested;
+        if (status == KERN_STANDS && nested)
+            status = kern_plan_stands(&m, &path, margin, proof);
+    }
+    if (status == KERN_STANDS || status == KERN_UNDECIDED) {
+        status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
+                                 KERN_R(0), &plan->options, plan->work,
+                                 free_blocks, 0);
+        path.part = &part;
+        nested &= status != KERN_STANDS || kern_travels_of(&m).nested;
+        if (status == KERN_STANDS && nested)
+            status = kern_plan_stands(&m, &path, margin, proof);
+    }
+    kern_plan_undo(plan, found);
+    if (nested || status < 0)
+        return status;
+    status = kern_plan_try(plan, block, &r, proof);
+    return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS
+                                                          : status;
 }
 
 /* ---- Words and defaults ------------------------------------------ >>words */
