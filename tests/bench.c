@@ -10,10 +10,11 @@
        cc -O2 -ffp-contract=off -DBENCH_GLPK -DBENCH_CLP -o bench \
            tests/bench.c -lglpk -lClp -lCoinUtils -lm
 
-   Then ./bench prints the tables, ./bench --quick a small part of them within
-   a minute, ./bench --help the options. Progress goes to stderr. The exit
-   status is 1 if any two answers disagree; times are never judged by it. The
-   README's tables are made anew by
+   Then ./bench prints the tables for 5 to 200 blocks, ./bench --quick the same
+   with shorter timing, ./bench --release also those for 500, 1000 and 2000
+   blocks, ./bench --help the options. Progress goes to stderr. The exit status
+   is 1 if any two answers disagree; times are never judged by it. The README's
+   tables are made anew by
 
        ./bench --quick --summary >summary.md && sed -i \
            -e '/^<!-- bench/,/^<!-- end/{//!d}' \
@@ -21,33 +22,59 @@
 
    STRUCTURES are made here from fixed seeds: walls in running bond (bond),
    ragged with gaps (rag), with sloped beds (irr), towers, voussoir arches, and
-   perfect brick walls (brick), whose programs are as degenerate as can be and
-   which are kept out of the medians over families. A structure is named
-   family/blocks/number; --family, --sizes and --number ask for it alone.
+   perfect brick walls (brick), whose programs are as degenerate as can be. A
+   structure is named family/blocks/number; --family, --sizes and --number ask
+   for it alone.
 
-   TIMES are CPU time of this one process, in ms, of the fastest of three runs,
-   each long enough for the clock. A verdict, a measure and so on of kern.h
-   include everything from the caller's data to the checked proof, except
-   contact search, which has its own column. A peer's time is that of its solve
-   alone, the model ready in its memory; of its Algorithm 1, of 20 levels, each
-   from the last basis, with the torque entries written in between. Both get
-   programs that are built here from the equations and not by kern.h:
+   TIMES are CPU time of this one process, in ms, of the fastest of three
+   batches, each long enough for the clock; before each the work memory is
+   filled with garbage. A verdict, a measure and so on of kern.h include
+   everything from the caller's data to the checked proof, except contact
+   search, which has its own column. A peer's time is that of its solve alone,
+   the model ready in its memory; of its Algorithm 1, of 20 levels, each from
+   the last basis, with the torque entries written in between. Both get programs
+   that are built here from the equations and not by kern.h:
 
        A(d) x = -w, x >= 0    three rows a free block, two columns a contact
                               point; lengths in mean block sizes, forces in
                               mean weights; torques about each block's centre
 
-   CANDIDATES: a stone is laid on top of a structure at several places. `try`
-   is kern_plan_try on the structure as it was measured, with the contacts of
-   the stone found on the way; `fresh` is kern_measure of all blocks with the
-   stone from nothing, contacts given; `+search` finds these with kern_contacts
-   before. A structure's ratio is the median over the places where it stands.
-   `per s` counts all places, also where it falls and where the stone overlaps.
+   The FLOOR is what no measure can do without: kern_check_forces() at `holds`
+   and, unless it stands with every kern closed, kern_check_motion() at `fails`.
+   Each checks the whole input, which stands for opening it, and evaluates the
+   columns of the matrix once.
+
+   The STEP of Algorithm 1 is random: the margin is 19 to 20 steps. For one
+   structure of eight a step falls into the bracket of the margin, where the
+   level takes a question of its own; left to chance that is too rare to see.
+
+   CANDIDATES: a stone is laid on a wall at places along all of its top, a
+   quarter of a brick apart (above 50 blocks farther): it stands, falls, hangs
+   over an end, or overlaps. A try is kern_plan_try on the wall as it was
+   measured, contact search included. `tries/s` is the number of places over the
+   time of all, `stay/s` the same of those where the margin of the wall stays as
+   it was, `bears/s` that of all when only asked whether the margin is at least
+   a share of the wall's, drawn from .5 to 1. Each answer is compared with that
+   of kern_measure of all blocks from nothing; `try / measure` is the median of
+   the ratios of their times where the stone stands.
 
    MEDIANS: a family's number is the median over its structures, a size's
-   number the median over the five families' numbers; a ratio is taken for each
-   structure, against the faster peer on that structure. What kern.h leaves
-   undecided is in no median, but is listed as DISAGREE.
+   number the median over the families' numbers; a ratio is taken for each
+   structure, against the faster peer on that structure. The worst is that of
+   any structure. What kern.h leaves undecided is in no median, but is listed as
+   DISAGREE; structures without a margin are listed at the end.
+
+   INSTRUCTIONS: --ask puts a question once to each structure, without clock, in
+   the function run_QUESTION. As `Collected` they are counted by
+
+       valgrind --tool=callgrind --callgrind-out-file=/dev/null \
+           --toggle-collect=run_measure \
+           ./bench --ask measure --family rag --sizes 30 --number 0
+
+   The questions are verdict, measure, level (Algorithm 1, a verdict a step),
+   load, tilt, floor, try and bears (once at each place: divide by their
+   number), and lp (of every peer that was built in; toggle at glp_simplex or
+   Clp_dual for one of them). What --times 0 counts in all can be subtracted.
 
    SPDX-License-Identifier: MIT */
 
@@ -75,108 +102,30 @@
 #define DENSITY 2000.0     /* [kg/m^2]                                        */
 #define NEAR 1e-5          /* mean block sizes around d* where peers, with
                               their tolerances of 1e-7, may answer either way */
+#define SAME 1e-9          /* mean block sizes within which margins are one   */
 #define LEVELS 20          /* of Algorithm 1                                  */
 #define STALL 10           /* pivots a row: an LP of kern.h that needs more is
                               undecided, which disagrees with everything      */
-#define SCAN_MOST 500      /* largest structures whose levels are scanned     */
-#define PLACES_MOST 24     /* candidates of a structure                       */
-#define PLAN_MOST 1000     /* largest structures with candidates              */
-#define GROWTH_GOAL 2      /* exponent of the measure on walls                */
-#define MEMORY_GOAL 32     /* for 30 blocks [KB]                              */
-#define MISSING (-1.0)     /* a number that was not measured                  */
+#define DETAIL_MOST 200    /* largest structures of which all is asked        */
+#define CLOSED_MOST 500    /* and whose kerns are closed                      */
+#define PLACES_MOST 96     /* candidates of a structure of up to 50 blocks    */
+#define PLACES_FEW 24      /* and of a larger one                             */
+#define TOUCHES 32         /* contact points of a candidate                   */
+#define SIZES_MOST 16
+#define RECORDS_MOST 60000
+
+static void give_up(const char *why)
+{
+    fprintf(stderr, "bench: %s\n", why);
+    exit(2);
+}
 
 static void *room_for(size_t count, size_t size)
 {
     void *p = calloc(count ? count : 1, size);
-    if (!p) {
-        fprintf(stderr, "bench: out of memory\n");
-        exit(2);
-    }
+    if (!p)
+        give_up("out of memory");
     return p;
-}
-
-/* ---- Random numbers: splitmix64 ------------------------------------------ */
-
-static double random_in(uint64_t *state, double low, double high)
-{
-    uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    z ^= z >> 31;
-    return low + (high - low) * ((double)(z >> 11) / 9007199254740992.0);
-}
-
-/* ---- Time ---------------------------------------------------------------- */
-
-/* Something to be timed. Where `ready` is given it comes before every run and
-   is not counted. */
-struct job {
-    void (*ready)(void *data);
-    void (*run)(void *data);
-    void *data;
-};
-
-struct patience {
-    double batch;          /* shortest time on the clock [ms]                 */
-    double once;           /* longer than this is run but once [ms]           */
-};
-
-static double clock_ms(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
-}
-
-static double time_batch(const struct job *job, int runs)
-{
-    double from = clock_ms(), sum = 0;
-    int i;
-    if (!job->ready) {
-        for (i = 0; i < runs; i++)
-            job->run(job->data);
-        return (clock_ms() - from) / runs;
-    }
-    for (i = 0; i < runs; i++) {
-        job->ready(job->data);
-        from = clock_ms();
-        job->run(job->data);
-        sum += clock_ms() - from;
-    }
-    return sum / runs;
-}
-
-/* The least of three batches: what other programs on the machine add to CPU
-   time, by way of its caches, is never negative. */
-static double time_job(const struct job *job, const struct patience *patience)
-{
-    double best = time_batch(job, 1);
-    int runs = 1, i;
-    if (best > patience->once)
-        return best;
-    if (best < patience->batch)
-        runs = (int)(patience->batch / (best > 1e-4 ? best : 1e-4)) + 1;
-    for (i = 0; i < 3; i++) {
-        const double t = time_batch(job, runs);
-        best = t < best ? t : best;
-    }
-    return best;
-}
-
-/* ---- Medians of numbers -------------------------------------------------- */
-
-static int compare_numbers(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *number, int n)
-{
-    if (n == 0)
-        return MISSING;
-    qsort(number, (size_t)n, sizeof *number, compare_numbers);
-    return (number[(n - 1) / 2] + number[n / 2]) / 2;
 }
 
 /* ---- Structures ---------------------------------------------------------- */
@@ -195,36 +144,43 @@ struct scene {
     kern_options options;
 };
 
+/* splitmix64 */
 static double scene_random(struct scene *scene, double low, double high)
 {
-    return random_in(&scene->random, low, high);
+    uint64_t z = scene->random += UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    z ^= z >> 31;
+    return low + (high - low) * ((double)(z >> 11) / 9007199254740992.0);
+}
+
+static kern_vec vec(double x, double y)
+{
+    kern_vec v;
+    v.x = x;
+    v.y = y;
+    return v;
 }
 
 static void scene_block(struct scene *scene, const kern_vec *vertex, int n,
                         double density)
 {
     kern_vec *copy = scene->vertex + scene->vertices;
-    kern_status status;
     memcpy(copy, vertex, (size_t)n * sizeof *vertex);
-    status = kern_block_init(&scene->block[scene->blocks], copy, n, density,
-                             NULL);
-    if (status != KERN_STANDS) {
-        fprintf(stderr, "bench: block %d: %s\n", scene->blocks,
-                kern_status_text(status));
-        exit(2);
-    }
     scene->vertices += n;
-    scene->blocks++;
+    if (kern_block_init(&scene->block[scene->blocks++], copy, n, density, NULL)
+        != KERN_STANDS)
+        give_up("a bad block");
 }
 
 static void scene_box(struct scene *scene, double left, double low,
                       double right, double high, double density)
 {
     kern_vec v[4];
-    v[0].x = v[3].x = left;
-    v[1].x = v[2].x = right;
-    v[0].y = v[1].y = low;
-    v[2].y = v[3].y = high;
+    v[0] = vec(left, low);
+    v[1] = vec(right, low);
+    v[2] = vec(right, high);
+    v[3] = vec(left, high);
     scene_block(scene, v, 4, density);
 }
 
@@ -239,15 +195,6 @@ struct wall {
     double slope;          /* heights of the joints differ by this share      */
     double uneven;         /* densities differ by this share                  */
 };
-
-static const struct wall wall_bond = {
-    {0.25, 0.75}, 0.15, {0.02, 0.02}, 0.0, 0.3, 0.0, 0.0};
-static const struct wall wall_rag = {
-    {0.4, 0.9}, 0.4, {0.03, 0.2}, 0.12, 0.12, 0.0, 0.2};
-static const struct wall wall_irr = {
-    {0.4, 0.7}, 0.3, {0.02, 0.02}, 0.1, 0.1, 0.12, 0.2};
-static const struct wall wall_brick = {
-    {0.5, 0.5}, 0.0, {0.0, 0.0}, 0.0, 0.0, 0.0, 0.0};
 
 /* The upper side of a course: a line that bends in the middle of each joint
    between two bricks, so that every brick has a straight top. */
@@ -271,13 +218,10 @@ static double bed_at(const struct bed *bed, double x)
 
 static void bed_knot(struct bed *bed, double x, double y)
 {
-    if (bed->knots > COURSE) {
-        fprintf(stderr, "bench: a course of more than %d bricks\n", COURSE);
-        exit(2);
-    }
+    if (bed->knots > COURSE)
+        give_up("a course is too long");
     bed->x[bed->knots] = x;
-    bed->y[bed->knots] = y;
-    bed->knots++;
+    bed->y[bed->knots++] = y;
 }
 
 static void wall_brick_add(struct scene *scene, const struct bed *under,
@@ -286,19 +230,13 @@ static void wall_brick_add(struct scene *scene, const struct bed *under,
 {
     kern_vec v[CORNERS];
     int n = 0, i;
-    v[n].x = left;
-    v[n++].y = bed_at(under, left);
+    v[n++] = vec(left, bed_at(under, left));
     for (i = 0; bends && i < under->knots && n < CORNERS - 3; i++)
-        if (under->x[i] > left && under->x[i] < right) {
-            v[n].x = under->x[i];
-            v[n++].y = under->y[i];
-        }
-    v[n].x = right;
-    v[n++].y = bed_at(under, right);
-    v[n].x = right;
-    v[n++].y = bed_at(over, right);
-    v[n].x = left;
-    v[n++].y = bed_at(over, left);
+        if (under->x[i] > left && under->x[i] < right)
+            v[n++] = vec(under->x[i], under->y[i]);
+    v[n++] = vec(right, bed_at(under, right));
+    v[n++] = vec(right, bed_at(over, right));
+    v[n++] = vec(left, bed_at(over, left));
     scene_block(scene, v, n, density);
 }
 
@@ -345,38 +283,19 @@ static void make_wall(struct scene *scene, int n, const struct wall *wall)
     bed[0].knots = 0;
     bed_knot(&bed[0], 0, 0);
     for (k = 0; scene->blocks < n + 1; k++) {
-        wall_course(scene, wall, k % 2,
-                    inset * k + loose * scene_random(scene, -0.5, 0.5),
-                    length - inset * k + loose * scene_random(scene, -0.5, 0.5),
-                    LENGTH / 2 * (k + 1), &bed[k % 2], &bed[(k + 1) % 2],
-                    n + 1 - scene->blocks);
+        const double right = length - inset * k
+            + loose * scene_random(scene, -0.5, 0.5);
+        const double left = inset * k + loose * scene_random(scene, -0.5, 0.5);
+        wall_course(scene, wall, k % 2, left, right, LENGTH / 2 * (k + 1),
+                    &bed[k % 2], &bed[(k + 1) % 2], n + 1 - scene->blocks);
     }
 }
 
-static void make_bond(struct scene *scene, int n)
-{
-    make_wall(scene, n, &wall_bond);
-}
-
-static void make_rag(struct scene *scene, int n)
-{
-    make_wall(scene, n, &wall_rag);
-}
-
-static void make_irr(struct scene *scene, int n)
-{
-    make_wall(scene, n, &wall_irr);
-}
-
-static void make_brick(struct scene *scene, int n)
-{
-    make_wall(scene, n, &wall_brick);
-}
-
-static void make_tower(struct scene *scene, int n)
+static void make_tower(struct scene *scene, int n, const struct wall *wall)
 {
     double low = 0;
     int i;
+    (void)wall;
     scene_box(scene, -4 * LENGTH, -LENGTH, 4 * LENGTH, 0, 0);
     for (i = 0; i < n; i++) {
         const double wide = LENGTH * scene_random(scene, 0.8, 1.2);
@@ -392,23 +311,20 @@ static void arch_piece(struct scene *scene, double inner, double outer,
                        double from, double to, double density)
 {
     kern_vec v[4];
-    v[0].x = inner * sin(from);
-    v[0].y = inner * cos(from);
-    v[1].x = inner * sin(to);
-    v[1].y = inner * cos(to);
-    v[2].x = outer * sin(to);
-    v[2].y = outer * cos(to);
-    v[3].x = outer * sin(from);
-    v[3].y = outer * cos(from);
+    v[0] = vec(inner * sin(from), inner * cos(from));
+    v[1] = vec(inner * sin(to), inner * cos(to));
+    v[2] = vec(outer * sin(to), outer * cos(to));
+    v[3] = vec(outer * sin(from), outer * cos(from));
     scene_block(scene, v, 4, density);
 }
 
-static void make_arch(struct scene *scene, int n)
+static void make_arch(struct scene *scene, int n, const struct wall *wall)
 {
     const double inner = LENGTH * n / 4 + LENGTH;
     const double outer = inner * scene_random(scene, 1.2, 1.4);
     const double half = scene_random(scene, 0.9, 1.3);
     int i;
+    (void)wall;
     arch_piece(scene, inner, outer, -half - 0.2, -half, 0);
     arch_piece(scene, inner, outer, half, half + 0.2, 0);
     for (i = 0; i < n; i++)
@@ -417,23 +333,26 @@ static void make_arch(struct scene *scene, int n)
                    DENSITY * scene_random(scene, 0.7, 1.3));
 }
 
-struct family {
+static const struct family {
     const char *name;
-    void (*make)(struct scene *scene, int n);
-    int wall;              /* counts for the growth exponents                 */
-    int counts;            /* for the medians over families                   */
-};
-
-static const struct family families[] = {
-    {"bond", make_bond, 1, 1},   {"rag", make_rag, 1, 1},
-    {"irr", make_irr, 1, 1},     {"tower", make_tower, 0, 1},
-    {"arch", make_arch, 0, 1},   {"brick", make_brick, 1, 0},
+    void (*make)(struct scene *scene, int n, const struct wall *wall);
+    int is_wall;
+    struct wall wall;
+} families[] = {
+    {"bond", make_wall, 1,
+     {{0.25, 0.75}, 0.15, {0.02, 0.02}, 0, 0.3, 0, 0}},
+    {"rag", make_wall, 1,
+     {{0.4, 0.9}, 0.4, {0.03, 0.2}, 0.12, 0.12, 0, 0.2}},
+    {"irr", make_wall, 1,
+     {{0.4, 0.7}, 0.3, {0.02, 0.02}, 0.1, 0.1, 0.12, 0.2}},
+    {"tower", make_tower, 0, {{0, 0}, 0, {0, 0}, 0, 0, 0, 0}},
+    {"arch", make_arch, 0, {{0, 0}, 0, {0, 0}, 0, 0, 0, 0}},
+    {"brick", make_wall, 1, {{0.5, 0.5}, 0, {0, 0}, 0, 0, 0, 0}},
 };
 enum { FAMILIES = sizeof families / sizeof families[0] };
 
 static void scene_open(struct scene *scene, int family, int n, int number)
 {
-    int found;
     kern_work work;
     memset(scene, 0, sizeof *scene);
     scene->random = (uint64_t)(1000003 * family + 101 * n + number);
@@ -443,27 +362,22 @@ static void scene_open(struct scene *scene, int family, int n, int number)
     scene->contact = room_for((size_t)scene->room, sizeof(kern_contact));
     scene->options = kern_defaults();
     scene->options.mu = MU;
-    families[family].make(scene, n);
+    families[family].make(scene, n, &families[family].wall);
     work = kern_work_of(NULL, 0,
                         room_for(2 * (size_t)scene->blocks, sizeof(int)),
                         2 * scene->blocks);
-    found = kern_contacts(scene->block, scene->blocks, &scene->options,
-                          scene->contact, scene->room, &work);
+    scene->contacts = kern_contacts(scene->block, scene->blocks,
+                                    &scene->options, scene->contact,
+                                    scene->room, &work);
     free(work.index);
-    if (found < 0) {
-        fprintf(stderr, "bench: contacts of %s/%d/%d: %s\n",
-                families[family].name, n, number,
-                kern_status_text((kern_status)found));
-        exit(2);
-    }
-    scene->contacts = found;
+    if (scene->contacts < 0)
+        give_up(kern_status_text((kern_status)scene->contacts));
     scene->options.pivots = STALL * 3 * scene->blocks;
     scene->s.block = scene->block;
     scene->s.blocks = scene->blocks;
     scene->s.contact = scene->contact;
     scene->s.contacts = scene->contacts;
-    scene->s.gravity.x = 0;
-    scene->s.gravity.y = -9.81;
+    scene->s.gravity = vec(0, -9.81);
 }
 
 static void scene_close(struct scene *scene)
@@ -511,18 +425,14 @@ static int program_end(const struct program *lp, int block, kern_vec f,
                        kern_vec p, double sign, int at)
 {
     const kern_vec c = lp->scene->block[block].centre;
-    double torque = sign * ((p.x - c.x) * f.y - (p.y - c.y) * f.x) / lp->length;
+    const double value[3] = {
+        sign * f.x, sign * f.y,
+        sign * ((p.x - c.x) * f.y - (p.y - c.y) * f.x) / lp->length};
     int i;
     if (lp->first[block] < 0)
         return at;
-    if (fabs(torque) < 1e-15)
-        torque = 1e-15;
-    lp->value[at] = sign * f.x;
-    lp->value[at + 1] = sign * f.y;
-    lp->value[at + 2] = torque;
     for (i = 0; i < 3; i++) {
-        if (i < 2 && fabs(lp->value[at + i]) < 1e-15)
-            lp->value[at + i] = 1e-15;
+        lp->value[at + i] = fabs(value[i]) < 1e-15 ? 1e-15 : value[i];
         lp->row[at + i] = lp->first[block] + i;
     }
     return at + 3;
@@ -537,12 +447,10 @@ static void program_shrink(struct program *lp, double shrink)
         const kern_contact *c = &scene->contact[i];
         const double way = fmin(fabs(c->travel), shrink)
             * (c->travel < 0 ? -1 : 1);
-        kern_vec p, f;
-        p.x = c->p.x - way * c->n.y;
-        p.y = c->p.y + way * c->n.x;
+        const kern_vec p = vec(c->p.x - way * c->n.y, c->p.y + way * c->n.x);
         for (side = -1; side <= 1; side += 2) {
-            f.x = c->n.x - side * c->mu * c->n.y;
-            f.y = c->n.y + side * c->mu * c->n.x;
+            const kern_vec f = vec(c->n.x - side * c->mu * c->n.y,
+                                   c->n.y + side * c->mu * c->n.x);
             lp->start[col++] = at;
             at = program_end(lp, c->b, f, p, 1, at);
             at = program_end(lp, c->a, f, p, -1, at);
@@ -579,30 +487,317 @@ static void program_open(struct program *lp, const struct scene *scene)
     program_shrink(lp, 0);
 }
 
-static void program_close(struct program *lp)
+/* ---- Records ------------------------------------------------------------- */
+
+/* Everything that is known of a structure. A new number needs a line here, a
+   note() where it is found, and a place in a table. Ratios name what is divided
+   by what. In rates, which come last, the least is the worst. */
+#define COLUMNS_OF(X)                                                         \
+    X(NONE, "", 0, 0)                                                         \
+    X(VERDICT, "verdict, ms", 0, 0)     /* kern_stands at 0                 */\
+    X(MEASURE, "measure, ms", 0, 0)     /* kern_measure with both proofs    */\
+    X(LEVEL, "scan, ms", 0, 0)          /* kern_stands at each of 20 levels */\
+    X(CLOSED, "kerns closed, ms", 0, 0) /* kern_stands, every kern a point  */\
+    X(LOAD, "load, ms", 0, 0)           /* kern_load_factor to the right    */\
+    X(TILT, "tilt, ms", 0, 0)           /* kern_tilt to the right           */\
+    X(FLOOR, "floor, ms", 0, 0)                                               \
+    X(SEARCH, "search, ms", 0, 0)       /* kern_contacts                    */\
+    X(GLPK, "GLPK, ms", 0, 0)                                                 \
+    X(CLP, "Clp, ms", 0, 0)                                                   \
+    X(GLPK_WARM, "GLPK's Alg. 1, ms", 0, 0)                                   \
+    X(CLP_WARM, "Clp's Alg. 1, ms", 0, 0)                                     \
+    X(LP, "peer's LP, ms", 0, 0)        /* of the faster peer               */\
+    X(WARM, "peer's Alg. 1, ms", 0, 0)                                        \
+    X(LP_CLOSED, "LP closed, ms", 0, 0)                                       \
+    X(POINTS, "points", 0, 0)           /* contact points                   */\
+    X(FALLEN, "", 0, 0)                 /* it has no margin                 */\
+    X(MARGIN, "d*/d_max", 0, 0)                                               \
+    X(FIRST, "pivots at 0", 0, 0)       /* of the verdict                   */\
+    X(PIVOTS, "pivots", 0, 0)           /* of the measure                   */\
+    X(SOLVES, "LPs", 0, 0)                                                    \
+    X(VERDICT_LP, "verdict / LP", VERDICT, LP)                                \
+    X(MEASURE_LP, "measure / LP", MEASURE, LP)                                \
+    X(CLOSED_LP, "kerns closed / LP", CLOSED, LP_CLOSED)                      \
+    X(MEASURE_WARM, "Alg. 1 / peer's", MEASURE, WARM)                         \
+    X(LEVEL_WARM, "scan / peer's", LEVEL, WARM)                               \
+    X(MEASURE_FLOOR, "measure / floor", MEASURE, FLOOR)                       \
+    X(LOAD_MEASURE, "load / measure", LOAD, MEASURE)                          \
+    X(TILT_MEASURE, "tilt / measure", TILT, MEASURE)                          \
+    X(TRY_MEASURE, "try / measure", 0, 0)                                     \
+    X(PLACES, "places", 0, 0)                                                 \
+    X(STAND, "stand", 0, 0)                                                   \
+    X(STAY, "margin stays", 0, 0)                                             \
+    X(RATE, "tries/s", 0, 0)                                                  \
+    X(RATE_STAY, "stay/s", 0, 0)                                              \
+    X(RATE_BEARS, "bears/s", 0, 0)
+
+#define COLUMN_NAME(name, text, over, under) name,
+#define COLUMN_LINE(name, text, over, under) {text, over, under},
+enum { COLUMNS_OF(COLUMN_NAME) COLUMNS };
+static const struct column {
+    const char *text;
+    int over, under;       /* of a ratio; else NONE                           */
+} columns[] = {COLUMNS_OF(COLUMN_LINE)};
+
+/* One number of one structure; blocks 0: the growth exponent of a family. */
+struct record {
+    int family, blocks, number, column;
+    double value;
+};
+
+struct bench {
+    int size[SIZES_MOST], sizes;
+    int family, number;    /* -1: all                                         */
+    int quick, summary, print, release;
+    const struct question *question; /* NULL: all are asked, and timed        */
+    int times;             /* that it is asked                                */
+    double batch;          /* shortest time on the clock [ms]                 */
+    double once;           /* longer than this is run but once [ms]           */
+    double value[COLUMNS]; /* of the structure at hand; NAN: not found        */
+    struct record now;     /* its name                                        */
+    struct record record[RECORDS_MOST];
+    double scratch[RECORDS_MOST]; /* for medians                              */
+    int records, structures, checks, differences, silent;
+};
+
+static void record_add(struct bench *bench, int column, double value)
 {
-    free(lp->first);
-    free(lp->start);
-    free(lp->row);
-    free(lp->value);
-    free(lp->rhs);
+    if (bench->records == RECORDS_MOST)
+        give_up("too many records");
+    bench->now.column = column;
+    bench->now.value = value;
+    bench->record[bench->records++] = bench->now;
+}
+
+/* Takes what was found of a structure, and the ratios, to the records. */
+static void record_all(struct bench *bench)
+{
+    int i;
+    for (i = 0; i < COLUMNS; i++) {
+        const struct column *c = &columns[i];
+        const double v = c->over
+            ? bench->value[c->over] / bench->value[c->under] : bench->value[i];
+        if (!isnan(v))
+            record_add(bench, i, v);
+    }
+    bench->structures++;
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *number, int n)
+{
+    if (n == 0)
+        return NAN;
+    qsort(number, (size_t)n, sizeof *number, compare_numbers);
+    return (number[(n - 1) / 2] + number[n / 2]) / 2;
+}
+
+/* A row of the tables: a family, whose number is the median over its
+   structures; all families or all walls, their median; or the worst. */
+enum { WALLS = -2, MEDIAN = -1, WORST = FAMILIES };
+
+static double row_median(struct bench *bench, int column, int blocks, int row)
+{
+    double number[FAMILIES];
+    int i, n = 0;
+    for (i = 0; row >= 0 && i < bench->records; i++) {
+        const struct record *r = &bench->record[i];
+        if (r->column == column && r->family == row && r->blocks == blocks)
+            bench->scratch[n++] = r->value;
+    }
+    if (row >= 0)
+        return median(bench->scratch, n);
+    for (i = 0; i < FAMILIES; i++) {
+        const double v = row_median(bench, column, blocks, i);
+        if (!isnan(v) && (row == MEDIAN || families[i].is_wall))
+            number[n++] = v;
+    }
+    return median(number, n);
+}
+
+static const struct record *size_worst(const struct bench *bench, int column,
+                                       int blocks)
+{
+    const double sign = column >= RATE ? -1 : 1;
+    const struct record *worst = NULL;
+    int i;
+    for (i = 0; i < bench->records; i++) {
+        const struct record *r = &bench->record[i];
+        if (r->column == column && r->blocks == blocks
+            && (!worst || sign * r->value > sign * worst->value))
+            worst = r;
+    }
+    return worst;
+}
+
+/* The slope of log(family's median) over log(size), by least squares from 30
+   blocks on. */
+static void record_growth(struct bench *bench, int column, int family)
+{
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    int i;
+    for (i = 0; i < bench->sizes; i++) {
+        const double lx = log((double)bench->size[i]);
+        const double ly = log(row_median(bench, column, bench->size[i],
+                                         family));
+        if (isnan(ly) || bench->size[i] < 30)
+            continue;
+        n++;
+        x += lx;
+        y += ly;
+        xx += lx * lx;
+        xy += lx * ly;
+    }
+    memset(&bench->now, 0, sizeof bench->now);
+    bench->now.family = family;
+    if (n > 1)
+        record_add(bench, column, (n * xy - x * y) / (n * xx - x * x));
+}
+
+/* ---- Questions ----------------------------------------------------------- */
+
+/* What is asked about a structure, and the answers. */
+struct ask {
+    struct bench *bench;
+    struct scene *scene;
+    kern_work work;
+    kern_proof proof;
+    double near;           /* shrinkages as good as the same to a peer [m]    */
+    double shrink;
+    kern_status status;
+    kern_margin margin;
+    double number;         /* level, load factor, angle, errors or count      */
+
+    kern_plan plan;        /* of a wall that was measured                     */
+    kern_plan whole;       /* the same, to which a stone is added             */
+    double from, step;     /* where the stone's middle lies                   */
+    int places;
+    double least;          /* margin that is asked for                        */
+    kern_vec corner[4];
+    kern_block stone;
+    kern_margin with;      /* the stone                                       */
+
+    struct program lp;
+    const struct peer *peer;
+    void *model;           /* NULL: none is open                              */
+    int answer;
+};
+
+typedef void ask_function(struct ask *ask);
+
+static double clock_ms(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+/* Numbers of 1e306 and indices far out: what is read before it is written
+   shows. */
+static void garble(const kern_work *work)
+{
+    memset(work->real, 0x7f, (size_t)work->reals * sizeof *work->real);
+    memset(work->index, 0x7f, (size_t)work->indices * sizeof *work->index);
+}
+
+/* What comes before each run, where it is given, is not counted. */
+static double time_batch(struct ask *ask, ask_function *run,
+                         ask_function *before, int runs)
+{
+    double from, sum = 0;
+    int i;
+    garble(&ask->work);
+    from = clock_ms();
+    for (i = 0; i < runs; i++) {
+        if (before) {
+            before(ask);
+            from = clock_ms();
+        }
+        run(ask);
+        if (before)
+            sum += clock_ms() - from;
+    }
+    return (before ? sum : clock_ms() - from) / runs;
+}
+
+/* The least of three batches: what other programs on the machine add to CPU
+   time, by way of its caches, is never negative. */
+static double time_of(struct ask *ask, ask_function *run, ask_function *before)
+{
+    const struct bench *bench = ask->bench;
+    double best = time_batch(ask, run, before, 1);
+    const int runs = best < bench->batch
+        ? (int)(bench->batch / fmax(best, 1e-4)) + 1 : 1;
+    int i;
+    if (best > bench->once || (before && bench->now.blocks > DETAIL_MOST))
+        return best;
+    for (i = 0; i < 3; i++)
+        best = fmin(best, time_batch(ask, run, before, runs));
+    return best;
+}
+
+static void note(struct ask *ask, int column, double value)
+{
+    ask->bench->value[column] = value;
+}
+
+static void check(struct ask *ask, int agree, const char *what, double ours,
+                  double theirs)
+{
+    struct bench *bench = ask->bench;
+    bench->checks++;
+    if (agree)
+        return;
+    bench->differences++;
+    fprintf(bench->summary ? stderr : stdout,
+            "DISAGREE %s/%d/%d: %s: %.12g, %.12g\n",
+            families[bench->now.family].name, bench->now.blocks,
+            bench->now.number, what, ours, theirs);
+}
+
+static int is_same(const struct ask *ask, double a, double b)
+{
+    return fabs(a - b) <= SAME / NEAR * ask->near;
+}
+
+/* Whether somebody else's level is as good as that of the measure: where a step
+   lies in the bracket of the margin, or within `near` of it, either answer may
+   be given there, or none. */
+static int level_fits(const kern_margin *m, double near, int level)
+{
+    const double slack = near + SAME * m->epsilon;
+    int least, most;
+    if (level == m->level)
+        return 1;
+    if (m->saturated && near <= 0)
+        return 0;
+    least = (int)floor(fmax(m->holds - slack, 0) / m->epsilon) + 1;
+    most = m->saturated ? m->level
+                        : (int)floor((m->fails + slack) / m->epsilon) + 1;
+    return least < most && (level < 0 || (level >= least && level <= most));
+}
+
+/* Algorithm 1, with anybody's verdicts (1, 0, -1: none): -1 for no answer. */
+static int algorithm_1(struct ask *ask,
+                       int (*stands)(struct ask *ask, double shrink))
+{
+    const kern_margin *m = &ask->margin;
+    const int last = (int)ceil(m->most / m->epsilon);
+    int k;
+    for (k = 0; k <= last; k++) {
+        const int verdict = stands(ask, fmin(k * m->epsilon, m->most));
+        if (verdict != 1)
+            return verdict < 0 ? -1 : k;
+    }
+    return last + 1;
 }
 
 /* ---- Peers --------------------------------------------------------------- */
-
-/* A solver: a model made of a program, with the basis of slacks; its solve by
-   the dual simplex from the basis at hand, 1 feasible, 0 infeasible, -1 no
-   answer; and new entries in the same places. */
-struct peer {
-    const char *name;
-    int cold, warm;        /* quantities where its times go                   */
-    int cold_most;         /* largest structures for one LP                   */
-    int warm_most;         /* and for Algorithm 1                             */
-    void *(*open)(const struct program *lp);
-    void (*change)(void *model, const struct program *lp);
-    int (*solve)(void *model);
-    void (*close)(void *model);
-};
 
 #ifdef BENCH_GLPK
 
@@ -694,1175 +889,715 @@ static void clp_close(void *model)
 
 #endif
 
-/* ---- Quantities ---------------------------------------------------------- */
-
-/* Everything that is known of a structure. A new one needs a line here, a
-   place in a measure_...() function, and, if it has a goal, a line in goals[].
-   Widths are those of the tables. */
-#define QUANTITIES_OF(X)                                                      \
-    X(VERDICT, "verdict")       /* ms: kern_stands at 0                     */\
-    X(MEASURE, "measure")       /* kern_measure with both proofs            */\
-    X(SCAN, "scan")             /* kern_stands at each of the 20 levels     */\
-    X(LOAD, "load")             /* kern_load_factor to the right            */\
-    X(TILT, "tilt")             /* kern_tilt to the right                   */\
-    X(SEARCH, "search")         /* kern_contacts                            */\
-    X(CRITICAL, "at d*")        /* kern_stands at the margin                */\
-    X(CLOSED, "closed")         /* kern_stands with every kern closed       */\
-    X(GLPK_COLD, "GLPK")                                                      \
-    X(GLPK_WARM, "GLPK A1")                                                   \
-    X(CLP_COLD, "Clp")                                                        \
-    X(CLP_WARM, "Clp A1")                                                     \
-    X(PEER_COLD, "peer")        /* the faster peer                          */\
-    X(PEER_WARM, "peer A1")                                                   \
-    X(PEER_CRITICAL, "peer d*")                                               \
-    X(PEER_CLOSED, "peer cl.")                                                \
-    X(TRY, "try")               /* ms: kern_plan_try of a candidate         */\
-    X(FRESH, "fresh")           /* kern_measure with it                     */\
-    X(TRY_SHARE, "try/fresh")   /* median of ratios                         */\
-    X(WALL_SHARE, "walls")      /* the same, of walls alone                 */\
-    X(TRY_WORST, "worst")                                                     \
-    X(TRY_SEARCHED, "/+search") /* over kern_contacts and kern_measure      */\
-    X(TRY_FALLS, "if falls")    /* over the verdict that it falls           */\
-    X(PLACES, "places")         /* where it stands                          */\
-    X(RATE, "per s")            /* candidates                               */\
-    X(POINTS, "points")         /* contact points                           */\
-    X(MARGIN, "d*/d_max")                                                     \
-    X(PIVOTS, "pivots")         /* of the measure                           */\
-    X(SOLVES, "LPs")                                                          \
-    X(FIRST, "pivots 0")        /* of the verdict at 0                      */\
-    X(MEMORY, "work KB")                                                      \
-    X(LEAN, "least KB")         /* with which the measure is the same       */\
-    X(ALL_MEMORY, "all KB")     /* with the blocks and contacts             */
-
-enum quantity {
-#define QUANTITY_NAME(name, text) name,
-    QUANTITIES_OF(QUANTITY_NAME)
-#undef QUANTITY_NAME
-    QUANTITIES
-};
-
-static const char *const quantity_text[] = {
-#define QUANTITY_TEXT(name, text) text,
-    QUANTITIES_OF(QUANTITY_TEXT)
-#undef QUANTITY_TEXT
-};
-
-static const struct peer peers[] = {
+/* A solver: a model made of a program, with the basis of slacks; its solve by
+   the dual simplex from the basis at hand, 1 feasible, 0 infeasible, -1 no
+   answer; and new entries in the same places. */
+static const struct peer {
+    const char *name;
+    int cold, warm;        /* columns where its times go                      */
+    int most;              /* largest structures that it is asked about       */
+    void *(*open)(const struct program *lp);
+    void (*change)(void *model, const struct program *lp);
+    int (*solve)(void *model);
+    void (*close)(void *model);
+} peers[] = {
 #ifdef BENCH_GLPK
-    {"GLPK", GLPK_COLD, GLPK_WARM, 200, 200, glpk_open, glpk_change,
-     glpk_solve, glpk_close},
+    {"GLPK", GLPK, GLPK_WARM, 200, glpk_open, glpk_change, glpk_solve,
+     glpk_close},
 #endif
 #ifdef BENCH_CLP
-    {"Clp", CLP_COLD, CLP_WARM, 2000, 1000, clp_open, clp_change, clp_solve,
-     clp_close},
+    {"Clp", CLP, CLP_WARM, 2000, clp_open, clp_change, clp_solve, clp_close},
 #endif
-    {NULL, 0, 0, 0, 0, NULL, NULL, NULL, NULL},
+    {NULL, 0, 0, 0, NULL, NULL, NULL, NULL},
 };
-
-struct sample {
-    int family, size, number;
-    double value[QUANTITIES];
-};
-
-struct bench {
-    struct patience patience;
-    int size[16], sizes;
-    int family;            /* -1: all                                         */
-    int number;            /* -1: as many as are due                          */
-    int quick, summary, print;
-    int most;              /* of larger structures only contacts are searched */
-    struct sample *sample;
-    int samples, room;
-    int checks, differences, silent;
-};
-
-/* ---- Agreement ----------------------------------------------------------- */
-
-static void check(struct bench *bench, const struct sample *sample, int agree,
-                  const char *what, double ours, double theirs)
-{
-    bench->checks++;
-    if (agree)
-        return;
-    bench->differences++;
-    fprintf(bench->summary ? stderr : stdout,
-            "DISAGREE %s/%d/%d: %s: %.12g, %.12g\n",
-            families[sample->family].name, sample->size, sample->number, what,
-            ours, theirs);
-}
-
-/* Algorithm 1, with anybody's verdicts (1, 0, -1: none): -1 for no answer. */
-static int algorithm_1(int (*stands)(void *data, double shrink), void *data,
-                       double most, double step)
-{
-    const int last = (int)ceil(most / step);
-    int k;
-    for (k = 0; k <= last; k++) {
-        const int verdict = stands(data, fmin(k * step, most));
-        if (verdict != 1)
-            return verdict < 0 ? -1 : k;
-    }
-    return last + 1;
-}
 
 /* ---- Ours ---------------------------------------------------------------- */
 
-/* A question to kern.h and its answer. */
-struct ask {
-    struct scene *scene;
-    kern_work work;
-    kern_proof proof;
-    kern_contact *contact; /* for contact search                              */
-    double shrink;
-    kern_status status;
-    kern_margin margin;
-    double number;         /* level, load factor, angle or count              */
-};
-
-static void ask_open(struct ask *ask, struct scene *scene)
+static void run_verdict(struct ask *ask)
 {
-    int reals, ints;
-    kern_work_need(scene->blocks, scene->contacts, &reals, &ints);
-    memset(ask, 0, sizeof *ask);
-    ask->scene = scene;
-    ask->work = kern_work_of(room_for((size_t)reals, sizeof(kern_real)), reals,
-                             room_for((size_t)ints, sizeof(int)), ints);
-    ask->proof.force = room_for((size_t)scene->contacts, sizeof(kern_force));
-    ask->proof.motion = room_for((size_t)scene->blocks, sizeof(kern_motion));
-    ask->contact = room_for((size_t)scene->room, sizeof(kern_contact));
-}
-
-static void ask_close(struct ask *ask)
-{
-    free(ask->work.real);
-    free(ask->work.index);
-    free(ask->proof.force);
-    free(ask->proof.motion);
-    free(ask->contact);
-}
-
-static void run_verdict(void *data)
-{
-    struct ask *ask = data;
     ask->status = kern_stands(&ask->scene->s, ask->shrink,
                               &ask->scene->options, &ask->work, NULL);
 }
 
-static void run_measure(void *data)
+static void run_measure(struct ask *ask)
 {
-    struct ask *ask = data;
     ask->status = kern_measure(&ask->scene->s, &ask->scene->options,
                                &ask->work, &ask->margin, &ask->proof);
 }
 
-static int ask_stands(void *data, double shrink)
+static int ask_stands(struct ask *ask, double shrink)
 {
-    struct ask *ask = data;
     ask->shrink = shrink;
     run_verdict(ask);
     return ask->status == KERN_STANDS ? 1 : ask->status == KERN_FALLS ? 0 : -1;
 }
 
-static void run_scan(void *data)
+static void run_level(struct ask *ask)
 {
-    struct ask *ask = data;
-    ask->number = algorithm_1(ask_stands, ask, ask->margin.most,
-                              ask->scene->options.epsilon);
+    ask->number = algorithm_1(ask, ask_stands);
 }
 
-static void run_load(void *data)
+static void run_load(struct ask *ask)
 {
-    struct ask *ask = data;
     ask->status = kern_load_factor(&ask->scene->s, 0, NULL, 1,
                                    &ask->scene->options, &ask->work,
                                    &ask->number, NULL);
 }
 
-static void run_tilt(void *data)
+static void run_tilt(struct ask *ask)
 {
-    struct ask *ask = data;
     ask->status = kern_tilt(&ask->scene->s, 0, 1, &ask->scene->options,
                             &ask->work, &ask->number, NULL);
 }
 
-static void run_search(void *data)
+/* The proofs of the last measure. */
+static void run_floor(struct ask *ask)
 {
-    struct ask *ask = data;
+    const struct scene *scene = ask->scene;
+    const kern_margin *m = &ask->margin;
+    ask->number = kern_check_forces(&scene->s, m->holds, &scene->options,
+                                    ask->proof.force, &ask->work);
+    if (!m->saturated)
+        ask->number = fmax(ask->number, kern_check_motion(
+            &scene->s, m->fails, &scene->options, ask->proof.motion));
+}
+
+/* It finds what is there already. */
+static void run_search(struct ask *ask)
+{
     const struct scene *scene = ask->scene;
     ask->number = kern_contacts(scene->block, scene->blocks, &scene->options,
-                                ask->contact, scene->room, &ask->work);
+                                scene->contact, scene->room, &ask->work);
 }
 
-static double ask_time(const struct bench *bench, struct ask *ask,
-                       void (*run)(void *data))
-{
-    struct job job;
-    job.ready = NULL;
-    job.run = run;
-    job.data = ask;
-    return time_job(&job, &bench->patience);
-}
-
-/* The verdict at 0, the margin, and the step that makes of it 20 levels: the
-   last that stands is half a step below the margin. */
-static kern_status measure_margin(struct bench *bench, struct sample *sample,
-                                  struct ask *ask)
+/* A measure with the default step, and the step that the structure gets. Not
+   by run_measure, whose instructions may be counted. */
+static kern_status settle(struct ask *ask)
 {
     struct scene *scene = ask->scene;
+    const kern_margin *m = &ask->margin;
+    const double where = scene_random(scene, 0, 1);
+    const int inside = scene_random(scene, 0, 8) < 1;
+    ask->status = kern_measure(&scene->s, &scene->options, &ask->work,
+                               &ask->margin, &ask->proof);
+    if (ask->status != KERN_STANDS || m->margin < 1e-4 * m->most)
+        return ask->status; /* of a smaller step there may be too many */
+    scene->options.epsilon = inside && !m->saturated
+        ? (m->holds + where * (m->fails - m->holds)) / (LEVELS - 1)
+        : m->margin / (LEVELS - where);
+    ask->margin.epsilon = scene->options.epsilon;
+    return ask->status;
+}
+
+static kern_status measure_verdict(struct ask *ask)
+{
     kern_status first;
     ask->shrink = 0;
     run_verdict(ask);
     first = ask->status;
-    sample->value[FIRST] = ask->work.pivots;
-    check(bench, sample, first >= 0, "verdict at 0, status", first, 0);
+    note(ask, FIRST, ask->work.pivots);
+    check(ask, first >= 0, "verdict at 0, status", first, 0);
     if (first < 0)
         return first;
-    sample->value[VERDICT] = ask_time(bench, ask, run_verdict);
-    run_measure(ask);
-    check(bench, sample, first == ask->status,
-          "verdict at 0, of the measure", first, ask->status);
-    if (ask->status != KERN_STANDS || !(ask->margin.margin > 0))
-        return ask->status;
-    scene->options.epsilon = ask->margin.margin / (LEVELS - 0.5);
+    note(ask, VERDICT, time_of(ask, run_verdict, NULL));
     ask->work.pivots = ask->work.solves = 0;
-    run_measure(ask);
-    sample->value[PIVOTS] = ask->work.pivots;
-    sample->value[SOLVES] = ask->work.solves;
-    sample->value[MARGIN] = ask->margin.margin / ask->margin.most;
-    sample->value[MEASURE] = ask_time(bench, ask, run_measure);
+    settle(ask);
+    note(ask, PIVOTS, ask->work.pivots);
+    note(ask, SOLVES, ask->work.solves);
+    check(ask, first == ask->status, "verdict at 0, of the measure", first,
+          ask->status);
     return ask->status;
 }
 
-/* The proofs of the measure, and how near to each other they are. */
-static void measure_proofs(struct bench *bench, struct sample *sample,
-                           struct ask *ask)
+/* The measure, its proofs, and how near to each other they are. */
+static void measure_margin(struct ask *ask)
 {
-    const struct scene *scene = ask->scene;
     const kern_margin *m = &ask->margin;
-    double error = kern_check_forces(&scene->s, m->holds, &scene->options,
-                                     ask->proof.force, &ask->work);
-    check(bench, sample, error <= 1, "error of the forces", error, 1);
-    if (m->saturated)
-        return;
-    error = kern_check_motion(&scene->s, m->fails, &scene->options,
-                              ask->proof.motion);
-    check(bench, sample, error <= 1, "error of the motion", error, 1);
-    check(bench, sample, m->fails - m->holds
-          <= 2e-6 * kern_mean_size(scene->block, scene->blocks),
+    const double before = m->margin;
+    note(ask, MEASURE, time_of(ask, run_measure, NULL));
+    check(ask, ask->status == KERN_STANDS && is_same(ask, m->margin, before),
+          "margin with another step", before, m->margin);
+    note(ask, MARGIN, m->margin / m->most);
+    note(ask, FLOOR, time_of(ask, run_floor, NULL));
+    check(ask, ask->number <= 1, "error of a proof", ask->number, 1);
+    check(ask, m->saturated || m->fails - m->holds <= ask->near / 5,
           "bracket of the margin", m->holds, m->fails);
 }
 
-/* Fresh verdicts on both sides of the margin, and the literal scan. Between
-   the proven bounds both answers may be proven, within the tolerances. */
-static void measure_levels(struct bench *bench, struct sample *sample,
-                           struct ask *ask)
+/* Fresh verdicts on both sides of the margin, and the literal scan. */
+static void measure_levels(struct ask *ask)
 {
-    const struct scene *scene = ask->scene;
     const kern_margin *m = &ask->margin;
-    const double near = NEAR * kern_mean_size(scene->block, scene->blocks);
-    check(bench, sample, ask_stands(ask, fmax(m->margin - near, 0)) == 1,
+    check(ask, ask_stands(ask, fmax(m->margin - ask->near, 0)) == 1,
           "status below the margin", ask->status, m->margin);
-    if (!m->saturated && m->margin + near < m->most)
-        check(bench, sample, ask_stands(ask, m->margin + near) == 0,
+    if (!m->saturated && m->margin + ask->near < m->most)
+        check(ask, ask_stands(ask, m->margin + ask->near) == 0,
               "status above the margin", ask->status, m->margin);
-    if (sample->size > SCAN_MOST)
-        return;
-    sample->value[SCAN] = ask_time(bench, ask, run_scan);
-    check(bench, sample, (int)ask->number == m->level
-          || m->epsilon < 2 * near, "scan, level", ask->number, m->level);
+    note(ask, LEVEL, time_of(ask, run_level, NULL));
+    check(ask, level_fits(m, 0, (int)ask->number), "scan, level", m->level,
+          ask->number);
 }
 
-/* Verdicts just at the margin, where no answer is an answer too, and with
-   every kern closed. */
-static void measure_edge(struct bench *bench, struct sample *sample,
-                         struct ask *ask)
+static void measure_closed(struct ask *ask)
 {
-    ask->shrink = ask->margin.margin;
-    sample->value[CRITICAL] = ask_time(bench, ask, run_verdict);
-    ask->shrink = ask->margin.most;
-    sample->value[CLOSED] = ask_time(bench, ask, run_verdict);
-    check(bench, sample, ask->margin.saturated || ask->status == KERN_FALLS
-          || ask->margin.most - ask->margin.margin < NEAR * ask->margin.most,
-          "falls with its kerns closed", ask->status, ask->margin.margin);
+    const kern_margin *m = &ask->margin;
+    ask->shrink = m->most;
+    note(ask, CLOSED, time_of(ask, run_verdict, NULL));
+    check(ask, m->saturated || ask->status == KERN_FALLS
+          || m->most - m->margin < NEAR * m->most,
+          "falls with its kerns closed", ask->status, m->margin);
 }
 
 /* Without loads the tilt is the angle of the load factor. */
-static void measure_sideways(struct bench *bench, struct sample *sample,
-                             struct ask *ask)
+static void measure_sideways(struct ask *ask)
 {
     double factor;
-    sample->value[LOAD] = ask_time(bench, ask, run_load);
+    note(ask, LOAD, time_of(ask, run_load, NULL));
     factor = ask->number;
-    check(bench, sample, ask->status == KERN_STANDS, "load factor",
-          ask->status, factor);
-    sample->value[TILT] = ask_time(bench, ask, run_tilt);
-    check(bench, sample, ask->status == KERN_STANDS, "tilt", ask->status,
-          ask->number);
+    check(ask, ask->status == KERN_STANDS, "load factor", ask->status, factor);
+    note(ask, TILT, time_of(ask, run_tilt, NULL));
+    check(ask, ask->status == KERN_STANDS, "tilt", ask->status, ask->number);
     if (ask->number < 1.5 && factor < 10)
-        check(bench, sample,
-              fabs(tan(ask->number) - factor) <= 1e-5 * (1 + factor * factor),
-              "tan(tilt), load factor", tan(ask->number), factor);
+        check(ask, fabs(tan(ask->number) - factor)
+              <= 1e-5 * (1 + factor * factor), "tan(tilt), load factor",
+              tan(ask->number), factor);
 }
 
 /* ---- Candidates ---------------------------------------------------------- */
 
-/* A plan of a structure, and a stone that is tried on it. */
-struct site {
-    const struct scene *scene;
-    kern_plan plan;
-    kern_work work;
-    kern_vec corner[4];
-    kern_block stone;
-    kern_contact *found;   /* of all blocks with the stone                    */
-    kern_status status;
-    kern_margin margin;
-};
-
-static void site_open(struct site *site, const struct scene *scene)
+static kern_plan plan_open(struct ask *ask)
 {
-    const int blocks = scene->blocks + 1, contacts = scene->room;
-    int reals, ints, i;
-    memset(site, 0, sizeof *site);
-    site->scene = scene;
-    kern_work_need(blocks, contacts, &reals, &ints);
-    site->work = kern_work_of(room_for((size_t)reals, sizeof(kern_real)),
-                              reals, room_for((size_t)ints, sizeof(int)),
-                              ints);
-    site->found = room_for((size_t)contacts, sizeof(kern_contact));
-    site->plan = kern_plan_of(
+    const int blocks = ask->scene->blocks + 1;
+    const int contacts = ask->scene->contacts + TOUCHES;
+    kern_plan plan = kern_plan_of(
         room_for((size_t)blocks, sizeof(kern_block)), blocks,
         room_for((size_t)contacts, sizeof(kern_contact)), contacts,
-        room_for((size_t)KERN_PLAN_INTS(blocks), sizeof(int)), &site->work);
-    site->plan.options = scene->options;
+        room_for((size_t)KERN_PLAN_INTS(blocks), sizeof(int)), &ask->work);
+    int i;
+    plan.options = ask->scene->options;
+    for (i = 0; i + 1 < blocks; i++)
+        kern_plan_add(&plan, &ask->scene->block[i]);
+    return plan;
+}
+
+/* A plan of the wall, and places from one end of its top to the other, where
+   the stone's middle is within its own half length of the wall. The upper face
+   of a brick is its last edge but one. */
+static int site_open(struct ask *ask)
+{
+    struct scene *scene = ask->scene;
+    const int most = ask->bench->now.blocks <= 50 ? PLACES_MOST : PLACES_FEW;
+    double low = INFINITY, high = -INFINITY;
+    int i;
     for (i = 0; i < scene->blocks; i++)
-        kern_plan_add(&site->plan, &scene->block[i]);
+        if (!scene->block[i].fixed) {
+            const kern_block *b = &scene->block[i];
+            low = fmin(low, b->vertex[b->vertices - 1].x - 0.4 * LENGTH);
+            high = fmax(high, b->vertex[b->vertices - 2].x + 0.4 * LENGTH);
+        }
+    ask->step = fmax(LENGTH / 4, (high - low) / most);
+    ask->from = low + ask->step * scene_random(scene, 0, 1);
+    ask->places = (int)ceil((high - ask->from) / ask->step);
+    ask->least = ask->margin.margin * scene_random(scene, 0.5, 1);
+    ask->plan = plan_open(ask);
+    ask->whole = plan_open(ask);
+    kern_plan_measure(&ask->plan, &ask->with, NULL);
+    check(ask, is_same(ask, ask->with.margin, ask->margin.margin),
+          "margin of the plan", ask->with.margin, ask->margin.margin);
+    return ask->places;
 }
 
-static void site_close(struct site *site)
+/* Lays the stone, a brick, from above on the face that is highest under it;
+   where several are, on the nearest. */
+static void site_lay(struct ask *ask, int place)
 {
-    free(site->work.real);
-    free(site->work.index);
-    free(site->found);
-    free(site->plan.block);
-    free(site->plan.contact);
-    free(site->plan.known.basis);
+    const double x = ask->from + place * ask->step, half = 0.4 * LENGTH;
+    double best_y = -INFINITY, best_away = INFINITY;
+    kern_vec *v = ask->corner, u = vec(1, 0), middle = vec(x, 0);
+    int i;
+    for (i = 0; i < ask->scene->blocks; i++) {
+        const kern_block *b = &ask->scene->block[i];
+        const kern_vec left = b->vertex[b->vertices - 1];
+        const kern_vec right = b->vertex[b->vertices - 2];
+        const double from = fmax(left.x, x - half);
+        const double to = fmin(right.x, x + half);
+        const double slope = (right.y - left.y) / (right.x - left.x);
+        const double y = left.y
+            + fmax(slope * (from - left.x), slope * (to - left.x));
+        const double away = fmax(fmax(left.x - x, x - right.x), 0);
+        if (b->fixed || from >= to || y < best_y - SAME
+            || (y < best_y + SAME && away >= best_away))
+            continue;
+        best_y = y;
+        best_away = away;
+        middle.y = left.y + slope * (x - left.x);
+        u = vec(1 / hypot(1, slope), slope / hypot(1, slope));
+    }
+    v[0] = vec(x - half * u.x, middle.y - half * u.y);
+    v[1] = vec(x + half * u.x, middle.y + half * u.y);
+    v[2] = vec(v[1].x - 0.5 * LENGTH * u.y, v[1].y + 0.5 * LENGTH * u.x);
+    v[3] = vec(v[0].x - 0.5 * LENGTH * u.y, v[0].y + 0.5 * LENGTH * u.x);
+    kern_block_init(&ask->stone, v, 4, DENSITY, NULL);
 }
 
-/* Lays the stone, a brick, on the last edge but one of a block, its upper
-   face: from that share of the face on, and maybe over its end. */
-static void site_lay(struct site *site, int block, double share)
+static void run_try(struct ask *ask)
 {
-    const kern_block *b = &site->scene->block[block];
-    const kern_vec right = b->vertex[b->vertices - 2];
-    const kern_vec left = b->vertex[b->vertices - 1];
-    const double face = hypot(right.x - left.x, right.y - left.y);
-    const double ux = (right.x - left.x) / face, uy = (right.y - left.y) / face;
-    kern_vec *v = site->corner;
-    v[0].x = left.x + share * face * ux;
-    v[0].y = left.y + share * face * uy;
-    v[1].x = v[0].x + 0.8 * LENGTH * ux;
-    v[1].y = v[0].y + 0.8 * LENGTH * uy;
-    v[2].x = v[1].x - 0.5 * LENGTH * uy;
-    v[2].y = v[1].y + 0.5 * LENGTH * ux;
-    v[3].x = v[0].x - 0.5 * LENGTH * uy;
-    v[3].y = v[0].y + 0.5 * LENGTH * ux;
-    kern_block_init(&site->stone, v, 4, DENSITY, NULL);
+    ask->status = kern_plan_try(&ask->plan, &ask->stone, &ask->with, NULL);
 }
 
-static void run_try(void *data)
+#ifdef KERN_HAS_PLAN_BEARS
+static void run_bears(struct ask *ask)
 {
-    struct site *site = data;
-    site->status = kern_plan_try(&site->plan, &site->stone, &site->margin,
-                                 NULL);
+    ask->status = kern_plan_bears(&ask->plan, &ask->stone, ask->least, NULL);
 }
+#endif
 
-/* Of a plan to which the stone was added: kern_measure knows nothing of it. */
-static void run_fresh(void *data)
+/* kern_measure() knows nothing of the plan. */
+static void run_fresh(struct ask *ask)
 {
-    struct site *site = data;
-    site->status = kern_measure(&site->plan.s, &site->plan.options,
-                                &site->work, &site->margin, NULL);
+    ask->status = kern_measure(&ask->whole.s, &ask->whole.options, &ask->work,
+                               &ask->with, NULL);
 }
 
-static void run_searched(void *data)
-{
-    struct site *site = data;
-    kern_structure s = site->plan.s;
-    s.contact = site->found;
-    s.contacts = kern_contacts(s.block, s.blocks, &site->plan.options,
-                               site->found, site->scene->room, &site->work);
-    site->status = kern_measure(&s, &site->plan.options, &site->work,
-                                &site->margin, NULL);
-}
-
-static double site_time(const struct bench *bench, struct site *site,
-                        void (*run)(void *data))
-{
-    struct job job;
-    job.ready = NULL;
-    job.run = run;
-    job.data = site;
-    return time_job(&job, &bench->patience);
-}
-
-/* Numbers of the candidates of a structure. */
-struct places {
-    int stand, fall;
-    double time;           /* of all                                          */
-    double tried[PLACES_MOST], fresh[PLACES_MOST], share[PLACES_MOST];
-    double searched[PLACES_MOST], falls[PLACES_MOST];
+/* Sums over the candidates of a structure. */
+struct tally {
+    int stand, stay;
+    double all_time, stay_time, bears_time;
+    double share[PLACES_MOST];
 };
 
-/* One candidate; the answer must be that of a fresh structure. */
-static void measure_place(struct bench *bench, struct sample *sample,
-                          struct site *site, struct places *places)
+/* Whether the margin is as large as asked for, against the fresh measure; in
+   its bracket either may be said. */
+static void check_bears(struct ask *ask, kern_status bears)
 {
-    const kern_plan before = site->plan;
-    const double tried = site_time(bench, site, run_try);
-    const kern_status status = site->status;
-    const kern_margin m = site->margin;
-    double fresh;
-    places->time += tried;
-    if (status < 0) {
-        check(bench, sample, status == KERN_OVERLAP, "candidate, status",
-              status, KERN_OVERLAP);
-        return;
-    }
-    kern_plan_add(&site->plan, &site->stone);
-    fresh = site_time(bench, site, run_fresh);
-    check(bench, sample, site->status == status, "candidate, verdict", status,
-          site->status);
-    if (status == KERN_FALLS) {
-        places->falls[places->fall++] = tried / fresh;
-    } else {
-        check(bench, sample, fabs(m.margin - site->margin.margin) <= 1e-9
-              * kern_mean_size(site->plan.block, site->plan.s.blocks),
-              "candidate, margin", m.margin, site->margin.margin);
-        check(bench, sample, m.level == site->margin.level,
-              "candidate, level", m.level, site->margin.level);
-        places->tried[places->stand] = tried;
-        places->fresh[places->stand] = fresh;
-        places->searched[places->stand] = tried
-            / site_time(bench, site, run_searched);
-        places->share[places->stand++] = tried / fresh;
-    }
-    site->plan = before;
+    const kern_margin *m = &ask->with;
+    const int stands = ask->status == KERN_STANDS;
+    const kern_status due = stands && m->margin >= ask->least ? KERN_STANDS
+                                                              : KERN_FALLS;
+    check(ask, bears == due
+          || (stands && ask->least >= m->holds
+              && (m->saturated || ask->least <= m->fails)
+              && (bears >= 0 || bears == KERN_UNDECIDED)),
+          "candidate, bears", bears, due);
 }
 
-/* Places on top: beside, within and across the ends of upper faces. */
-static void measure_places(struct bench *bench, struct sample *sample,
-                           const struct scene *scene)
+/* One candidate; the answers must be those of a fresh structure. */
+static void measure_place(struct ask *ask, struct tally *tally)
 {
-    static const double share[] = {-0.3, 0.05, 0.4, -0.8};
-    const int places = sample->size <= 50 ? PLACES_MOST
-                     : sample->size <= 200 ? 8 : 4;
-    struct places all;
-    struct site site;
-    int block = scene->blocks - 1, count = 0, i;
-    all.stand = all.fall = 0;
-    all.time = 0;
-    site_open(&site, scene);
-    kern_plan_measure(&site.plan, &site.margin, NULL);
-    for (; block > 0 && count < places; block--) {
-        if (scene->block[block].fixed)
-            continue;
-        for (i = 0; i < 4 && count < places; i++, count++) {
-            site_lay(&site, block, share[i]);
-            measure_place(bench, sample, &site, &all);
-        }
+    const double tried = time_of(ask, run_try, NULL);
+    const kern_status status = ask->status;
+    const kern_margin m = ask->with;
+    double fresh;
+    kern_status bears = status;
+    tally->all_time += tried;
+#ifdef KERN_HAS_PLAN_BEARS
+    tally->bears_time += time_of(ask, run_bears, NULL);
+    bears = ask->status;
+#endif
+    if (status < 0) {
+        check(ask, status == KERN_OVERLAP && bears == status,
+              "candidate, status", status, bears);
+        return;
     }
-    sample->value[PLACES] = all.stand;
-    sample->value[RATE] = 1000 * count / all.time;
-    sample->value[TRY] = median(all.tried, all.stand);
-    sample->value[FRESH] = median(all.fresh, all.stand);
-    sample->value[TRY_SHARE] = median(all.share, all.stand);
-    if (families[sample->family].wall)
-        sample->value[WALL_SHARE] = sample->value[TRY_SHARE];
-    if (all.stand > 0)
-        sample->value[TRY_WORST] = all.share[all.stand - 1];
-    sample->value[TRY_SEARCHED] = median(all.searched, all.stand);
-    sample->value[TRY_FALLS] = median(all.falls, all.fall);
-    site_close(&site);
+    kern_plan_add(&ask->whole, &ask->stone);
+    fresh = time_of(ask, run_fresh, NULL);
+    kern_plan_remove(&ask->whole, ask->whole.s.blocks - 1);
+    check(ask, ask->status == status, "candidate, verdict", status,
+          ask->status);
+    if (tally->bears_time > 0)
+        check_bears(ask, bears);
+    if (status != KERN_STANDS || ask->status != status)
+        return;
+    check(ask, is_same(ask, m.margin, ask->with.margin), "candidate, margin",
+          m.margin, ask->with.margin);
+    check(ask, level_fits(&ask->with, 0, m.level), "candidate, level",
+          m.level, ask->with.level);
+    tally->share[tally->stand++] = tried / fresh;
+    if (is_same(ask, m.margin, ask->margin.margin)) {
+        tally->stay++;
+        tally->stay_time += tried;
+    }
+}
+
+static void measure_places(struct ask *ask)
+{
+    struct tally tally;
+    int i;
+    memset(&tally, 0, sizeof tally);
+    site_open(ask);
+    for (i = 0; i < ask->places; i++) {
+        site_lay(ask, i);
+        measure_place(ask, &tally);
+    }
+    note(ask, PLACES, ask->places);
+    note(ask, STAND, tally.stand);
+    note(ask, STAY, tally.stay);
+    note(ask, TRY_MEASURE, median(tally.share, tally.stand));
+    note(ask, RATE, 1000 * ask->places / tally.all_time);
+    if (tally.stay > 0)
+        note(ask, RATE_STAY, 1000 * tally.stay / tally.stay_time);
+    if (tally.bears_time > 0)
+        note(ask, RATE_BEARS, 1000 * ask->places / tally.bears_time);
 }
 
 /* ---- Theirs -------------------------------------------------------------- */
 
-struct rival {
-    const struct peer *peer;
-    struct program *lp;
-    void *model;
-    double shrink;         /* at which the model is made                      */
-    double most, step;     /* for Algorithm 1                                 */
-    int answer;
-};
-
-static void rival_ready(void *data)
+static void close_lp(struct ask *ask)
 {
-    struct rival *r = data;
-    if (r->model)
-        r->peer->close(r->model);
-    program_shrink(r->lp, r->shrink);
-    r->model = r->peer->open(r->lp);
+    if (ask->model)
+        ask->peer->close(ask->model);
+    ask->model = NULL;
 }
 
-static void rival_solve(void *data)
+static void open_lp(struct ask *ask)
 {
-    struct rival *r = data;
-    r->answer = r->peer->solve(r->model);
+    close_lp(ask);
+    program_shrink(&ask->lp, ask->shrink);
+    ask->model = ask->peer->open(&ask->lp);
 }
 
-static int rival_stands(void *data, double shrink)
+static void run_lp(struct ask *ask)
 {
-    struct rival *r = data;
-    if (shrink > r->lp->shrink || shrink < r->lp->shrink) {
-        program_shrink(r->lp, shrink);
-        r->peer->change(r->model, r->lp);
+    ask->answer = ask->peer->solve(ask->model);
+}
+
+static int lp_stands(struct ask *ask, double shrink)
+{
+    if (shrink > ask->lp.shrink || shrink < ask->lp.shrink) {
+        program_shrink(&ask->lp, shrink);
+        ask->peer->change(ask->model, &ask->lp);
     }
-    return r->peer->solve(r->model);
+    return ask->peer->solve(ask->model);
 }
 
-static void rival_levels(void *data)
+static void run_lp_levels(struct ask *ask)
 {
-    struct rival *r = data;
-    r->answer = algorithm_1(rival_stands, r, r->most, r->step);
+    ask->answer = algorithm_1(ask, lp_stands);
 }
 
-static double rival_time(const struct bench *bench, struct rival *r,
-                         double shrink, void (*run)(void *data))
+static double lp_time(struct ask *ask, double shrink, ask_function *run)
 {
-    struct job job;
-    job.ready = rival_ready;
-    job.run = run;
-    job.data = r;
-    r->shrink = shrink;
-    return time_job(&job, &bench->patience);
+    double time;
+    ask->shrink = shrink;
+    time = time_of(ask, run, open_lp);
+    ask->bench->silent += ask->answer < 0;
+    close_lp(ask);
+    return time;
 }
 
-static void keep_least(double *value, double candidate)
+/* Differences count unless the shrinkage is as good as critical. */
+static void measure_peer(struct ask *ask)
 {
-    if (*value < 0 || candidate < *value)
-        *value = candidate;
-}
-
-/* One peer's Algorithm 1, and single programs where answers are delicate.
-   Differences count unless the shrinkage is as good as critical. */
-static void measure_delicate(struct bench *bench, struct sample *sample,
-                             struct rival *r, const kern_margin *m)
-{
-    const double near = NEAR * r->lp->length;
-    const struct peer *peer = r->peer;
-    if (sample->size <= peer->warm_most) {
-        sample->value[peer->warm] = rival_time(bench, r, 0, rival_levels);
-        keep_least(&sample->value[PEER_WARM], sample->value[peer->warm]);
-        bench->silent += r->answer < 0;
-        check(bench, sample, r->answer < 0 || r->answer == m->level
-              || m->epsilon < 2 * near || m->saturated, peer->name, m->level,
-              r->answer);
-    }
-    keep_least(&sample->value[PEER_CRITICAL],
-               rival_time(bench, r, m->margin, rival_solve));
-    keep_least(&sample->value[PEER_CLOSED],
-               rival_time(bench, r, m->most, rival_solve));
-    bench->silent += r->answer < 0;
-    check(bench, sample, r->answer < 1 || m->saturated
-          || m->most - m->margin < near, "peer stands with kerns closed",
+    const struct peer *peer = ask->peer;
+    const double *value = ask->bench->value;
+    const kern_margin *m = &ask->margin;
+    const int blocks = ask->bench->now.blocks;
+    const int stands = ask->status == KERN_STANDS;
+    const double cold = lp_time(ask, 0, run_lp);
+    note(ask, peer->cold, cold);
+    note(ask, LP, fmin(value[LP], cold)); /* of NAN and a number the number */
+    check(ask, ask->answer < 0 || ask->answer == stands
+          || (stands && m->margin < ask->near), "verdict at 0, of a peer",
+          ask->status, ask->answer);
+    if (!stands || !(m->margin > 0) || blocks > CLOSED_MOST)
+        return;
+    note(ask, LP_CLOSED, fmin(value[LP_CLOSED],
+                              lp_time(ask, m->most, run_lp)));
+    check(ask, ask->answer < 1 || m->saturated
+          || m->most - m->margin < ask->near, "peer stands with kerns closed",
           m->margin, m->most);
-}
-
-static void measure_peers(struct bench *bench, struct sample *sample,
-                          const struct ask *ask, kern_status status)
-{
-    struct program lp;
-    struct rival r;
-    program_open(&lp, ask->scene);
-    memset(&r, 0, sizeof r);
-    r.lp = &lp;
-    r.most = ask->margin.most;
-    r.step = ask->scene->options.epsilon;
-    for (r.peer = peers; r.peer->name; r.peer++) {
-        if (sample->size > r.peer->cold_most)
-            continue;
-        sample->value[r.peer->cold] = rival_time(bench, &r, 0, rival_solve);
-        keep_least(&sample->value[PEER_COLD], sample->value[r.peer->cold]);
-        bench->silent += r.answer < 0;
-        check(bench, sample, r.answer < 0 || r.answer == (status == KERN_STANDS)
-              || (status == KERN_STANDS
-                  && ask->margin.margin < NEAR * lp.length),
-              "verdict at 0, of a peer", status, r.answer);
-        if (status == KERN_STANDS && ask->margin.margin > 0)
-            measure_delicate(bench, sample, &r, &ask->margin);
-        r.peer->close(r.model);
-        r.model = NULL;
-    }
-    program_close(&lp);
+    if (blocks > DETAIL_MOST)
+        return;
+    note(ask, peer->warm, lp_time(ask, 0, run_lp_levels));
+    note(ask, WARM, fmin(value[WARM], value[peer->warm]));
+    check(ask, ask->answer < 0 || level_fits(m, ask->near, ask->answer),
+          peer->name, m->level, ask->answer);
 }
 
 /* ---- One structure ------------------------------------------------------- */
 
-static void measure_memory(struct sample *sample, const struct ask *ask)
+static void ask_open(struct ask *ask, struct bench *bench, struct scene *scene)
 {
-    const struct scene *scene = ask->scene;
-    const double work = (double)ask->work.reals * sizeof(kern_real)
-        + (double)ask->work.indices * sizeof(int);
-    const double lean
-        = (double)KERN_LEAN_REALS(scene->blocks, scene->contacts)
-          * sizeof(kern_real)
-        + (double)KERN_LEAN_INTS(scene->blocks, scene->contacts)
-          * sizeof(int);
-    sample->value[POINTS] = scene->contacts;
-    sample->value[MEMORY] = work / 1024;
-    sample->value[LEAN] = lean / 1024;
-    sample->value[ALL_MEMORY] = (work
-        + (double)scene->blocks * sizeof(kern_block)
-        + (double)scene->contacts * sizeof(kern_contact)) / 1024;
+    int reals, ints;
+    memset(ask, 0, sizeof *ask);
+    ask->bench = bench;
+    ask->scene = scene;
+    ask->near = NEAR * kern_mean_size(scene->block, scene->blocks);
+    kern_work_need(scene->blocks + 1, scene->contacts + TOUCHES, &reals, &ints);
+    ask->work = kern_work_of(room_for((size_t)reals, sizeof(kern_real)), reals,
+                             room_for((size_t)ints, sizeof(int)), ints);
+    garble(&ask->work);
+    ask->proof.force = room_for((size_t)scene->contacts, sizeof(kern_force));
+    ask->proof.motion = room_for((size_t)scene->blocks, sizeof(kern_motion));
+    program_open(&ask->lp, scene);
 }
 
-/* The same question with lean memory, which is not enough for every arch. */
-static void measure_lean(struct bench *bench, struct sample *sample,
-                         const struct ask *whole)
+static void ask_close(struct ask *ask)
 {
-    const struct scene *scene = whole->scene;
-    struct ask ask = *whole;
-    ask.proof.force = NULL;
-    ask.proof.motion = NULL;
-    ask.work.reals = KERN_LEAN_REALS(scene->blocks, scene->contacts);
-    ask.work.indices = KERN_LEAN_INTS(scene->blocks, scene->contacts);
-    run_measure(&ask);
-    if (ask.status == KERN_NO_SPACE)
-        sample->value[LEAN] = sample->value[MEMORY];
-    else
-        check(bench, sample, ask.status == whole->status
-              && ask.margin.level == whole->margin.level
-              && fabs(ask.margin.margin - whole->margin.margin)
-                 < 1e-9 * LENGTH,
-              "margin with lean memory", whole->margin.margin,
-              ask.margin.margin);
+    void *const room[] = {
+        ask->work.real, ask->work.index, ask->proof.force, ask->proof.motion,
+        ask->plan.block, ask->plan.contact, ask->plan.known.basis,
+        ask->whole.block, ask->whole.contact, ask->whole.known.basis,
+        ask->lp.first, ask->lp.start, ask->lp.row, ask->lp.value, ask->lp.rhs};
+    size_t i;
+    for (i = 0; i < sizeof room / sizeof room[0]; i++)
+        free(room[i]);
 }
 
-static void measure_structure(struct bench *bench, struct sample *sample)
+static void measure_structure(struct ask *ask)
 {
-    struct scene scene;
-    struct ask ask;
+    struct bench *bench = ask->bench;
+    const int blocks = bench->now.blocks;
     kern_status status;
     int i;
-    for (i = 0; i < QUANTITIES; i++)
-        sample->value[i] = MISSING;
-    scene_open(&scene, sample->family, sample->size, sample->number);
-    if (bench->print) {
-        scene_print(&scene);
-        scene_close(&scene);
-        return;
+    for (i = 0; i < COLUMNS; i++)
+        bench->value[i] = NAN;
+    note(ask, POINTS, ask->scene->contacts);
+    note(ask, SEARCH, time_of(ask, run_search, NULL));
+    status = measure_verdict(ask);
+    if (status == KERN_STANDS && ask->margin.margin > 0) {
+        measure_margin(ask);
+        if (blocks <= DETAIL_MOST) {
+            measure_levels(ask);
+            measure_sideways(ask);
+        }
+        if (blocks <= CLOSED_MOST)
+            measure_closed(ask);
+        if (blocks <= DETAIL_MOST && families[bench->now.family].is_wall)
+            measure_places(ask);
+    } else {
+        note(ask, FALLEN, 1);
     }
-    ask_open(&ask, &scene);
-    measure_memory(sample, &ask);
-    sample->value[SEARCH] = ask_time(bench, &ask, run_search);
-    if (sample->size > bench->most) {
-        ask_close(&ask);
-        scene_close(&scene);
-        return;
-    }
-    status = measure_margin(bench, sample, &ask);
-    measure_lean(bench, sample, &ask);
-    if (status == KERN_STANDS && ask.margin.margin > 0) {
-        const kern_margin m = ask.margin;
-        measure_proofs(bench, sample, &ask);
-        measure_levels(bench, sample, &ask);
-        measure_edge(bench, sample, &ask);
-        measure_sideways(bench, sample, &ask);
-        if (sample->size <= PLAN_MOST)
-            measure_places(bench, sample, &scene);
-        ask.margin = m;
-    }
-    measure_peers(bench, sample, &ask, status);
-    ask_close(&ask);
-    scene_close(&scene);
+    ask->status = status;
+    for (ask->peer = peers; ask->peer->name; ask->peer++)
+        if (blocks <= ask->peer->most)
+            measure_peer(ask);
+    record_all(bench);
 }
 
-/* Structures of a family: fewer where each takes long. */
-static int numbers_of(const struct bench *bench, int size)
+/* What --ask puts without clock: to the structure, to the stone at each place
+   of a wall, or to each peer; the step and margin may be needed before. */
+enum { OF_WALL = 1, OF_PEERS = 2, SETTLED = 4 };
+
+static const struct question {
+    const char *name;
+    ask_function *run;
+    int how;
+} questions[] = {
+    {"verdict", run_verdict, 0},       {"measure", run_measure, SETTLED},
+    {"level", run_level, SETTLED},     {"load", run_load, 0},
+    {"tilt", run_tilt, 0},             {"floor", run_floor, SETTLED},
+    {"lp", run_lp, OF_PEERS},          {"try", run_try, OF_WALL | SETTLED},
+#ifdef KERN_HAS_PLAN_BEARS
+    {"bears", run_bears, OF_WALL | SETTLED},
+#endif
+    {NULL, NULL, 0},
+};
+
+static void ask_once(struct ask *ask)
 {
-    if (bench->quick)
-        return size <= 100 ? 3 : 1;
-    return size <= 50 ? 15 : size <= 200 ? 7 : size <= 1000 ? 3 : 2;
+    const struct bench *bench = ask->bench;
+    const struct question *q = bench->question;
+    const int on_wall = (q->how & OF_WALL) != 0;
+    int count = 0, due = 1, i, k;
+    if (q->how & OF_PEERS)
+        due = (int)(sizeof peers / sizeof peers[0]) - 1;
+    if ((q->how & SETTLED) && settle(ask) != KERN_STANDS)
+        due = 0;
+    if (due && on_wall)
+        due = families[bench->now.family].is_wall ? site_open(ask) : 0;
+    for (i = 0; i < due; i++)
+        for (k = 0; k < bench->times; k++, count++) {
+            if (on_wall)
+                site_lay(ask, i);
+            if (q->how & OF_PEERS) {
+                ask->peer = &peers[i];
+                open_lp(ask);
+            }
+            q->run(ask);
+            close_lp(ask);
+        }
+    printf("%s/%d/%d: %s asked %d times\n", families[bench->now.family].name,
+           bench->now.blocks, bench->now.number, q->name, count);
 }
 
 static void measure_size(struct bench *bench, int size)
 {
     const int from = bench->number < 0 ? 0 : bench->number;
-    const int to = bench->number < 0 ? numbers_of(bench, size) : from + 1;
-    int family, number;
-    for (family = 0; family < FAMILIES; family++) {
-        if (bench->family >= 0 && family != bench->family)
+    const int to = bench->number >= 0 ? from + 1
+                 : size > DETAIL_MOST ? 3 : bench->quick ? 5 : 9;
+    struct record *now = &bench->now;
+    struct scene scene;
+    struct ask ask;
+    now->blocks = size;
+    for (now->family = 0; now->family < FAMILIES; now->family++) {
+        if (bench->family >= 0 && now->family != bench->family)
             continue;
-        fprintf(stderr, "%s/%d ", families[family].name, size);
-        for (number = from; number < to; number++) {
-            struct sample *sample = &bench->sample[bench->samples];
-            if (bench->samples == bench->room)
-                return;
-            sample->family = family;
-            sample->size = size;
-            sample->number = number;
-            measure_structure(bench, sample);
-            bench->samples++;
+        fprintf(stderr, "%s/%d ", families[now->family].name, size);
+        for (now->number = from; now->number < to; now->number++) {
+            scene_open(&scene, now->family, size, now->number);
+            ask_open(&ask, bench, &scene);
+            if (bench->print)
+                scene_print(&scene);
+            else if (bench->question)
+                ask_once(&ask);
+            else
+                measure_structure(&ask);
+            ask_close(&ask);
+            scene_close(&scene);
             fprintf(stderr, ".");
         }
         fprintf(stderr, "\n");
     }
 }
 
-/* ---- Medians of structures ----------------------------------------------- */
-
-/* A quantity, or its ratio to another one; MISSING where it was not taken. */
-struct figure {
-    int over, under;       /* quantities; under -1: no ratio                  */
-};
-
-static double figure_of(const struct figure *f, const struct sample *sample)
-{
-    const double over = sample->value[f->over];
-    if (f->under < 0 || over < 0)
-        return over;
-    return sample->value[f->under] > 0 ? over / sample->value[f->under]
-                                       : MISSING;
-}
-
-/* Over the structures of a family and size (0: all sizes). */
-static double family_median(const struct bench *bench, const struct figure *f,
-                            int family, int size)
-{
-    double *number = room_for((size_t)bench->samples, sizeof(double));
-    double result;
-    int i, n = 0;
-    for (i = 0; i < bench->samples; i++) {
-        const struct sample *sample = &bench->sample[i];
-        const double v = figure_of(f, sample);
-        if (sample->family == family && (size == 0 || sample->size == size)
-            && v >= 0)
-            number[n++] = v;
-    }
-    result = median(number, n);
-    free(number);
-    return result;
-}
-
-static double size_median(const struct bench *bench, const struct figure *f,
-                          int size)
-{
-    double number[FAMILIES];
-    int family, n = 0;
-    for (family = 0; family < FAMILIES; family++) {
-        const double v = family_median(bench, f, family, size);
-        if (families[family].counts && v >= 0)
-            number[n++] = v;
-    }
-    return median(number, n);
-}
-
-/* The structure with the largest figure; NULL: none. */
-static const struct sample *size_worst(const struct bench *bench,
-                                       const struct figure *f, int size)
-{
-    const struct sample *worst = NULL;
-    int i;
-    for (i = 0; i < bench->samples; i++) {
-        const struct sample *sample = &bench->sample[i];
-        if ((size == 0 || sample->size == size) && figure_of(f, sample) >= 0
-            && (!worst || figure_of(f, sample) > figure_of(f, worst)))
-            worst = sample;
-    }
-    return worst;
-}
-
-/* The slope of log(family's median) over log(size), by least squares from 100
-   blocks on; MISSING with fewer than two sizes. */
-static double growth(const struct bench *bench, int quantity, int family)
-{
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    struct figure f;
-    int i;
-    f.over = quantity;
-    f.under = -1;
-    for (i = 0; i < bench->sizes; i++) {
-        const double v = family_median(bench, &f, family, bench->size[i]);
-        if (v > 0 && bench->size[i] >= 100) {
-            const double lx = log((double)bench->size[i]), ly = log(v);
-            n++;
-            x += lx;
-            y += ly;
-            xx += lx * lx;
-            xy += lx * ly;
-        }
-    }
-    return n < 2 ? MISSING : (n * xy - x * y) / (n * xx - x * x);
-}
-
 /* ---- Tables -------------------------------------------------------------- */
 
-static void print_number(double v)
+struct table {
+    const char *title;
+    int column[10];        /* NONE ends them                                  */
+};
+
+static const struct table tables[] = {
+    {"RATIOS to the faster peer's cold LP and warm Algorithm 1; to the floor",
+     {VERDICT_LP, MEASURE_LP, CLOSED_LP, MEASURE_WARM, LEVEL_WARM,
+      MEASURE_FLOOR}},
+    {"RATIOS to the measure", {LOAD_MEASURE, TILT_MEASURE, TRY_MEASURE}},
+    {"CANDIDATES on walls",
+     {PLACES, STAND, STAY, RATE, RATE_STAY, RATE_BEARS}},
+    {"TIMES",
+     {VERDICT, MEASURE, LEVEL, CLOSED, LOAD, TILT, FLOOR, SEARCH}},
+    {"TIMES of the peers", {GLPK, CLP, LP_CLOSED, GLPK_WARM, CLP_WARM}},
+    {"COUNTS", {POINTS, MARGIN, FIRST, PIVOTS, SOLVES}},
+};
+static const struct table table_growth = {
+    "GROWTH: exponent of the time, from 30 blocks on",
+    {VERDICT, MEASURE, LEVEL, CLOSED, LOAD, TILT, LP, WARM}};
+static const struct table table_short[] = {
+    {"", {VERDICT, MEASURE, LP, VERDICT_LP, MEASURE_LP, CLOSED_LP,
+          MEASURE_WARM}},
+    {"", {MEASURE_FLOOR, LOAD_MEASURE, TILT_MEASURE, TRY_MEASURE, RATE,
+          RATE_STAY, RATE_BEARS}},
+};
+enum { TABLES = sizeof tables / sizeof tables[0] };
+
+static void print_cell(struct bench *bench, int column, int blocks, int row)
 {
-    if (v < 0)
-        printf(" %8s |", "");
-    else if (v >= 100)
-        printf(" %8.0f |", v);
-    else
-        printf(" %8.3g |", v);
+    const struct record *worst = size_worst(bench, column, blocks);
+    const double v = row < WORST ? row_median(bench, column, blocks, row)
+                   : worst ? worst->value : NAN;
+    const int digits = bench->summary ? 2 : 3;
+    const int large = v >= pow(10, digits) - 0.5;
+    char text[64] = "";
+    int n = 0;
+    if (!isnan(v))
+        n = snprintf(text, sizeof text, large ? "%.*f" : "%.*g",
+                     large ? 0 : digits, v);
+    if (row == WORST && worst && blocks)
+        snprintf(text + n, sizeof text - (size_t)n, " %s/%d/%d",
+                 families[worst->family].name, blocks, worst->number);
+    printf(" %*s |", bench->summary ? 0 : 18, text);
 }
 
-static void print_title(const char *title, const char *first)
+/* Of each size from one to another: the median over families, each family, the
+   worst; of size 0 the growth exponents. What was found of no structure has no
+   column. */
+static void print_table(struct bench *bench, const struct table *table,
+                        int from, int to)
 {
-    printf("\n%s\n\n| %-34s |", title, first);
-}
-
-static void print_rule(int columns)
-{
-    int i;
-    printf("\n|%.36s|", "------------------------------------------");
-    for (i = 0; i < columns; i++)
-        printf("---------:|");
+    int column[10], size[SIZES_MOST], n = 0, sizes = 0, i, k, row;
+    for (i = 0; i < bench->sizes; i++)
+        if (bench->size[i] >= from && bench->size[i] <= to)
+            size[sizes++] = bench->size[i];
+    if (to == 0)
+        size[sizes++] = 0;
+    for (k = 0; table->column[k]; k++) {
+        for (i = 0; i < sizes; i++)
+            if (size_worst(bench, table->column[k], size[i]))
+                break;
+        if (i < sizes)
+            column[n++] = table->column[k];
+    }
+    if (n == 0)
+        return;
+    printf("%s%s| blocks | |", table->title, bench->summary ? "" : "\n\n");
+    for (k = 0; k < n; k++)
+        printf(" %*s |", bench->summary ? 0 : 18, columns[column[k]].text);
+    printf("\n|---:|---|");
+    for (k = 0; k < n; k++)
+        printf("---:|");
+    printf("\n");
+    for (i = 0; i < sizes; i++)
+        for (row = MEDIAN; row <= WORST; row++) {
+            if (bench->summary && row > MEDIAN && row < WORST)
+                continue;
+            if (size[i])
+                printf("| %6d |", size[i]);
+            else
+                printf("| growth |");
+            printf(" %-6s |", row == MEDIAN ? "median"
+                   : row == WORST ? "worst" : families[row].name);
+            for (k = 0; k < n; k++)
+                print_cell(bench, column[k], size[i], row);
+            printf("\n");
+        }
     printf("\n");
 }
 
-/* Rows: sizes, medians over families, and each family's; columns: quantities.
-   Sizes without any of the first quantity are left out. */
-static void table_quantities(const struct bench *bench, const char *title,
-                             const int *quantity, int columns)
-{
-    struct figure f;
-    int i, k, family;
-    f.under = -1;
-    print_title(title, "blocks");
-    for (k = 0; k < columns; k++)
-        printf(" %8s |", quantity_text[quantity[k]]);
-    print_rule(columns);
-    for (i = 0; i < bench->sizes; i++)
-        for (family = -1; family < FAMILIES; family++) {
-            double v[QUANTITIES], any = MISSING;
-            for (k = 0; k < columns; k++) {
-                f.over = quantity[k];
-                v[k] = family < 0
-                    ? size_median(bench, &f, bench->size[i])
-                    : family_median(bench, &f, family, bench->size[i]);
-                any = v[k] > any ? v[k] : any;
-            }
-            if (any < 0)
-                continue;
-            printf("| %5d %-28s |", bench->size[i],
-                   family < 0 ? "median over families"
-                              : families[family].name);
-            for (k = 0; k < columns; k++)
-                print_number(v[k]);
-            printf("\n");
-        }
-}
-
-static void print_families_head(int worst)
-{
-    int family;
-    printf(" %8s |", "median");
-    for (family = 0; family < FAMILIES; family++)
-        printf(" %8s |", families[family].name);
-    if (worst)
-        printf(" %8s |", "worst");
-    print_rule(FAMILIES + 1 + worst);
-}
-
-/* One ratio at one size: median, families, the worst and its name. */
-static double print_ratio(const struct bench *bench, const struct figure *f,
-                          int size)
-{
-    const struct sample *worst = size_worst(bench, f, size);
-    const double m = size_median(bench, f, size);
-    int family;
-    print_number(m);
-    for (family = 0; family < FAMILIES; family++)
-        print_number(family_median(bench, f, family, size));
-    if (worst) {
-        print_number(figure_of(f, worst));
-        printf(" %s/%d/%d", families[worst->family].name, worst->size,
-               worst->number);
-    }
-    return m;
-}
-
-static void table_ratios(const struct bench *bench, const char *title,
-                         int over, int under)
-{
-    struct figure f;
-    int i;
-    f.over = over;
-    f.under = under;
-    if (!size_worst(bench, &f, 0))
-        return;
-    print_title(title, "blocks");
-    print_families_head(1);
-    for (i = 0; i < bench->sizes; i++)
-        if (size_worst(bench, &f, bench->size[i])) {
-            printf("| %5d %-28s |", bench->size[i], "");
-            print_ratio(bench, &f, bench->size[i]);
-            printf("\n");
-        }
-}
-
-/* What must be true. Size 0: over all sizes. */
-static const struct goal {
-    const char *text;
-    struct figure figure;
-    int size;
-    double most;
-} goals[] = {
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 5, 0.12},
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 10, 0.06},
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 30, 0.03},
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 50, 0.03},
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 100, 0.03},
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 200, 0.03},
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 500, 0.03},
-    {"verdict at 0 / cold LP", {VERDICT, PEER_COLD}, 1000, 0.03},
-    {"Algorithm 1 / warm Algorithm 1", {MEASURE, PEER_WARM}, 30, 0.04},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 5, 0.5},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 10, 0.3},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 30, 0.15},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 100, 0.12},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 200, 0.25},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 500, 0.25},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 1000, 0.35},
-    {"measure / cold LP", {MEASURE, PEER_COLD}, 2000, 0.5},
-    {"candidate on a wall / measure", {WALL_SHARE, -1}, 50, 0.15},
-    {"work memory, lean, KB", {LEAN, -1}, 1000, 4096},
-    {"load factor / measure", {LOAD, MEASURE}, 0, 2},
-    {"tilt / measure", {TILT, MEASURE}, 0, 2},
-};
-
-static void print_goal(double value, double most)
-{
-    printf(" goal %g%s\n", most, value < 0 ? "" : value <= most ? ", met"
-                                                                : ", MISSED");
-}
-
-/* The median of the exponents on walls. */
-static double growth_on_walls(const struct bench *bench)
-{
-    double number[FAMILIES];
-    int family, n = 0;
-    for (family = 0; family < FAMILIES; family++) {
-        const double v = growth(bench, MEASURE, family);
-        if (families[family].wall && families[family].counts && v >= 0)
-            number[n++] = v;
-    }
-    return median(number, n);
-}
-
-/* Growth on walls is a goal; the other exponents stand in their own table. */
-static void print_goal_growth(const struct bench *bench)
-{
-    const double m = growth_on_walls(bench);
-    int family;
-    if (m < 0)
-        return;
-    printf("| %-34s |", "growth of the measure, walls");
-    print_number(m);
-    for (family = 0; family < FAMILIES; family++)
-        print_number(families[family].wall ? growth(bench, MEASURE, family)
-                                           : MISSING);
-    print_number(MISSING);
-    print_goal(m, GROWTH_GOAL);
-}
-
-/* Work memory for 30 blocks on the ground and 70 line contacts [KB]. */
-static double memory_of_30(void)
-{
-    return (KERN_LEAN_REALS(31, 140) * (double)sizeof(kern_real)
-        + KERN_LEAN_INTS(31, 140) * (double)sizeof(int)) / 1024;
-}
-
-/* The same with all that it is about. */
-static double all_memory_of_30(void)
-{
-    return memory_of_30() + (31 * (double)sizeof(kern_block)
-        + 140 * (double)sizeof(kern_contact)) / 1024;
-}
-
-static void print_goal_memory(const char *text, double kb)
+static void print_fallen(const struct bench *bench)
 {
     int i;
-    printf("| %-34s |", text);
-    print_number(kb);
-    for (i = 0; i <= FAMILIES; i++)
-        print_number(MISSING);
-    print_goal(kb, MEMORY_GOAL);
-}
-
-static void table_goals(const struct bench *bench)
-{
-    size_t i;
-    print_title("GOALS: medians, and the worst structure", "");
-    print_families_head(1);
-    for (i = 0; i < sizeof goals / sizeof goals[0]; i++) {
-        const struct goal *g = &goals[i];
-        double m;
-        if (!size_worst(bench, &g->figure, g->size))
-            continue;
-        if (g->size)
-            printf("| %-29s %4d |", g->text, g->size);
-        else
-            printf("| %-29s %4s |", g->text, "all");
-        m = print_ratio(bench, &g->figure, g->size);
-        print_goal(m, g->most);
-    }
-    print_goal_growth(bench);
-    print_goal_memory("30 blocks, 70 lines: lean work, KB", memory_of_30());
-    print_goal_memory("  with blocks and contacts, KB", all_memory_of_30());
-}
-
-static void table_growth(const struct bench *bench)
-{
-    static const int quantity[] = {VERDICT, MEASURE, SCAN,     LOAD,
-                                   TILT,    SEARCH,  CLP_COLD, CLP_WARM};
-    const int columns = (int)(sizeof quantity / sizeof quantity[0]);
-    int family, k;
-    print_title("GROWTH: exponent of the time from 100 blocks on", "family");
-    for (k = 0; k < columns; k++)
-        printf(" %8s |", quantity_text[quantity[k]]);
-    print_rule(columns);
-    for (family = 0; family < FAMILIES; family++) {
-        printf("| %-34s |", families[family].name);
-        for (k = 0; k < columns; k++)
-            print_number(growth(bench, quantity[k], family));
-        printf("\n");
+    for (i = 0; i < bench->records; i++) {
+        const struct record *r = &bench->record[i];
+        if (r->column == FALLEN)
+            printf(" %s/%d/%d", families[r->family].name, r->blocks,
+                   r->number);
     }
 }
 
-/* Structures on which a peer's single LP is more than twice as fast. */
-static void table_slow(const struct bench *bench)
+static void print_tables(struct bench *bench)
 {
-    static const struct figure figure[] = {{VERDICT, PEER_COLD},
-                                           {MEASURE, PEER_COLD},
-                                           {CRITICAL, PEER_CRITICAL},
-                                           {CLOSED, PEER_CLOSED}};
-    int i, found = 0;
-    size_t k;
-    for (i = 0; i < bench->samples; i++)
-        for (k = 0; k < sizeof figure / sizeof figure[0]; k++) {
-            const struct sample *sample = &bench->sample[i];
-            const double v = figure_of(&figure[k], sample);
-            if (v <= 2)
-                continue;
-            printf("%sabove 2: %s/%d/%d %s %.3g\n", found++ ? "" : "\n",
-                   families[sample->family].name, sample->size,
-                   sample->number, quantity_text[figure[k].over], v);
-        }
-    if (!found)
-        printf("\nNo structure is above 2.\n");
-}
-
-static void print_tables(const struct bench *bench)
-{
-    static const int times[] = {VERDICT,   MEASURE,   SCAN,     LOAD,
-                                TILT,      SEARCH,    GLPK_COLD, CLP_COLD,
-                                GLPK_WARM, CLP_WARM};
-    static const int counts[] = {POINTS, MARGIN, FIRST,  PIVOTS,
-                                 SOLVES, MEMORY, LEAN, ALL_MEMORY};
-    static const int edge[] = {CRITICAL, PEER_CRITICAL, CLOSED, PEER_CLOSED};
-    static const int plan[] = {TRY,          FRESH,     TRY_SHARE, TRY_WORST,
-                               TRY_SEARCHED, TRY_FALLS, PLACES,    RATE};
-    table_goals(bench);
-    table_ratios(bench, "RATIO: verdict at 0 / cold LP of the best peer",
-                 VERDICT, PEER_COLD);
-    table_ratios(bench, "RATIO: measure / cold LP of the best peer", MEASURE,
-                 PEER_COLD);
-    table_ratios(bench, "RATIO: Algorithm 1 (measure) / warm Algorithm 1 of "
-                 "the best peer", MEASURE, PEER_WARM);
-    table_ratios(bench, "RATIO: Algorithm 1 (scan) / warm Algorithm 1 of the "
-                 "best peer", SCAN, PEER_WARM);
-    table_ratios(bench, "RATIO: verdict at d* / cold LP there", CRITICAL,
-                 PEER_CRITICAL);
-    table_ratios(bench, "RATIO: verdict with kerns closed / cold LP there",
-                 CLOSED, PEER_CLOSED);
-    table_ratios(bench, "RATIO: load factor / measure", LOAD, MEASURE);
-    table_ratios(bench, "RATIO: tilt / measure", TILT, MEASURE);
-    table_quantities(bench, "TIMES, ms (A1: Algorithm 1, 20 levels, warm)",
-                     times, (int)(sizeof times / sizeof times[0]));
-    table_quantities(bench, "CRITICAL AND CLOSED, ms", edge,
-                     (int)(sizeof edge / sizeof edge[0]));
-    table_quantities(bench, "COUNTS (pivots and LPs of the measure; pivots 0: "
-                     "of the verdict at 0)", counts,
-                     (int)(sizeof counts / sizeof counts[0]));
-    table_quantities(bench, "CANDIDATES: one more stone on top, ms and ratios",
-                     plan, (int)(sizeof plan / sizeof plan[0]));
-    table_growth(bench);
-    table_slow(bench);
+    int i;
+    for (i = 0; i < TABLES; i++)
+        print_table(bench, &tables[i], 1, DETAIL_MOST);
+    for (i = 0; i < TABLES; i++)
+        print_table(bench, &tables[i], DETAIL_MOST + 1, 5000);
+    print_table(bench, &table_growth, 0, 0);
+    printf("Without a margin:");
+    print_fallen(bench);
     printf("\n%d structures, %d checks, %d disagree; a peer had no answer %d "
-           "times.\n", bench->samples, bench->checks, bench->differences,
+           "times.\n", bench->structures, bench->checks, bench->differences,
            bench->silent);
 }
 
-/* ---- The README's tables ------------------------------------------------- */
-
-static void print_cell(double value, double goal)
+/* Lean work memory [KB]. */
+static double memory_of(int blocks, int contacts)
 {
-    char text[32];
-    snprintf(text, sizeof text, value < 100 ? "%.2g" : "%.0f", value);
-    if (value < 0)
-        printf(" |");
-    else if (goal > 0)
-        printf(" %s (%g) |", text, goal);
-    else
-        printf(" %s |", text);
+    return (KERN_LEAN_REALS(blocks, contacts) * (double)sizeof(kern_real)
+        + KERN_LEAN_INTS(blocks, contacts) * (double)sizeof(int)) / 1024;
 }
 
-/* Medians by size; a goal stands behind the number it is about. */
-static void summary_sizes(const struct bench *bench)
+/* The README's tables. */
+static void print_summary(struct bench *bench)
 {
-    static const struct figure figure[] = {
-        {VERDICT, -1},        {MEASURE, -1},        {PEER_COLD, -1},
-        {VERDICT, PEER_COLD}, {MEASURE, PEER_COLD}, {MEASURE, PEER_WARM},
-        {WALL_SHARE, -1}};
-    const int columns = (int)(sizeof figure / sizeof figure[0]);
-    size_t g;
-    int i, k;
-    printf("\n| blocks | verdict, ms | measure, ms | peer's LP, ms "
-           "| verdict / LP | measure / LP | measure / peer's Algorithm 1 "
-           "| candidate on a wall / measure |\n|---:|---:|---:|---:|---:|---:|---:|---:|"
-           "\n");
-    for (i = 0; i < bench->sizes && bench->size[i] <= bench->most; i++) {
-        printf("| %d |", bench->size[i]);
-        for (k = 0; k < columns; k++) {
-            double goal = 0;
-            for (g = 0; g < sizeof goals / sizeof goals[0]; g++)
-                if (goals[g].figure.over == figure[k].over
-                    && goals[g].figure.under == figure[k].under
-                    && goals[g].size == bench->size[i])
-                    goal = goals[g].most;
-            print_cell(size_median(bench, &figure[k], bench->size[i]), goal);
-        }
-        printf("\n");
-    }
-}
-
-static void summary_row(const char *text, double value, double goal)
-{
-    printf("| %s |", text);
-    print_cell(value, goal);
+    int i;
     printf("\n");
-}
-
-static void print_summary(const struct bench *bench)
-{
-    static const struct figure load = {LOAD, MEASURE}, tilt = {TILT, MEASURE};
-    static const struct figure memory = {LEAN, -1}, rate = {RATE, -1};
-    summary_sizes(bench);
-    printf("\n| over all | |\n|---|---:|\n");
-    summary_row("load factor / measure", size_median(bench, &load, 0), 2);
-    summary_row("tilt / measure", size_median(bench, &tilt, 0), 2);
-    summary_row("growth of the measure on walls, exponent from 100 blocks on",
-                growth_on_walls(bench), GROWTH_GOAL);
-    summary_row("work memory (lean), 30 blocks with 70 line contacts, KB",
-                memory_of_30(), MEMORY_GOAL);
-    summary_row("work memory (lean), 1000 blocks, KB",
-                size_median(bench, &memory, 1000), 4096);
-    summary_row("candidates a second, 50 blocks",
-                size_median(bench, &rate, 50), 0);
-    printf("\n");
+    for (i = 0; i < 2; i++)
+        print_table(bench, &table_short[i], 1, DETAIL_MOST);
+    for (i = 0; i < 2; i++)
+        print_table(bench, &table_short[i], DETAIL_MOST + 1, 5000);
+    printf("| over all | |\n|---|---:|\n| growth of the measure on walls, "
+           "exponent from 30 to %d blocks | %.2g |\n",
+           bench->size[bench->sizes - 1], row_median(bench, MEASURE, 0, WALLS));
+    printf("| lean work memory, 30 blocks with 70 line contacts, KB | %.0f |\n"
+           "| the same with the blocks and contacts, KB | %.0f |\n"
+           "| lean work memory, 1000 blocks with 3500 points, KB | %.0f |\n"
+           "| structures that fall, in the columns of the verdict alone |",
+           memory_of(31, 140), memory_of(31, 140)
+           + (31 * sizeof(kern_block) + 140 * sizeof(kern_contact)) / 1024.0,
+           memory_of(1001, 3500));
+    print_fallen(bench);
+    printf(" |\n\n");
 }
 
 /* ---- The program --------------------------------------------------------- */
@@ -1870,91 +1605,107 @@ static void print_summary(const struct bench *bench)
 static int usage(FILE *out, int status)
 {
     fprintf(out,
-            "bench [--quick] [--family NAME] [--sizes N,N,...] [--number K]\n"
-            "      [--summary] [--print]\n"
-            "  --quick     few structures of up to 200 blocks; contact search\n"
-            "              of up to 5000\n"
+            "bench [OPTIONS]\n"
+            "  --quick     shorter timing, five structures a family\n"
+            "  --release   also 500, 1000 and 2000 blocks\n"
             "  --summary   print the README's tables alone\n"
-            "  --family    bond, rag, irr, tower, arch or brick alone\n"
-            "  --sizes     of 5 to 5000 blocks, at most 16\n"
-            "  --number    only structure K of each family and size\n"
-            "  --print     write the structures as text, ask nothing\n");
+            "  --family F  bond, rag, irr, tower, arch or brick alone\n"
+            "  --sizes N,N at most %d, each of 5 to 5000 blocks\n"
+            "  --number K  only structure K of each family and size\n"
+            "  --print     write the structures as text, ask nothing\n"
+            "  --ask Q     verdict, measure, level, load, tilt, floor, lp,\n"
+            "              try or bears once, without clock\n"
+            "  --times K   that it is asked\n", SIZES_MOST);
     return status;
 }
 
 static int read_sizes(struct bench *bench, const char *text)
 {
-    bench->sizes = 0;
-    while (*text) {
+    for (bench->sizes = 0; *text && bench->sizes < SIZES_MOST; text++) {
         char *end;
         const long size = strtol(text, &end, 10);
-        if (end == text || size < 5 || size > 5000 || bench->sizes == 16)
+        if (end == text || size < 5 || size > 5000)
             return 0;
         bench->size[bench->sizes++] = (int)size;
-        text = *end == ',' ? end + 1 : end;
+        text = end;
+        if (*text != ',')
+            break;
     }
-    return bench->sizes > 0;
+    return bench->sizes > 0 && !*text;
 }
 
-static int read_family(struct bench *bench, const char *text)
+/* An option with a value; 0: there is none. */
+static int read_value(struct bench *bench, const char *option,
+                      const char *value)
 {
-    for (bench->family = 0; bench->family < FAMILIES; bench->family++)
-        if (strcmp(families[bench->family].name, text) == 0)
-            return 1;
+    if (strcmp(option, "--sizes") == 0)
+        return read_sizes(bench, value);
+    if (strcmp(option, "--family") == 0) {
+        while (++bench->family < FAMILIES)
+            if (strcmp(families[bench->family].name, value) == 0)
+                return 1;
+    } else if (strcmp(option, "--ask") == 0) {
+        for (bench->question = questions; bench->question->name;
+             bench->question++)
+            if (strcmp(bench->question->name, value) == 0)
+                return 1;
+    } else if (*value >= '0' && *value <= '9') {
+        int *const number = strcmp(option, "--number") == 0 ? &bench->number
+                          : strcmp(option, "--times") == 0 ? &bench->times
+                          : NULL;
+        if (number)
+            *number = atoi(value);
+        return number != NULL;
+    }
     return 0;
 }
 
 static int read_options(struct bench *bench, int argc, char **argv)
 {
-    int i, good = 1;
-    for (i = 1; i < argc && good; i++) {
-        const char *value = i + 1 < argc ? argv[i + 1] : "";
-        if (strcmp(argv[i], "--quick") == 0) {
-            bench->quick = 1;
-        } else if (strcmp(argv[i], "--summary") == 0) {
-            bench->summary = 1;
-        } else if (strcmp(argv[i], "--print") == 0) {
-            bench->print = 1;
-        } else if (strcmp(argv[i], "--sizes") == 0) {
-            good = read_sizes(bench, value);
+    static const char *const flag[] = {"--quick", "--release", "--summary",
+                                       "--print"};
+    int *const on[] = {&bench->quick, &bench->release, &bench->summary,
+                       &bench->print};
+    int i, k;
+    for (i = 1; i < argc; i++) {
+        for (k = 0; k < 4 && strcmp(argv[i], flag[k]) != 0; k++)
+            ;
+        if (k < 4)
+            *on[k] = 1;
+        else if (i + 1 == argc || !read_value(bench, argv[i], argv[i + 1]))
+            return 0;
+        else
             i++;
-        } else if (strcmp(argv[i], "--family") == 0) {
-            good = read_family(bench, value);
-            i++;
-        } else if (strcmp(argv[i], "--number") == 0) {
-            bench->number = atoi(value);
-            good = *value >= '0' && *value <= '9';
-            i++;
-        } else {
-            good = 0;
-        }
     }
-    return good;
+    return 1;
 }
 
 int main(int argc, char **argv)
 {
-    struct bench bench;
-    int i;
-    memset(&bench, 0, sizeof bench);
-    bench.family = bench.number = -1;
+    struct bench *bench = room_for(1, sizeof *bench);
+    int status, i, k;
+    bench->family = bench->number = -1;
+    bench->times = 1;
     if (argc == 2 && strcmp(argv[1], "--help") == 0)
         return usage(stdout, 0);
-    if (!read_options(&bench, argc, argv))
+    if (!read_options(bench, argc, argv))
         return usage(stderr, 2);
-    bench.most = bench.sizes > 0 ? 5000 : bench.quick ? 200 : 2000;
-    if (bench.sizes == 0)
-        read_sizes(&bench, "5,10,20,30,50,100,200,500,1000,2000,5000");
-    bench.patience.batch = bench.quick ? 0.3 : 1.7;
-    bench.patience.once = bench.quick ? 10 : 200;
-    bench.room = 16 * FAMILIES * 16;
-    bench.sample = room_for((size_t)bench.room, sizeof(struct sample));
-    for (i = 0; i < bench.sizes; i++)
-        measure_size(&bench, bench.size[i]);
-    if (bench.summary)
-        print_summary(&bench);
-    else if (!bench.print)
-        print_tables(&bench);
-    free(bench.sample);
-    return bench.differences > 0;
+    if (bench->sizes == 0)
+        read_sizes(bench, bench->release
+                   ? "5,10,20,30,50,100,200,500,1000,2000"
+                   : "5,10,20,30,50,100,200");
+    bench->batch = bench->quick ? 0.3 : 1.7;
+    bench->once = bench->quick ? 10 : 200;
+    for (i = 0; i < bench->sizes; i++)
+        measure_size(bench, bench->size[i]);
+    for (k = 0; table_growth.column[k]; k++)
+        for (i = 0; i < FAMILIES; i++)
+            record_growth(bench, table_growth.column[k], i);
+    if (bench->summary)
+        print_summary(bench);
+    else if (!bench->print && !bench->question)
+        print_tables(bench);
+    status = bench->differences > 0;
+    free(bench);
+    return status;
 }
