@@ -190,7 +190,7 @@ static int plan_wall(struct wall *w)
     w->plan = kern_plan_of(
         malloc((size_t)blocks * sizeof(kern_block)), blocks,
         malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int)), &w->work);
+        malloc((size_t)blocks * sizeof(kern_motion)), &w->work);
     w->plan.options = w->file.options;
     w->plan.s.gravity = w->file.gravity;
     for (i = 0; i < w->file.blocks; i++) {
@@ -229,7 +229,7 @@ static void close_wall(struct wall *w)
     free(w->work.index);
     free(w->plan.block);
     free(w->plan.contact);
-    free(w->plan.known.basis);
+    free(w->plan.known.motion);
     text_free(&w->file);
 }
 

@@ -120,7 +120,7 @@ struct stack_wall {
     char *used;             /* one a stone of the stock                  */
     kern_plan plan;
     kern_work work;
-    int *basis;             /* room for what a plan knows                */
+    kern_motion *motion;   /* room for what the plan knows                    */
     kern_margin m;
     double filled;          /* area within the frame                     */
     double *sky;            /* height of what is highest, column by column */
@@ -145,8 +145,8 @@ STACK_API void stack_free(struct stack_wall *w)
     free(w->used);
     free(w->plan.block);
     free(w->plan.contact);
-    free(w->plan.known.basis);
-    free(w->basis);
+    free(w->plan.known.motion);
+    free(w->motion);
     free(w->work.real);
     free(w->work.index);
     free(w->sky);
@@ -167,7 +167,8 @@ static int stack_begin(struct stack_wall *w)
 {
     kern_block ground;
     kern_block_init(&ground, w->ground, 4, 0, NULL);
-    w->plan.s.blocks = w->plan.s.contacts = w->plan.known.columns = 0;
+    w->plan.s.blocks = w->plan.s.contacts = 0;
+    w->plan.known.fails = 0;
     w->laid = 0;
     w->filled = 0;
     memset(w->used, 0, (size_t)w->stock->stones);
@@ -193,8 +194,8 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->plan = kern_plan_of(
         malloc((size_t)blocks * sizeof(kern_block)), blocks,
         malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int)), &w->work);
-    w->basis = malloc((size_t)KERN_PLAN_INTS(blocks) * sizeof(int));
+        malloc((size_t)blocks * sizeof(kern_motion)), &w->work);
+    w->motion = malloc((size_t)blocks * sizeof(kern_motion));
     w->plan.options.mu = options->friction;
     w->plan.options.epsilon = 0.02 * stock->size;
     w->plan.s.gravity = stones_vec(0, -9.81);
@@ -206,7 +207,7 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
     if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
-        !w->plan.contact || !w->plan.known.basis || !w->basis || !w->place ||
+        !w->plan.contact || !w->plan.known.motion || !w->motion || !w->place ||
         !w->used ||
         !w->sky || !w->owner || !w->near.edge)
         return -1;
@@ -737,14 +738,16 @@ static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
     if (status == KERN_STANDS && !special)
         status = kern_plan_try(&w->plan, &block, &c->m, NULL);
     if (status == KERN_STANDS && special) {
-        memcpy(w->basis, known.basis, (size_t)known.columns * sizeof(int));
+        memcpy(w->motion, known.motion,
+               (size_t)w->plan.s.blocks * sizeof(kern_motion));
         status = stack_add(w, &block) < 0 ? KERN_OVERLAP
                : kern_plan_measure(&w->plan, &c->m, NULL);
         c->stable = w->options.load && status == KERN_STANDS ? stack_load(w)
                                                              : 0;
         if (w->plan.s.blocks > w->laid + 1)
             kern_plan_remove(&w->plan, w->laid + 1);
-        memcpy(known.basis, w->basis, (size_t)known.columns * sizeof(int));
+        memcpy(known.motion, w->motion,
+               (size_t)w->plan.s.blocks * sizeof(kern_motion));
         w->plan.known = known;
     }
     if (!w->options.load) c->stable = c->m.margin / w->stock->size;

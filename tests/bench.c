@@ -1072,7 +1072,7 @@ static kern_plan plan_open(struct ask *ask)
     kern_plan plan = kern_plan_of(
         room_for((size_t)blocks, sizeof(kern_block)), blocks,
         room_for((size_t)contacts, sizeof(kern_contact)), contacts,
-        room_for((size_t)KERN_PLAN_INTS(blocks), sizeof(int)), &ask->work);
+        room_for((size_t)blocks, sizeof(kern_motion)), &ask->work);
     int i;
     plan.options = ask->scene->options;
     for (i = 0; i + 1 < blocks; i++)
@@ -1145,12 +1145,10 @@ static void run_try(struct ask *ask)
     ask->status = kern_plan_try(&ask->plan, &ask->stone, &ask->with, NULL);
 }
 
-#ifdef KERN_HAS_PLAN_BEARS
 static void run_bears(struct ask *ask)
 {
     ask->status = kern_plan_bears(&ask->plan, &ask->stone, ask->least, NULL);
 }
-#endif
 
 /* kern_measure() knows nothing of the plan. */
 static void run_fresh(struct ask *ask)
@@ -1190,10 +1188,8 @@ static void measure_place(struct ask *ask, struct tally *tally)
     double fresh;
     kern_status bears = status;
     tally->all_time += tried;
-#ifdef KERN_HAS_PLAN_BEARS
     tally->bears_time += time_of(ask, run_bears, NULL);
     bears = ask->status;
-#endif
     if (status < 0) {
         check(ask, status == KERN_OVERLAP && bears == status,
               "candidate, status", status, bears);
@@ -1336,8 +1332,8 @@ static void ask_close(struct ask *ask)
 {
     void *const room[] = {
         ask->work.real, ask->work.index, ask->proof.force, ask->proof.motion,
-        ask->plan.block, ask->plan.contact, ask->plan.known.basis,
-        ask->whole.block, ask->whole.contact, ask->whole.known.basis,
+        ask->plan.block, ask->plan.contact, ask->plan.known.motion,
+        ask->whole.block, ask->whole.contact, ask->whole.known.motion,
         ask->lp.first, ask->lp.start, ask->lp.row, ask->lp.value, ask->lp.rhs};
     size_t i;
     for (i = 0; i < sizeof room / sizeof room[0]; i++)
@@ -1388,9 +1384,7 @@ static const struct question {
     {"level", run_level, SETTLED},     {"load", run_load, 0},
     {"tilt", run_tilt, 0},             {"floor", run_floor, SETTLED},
     {"lp", run_lp, OF_PEERS},          {"try", run_try, OF_WALL | SETTLED},
-#ifdef KERN_HAS_PLAN_BEARS
     {"bears", run_bears, OF_WALL | SETTLED},
-#endif
     {NULL, NULL, 0},
 };
 

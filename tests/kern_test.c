@@ -3491,7 +3491,7 @@ static void tilt_by_hand(void)
 typedef struct site {
     kern_block block[MAX_BLOCKS];
     kern_contact contact[MAX_POINTS];
-    int basis[KERN_PLAN_INTS(MAX_BLOCKS)];
+    kern_motion motion[MAX_BLOCKS];
     int number[MAX_BLOCKS]; /* in the world, of the plan's blocks */
     kern_real real[KERN_REALS(MAX_BLOCKS, MAX_POINTS)];
     int index[KERN_INTS(MAX_BLOCKS, MAX_POINTS)];
@@ -3506,7 +3506,7 @@ static void site_open(site *p, const world *w)
     p->work = kern_work_of(p->real, KERN_REALS(MAX_BLOCKS, MAX_POINTS),
                            p->index, KERN_INTS(MAX_BLOCKS, MAX_POINTS));
     p->plan = kern_plan_of(p->block, MAX_BLOCKS, p->contact, MAX_POINTS,
-                           p->basis, &p->work);
+                           p->motion, &p->work);
     p->plan.options = w->options;
     p->plan.s.gravity = w->gravity;
 }
@@ -3628,7 +3628,7 @@ static struct {
     kern_plan plan;
     kern_block block[MAX_BLOCKS];
     kern_contact contact[MAX_POINTS];
-    int basis[KERN_PLAN_INTS(MAX_BLOCKS)];
+    kern_motion motion[MAX_BLOCKS];
 } site_was;
 
 static void site_keep(const site *p)
@@ -3638,7 +3638,7 @@ static void site_keep(const site *p)
            sizeof *p->block * (size_t)p->plan.s.blocks);
     memcpy(site_was.contact, p->contact,
            sizeof *p->contact * (size_t)p->plan.s.contacts);
-    memcpy(site_was.basis, p->basis, sizeof site_was.basis);
+    memcpy(site_was.motion, p->motion, sizeof *p->motion * (size_t)p->plan.s.blocks);
 }
 
 static void site_unchanged(const site *p, int line)
@@ -3649,7 +3649,8 @@ static void site_unchanged(const site *p, int line)
                      !memcmp(p->block, site_was.block, sizeof *p->block * b) &&
                      !memcmp(p->contact, site_was.contact,
                              sizeof *p->contact * c) &&
-                     !memcmp(p->basis, site_was.basis, sizeof site_was.basis),
+                     !memcmp(p->motion, site_was.motion,
+                             sizeof *p->motion * b),
                  line, "the plan is as it was", 0, 0, 0);
 }
 
@@ -3982,7 +3983,7 @@ static void plan_faults(void)
     for (i = 0; i < 4; i++) {
         p.plan.block = i == 0 ? NULL : keep.block;
         p.plan.contact = i == 1 ? NULL : keep.contact;
-        p.plan.known.basis = i == 2 ? NULL : keep.known.basis;
+        p.plan.known.motion = i == 2 ? NULL : keep.known.motion;
         p.plan.work = i == 3 ? NULL : keep.work;
         plan_say(&p, &b, none, none, none, none, __LINE__);
         p.plan = keep;
@@ -4051,10 +4052,10 @@ static void plan_every_size(void)
                 p.plan = was.plan;
                 memcpy(p.block, was.block, sizeof p.block);
                 memcpy(p.contact, was.contact, sizeof p.contact);
-                memcpy(p.basis, was.basis, sizeof p.basis);
+                memcpy(p.motion, was.motion, sizeof p.motion);
                 p.plan.s.block = p.plan.block = p.block;
                 p.plan.s.contact = p.plan.contact = p.contact;
-                p.plan.known.basis = p.basis;
+                p.plan.known.motion = p.motion;
                 p.plan.work = &p.work;
                 for (k = 0; k < need[0] + GUARD; k++)
                     real[k] = R(12345);

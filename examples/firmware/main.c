@@ -40,7 +40,7 @@ enum {
 static kern_vec placed[CANDIDATE_VERTICES]; /* the candidate, where tried */
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
-static int basis[KERN_PLAN_INTS(BLOCKS)];
+static kern_motion motion[BLOCKS];
 static kern_real reals[KERN_LEAN_REALS(BLOCKS, CONTACTS)];
 static int ints[KERN_LEAN_INTS(BLOCKS, CONTACTS)];
 
@@ -119,7 +119,7 @@ int main(void)
     static const float place[] = { 0, 0.2f, 0.4f, -0.3f };
     kern_work work = kern_work_of(reals, KERN_LEAN_REALS(BLOCKS, CONTACTS),
                                   ints, KERN_LEAN_INTS(BLOCKS, CONTACTS));
-    kern_plan plan = kern_plan_of(block, BLOCKS, contact, CONTACTS, basis,
+    kern_plan plan = kern_plan_of(block, BLOCKS, contact, CONTACTS, motion,
                                   &work);
     kern_margin m;
     float most = -1;
