@@ -5579,7 +5579,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
                                    const kern_question *q, int proven)
 {
     kern_poured poured;
-    kern_real error;
+    kern_real error, total = KERN_R(0);
     int i;
     m->work->solves++;
     kern_model_set(m, q);
@@ -5591,6 +5591,10 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     case KERN_POUR_FALLS: return KERN_FALLS;
     default: return KERN_UNDECIDED;
     }
+    for (i = 0; i < m->s->contacts; i++)
+        total += m->force[i].normal;
+    if (total > KERN_BOUND / 2)
+        return KERN_UNDECIDED;
     p->found = KERN_STANDS;
     if (!proven)
         return KERN_STANDS;
@@ -5672,10 +5676,12 @@ typedef struct kern_path {
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
     int never;                /* nonzero: it stands to the end                */
+    int closed;               /* nonzero: the bracket is as narrow as it gets */
     kern_real reach;          /* how far the last forces would do             */
     kern_part *part;          /* that fell last                               */
     const kern_seed *seed;    /* or NULL                                      */
     int alone;                /* nonzero: it is asked about the part alone    */
+    int stood;                /* nonzero: it is known to stand at the start   */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -5896,6 +5902,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path, int rounds)
     kern_real aside = half, under = half;
     kern_real share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     int round, known = 0;
+    path->closed = 0;
     for (round = 0; round < rounds; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
         const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
@@ -5946,7 +5953,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path, int rounds)
         }
         if (!closed && !near && status == KERN_STANDS
             && rounds < KERN_EDGE_ROUNDS)
-            return status; /* the whole is asked there first */
+            return KERN_STANDS; /* the whole is asked there first */
         if (!closed && status == KERN_STANDS)
             known = near && single && pivots == m->work->pivots;
         if (!closed && status == KERN_FALLS)
@@ -5954,6 +5961,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path, int rounds)
     }
     if (round == rounds && rounds < KERN_EDGE_ROUNDS)
         return KERN_STANDS;
+    path->closed = 1;
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
@@ -6040,16 +6048,22 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
                                    kern_real step, int fell)
 {
-    const kern_question q = kern_path_at(path, path->holds);
+    const kern_real holds = path->holds;
+    const kern_question q = kern_path_at(path, holds);
     kern_status status = kern_model_plain(m, path->part, &q);
-    fell &= path->holds > path->start
-            && path->edge - path->holds < path->edge / 4;
-    if (status == KERN_STANDS && !fell)
-        status = kern_path_ask(m, path, path->holds);
+    fell &= holds > path->start && path->edge - holds < path->edge / 4;
+    if (status == KERN_STANDS && fell) {
+        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (status != KERN_STANDS || path->holds > holds)
+            return status;
+    }
     if (status == KERN_STANDS)
-        status = fell ? kern_path_edge(m, path, KERN_EDGE_ROUNDS)
-                      : kern_path_climb(m, path, step, 0);
-    return status;
+        status = kern_path_ask(m, path, holds);
+    if (status == KERN_FALLS && holds > path->start)
+        status = kern_path_ask(m, path, path->start);
+    else if (fell)
+        return status;
+    return status == KERN_STANDS ? kern_path_climb(m, path, step, 0) : status;
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
@@ -6120,7 +6134,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
     const kern_real start = path->holds;
-    const kern_real wide = path->tolerance * KERN_WIDEST;
     const kern_seed *seed = path->seed;
     int seeded = seed && seed->fails > start && seed->fails <= path->end;
     kern_real holds = start, at = kern_min(start + first, path->end);
@@ -6130,8 +6143,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     path->start = start;
     kern_falls_clear(m);
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const int last = fell ? path->fails - at <= wide
-                              : seeded || at >= path->end;
+        const int last = fell ? path->closed : seeded || at >= path->end;
         kern_status status = kern_path_pour(m, path, at, last);
         int exact = 1;
         if (status == KERN_STANDS) {
@@ -6155,9 +6167,12 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                 at = kern_min(path->end,
                               start + kern_max(2 * (at - start), first));
         } else if (status == KERN_FALLS) {
-            if (at <= start)
+            if (at <= start && !path->stood)
                 return status;
+            if (at <= start)
+                break;
             fell = 1;
+            path->closed = 0;
             status = KERN_STANDS;
         }
         seeded = 0;
@@ -6167,7 +6182,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             status = kern_path_part(m, path);
             at = path->holds;
             if (status == KERN_STANDS && kern_part_is_whole(path->part)
-                && at > holds && path->fails - at <= wide)
+                && at > holds && path->closed)
                 return status;
         } else if (fell)
             at = kern_max(start, kern_min(path->edge, at)
@@ -6239,12 +6254,12 @@ static kern_status kern_path_begin(kern_path *path, kern_path_kind kind,
     path->proof = NULL;
     path->q = kern_question_of(s, o, shrink);
     path->seed = NULL;
-    path->alone = 0;
+    path->alone = path->stood = 0;
     path->unit = kind == KERN_PATH_SHRINK && !o->relative ? path->q.mean : 1;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = path->reach = KERN_R(0);
-    path->never = 0;
+    path->never = path->closed = 0;
     return kern_model_open(m, s, o, work, free_blocks, last_only);
 }
 
@@ -6490,6 +6505,7 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
     if (tilt)
         step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
     status = kern_path_ask(&m, &path, KERN_R(0));
+    path.stood = status == KERN_STANDS;
     if (status == KERN_STANDS)
         status = loaded ? kern_path_climb(&m, &path, step, 1)
                         : kern_path_search(&m, &path, step, step);
@@ -6778,9 +6794,9 @@ KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
     seed = kern_plan_seed(plan);
     path.seed = &seed;
     status = kern_measure_along(&m, &path, &plan->options, out);
-    plan->known.fails = KERN_R(0);
     if (status < 0)
         return status;
+    plan->known.fails = KERN_R(0);
     for (i = 0; i < plan->s.blocks; i++) {
         kern_motion *v = plan->known.motion + i;
         if (status == KERN_STANDS && out->saturated)
