@@ -798,9 +798,11 @@ KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
    KERN_STANDS: x is a solution, of least cost if there are costs, and then y
    are its prices: cost - y.A >= 0. KERN_FALLS: no x exists: y.A >= 0 and
    y.rhs < 0. KERN_UNBOUNDED: along x the cost falls: A x = 0, x >= 0,
-   cost.x < 0. Each is checked against A. KERN_UNDECIDED: pivot limit, or the
-   check failed. Work memory: KERN_LP_REALS(rows, cols), KERN_LP_INTS(...).
-   Time: rows^2 + rows cols for a pivot. */
+   cost.x < 0. Each is checked against A, every row and column by its own
+   terms, so that units do not matter. KERN_UNDECIDED: pivot limit, or the
+   check failed, as it may where units differ by more than 1e4. Work memory:
+   KERN_LP_REALS(rows, cols), KERN_LP_INTS(...). Time: rows^2 + rows cols for a
+   pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -3700,54 +3702,105 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     return status;
 }
 
-/* Whether x, or y, proves the status, by products with the matrix alone. What
-   is not a number proves nothing. */
-static int kern_lp_proven(const kern_program *lp, kern_real *x,
-                          const kern_real *y, kern_status status)
+/* Takes what is rounding out of the n numbers of a proof: those below a share
+   of the largest, and with `sign` what is negative. */
+static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 {
-    const kern_real size = kern_largest(lp->a, lp->rows * lp->cols);
-    const kern_real rhs = kern_largest(lp->rhs, lp->rows);
-    const kern_real ys = kern_largest(y, lp->rows);
-    const kern_real cost = lp->cost ? kern_largest(lp->cost, lp->cols) : 0;
-    kern_real xs = KERN_R(0), gain = KERN_R(0), value = KERN_R(0);
+    const kern_real least = share * kern_largest(v, n);
+    int i;
+    for (i = 0; i < n; i++)
+        if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
+            v[i] = KERN_R(0);
+}
+
+/* A x = rhs (a ray: A x = 0), each row to KERN_TOL of its own terms? */
+static int kern_lp_rows(const kern_program *lp, const kern_real *x, int ray)
+{
     int i, j;
-    for (i = 0; i < lp->rows; i++)
-        gain += y[i] * lp->rhs[i];
-    for (j = 0; j < lp->cols; j++) {
-        if (x[j] < 0 && x[j] >= -KERN_TOL * rhs)
-            x[j] = KERN_R(0);
-        if (status != KERN_FALLS && !(x[j] >= 0))
-            return 0;
-        xs = kern_max(xs, x[j]);
-    }
-    if (status == KERN_FALLS || (status == KERN_STANDS && lp->cost))
+    for (i = 0; i < lp->rows; i++) {
+        kern_real left = ray ? KERN_R(0) : lp->rhs[i], terms = kern_abs(left);
         for (j = 0; j < lp->cols; j++) {
-            const kern_real d = kern_lp_dot(lp, j, y);
-            if (status == KERN_FALLS ? !(d >= -KERN_TOL * size * ys)
-                : !(lp->cost[j] - d >= -KERN_TOL * (cost + size * ys)))
+            const kern_real part = x[j]
+                * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
+            left -= part;
+            terms += kern_abs(part);
+        }
+        if (!(kern_abs(left) <= KERN_TOL * terms) || !kern_is_finite(terms))
+            return 0;
+    }
+    return 1;
+}
+
+/* No column gains by y, each to KERN_TOL of its own terms? */
+static int kern_lp_columns(const kern_program *lp, const kern_real *y,
+                           const kern_real *cost)
+{
+    int i, j;
+    for (j = 0; j < lp->cols; j++) {
+        kern_real d = cost ? cost[j] : KERN_R(0), terms = kern_abs(d);
+        for (i = 0; i < lp->rows; i++) {
+            const kern_real part = y[i]
+                * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
+            d += cost ? -part : part;
+            terms += kern_abs(part);
+        }
+        if (!(d >= -KERN_TOL * terms) || !kern_is_finite(terms))
+            return 0;
+    }
+    return 1;
+}
+
+/* Adds up u . v; in `terms` without signs. */
+static kern_real kern_lp_sum(const kern_real *u, const kern_real *v, int n,
+                             kern_real *terms)
+{
+    kern_real sum = KERN_R(0);
+    int i;
+    *terms = KERN_R(0);
+    for (i = 0; i < n; i++) {
+        sum += u[i] * v[i];
+        *terms += kern_abs(u[i] * v[i]);
+    }
+    return sum;
+}
+
+/* Whether x, or y, proves the status, by products with the matrix alone. Every
+   row and every column is measured by its own terms, so units do not matter.
+   What is not a number proves nothing. Where nothing else is in a row the last
+   digits of x are all there is: if need be they are taken out. */
+static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
+                          kern_status status)
+{
+    const int ray = status == KERN_UNBOUNDED;
+    kern_real gain, value, paid, spent;
+    if (status == KERN_FALLS) {
+        if (!kern_lp_columns(lp, y, NULL)) {
+            kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
+            if (!kern_lp_columns(lp, y, NULL))
                 return 0;
         }
-    if (status == KERN_FALLS)
-        return gain < -KERN_TOL * ys * rhs && kern_is_finite(gain);
-    for (j = 0; lp->cost && j < lp->cols; j++)
-        value += lp->cost[j] * x[j];
-    if (status == KERN_UNBOUNDED && !(value < -KERN_TOL * cost * xs))
-        return 0;
-    if (status == KERN_STANDS && lp->cost) { /* least: the prices pay for it */
-        const kern_real allowed = KERN_TOL
-            * (KERN_R(lp->cols) * cost * xs
-               + KERN_R(lp->rows) * ys * (rhs + size * xs));
-        if (!(kern_abs(value - gain) <= allowed) || !kern_is_finite(allowed))
+        gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid);
+        return gain < -KERN_TOL * paid && kern_is_finite(paid);
+    }
+    kern_lp_clean(x, lp->cols, KERN_R(0), 1);
+    if (!kern_lp_rows(lp, x, ray)) {
+        kern_lp_clean(x, lp->cols, KERN_ROUNDING, 1);
+        if (!kern_lp_rows(lp, x, ray))
             return 0;
     }
-    for (i = 0; i < lp->rows; i++) {
-        kern_real left = status == KERN_UNBOUNDED ? KERN_R(0) : lp->rhs[i];
-        for (j = 0; j < lp->cols; j++)
-            left -= x[j] * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
-        if (!(kern_abs(left) <= KERN_TOL * (size * xs + rhs)))
+    if (!lp->cost)
+        return 1;
+    value = kern_lp_sum(lp->cost, x, lp->cols, &spent);
+    if (ray)
+        return value < -KERN_TOL * spent && kern_is_finite(spent);
+    if (!kern_lp_columns(lp, y, lp->cost)) {
+        kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
+        if (!kern_lp_columns(lp, y, lp->cost))
             return 0;
     }
-    return kern_is_finite(size * xs);
+    gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid); /* least: prices pay */
+    return kern_abs(value - gain) <= KERN_TOL * (spent + paid)
+           && kern_is_finite(spent + paid);
 }
 
 /* What is wrong with a program, if anything. */

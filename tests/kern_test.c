@@ -2834,6 +2834,79 @@ static void lp_random(void)
     CHECK(counts[0] > 200 && counts[1] > 200 && counts[2] > 200);
 }
 
+/* Units do not matter: with rows and columns in other ones an answer is the
+   same, or there is none. */
+static void lp_scaled(void)
+{
+    static const double rows[] = {1, 1, 1e-10, 2e-10};
+    static const double free_ray[] = {
+        1,  0, 0, -1, -1, 1,  1,  1,  0,  -1, 1, 0, 1, 0,
+        0,  -1, 1, 1, 0,  0,  0,  0,  0,  -1, 1, 0, 1, 0,
+        0,  0, -1, 0, 1,  -1, -1, -1, -1, 1,  1, 1, 0, 0,
+        -1, 0, -1, 0, 0,  1,  1,  1,  1,  -1, 1, 1, -1, 0};
+    static const double free_cost[] = {-2, 3,  -2, 5, 4,  -2, 3,
+                                       2,  -1, 1,  -1, -2, -2};
+    static kern_real real[KERN_LP_REALS(LP_ROWS, LP_COLS)];
+    static int index[KERN_LP_INTS(LP_ROWS, LP_COLS)];
+    program p, t;
+    int k, i, j, answers = 0;
+    program_set(&p, 2, 1, rows, NULL);
+    CHECK(program_solve(&p) != KERN_STANDS);
+    program_set(&p, 4, 13, free_ray, free_cost);
+    CHECK_INT(program_solve(&p), KERN_UNBOUNDED);
+    for (k = 0; k < 400; k++) {
+        const double most = SINGLE ? 2 : 6;
+        double table[LP_ROWS * (LP_COLS + 1)], cost[LP_COLS];
+        kern_work work =
+            kern_work_of(real, KERN_LP_REALS(LP_ROWS, LP_COLS), index,
+                         KERN_LP_INTS(LP_ROWS, LP_COLS));
+        double primal = 0;
+        int m, n, got;
+        random_seed(31000u + (unsigned long long)k);
+        m = random_int(2, LP_ROWS);
+        n = random_int(m, LP_COLS);
+        for (j = 0; j < n; j++)
+            cost[j] = uniform(0, 1);
+        for (i = 0; i < m; i++) {
+            double *row = table + i * (n + 1);
+            row[n] = 0;
+            for (j = 0; j < n; j++) {
+                row[j] = uniform(-1, 1);
+                row[n] += j % 3 ? 0 : row[j]; /* 1 in every third one */
+            }
+        }
+        program_set(&p, m, n, table, cost);
+        if (program_solve(&p) != KERN_STANDS)
+            continue;
+        t = p;
+        t.lp.a = t.a;
+        t.lp.rhs = t.rhs;
+        t.lp.cost = t.cost;
+        for (i = 0; i < m; i++) {
+            const double unit = pow(10, uniform(-most, most));
+            t.rhs[i] *= R(unit);
+            for (j = 0; j < n; j++)
+                t.a[j * m + i] *= R(unit);
+        }
+        for (j = 0; j < n; j++) {
+            const double unit = pow(10, uniform(-most, most));
+            t.cost[j] *= R(unit);
+            for (i = 0; i < m; i++)
+                t.a[j * m + i] *= R(unit);
+        }
+        got = kern_lp_solve(&t.lp, t.x, t.y, &work);
+        if (got < 0)
+            continue;
+        answers++;
+        CHECK_INT(got, KERN_STANDS);
+        for (j = 0; j < n; j++)
+            primal += (double)t.cost[j] * (double)t.x[j];
+        CHECK_NEAR(primal, program_cost(&p),
+                   (SINGLE ? 1e-2 : 1e-6) * (1 + program_cost(&p)));
+    }
+    CHECK(answers > 20);
+}
+
 static void lp_bad_input(void)
 {
     static const double one[] = {1, 1, 2, 1, -1, 0};
@@ -6052,6 +6125,7 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(lp_cycling),
                              TEST(lp_kinds),
                              TEST(lp_random),
+                             TEST(lp_scaled),
                              TEST(lp_bad_input),
                              TEST(proof_forces_of_a_cube),
                              TEST(proof_free_fall),
