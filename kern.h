@@ -236,6 +236,10 @@
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
                              PowerPC, s390x, x86 with -mfma); gcc contracts by
                              default in GNU modes, clang from version 14 on
+       -fno-tree-vectorize   with gcc as well, where it has vectors of those:
+                             it fuses pairs of products although it was told
+                             not to. On x86 this file sees to that for itself;
+                             a program's own code needs the flag
        -msse2 -mfpmath=sse   on 32-bit x86
        never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
                              program is linked: they flush small numbers to 0
@@ -834,6 +838,13 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #if __FINITE_MATH_ONLY__ == 1
 #error "kern.h: do not compile the implementation with -ffast-math"
 #endif
+#endif
+
+/* The vectorisers of gcc make one fused operation of pairs of products such as
+   a c - b d, a d + b c, also with -ffp-contract=off. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
+#pragma GCC push_options
+#pragma GCC optimize("no-tree-vectorize")
 #endif
 
 #ifdef __cplusplus
@@ -5653,6 +5664,10 @@ KERN_API kern_options kern_near(const kern_options *options,
 
 #ifdef __cplusplus
 }
+#endif
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
+#pragma GCC pop_options
 #endif
 
 #endif /* KERN_IMPLEMENTED */

@@ -17,7 +17,8 @@
        rigid_free(&w);
 
    The same calls give the same bits wherever doubles are IEEE doubles and the
-   compiler keeps to them (-ffp-contract=off): a step takes + - * / and sqrt().
+   compiler keeps to them (-ffp-contract=off, and for x86 with -mfma gcc's
+   -fno-tree-vectorize): a step takes + - * / and sqrt().
    Lengths should be of the order of 1: see `slop`.
 
    SPDX-License-Identifier: MIT */
