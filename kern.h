@@ -5557,7 +5557,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     }
     for (k = 0; k < plan->known.columns; k++) {
         const int j = plan->known.basis[k];
-        if (moved[j / 2] != KERN_OUT)
+        if (j / 2 < s->contacts && moved[j / 2] != KERN_OUT)
             plan->known.basis[columns++] = 2 * moved[j / 2] + (j & 1);
     }
     for (k = i; k + 1 < s->blocks; k++)

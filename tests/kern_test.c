@@ -4252,6 +4252,56 @@ static void plan_saturated(void)
 
 /* Nothing, or ground alone: a question without an answer, which changes
    nothing. */
+static void plan_stale(void)
+{
+    enum { BOXES = 8, ROOM = 40 };
+    static kern_real real[KERN_REALS(BOXES, ROOM)];
+    static int index[KERN_INTS(BOXES, ROOM)], basis[KERN_PLAN_INTS(BOXES)];
+    static world w;
+    kern_block block[BOXES];
+    kern_contact contact[ROOM];
+    kern_work work = kern_work_of(real, KERN_REALS(BOXES, ROOM), index,
+                                  KERN_INTS(BOXES, ROOM));
+    kern_margin m, fresh;
+    int way, i;
+    for (way = 0; way < 3; way++) {
+        kern_plan plan =
+            kern_plan_of(block, BOXES, contact, ROOM, basis, &work);
+        kern_work own = kern_work_of(real, KERN_REALS(BOXES, ROOM), index,
+                                     KERN_INTS(BOXES, ROOM));
+        int before, got;
+        world_reset(&w);
+        for (i = 0; i < BOXES; i++) {
+            const double x = i ? 0.1 * (i & 1) : -3;
+            world_box(&w, i > 0, x, i - 1, x + (i ? 1 : 7), i);
+            CHECK(kern_plan_add(&plan, &w.block[i]) >= 0);
+        }
+        before = plan.s.contacts;
+        if (way == 2) {
+            got = kern_contact_make(6, 7, vec(0, 1), vec(0.2, 6), vec(0.9, 6),
+                                    R(0.4), &plan.options, contact + before);
+            CHECK_INT(got, 2);
+            plan.s.contacts += got;
+        }
+        CHECK_INT(kern_plan_measure(&plan, &m, NULL), KERN_STANDS);
+        if (way < 2) {
+            plan.s.blocks -= 3;
+            plan.s.contacts -= 6;
+        } else
+            plan.s.contacts = before;
+        for (i = 0; i < work.indices; i++)
+            index[i] = way == 1 ? 1000000 + i : -1000000 - i;
+        CHECK_INT(kern_plan_remove(&plan, plan.s.blocks - 1), KERN_STANDS);
+        for (i = 0; i < plan.known.columns; i++)
+            CHECK(basis[i] >= 0 && basis[i] < 2 * plan.s.contacts);
+        CHECK_INT(kern_plan_measure(&plan, &m, NULL), KERN_STANDS);
+        CHECK_INT(kern_measure(&plan.s, &plan.options, &own, &fresh, NULL),
+                  KERN_STANDS);
+        CHECK_INT(m.level, fresh.level);
+        CHECK_NEAR(m.margin, fresh.margin, SINGLE ? 2e-3 : 1e-6);
+    }
+}
+
 static void plan_ground_only(void)
 {
     static world w;
@@ -6156,6 +6206,7 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(plan_changes),
                              TEST(plan_candidates),
                              TEST(plan_saturated),
+                             TEST(plan_stale),
                              TEST(plan_ground_only),
                              TEST(plan_faults),
                              TEST(plan_every_size),
