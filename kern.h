@@ -872,8 +872,9 @@ extern "C" {
 /* What a row of a proof may lose by rounding, as a share of its terms. */
 #define KERN_ROUNDING    (32 * KERN_EPS)
 /* How far a certificate is lifted off the columns that it touches: as much as
-   the check of a motion adds for rounding, with nothing to spare. */
-#define KERN_ABOVE       (16 * KERN_EPS)
+   the check of a motion adds for rounding where arms are long and friction is
+   high. It costs as much of the power, in float a good part of it. */
+#define KERN_ABOVE       KERN_PICK(64 * KERN_EPS, 16 * KERN_EPS)
 /* A variable this far below zero is still zero. A tenth of what the proof
    allows; less, and the simplex chases rounding. */
 #define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
