@@ -236,6 +236,10 @@
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
                              PowerPC, s390x, x86 with -mfma); gcc contracts by
                              default in GNU modes, clang from version 14 on
+       -fno-tree-vectorize   with gcc as well, where it has vectors of those:
+                             it fuses pairs of products although it was told
+                             not to. On x86 this file sees to that for itself;
+                             a program's own code needs the flag
        -msse2 -mfpmath=sse   on 32-bit x86
        never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
                              program is linked: they flush small numbers to 0
@@ -362,12 +366,12 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_UNDECIDED, -1, "undecided: neither proof could be completed")      \
     X(KERN_NO_SPACE, -2, "an array is too short for the result or the work")  \
     X(KERN_BAD_POINTER, -3, "a pointer is null where an array is expected")   \
-    X(KERN_BAD_NUMBER, -4, "a number is infinite or not a number")            \
+    X(KERN_BAD_NUMBER, -4, "a number is infinite, not one, or out of bounds") \
     X(KERN_BAD_COUNT, -5, "a count is negative or above its limit")          \
     X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
     X(KERN_NO_AREA, -7, "a polygon has no area")                              \
     X(KERN_CROSSING, -8, "a polygon crosses or touches itself")               \
-    X(KERN_BAD_MASS, -9, "a mass or density is not positive")                 \
+    X(KERN_BAD_MASS, -9, "a mass or density is not positive or out of range") \
     X(KERN_BAD_FRICTION, -10, "a coefficient of friction is negative")        \
     X(KERN_BAD_OPTION, -11, "an option is out of its range")                  \
     X(KERN_BAD_BLOCK, -12, "a contact names a block that does not exist")     \
@@ -564,8 +568,14 @@ typedef struct kern_lp {
    function that takes work memory may return KERN_NO_SPACE, every one that
    takes a structure: KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000,
    contacts up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL,
-   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE. B is the number of blocks, C of
-   contact points, k the size of the dense complement (see >>lp). */
+   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE. Numbers that could not be
+   squared or multiplied safely are refused, with the block in the fault: a
+   centre, a place or a travel above 1e100 m (KERN_BAD_NUMBER), a mass as in
+   kern_block_init() (KERN_BAD_MASS), an area below that or above 1e200 m^2
+   (KERN_NO_AREA, KERN_BAD_NUMBER), and where weight and load of a free block
+   together are above 1e100 N, or below 1e-100 N and not 0 (KERN_BAD_NUMBER;
+   float: 1e15, 1e-15). B is the number of blocks, C of contact points, k the
+   size of the dense complement (see >>lp). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -596,8 +606,9 @@ KERN_API void kern_work_need(int blocks, int contacts,
    block; whoever moves them calls this again.
    fault may be NULL; its index is the vertex.
    KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
-   above 1e100, float: 1e10), KERN_NO_AREA, KERN_CROSSING (also for repeated
-   vertices), KERN_BAD_MASS (density < 0).
+   above 1e100, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
+   [m^2]), KERN_CROSSING (also for repeated vertices), KERN_BAD_MASS (density
+   < 0, or a mass below 1e-100 or above 1e100 [kg]; float: 1e-15 and 1e15).
    Time: O(n) for n vertices of a convex polygon, O(n^2) for another. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
@@ -784,10 +795,11 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
 /* -- proofs -- */
 
 /* The error of a proof as a share of what is allowed: up to 1 it holds.
-   KERN_INFINITY where it proves nothing, and for bad input. Time: O(B + C),
-   work memory: 4 B reals. Allowed is: for forces, 1e-9 (float: 1e-4) of what
-   acts on a block in each of its equilibrium equations; for a motion, that
-   forces up to 1e6 (1e3) times the weight could not stop it. */
+   KERN_INFINITY where it proves nothing, and for bad input: NULL, what is not
+   a number. Time: O(B + C), work memory: 4 B reals. Allowed is: for forces,
+   1e-9 (float: 1e-4) of what acts on a block in each of its equilibrium
+   equations; for a motion, that forces up to 1e6 (1e3) times the weight could
+   not stop it, whatever rounding does to the sums of the check. */
 KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
                                      const kern_options *options,
                                      const kern_force *force, kern_work *work);
@@ -801,9 +813,11 @@ KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
    KERN_STANDS: x is a solution, of least cost if there are costs, and then y
    are its prices: cost - y.A >= 0. KERN_FALLS: no x exists: y.A >= 0 and
    y.rhs < 0. KERN_UNBOUNDED: along x the cost falls: A x = 0, x >= 0,
-   cost.x < 0. Each is checked against A. KERN_UNDECIDED: pivot limit, or the
-   check failed. Work memory: KERN_LP_REALS(rows, cols), KERN_LP_INTS(...).
-   Time: rows^2 + rows cols for a pivot. */
+   cost.x < 0. Each is checked against A, every row and column by its own
+   terms, so that units do not matter. KERN_UNDECIDED: pivot limit, or the
+   check failed, as it may where units differ by more than 1e4. Work memory:
+   KERN_LP_REALS(rows, cols), KERN_LP_INTS(...). Time: rows^2 + rows cols for a
+   pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -837,6 +851,13 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #endif
 #endif
 
+/* The vectorisers of gcc make one fused operation of pairs of products such as
+   a c - b d, a d + b c, also with -ffp-contract=off. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
+#pragma GCC push_options
+#pragma GCC optimize("no-tree-vectorize")
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -861,9 +882,10 @@ extern "C" {
 #define KERN_BOUND       KERN_PICK(1e6, 1e3)
 /* What a row of a proof may lose by rounding, as a share of its terms. */
 #define KERN_ROUNDING    (32 * KERN_EPS)
-/* How far a certificate is lifted off the columns that it touches: some
-   roundings. In float, where KERN_BOUND is small, it is better left there. */
-#define KERN_ABOVE       KERN_PICK(8 * KERN_EPS, 0)
+/* How far a certificate is lifted off the columns that it touches: as much as
+   the check of a motion adds for rounding where arms are long and friction is
+   high. It costs as much of the power, in float a good part of it. */
+#define KERN_ABOVE       KERN_PICK(64 * KERN_EPS, 16 * KERN_EPS)
 /* A variable this far below zero is still zero. A tenth of what the proof
    allows; less, and the simplex chases rounding. */
 #define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
@@ -932,6 +954,13 @@ extern "C" {
 #define KERN_LEAST_ROUNDS  30
 #define KERN_POUR_ROUNDS   8
 #define KERN_ROWS_MOST     16
+/* Least and largest mass [kg] and sum of all that acts on a block [N], least
+   size of a block [m], least power of a motion [W]: of these the squares, the
+   moments and products with KERN_BOUND are numbers, and keep all digits. */
+#define KERN_LIGHT       KERN_PICK(1e-100, 1e-15)
+#define KERN_HEAVY       KERN_PICK(1e100, 1e15)
+#define KERN_LEAST_SIZE  KERN_PICK(1e-60, 1e-10)
+#define KERN_LEAST       KERN_PICK(1e-290, 1e-35)
 
 /* Bounds of loops and counts. */
 #define KERN_RENEW         40      /* least pivots between choices of a base */
@@ -1297,6 +1326,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     fault->index = -1;
     least = KERN_FLOOR * kern_box_largest(&block->box) *
             kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
+    least = kern_max(least, KERN_LEAST_SIZE * KERN_LEAST_SIZE);
     if (!(spread > least)) /* all vertices on one line */
         return KERN_NO_AREA;
     status = kern_polygon_simple(block, fault);
@@ -1332,7 +1362,7 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
         return status;
     made.fixed = !(density > 0);
     made.mass = density * kern_abs(made.area);
-    if (!kern_is_finite(made.mass) || (!made.fixed && !(made.mass > 0)))
+    if (!made.fixed && (!(made.mass >= KERN_LIGHT) || made.mass > KERN_HEAVY))
         return KERN_BAD_MASS;
     made.load.fx = made.load.fy = made.load.torque = 0;
     *block = made;
@@ -3713,54 +3743,105 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     return status;
 }
 
-/* Whether x, or y, proves the status, by products with the matrix alone. What
-   is not a number proves nothing. */
-static int kern_lp_proven(const kern_program *lp, kern_real *x,
-                          const kern_real *y, kern_status status)
+/* Takes what is rounding out of the n numbers of a proof: those below a share
+   of the largest, and with `sign` what is negative. */
+static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 {
-    const kern_real size = kern_largest(lp->a, lp->rows * lp->cols);
-    const kern_real rhs = kern_largest(lp->rhs, lp->rows);
-    const kern_real ys = kern_largest(y, lp->rows);
-    const kern_real cost = lp->cost ? kern_largest(lp->cost, lp->cols) : 0;
-    kern_real xs = KERN_R(0), gain = KERN_R(0), value = KERN_R(0);
+    const kern_real least = share * kern_largest(v, n);
+    int i;
+    for (i = 0; i < n; i++)
+        if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
+            v[i] = KERN_R(0);
+}
+
+/* A x = rhs (a ray: A x = 0), each row to KERN_TOL of its own terms? */
+static int kern_lp_rows(const kern_program *lp, const kern_real *x, int ray)
+{
     int i, j;
-    for (i = 0; i < lp->rows; i++)
-        gain += y[i] * lp->rhs[i];
-    for (j = 0; j < lp->cols; j++) {
-        if (x[j] < 0 && x[j] >= -KERN_TOL * rhs)
-            x[j] = KERN_R(0);
-        if (status != KERN_FALLS && !(x[j] >= 0))
-            return 0;
-        xs = kern_max(xs, x[j]);
-    }
-    if (status == KERN_FALLS || (status == KERN_STANDS && lp->cost))
+    for (i = 0; i < lp->rows; i++) {
+        kern_real left = ray ? KERN_R(0) : lp->rhs[i], terms = kern_abs(left);
         for (j = 0; j < lp->cols; j++) {
-            const kern_real d = kern_lp_dot(lp, j, y);
-            if (status == KERN_FALLS ? !(d >= -KERN_TOL * size * ys)
-                : !(lp->cost[j] - d >= -KERN_TOL * (cost + size * ys)))
+            const kern_real part = x[j]
+                * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
+            left -= part;
+            terms += kern_abs(part);
+        }
+        if (!(kern_abs(left) <= KERN_TOL * terms) || !kern_is_finite(terms))
+            return 0;
+    }
+    return 1;
+}
+
+/* No column gains by y, each to KERN_TOL of its own terms? */
+static int kern_lp_columns(const kern_program *lp, const kern_real *y,
+                           const kern_real *cost)
+{
+    int i, j;
+    for (j = 0; j < lp->cols; j++) {
+        kern_real d = cost ? cost[j] : KERN_R(0), terms = kern_abs(d);
+        for (i = 0; i < lp->rows; i++) {
+            const kern_real part = y[i]
+                * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
+            d += cost ? -part : part;
+            terms += kern_abs(part);
+        }
+        if (!(d >= -KERN_TOL * terms) || !kern_is_finite(terms))
+            return 0;
+    }
+    return 1;
+}
+
+/* Adds up u . v; in `terms` without signs. */
+static kern_real kern_lp_sum(const kern_real *u, const kern_real *v, int n,
+                             kern_real *terms)
+{
+    kern_real sum = KERN_R(0);
+    int i;
+    *terms = KERN_R(0);
+    for (i = 0; i < n; i++) {
+        sum += u[i] * v[i];
+        *terms += kern_abs(u[i] * v[i]);
+    }
+    return sum;
+}
+
+/* Whether x, or y, proves the status, by products with the matrix alone. Every
+   row and every column is measured by its own terms, so units do not matter.
+   What is not a number proves nothing. Where nothing else is in a row the last
+   digits of x are all there is: if need be they are taken out. */
+static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
+                          kern_status status)
+{
+    const int ray = status == KERN_UNBOUNDED;
+    kern_real gain, value, paid, spent;
+    if (status == KERN_FALLS) {
+        if (!kern_lp_columns(lp, y, NULL)) {
+            kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
+            if (!kern_lp_columns(lp, y, NULL))
                 return 0;
         }
-    if (status == KERN_FALLS)
-        return gain < -KERN_TOL * ys * rhs && kern_is_finite(gain);
-    for (j = 0; lp->cost && j < lp->cols; j++)
-        value += lp->cost[j] * x[j];
-    if (status == KERN_UNBOUNDED && !(value < -KERN_TOL * cost * xs))
-        return 0;
-    if (status == KERN_STANDS && lp->cost) { /* least: the prices pay for it */
-        const kern_real allowed = KERN_TOL
-            * (KERN_R(lp->cols) * cost * xs
-               + KERN_R(lp->rows) * ys * (rhs + size * xs));
-        if (!(kern_abs(value - gain) <= allowed) || !kern_is_finite(allowed))
+        gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid);
+        return gain < -KERN_TOL * paid && kern_is_finite(paid);
+    }
+    kern_lp_clean(x, lp->cols, KERN_R(0), 1);
+    if (!kern_lp_rows(lp, x, ray)) {
+        kern_lp_clean(x, lp->cols, KERN_ROUNDING, 1);
+        if (!kern_lp_rows(lp, x, ray))
             return 0;
     }
-    for (i = 0; i < lp->rows; i++) {
-        kern_real left = status == KERN_UNBOUNDED ? KERN_R(0) : lp->rhs[i];
-        for (j = 0; j < lp->cols; j++)
-            left -= x[j] * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
-        if (!(kern_abs(left) <= KERN_TOL * (size * xs + rhs)))
+    if (!lp->cost)
+        return 1;
+    value = kern_lp_sum(lp->cost, x, lp->cols, &spent);
+    if (ray)
+        return value < -KERN_TOL * spent && kern_is_finite(spent);
+    if (!kern_lp_columns(lp, y, lp->cost)) {
+        kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
+        if (!kern_lp_columns(lp, y, lp->cost))
             return 0;
     }
-    return kern_is_finite(size * xs);
+    gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid); /* least: prices pay */
+    return kern_abs(value - gain) <= KERN_TOL * (spent + paid)
+           && kern_is_finite(spent + paid);
 }
 
 /* What is wrong with a program, if anything. */
@@ -3820,19 +3901,25 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 
 /* ---- What is handed in ------------------------------------------ >>check */
 /* Everything that the statics reads is looked at once, before any memory is
-   used: numbers are finite, indices exist, normals have length 1. */
+   used: numbers are finite and within bounds that the statics can reckon
+   with, indices exist, normals have length 1. */
 
-static kern_status kern_block_check(const kern_block *b)
+static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
 {
-    if (!kern_vec_is_finite(b->centre) || !kern_is_finite(b->area)
-        || !kern_is_finite(b->mass) || !kern_is_finite(b->load.fx)
-        || !kern_is_finite(b->load.fy) || !kern_is_finite(b->load.torque))
+    const kern_real size = kern_block_size(b);
+    const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
+        + kern_abs(b->load.torque) / size
+        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
+    if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
         return KERN_BAD_NUMBER;
-    if (!b->fixed && !(kern_abs(b->area) > 0))
+    if (b->fixed)
+        return KERN_STANDS;
+    if (!(size >= KERN_LEAST_SIZE))
         return KERN_NO_AREA;
-    if (!b->fixed && !(b->mass > 0))
-        return KERN_BAD_MASS;
-    return KERN_STANDS;
+    if (!(b->mass >= KERN_LIGHT) || b->mass > KERN_HEAVY)
+        return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
+    return acts <= KERN_HEAVY && (acts >= KERN_LIGHT || !(acts > 0))
+           ? KERN_STANDS : KERN_BAD_NUMBER;
 }
 
 static kern_status kern_contact_check(const kern_contact *c, int blocks)
@@ -3842,8 +3929,8 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_BAD_BLOCK;
     if (c->a == c->b)
         return KERN_SAME_BLOCK;
-    if (!kern_vec_is_finite(c->p) || !kern_vec_is_finite(c->n)
-        || !kern_is_finite(c->mu) || !kern_is_finite(c->travel))
+    if (!kern_vec_is_moderate(c->p) || !kern_vec_is_finite(c->n)
+        || !kern_is_finite(c->mu) || !(kern_abs(c->travel) <= KERN_FAR))
         return KERN_BAD_NUMBER;
     if (c->mu < 0)
         return KERN_BAD_FRICTION;
@@ -3871,7 +3958,7 @@ static kern_status kern_structure_check(const kern_structure *s,
     if (!kern_vec_is_finite(s->gravity))
         return KERN_BAD_NUMBER;
     for (i = 0; i < s->blocks; i++) {
-        status = kern_block_check(s->block + i);
+        status = kern_block_check(s->block + i, s->gravity);
         if (status != KERN_STANDS) {
             fault->block = i;
             return status;
@@ -3963,6 +4050,13 @@ static void kern_pattern_on(const kern_structure *s, const kern_question *q,
 static kern_real kern_wrench_sum(const kern_wrench *w)
 { return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
 
+/* Without the torque. Not 0 where just the squares are. */
+static kern_real kern_force_size(const kern_wrench *w)
+{
+    return kern_max(KERN_SQRT(w->fx * w->fx + w->fy * w->fy),
+                    kern_max(kern_abs(w->fx), kern_abs(w->fy)));
+}
+
 /* Adds a share of what acts on block b; returns its magnitude. */
 static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
@@ -3972,8 +4066,8 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
     sum->fx += share * w->fx;
     sum->fy += share * w->fy;
     sum->torque += share * w->torque;
-    return share * (KERN_SQRT(w->fx * w->fx + w->fy * w->fy)
-                    + kern_abs(w->torque) / kern_block_size(b));
+    return share * (kern_force_size(w) + kern_abs(w->torque)
+                                         / kern_block_size(b));
 }
 
 /* All that acts on block i besides its contacts. Returns the sum of the
@@ -3986,8 +4080,7 @@ static kern_real kern_wrench_on(const kern_structure *s,
     kern_wrench pattern;
     kern_real size;
     kern_weigh(q->gravity, b->mass, sum);
-    size = KERN_SQRT(sum->fx * sum->fx + sum->fy * sum->fy)
-           + kern_wrench_add(sum, b, &b->load, KERN_R(1));
+    size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, KERN_R(1));
     if (q->factor > 0) {
         kern_pattern_on(s, q, i, &pattern);
         size += kern_wrench_add(sum, b, &pattern, q->factor);
@@ -4031,10 +4124,11 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 
 /* From the centres of its blocks, a and b, to where contact c acts. The centre
    is taken off first, since far from the origin a place has fewer digits than
-   an arm. Inline where speed is asked for: most questions spend a tenth of
-   their time here. */
-static inline void kern_arms(const kern_structure *s, const kern_contact *c,
-                      const kern_question *q, kern_vec arm[2])
+   an arm. Returns how far the point has moved along t. Inline where speed is
+   asked for: most questions spend a tenth of their time here. */
+static inline kern_real kern_arms(const kern_structure *s,
+                                  const kern_contact *c,
+                                  const kern_question *q, kern_vec arm[2])
 {
     kern_real rate;
     const kern_real shift = kern_shift(kern_travel(c, q->mean), q->shrink,
@@ -4044,6 +4138,7 @@ static inline void kern_arms(const kern_structure *s, const kern_contact *c,
     for (end = 0; end < 2; end++)
         arm[end] = kern_vec_add(
             kern_vec_sub(p, s->block[end ? c->b : c->a].centre), way);
+    return shift;
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
@@ -4053,9 +4148,11 @@ static inline void kern_arms(const kern_structure *s, const kern_contact *c,
    Forces prove "stands": each in its cone, the residual of every equilibrium
    row within KERN_TOL of what acts on the block (or within the rounding of
    the forces that meet there), all together not above KERN_BOUND times the
-   weight. A motion proves "falls": its power exceeds its own rounding, and
-   exceeds KERN_BOUND times the weight of what moves times the worst speed at
-   which it closes a contact: even forces of that size could not hold it. */
+   weight. A motion proves "falls": its power exceeds its own rounding and
+   KERN_BOUND times the weight of what moves times the worst speed at which it
+   closes a contact, taken together: even forces of that size could not hold
+   it. The speed counts with all that rounding may have taken from it, so such
+   a motion is a proof without rounding as well. */
 
 static kern_real kern_prove_forces(const kern_structure *s,
                                    const kern_question *q,
@@ -4091,34 +4188,71 @@ static kern_real kern_prove_forces(const kern_structure *s,
         if (!s->block[i].fixed && !kern_is_gone(q->fallen, i, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
-            kern_real left, allowed;
-            left = kern_max(kern_max(kern_abs(sum[4 * i] + w.fx),
-                                     kern_abs(sum[4 * i + 1] + w.fy)),
-                            kern_abs(sum[4 * i + 2] + w.torque)
-                            / kern_block_size(s->block + i));
-            allowed = KERN_TOL * size + KERN_ROUNDING * sum[4 * i + 3];
+            const kern_real x = kern_abs(sum[4 * i] + w.fx);
+            const kern_real y = kern_abs(sum[4 * i + 1] + w.fy);
+            const kern_real turn = kern_abs(sum[4 * i + 2] + w.torque)
+                                   / kern_block_size(s->block + i);
+            const kern_real left = kern_max(kern_max(x, y), turn);
             weight += size;
+            if (!(x + y + turn <= KERN_HUGE))
+                return KERN_INFINITY;
             if (left > 0)
-                error = kern_max(error, left / allowed);
+                error = kern_max(error, left
+                    / (KERN_TOL * size + KERN_ROUNDING * sum[4 * i + 3]));
         }
+    weight *= KERN_BOUND;
+    if (!(weight <= KERN_HUGE)) /* too much is allowed to prove anything */
+        return KERN_INFINITY;
     if (total > 0)
-        error = kern_max(error, total / (KERN_BOUND * weight));
+        error = kern_max(error, total / weight);
     return error <= 1 ? error : kern_max(error, KERN_R(2));
 }
+
+/* How fast a motion closes contact c at the most, the rounding of this sum
+   included: the worst force of 1 there takes so much power out of the motion.
+   Every operation may lose half of KERN_EPS of its result. Of an arm these are
+   three, those of its three terms; what they lose, the spin multiplies. */
+static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
+                              const kern_question *q,
+                              const kern_motion *motion)
+{
+    kern_vec arm[2], v = kern_vec_make(0, 0), lost = v;
+    const kern_real shift = kern_abs(kern_arms(s, c, q, arm));
+    const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
+    kern_real gap;
+    int end;
+    for (end = 0; end < 2; end++) { /* of b, less that of a */
+        const kern_motion *m = motion + (end ? c->b : c->a);
+        const kern_real x = m->vx - m->spin * arm[end].y;
+        const kern_real y = m->vy + m->spin * arm[end].x;
+        const kern_real spin = 3 * kern_abs(m->spin);
+        v = kern_vec_make(x - v.x, y - v.y);
+        lost.x += kern_abs(x) + spin * (kern_abs(arm[end].y) + shift * nx);
+        lost.y += kern_abs(y) + spin * (kern_abs(arm[end].x) + shift * ny);
+    }
+    lost.x += 5 * kern_abs(v.x);
+    lost.y += 5 * kern_abs(v.y);
+    gap = nx * lost.x + ny * lost.y + c->mu * (nx * lost.y + ny * lost.x);
+    return c->mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
+           + KERN_EPS / 2 * gap + KERN_LEAST;
+}
+
+/* The speed of a block that rests is 0. */
+static kern_real kern_speed(const kern_motion *m)
+{ return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
 
 static kern_real kern_prove_motion(const kern_structure *s,
                                    const kern_question *q,
                                    const kern_motion *motion)
 {
     kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
-    kern_real closing = KERN_R(0), need;
+    kern_real closing = KERN_R(0);
     int i;
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_real px, py, pt;
         kern_wrench w;
-        const kern_real speed = kern_abs(m->vx) + kern_abs(m->vy)
-                                + kern_abs(m->spin);
+        const kern_real speed = kern_speed(m);
         if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
             return KERN_INFINITY;
         if (!(speed > 0))
@@ -4132,23 +4266,19 @@ static kern_real kern_prove_motion(const kern_structure *s,
     }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        kern_vec arm[2], v = kern_vec_make(0, 0);
-        int end;
-        if (kern_is_gone(q->fallen, c->a, c->b))
+        kern_real speed;
+        if (kern_is_gone(q->fallen, c->a, c->b)
+            || !(kern_speed(motion + c->a) + kern_speed(motion + c->b) > 0))
             continue;
-        kern_arms(s, c, q, arm);
-        for (end = 0; end < 2; end++) { /* of b, less that of a */
-            const kern_motion *m = motion + (end ? c->b : c->a);
-            v = kern_vec_make(m->vx - m->spin * arm[end].y - v.x,
-                              m->vy + m->spin * arm[end].x - v.y);
-        }
-        closing = kern_max(closing, c->mu * kern_abs(kern_vec_cross(c->n, v))
-                                    - kern_vec_dot(c->n, v));
+        speed = kern_closing(s, c, q, motion);
+        if (!(speed <= KERN_HUGE))
+            return KERN_INFINITY;
+        closing = kern_max(closing, speed);
     }
-    need = kern_max(KERN_BOUND * weight * closing, KERN_ROUNDING * terms);
-    if (!(power > 0))
+    weight *= KERN_BOUND;
+    if (!(power > KERN_LEAST) || !(terms + weight <= KERN_HUGE))
         return KERN_INFINITY;
-    return need / power;
+    return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
 KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
@@ -4159,7 +4289,7 @@ KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
     kern_question q;
     kern_real *sum;
     int n = 0;
-    if (!work || !force)
+    if (!work || !force || !kern_is_finite(shrink))
         return KERN_INFINITY;
     kern_fault_clear(&work->fault);
     if (kern_structure_check(s, o, &work->fault, &n) != KERN_STANDS)
@@ -4179,7 +4309,8 @@ KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
     kern_question q;
     kern_fault fault;
     int n = 0;
-    if (!motion || kern_structure_check(s, o, &fault, &n) != KERN_STANDS)
+    if (!motion || !kern_is_finite(shrink)
+        || kern_structure_check(s, o, &fault, &n) != KERN_STANDS)
         return KERN_INFINITY;
     q = kern_question_of(s, o, shrink);
     return kern_prove_motion(s, &q, motion);
@@ -6990,6 +7121,10 @@ KERN_API kern_options kern_near(const kern_options *options,
 
 #ifdef __cplusplus
 }
+#endif
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
+#pragma GCC pop_options
 #endif
 
 #endif /* KERN_IMPLEMENTED */

@@ -17,7 +17,8 @@
        rigid_free(&w);
 
    The same calls give the same bits wherever doubles are IEEE doubles and the
-   compiler keeps to them (-ffp-contract=off): a step takes + - * / and sqrt().
+   compiler keeps to them (-ffp-contract=off, and for x86 with -mfma gcc's
+   -fno-tree-vectorize): a step takes + - * / and sqrt().
    Lengths should be of the order of 1: see `slop`.
 
    SPDX-License-Identifier: MIT */
@@ -632,8 +633,16 @@ static inline void rigid_touch_add(struct rigid_touch *t,
     t->id[k] = id;
 }
 
-/* Two corners that face each other: the normal points from one to the other,
-   unless they are too near to tell. */
+/* Within which two corners are in one place. */
+static inline double rigid_near(const struct rigid_world *w)
+{
+    return 0.1 * w->slop;
+}
+
+/* Two corners that face each other: the normal points from one to the other.
+   In one place they do not touch: each can pass the other on either side, and
+   any normal would forbid one of them. Once one has gone that way by a little,
+   an edge is there to slide along. */
 static inline void rigid_corners(const struct rigid_world *w,
                                  struct rigid_touch *t, struct rigid_pt p,
                                  struct rigid_pt q, int id)
@@ -641,10 +650,8 @@ static inline void rigid_corners(const struct rigid_world *w,
     struct rigid_pt d = rigid_sub(q, p);
     double far = sqrt(rigid_dot(d, d));
     if (far > rigid_ahead(w)) return;
-    if (rigid_dot(d, t->n) > 0.1 * w->slop)
-        t->n = rigid_vec(d.x / far, d.y / far);
-    else if (far > 0.1 * w->slop)
-        return;
+    if (!(rigid_dot(d, t->n) > rigid_near(w))) return;
+    t->n = rigid_vec(d.x / far, d.y / far);
     t->points = 1;
     t->at[0] = rigid_vec((p.x + q.x) / 2, (p.y + q.y) / 2);
     t->gap[0] = rigid_dot(d, t->n);
@@ -673,12 +680,13 @@ static inline void rigid_clip(const struct rigid_world *w,
     double length = rigid_cross(n, e), upper = rigid_cross(n, u);
     double lower = rigid_cross(n, l), low = rigid_dot(n, l);
     double up = rigid_dot(n, u), ahead = rigid_ahead(w), slope, x;
+    double near = rigid_near(w);
 
     t->n = n;
-    if (lower >= length || upper <= 0 || upper <= lower) {
-        if (lower >= length)
+    if (lower > length - near || upper < near || upper <= lower) {
+        if (lower > length - near)
             rigid_corners(w, t, c[i2].at, d[j2].at, rigid_name(i2, j2, flip));
-        else if (upper <= 0)
+        else if (upper < near)
             rigid_corners(w, t, from, d[j].at, rigid_name(i, j, flip));
         return;
     }

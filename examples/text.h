@@ -28,6 +28,8 @@
 #include <errno.h>
 #include <float.h>
 #include <limits.h>
+#include <locale.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,6 +52,9 @@ struct text_file {
     char *text;            /* a copy of the file, which the names point into  */
     kern_vec *vertex;      /* of all blocks                                   */
 };
+
+/* A file as long as that, or longer, is not read. */
+#define TEXT_LONGEST ((size_t)INT_MAX / 2)
 
 /* Room for a word as text_show() writes it. */
 enum { TEXT_SHOWN = 40, TEXT_SHOW_ROOM = 4 * TEXT_SHOWN + 4 };
@@ -121,16 +126,34 @@ static inline const char *text_show(char *out, const char *word)
     return out;
 }
 
+/* strtod() of a number whose point is at `dot`, in a process whose locale may
+   write it in another way. Infinite where memory is lacking. */
+static double text_strtod(const char *word, const char *dot)
+{
+    const char *point = localeconv()->decimal_point;
+    size_t before = (size_t)(dot - word), n = strlen(point);
+    if (*dot != '.' || strcmp(point, ".") == 0) return strtod(word, NULL);
+    char room[64], *copy = room;
+    size_t length = strlen(word) + n; /* less the dot, and a NUL */
+    if (length > sizeof room) copy = malloc(length);
+    if (!copy) return HUGE_VAL;
+    memcpy(copy, word, before);
+    memcpy(copy + before, point, n);
+    strcpy(copy + before + n, dot + 1);
+    double value = strtod(copy, NULL);
+    if (copy != room) free(copy);
+    return value;
+}
+
 /* Reads a word that is a finite number, and nothing but one: no hexadecimal
-   and no "inf". Returns 0 where it is not. The grammar is checked first, so
-   that in a process with another locale strtod() can refuse a number but not
-   misread it. */
+   and no "inf". Returns 0 where it is not. */
 static inline int text_number(const char *word, kern_real *out)
 {
     static const char digit[] = "0123456789";
     const char *s = word + (*word == '+' || *word == '-');
     size_t whole = strspn(s, digit), part = 0;
     s += whole;
+    const char *dot = s;
     if (*s == '.') {
         part = strspn(s + 1, digit);
         s += 1 + part;
@@ -142,9 +165,9 @@ static inline int text_number(const char *word, kern_real *out)
         if (power == 0) return 0;
         s += power;
     }
-    char *end;
-    double value = strtod(word, &end);
-    if (*s || *end || !(value <= TEXT_MOST && value >= -TEXT_MOST)) return 0;
+    if (*s) return 0;
+    double value = text_strtod(word, dot);
+    if (!(value <= TEXT_MOST && value >= -TEXT_MOST)) return 0;
     *out = (kern_real)value;
     return 1;
 }
@@ -525,6 +548,13 @@ static int text_lines(struct text_reader *r, size_t length)
     return 0;
 }
 
+/* A normal may be too short to tell its direction. */
+static int text_is_unit(kern_vec n)
+{
+    kern_real square = n.x * n.x + n.y * n.y;
+    return square > (kern_real)0.9 && square < (kern_real)1.1;
+}
+
 /* Makes the explicit contacts, now that the whole file is known. */
 static int text_contacts(struct text_reader *r)
 {
@@ -537,6 +567,7 @@ static int text_contacts(struct text_reader *r)
         int made = kern_contact_make(c->a, c->b, c->n, c->p, c->q,
                                      c->mu < 0 ? t->options.mu : c->mu,
                                      &t->options, out);
+        if (made > 0 && !text_is_unit(out->n)) made = KERN_BAD_NORMAL;
         if (made < 0) {
             t->line = c->line;
             return text_fail(t, "contact '%s' '%s': %s, read normal %.9g %.9g, "
@@ -584,7 +615,9 @@ static inline int text_read(struct text_file *t, const char *data,
     *t = empty;
     t->gravity.y = (kern_real)-9.81;
     t->options = kern_defaults();
-    if (length >= INT_MAX / 2) return text_fail(t, "the file is too long");
+    if (length >= TEXT_LONGEST)
+        return text_fail(t, "the file is too long, %.0f MB or more",
+                         (double)TEXT_LONGEST / 1e6);
     if (length >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0) {
         data += 3; /* a byte order mark */
         length -= 3;
@@ -602,14 +635,18 @@ static inline int text_read(struct text_file *t, const char *data,
     return bad ? -1 : 0;
 }
 
-/* Reads a file to its end. Returns NULL with errno where that fails. */
+/* Reads a file to its end, or to where text_read() will refuse it: a NUL byte,
+   or too much of it. Some files have no end. Returns NULL with errno where that
+   fails. */
 static inline char *text_slurp(FILE *in, size_t *length)
 {
     size_t room = 1 << 16, n;
     char *data = malloc(room);
     *length = 0;
     while (data && (n = fread(data + *length, 1, room - *length, in)) > 0) {
+        const char *read = data + *length;
         *length += n;
+        if (*length >= TEXT_LONGEST || memchr(read, '\0', n)) break;
         if (*length < room) continue;
         char *more = realloc(data, 2 * room);
         if (!more) free(data);

@@ -7,8 +7,8 @@
 
    The data, which are doubles, are taken as the rational numbers that they
    are. Most questions are asked close to critical: with the kerns shrunk to
-   the margin (or grown to the deficit), give or take 1e-9, 1e-7, 1e-5 or 1e-3
-   of the mean block size. Each is decided three times:
+   the margin (or grown to the deficit), give or take 1e-11, 1e-10, 1e-9, 1e-7,
+   1e-5 or 1e-3 of the mean block size. Each is decided three times:
 
    - by the library;
    - by its proof, checked without rounding: the sums that must vanish within
@@ -16,7 +16,8 @@
    - by a simplex method in whole numbers, which knows no tolerance.
 
    A verdict is wrong where its proof fails, and where "stands" would still be
-   untrue if every kern were larger by 1e-8 of the mean size. Counted besides,
+   untrue if every kern were larger by 1e-8 of the mean size, and every
+   coefficient of friction by 1e-8. Counted besides,
    by distance: "tolerance", where the exact answer is "falls" but a little
    less shrinkage makes it "stands" (a load that passes exactly through a closed
    kern is of this kind at any distance), "bound", where forces exist that are
@@ -269,9 +270,7 @@ static int motion_proves(void)
     }
     gained = mpq_get_d(power);
     mpq_clears(power, speed, NULL);
-    /* the library rounds what closes by: some roundings of the speeds */
-    closing -= 1e-15;
-    return gained > 0 && gained * (1 + 1e-6) >= 1e6 * weight * closing;
+    return gained > 0 && gained * (1 + 1e-9) >= 1e6 * weight * closing;
 }
 
 /* ==== The simplex method in whole numbers =========================== */
@@ -416,11 +415,13 @@ static int exact_stands(int with_forces)
 
 /* ==== Questions ===================================================== */
 
-enum { DISTANCES = 5 };
+enum { DISTANCES = 7 };
 static const char *const distance_name[DISTANCES] = {
-    "1e-9", "1e-7", "1e-5", "1e-3", "any"
+    "1e-11", "1e-10", "1e-9", "1e-7", "1e-5", "1e-3", "any"
 };
-static const double distance[DISTANCES] = { 1e-9, 1e-7, 1e-5, 1e-3, 0 };
+static const double distance[DISTANCES] = {
+    1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3, 0
+};
 
 /* Share of the length by which kerns have to grow where "stands" is only true
    within the tolerance of the proof: 1e-9 of a block's weight, which moves the
@@ -441,10 +442,10 @@ static double length_of(double shrink)
                             : kern_max(mean, kern_abs(shrink));
 }
 
-/* A shrinkage near to where the verdict changes; 4 where there is none. */
+/* A shrinkage near to where the verdict changes; the last: there is none. */
 static int question(kern_work *work, double *shrink, int *expect)
 {
-    const int which = random_below(4), inside = random_below(2);
+    const int which = random_below(DISTANCES - 1), inside = random_below(2);
     const double unit = length_of(0);
     kern_margin m;
     kern_real deficit = 0;
@@ -458,7 +459,7 @@ static int question(kern_work *work, double *shrink, int *expect)
                                       == KERN_FALLS && deficit < 100 * unit)
         *shrink = -deficit;
     else
-        return 4;
+        return DISTANCES - 1;
     *shrink += (inside ? -1 : 1) * distance[which] * length_of(*shrink);
     if (options.relative && *shrink > 1)
         *shrink = 1; /* every kern is closed */
@@ -466,17 +467,22 @@ static int question(kern_work *work, double *shrink, int *expect)
     return which;
 }
 
-/* Does it stand with every kern a little larger? Either by opening it, so that
-   closed ones open as well, or by less shrinkage: with point contacts that is
-   not the same. */
+/* Does it stand with every kern and every cone of friction a little larger?
+   Kerns either by opening them, so that closed ones open as well, or by less
+   shrinkage: with point contacts that is not the same. */
 static int almost_stands(double shrink)
 {
     const double little = TOLERANCE * length_of(shrink);
-    exact_structure(shrink, little);
-    if (exact_stands(1))
-        return 1;
-    exact_structure(shrink - little, 0);
-    return exact_stands(1);
+    int way, k;
+    for (way = 0; way < 2; way++) {
+        exact_structure(way ? shrink - little : shrink, way ? 0 : little);
+        mpq_set_d(t1, TOLERANCE);
+        for (k = 0; k < s.contacts; k++)
+            mpq_add(place[k].mu, place[k].mu, t1);
+        if (exact_stands(1))
+            return 1;
+    }
+    return 0;
 }
 
 static void ask(int seed, int most)

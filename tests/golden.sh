@@ -100,6 +100,8 @@ start broken "-Ofast" "" clang -Ofast
 start broken "-funsafe-math-optimizations" "" gcc -O2 \
     -funsafe-math-optimizations
 start broken "x87" qemu-i386 i686-linux-gnu-gcc -O2 -mfpmath=387 -static
+grep -qw fma /proc/cpuinfo && start broken "fused multiply-add, x86-64" "" \
+    gcc -O2 -mfma -ffp-contract=fast
 start broken "fused multiply-add, AArch64" qemu-aarch64 aarch64-linux-gnu-gcc \
     -O2 -ffp-contract=fast -static
 start broken "fused multiply-add, PowerPC" qemu-ppc powerpc-linux-gnu-gcc \

@@ -76,6 +76,45 @@ static void test_slope(void)
     }
 }
 
+/* A block at the lower end of a slope of 40 degrees, friction 0.4: what stands
+   below touches it at its lowest corner and nowhere else, and must not hold
+   it. Returns how far it goes in 2 s. */
+static double corner_way(int with_corner)
+{
+    static const struct rigid_pt up[] = {
+        { 0.642787609686539, -0.766044443118978 },
+        { 7.53718759775734, 5.01904404405988 },
+        { 6.8943999880708, 5.78508848717885 }, { 0, 0 }
+    }, down[] = {
+        { 1.16231838594064, -2.94092093904347 },
+        { 0.642787609686539, -0.766044443118978 }, { 0, 0 },
+        { 0.412974276750846, -0.95888072602494 }
+    }, stone[] = {
+        { 0, 0 }, { 0.766044443118978, 0.642787609686539 },
+        { 0.123256833432439, 1.40883205280552 },
+        { -0.642787609686539, 0.766044443118978 }
+    };
+    struct rigid_world w;
+    struct rigid_pt at = { 0.061628416716219, 0.704416026402759 }, way;
+    int block;
+    rigid_init(&w);
+    rigid_add(&w, up, 4, 0, at);
+    if (with_corner) rigid_add(&w, down, 4, 0, at);
+    block = rigid_add(&w, stone, 4, 1, at);
+    rigid_settle(&w);
+    run(&w, 2);
+    way = rigid_sub(w.block[block].at, at);
+    rigid_free(&w);
+    return sqrt(rigid_dot(way, way));
+}
+
+static void test_corner(void)
+{
+    double bare = corner_way(0), with = corner_way(1);
+    check(fabs(with / bare - 1) < 0.02, "slope: way past a corner / without it",
+          with / bare, 0.02);
+}
+
 /* ---- Standing still ------------------------------------------------------ */
 
 /* The greatest way of a block from where it began, over its size, in 20 s. A
@@ -433,6 +472,7 @@ static void test_pieces(void)
 int main(int argc, char **argv)
 {
     test_slope();
+    test_corner();
     test_pieces();
     test_tower();
     test_wall();

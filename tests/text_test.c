@@ -1,0 +1,104 @@
+/* cc -O2 -ffp-contract=off -o text_test tests/text_test.c -lm && ./text_test
+
+   What examples/text.h reads where the locale is not "C", and what it says of
+   files that are none. The locale here writes a comma, or two bytes, in place
+   of the point: strtod() and localeconv() are replaced. */
+
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char point[3] = ",";
+
+/* strtod() of the locale: stops at a point. */
+static double local_strtod(const char *word, char **end)
+{
+    char copy[512];
+    const char *comma = strstr(word, point);
+    size_t n = comma ? (size_t)(comma - word) : strcspn(word, ".");
+    memcpy(copy, word, n);
+    copy[n] = '\0';
+    if (comma)
+        snprintf(copy + n, sizeof copy - n, ".%s", comma + strlen(point));
+    if (end)
+        *end = NULL;
+    return strtod(copy, NULL);
+}
+
+static struct lconv *local_conventions(void)
+{
+    static struct lconv conventions;
+    conventions.decimal_point = point;
+    return &conventions;
+}
+
+#define KERN_STATIC
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+
+#define strtod local_strtod
+#define localeconv local_conventions
+#include "../examples/text.h"
+#undef strtod
+
+static int failed;
+
+static void check(int good, const char *what)
+{
+    if (!good) printf("FAILED: %s\n", what);
+    failed += !good;
+}
+
+static void numbers(void)
+{
+    static const struct { const char *word; double value; } good[] = {
+        { "0.5", 0.5 }, { "-.25e3", -250 }, { "1.", 1 }, { "+12", 12 },
+        { "3e2", 300 },
+        { "0.12345678901234567890123456789012345678901234567890123456789012345"
+          "6789012345678901234567890", 0.12345678901234568 }
+    };
+    static const char *const bad[] = { "0,5", ".", "1.5x", "1e400", "", "inf",
+                                       "0x1p3", "1.2.3", "e5" };
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        kern_real got = -1;
+        check(text_number(good[i].word, &got) &&
+              fabs((double)got - good[i].value) <=
+                  4 * (double)KERN_EPS * fabs(good[i].value), good[i].word);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        kern_real got;
+        check(!text_number(bad[i], &got), bad[i]);
+    }
+}
+
+/* Whether this text is refused in a line, with these words. */
+static void refused(const char *text, size_t length, int line,
+                    const char *words)
+{
+    struct text_file t;
+    check(text_read(&t, text, length) == -1 && t.line == line &&
+          strstr(t.message, words), words);
+    text_free(&t);
+}
+
+int main(void)
+{
+    static const char short_normal[] =
+        "fixed g -1 -1  1 -1  1 0  -1 0\nblock a 1  0 0  1 0  1 1  0 1\n"
+        "contact g a 1e-310 1e-310  0 0  1 0\n";
+    struct text_file t;
+    numbers();
+    strcpy(point, "\xd9\xab"); /* as Pashto has it */
+    numbers();
+    strcpy(point, ".");
+    refused("friction 0.5\n\0\0", 15, 2, "NUL");
+    if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
+        refused(short_normal, sizeof short_normal - 1, 3, "no direction");
+    check(text_load(&t, "/dev/zero") == -1 && strstr(t.message, "NUL"),
+          "a file without end");
+    text_free(&t);
+    printf("%d failed\n", failed);
+    return failed > 0;
+}
