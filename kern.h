@@ -889,8 +889,6 @@ extern "C" {
 /* A variable this far below zero is still zero. A tenth of what the proof
    allows; less, and the simplex chases rounding. */
 #define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
-/* Least weight of a block, as a share of all, that KERN_FEAS_TOL refers to. */
-#define KERN_LEAST_SCALE KERN_PICK(1e-4, 1e-3)
 /* Pivots and gains below this share of the largest are rounding. */
 #define KERN_PIVOT_TOL   KERN_PICK(1e-10, 1e-5)
 /* A column whose part outside of the basis is less depends on it. */
@@ -2262,8 +2260,6 @@ typedef struct kern_program {
     const kern_real *cost;  /* or NULL                                        */
     const int *ends;        /* network: head and tail group of columns 2 i and
                                2 i + 1, rows / 3 for none; NULL: dense        */
-    const kern_real *weight; /* network: 1 / what is large for a group; 0 for
-                               none, after the last                           */
     kern_real most;         /* what a variable can be at the most; 0: all     */
     int pivots;             /* limit                                          */
 } kern_program;
@@ -2374,18 +2370,6 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
         for (i = 0; i < lp->rows; i++)
             v[i] -= s * c[i];
     }
-}
-
-/* One by how large is large for variable j: of a column, what the smaller of
-   the groups it touches carries by itself. */
-static kern_real kern_lp_weight(const kern_program *lp, int j, kern_real unit)
-{
-    if (!lp->weight)
-        return 1 / unit;
-    if (j >= lp->cols)
-        return lp->weight[(j - lp->cols) / 3];
-    return kern_max(lp->weight[kern_lp_head(lp, j)],
-                    lp->weight[kern_lp_tail(lp, j)]);
 }
 
 /* The first of the groups of network column j in the order of carrying. */
@@ -3129,7 +3113,7 @@ static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v)
     kern_real w;
     if (v > 0 ? j < sx->lp->cols : !(v < 0))
         return KERN_R(0);
-    w = kern_lp_weight(sx->lp, j, sx->unit);
+    w = 1 / sx->unit;
     return v * w < -KERN_FEAS_TOL ? -w
            : j >= sx->lp->cols && v * w > KERN_FEAS_TOL ? w : KERN_R(0);
 }
@@ -3271,7 +3255,7 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
         return KERN_R(0);
     if (!filler)
         *at = kern_max(v, KERN_R(0)) / a;
-    return kern_lp_weight(sx->lp, j, sx->unit) * kern_abs(a);
+    return kern_abs(a) / sx->unit;
 }
 
 /* Lists in sx->link the positions whose variables reach zero on the way on
@@ -3886,7 +3870,6 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.rhs = lp->rhs;
     p.cost = lp->cost;
     p.ends = NULL;
-    p.weight = NULL;
     p.most = KERN_R(0);
     p.pivots = lp->pivots;
     kern_take_open(&take, work);
@@ -4351,6 +4334,7 @@ typedef struct kern_model {
     int falls;                /* the mark of the last of them                 */
     int wide;                 /* by how much the next part of them is widened */
     int again, regrown;
+    kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
 } kern_model;
 
@@ -4368,6 +4352,13 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->group = kern_take_ints(take, blocks);
     m->block = kern_take_ints(take, groups);
     m->ends = kern_take_ints(take, 2 * contacts);
+    m->unit = kern_take_reals(take, groups + 1);
+    m->load = kern_take_reals(take, 3 * groups);
+    m->size = kern_take_reals(take, groups);
+    m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
+    m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
+    m->sum = kern_take_reals(take, 4 * blocks);
+    m->common = *take;
     m->start = kern_take_ints(take, groups + 2);
     m->touch = kern_take_ints(take, 2 * contacts);
     m->leader = kern_take_ints(take, groups);
@@ -4375,13 +4366,7 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->dirty = kern_take_ints(take, groups);
     m->local = kern_take_ints(take, groups + 1);
     m->fell = kern_take_ints(take, groups);
-    m->unit = kern_take_reals(take, groups + 1);
-    m->load = kern_take_reals(take, 3 * groups);
-    m->size = kern_take_reals(take, groups);
     m->arm = kern_take_reals(take, 4 * contacts);
-    m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
-    m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
-    m->sum = kern_take_reals(take, 4 * blocks);
 }
 
 KERN_API void kern_work_need(int blocks, int contacts, int *reals,
@@ -4502,12 +4487,12 @@ static int kern_is_free(const kern_model *m, int block)
 
 /* The torques of contact i for a question. Of all that a contact has in Eq. (5)
    only they depend on the shrinkage. */
-static inline void kern_model_arm(kern_model *m, const kern_question *q, int i)
+static inline void kern_model_arm(const kern_model *m, const kern_question *q,
+                                  int i, kern_real to[4])
 {
     const kern_contact *c = m->s->contact + i;
     const kern_real ub = m->unit[m->ends[2 * i]];
     const kern_real ua = m->unit[m->ends[2 * i + 1]];
-    kern_real *to = m->arm + 4 * (size_t)i;
     kern_vec arm[2];
     kern_arms(m->s, c, q, arm);
     to[0] = kern_vec_cross(arm[1], c->n) * ub;
@@ -4564,7 +4549,7 @@ static void kern_model_set(kern_model *m, const kern_question *q)
     for (g = 0; g < m->groups; g++)
         kern_model_scale(m, g);
     for (i = 0; i < m->s->contacts; i++)
-        kern_model_arm(m, q, i);
+        kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
 }
 
 /* ---- Parts ------------------------------------------------------ >>part */
@@ -4591,21 +4576,19 @@ typedef struct kern_part {
     int cost;                 /* of a step, in products                       */
     /* the linear program */
     kern_program lp;
-    kern_real *arc, *rhs, *weight_of, *x, *y;
+    kern_real *arc, *rhs, *x, *y;
     kern_status found;        /* what the program said, proven or not         */
     kern_simplex simplex;
 } kern_part;
 
-/* The contact k of a part has ends head and tail there. */
-static void kern_part_contact(kern_part *p, int k, int i)
+/* The groups of the part at the ends of its contacts. */
+static void kern_part_ends(kern_part *p)
 {
     const kern_model *m = p->m;
-    int end;
-    p->contact[k] = i;
-    for (end = 0; end < 2; end++) {
-        const int g = m->ends[2 * i + end];
-        p->ends[2 * k + end] = m->local[g] == KERN_OUT ? p->groups
-                                                       : m->local[g];
+    int k;
+    for (k = 0; k < 2 * p->contacts; k++) {
+        const int g = m->ends[2 * p->contact[k >> 1] + (k & 1)];
+        p->ends[k] = m->local[g] == KERN_OUT ? p->groups : m->local[g];
     }
 }
 
@@ -4622,7 +4605,7 @@ static void kern_part_list(kern_part *p, int own)
             const int other = m->ends[2 * i] == g ? m->ends[2 * i + 1]
                                                   : m->ends[2 * i];
             if (own ? other > g : other < g && m->local[other] == KERN_OUT)
-                kern_part_contact(p, p->contacts++, i);
+                p->contact[p->contacts++] = i;
         }
     }
 }
@@ -4645,16 +4628,19 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
             most += m->start[g + 1] - m->start[g];
         }
     p->contact = kern_take_ints(&p->rest, most);
-    p->ends = kern_take_ints(&p->rest, 2 * most);
     if (!kern_take_fits(&p->rest))
         return 0;
     p->contacts = 0;
     kern_part_list(p, 1);
     p->own = p->contacts;
     kern_part_list(p, 0);
+    p->rest.used_ints -= most - p->contacts; /* listed by both its ends */
+    p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    kern_part_ends(p);
     return 1;
 }
-
 
 /* ---- Least forces ----------------------------------------------- >>force */
 /* Of all admissible forces on a part, those of least squares:
@@ -5459,7 +5445,6 @@ static kern_status kern_part_lay(kern_part *p)
         kern_take take = p->rest;
         p->lp.a = p->arc = kern_take_reals(&take, 8 * p->contacts);
         p->lp.rhs = p->rhs = kern_take_reals(&take, 3 * n);
-        p->lp.weight = p->weight_of = kern_take_reals(&take, n + 1);
         p->x = kern_take_reals(&take, 2 * p->contacts);
         p->y = kern_take_reals(&take, 3 * n + 3);
         kern_simplex_lay(&p->simplex, &p->lp, room, &take);
@@ -5483,16 +5468,12 @@ static void kern_part_set(kern_part *p, const kern_question *q)
         kern_model_scale(m, p->group[n]);
         for (j = 0; j < 3; j++)
             p->rhs[3 * n + j] = m->load[3 * p->group[n] + j];
-        p->weight_of[n] = 1 / kern_max(m->size[p->group[n]],
-                                       KERN_LEAST_SCALE);
     }
-    p->weight_of[n] = KERN_R(0);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_contact *c = m->s->contact + i;
-        const kern_real *arm = m->arm + 4 * (size_t)i;
-        kern_real *f = p->arc + 8 * (size_t)k, mu = c->mu;
-        kern_model_arm(m, q, i);
+        kern_real *f = p->arc + 8 * (size_t)k, mu = c->mu, arm[4];
+        kern_model_arm(m, q, i, arm);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
             const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
             f[0] = ray.x;
@@ -5633,14 +5614,23 @@ static kern_status kern_part_ask(kern_part *p, const kern_question *q)
     return status;
 }
 
-/* Opens all groups as one part. */
+/* Opens all groups as one part, in the place of what pouring needs. */
 static kern_status kern_part_all(kern_part *p, kern_model *m)
 {
-    int g;
-    for (g = 0; g < m->groups; g++)
-        m->local[g] = 0;
-    if (!kern_part_open(p, m, m->groups, m->groups - 1))
+    int g, k;
+    p->m = m;
+    p->rest = m->common;
+    p->groups = m->groups;
+    p->contacts = p->own = m->s->contacts;
+    p->ends = m->ends;
+    p->group = kern_take_ints(&p->rest, p->groups);
+    p->contact = kern_take_ints(&p->rest, p->contacts);
+    if (!kern_take_fits(&p->rest))
         return KERN_NO_SPACE;
+    for (g = 0; g < p->groups; g++)
+        p->group[g] = g;
+    for (k = 0; k < p->contacts; k++)
+        p->contact[k] = k;
     return kern_part_lay(p);
 }
 
