@@ -549,9 +549,10 @@ typedef struct kern_lp {
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_REALS_OF(blocks, contacts, extras) \
-    ((extras) * (extras) + 5 * (extras) + 60 * (blocks) + 18 * (contacts) + 64)
+    ((extras) * (extras) + 5 * (extras) + 48 * (blocks) + 12 * (contacts) \
+     + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS_OF(blocks, contacts, extras) \
-    (2 * (extras) + 30 * (blocks) + 12 * (contacts) + 64)
+    (2 * (extras) + 25 * (blocks) + 9 * (contacts) + 16)
 #define KERN_REALS(blocks, contacts) \
     KERN_REALS_OF(blocks, contacts, KERN_EXTRAS(blocks))
 #define KERN_INTS(blocks, contacts) \
@@ -948,7 +949,7 @@ extern "C" {
 #endif
 #define KERN_UNIT_MOST   UM
 #define KERN_PART_ROUNDS PR
-#define KERN_WIDE_SMALL  32
+#define KERN_WIDE_SMALL  16
 #define KERN_LEAST_ROUNDS  30
 #define KERN_POUR_ROUNDS   8
 #define KERN_ROWS_MOST     16
@@ -5671,6 +5672,8 @@ static kern_status kern_part_widen(kern_part *p)
         if (!kern_part_open(p, m, groups, last))
             return KERN_NO_SPACE;
     }
+    if (m->groups > KERN_WIDE_SMALL && 2 * groups > m->groups)
+        return KERN_NO_SPACE; /* not much less than the whole */
     m->falls++;
     for (n = 0; n < p->groups; n++)
         m->fell[p->group[n]] = m->falls;
