@@ -957,6 +957,18 @@ static void kern_fault_clear(kern_fault *fault)
    and from 0.1 to 0.16 foretells them as well. */
 #define KERN_NEAR_GAP   KERN_R(0.03)
 #define KERN_NEAR_ANGLE KERN_R(0.1)
+/* Share of the size of the smaller free block above which no step is too low
+   to carry, however wide the gap: a pebble keeps its shape. */
+#define KERN_STEP_MOST  KERN_R(0.1)
+/* How far a chord may pass by the corners that it leaves out, in gaps: those
+   of a straight line in pixels are up to 1.1 pixels off the line through two
+   of them. */
+#define KERN_CHORD      KERN_R(1.125)
+/* Ends of chords that are kept while one before them is looked for. */
+#define KERN_CHORDS     16
+/* Cosine of 60 degrees: by so much a step may turn the outline, and a normal
+   be off that of its chord. */
+#define KERN_GOES_ON    KERN_R(0.5)
 /* Share of the size by which a foot must lie inside its edge, so that rounding
    makes no contacts between diagonal neighbours. */
 #define KERN_FOOT       KERN_R(1e-6)
@@ -1095,6 +1107,15 @@ static int kern_polygon_corner_after(const kern_block *block, int i)
     const int start = i;
     do
         i = kern_polygon_next(block, i);
+    while (i != start && kern_polygon_turn(block, i) == 0);
+    return i;
+}
+
+static int kern_polygon_corner_before(const kern_block *block, int i)
+{
+    const int start = i;
+    do
+        i = kern_polygon_prev(block, i);
     while (i != start && kern_polygon_turn(block, i) == 0);
     return i;
 }
@@ -1358,6 +1379,7 @@ typedef struct kern_search {
     kern_real gap;          /* widest [m]                                  */
     kern_real least;        /* a line is longer [m]                        */
     kern_real foot;         /* from there on a foot is inside its edge [m] */
+    kern_real step;         /* up to there a step is none [m]              */
     int first;              /* of its contacts                             */
 } kern_search;
 
@@ -1517,6 +1539,19 @@ typedef struct kern_edge {
     kern_real length;
 } kern_edge;
 
+/* The way from corner `start` to corner `end`, and its direction. */
+static void kern_edge_set(kern_edge *e, const kern_block *block, int start,
+                          int end)
+{
+    e->start = start;
+    e->end = end;
+    e->p = kern_polygon_at(block, start);
+    e->q = kern_polygon_at(block, end);
+    e->d = kern_vec_sub(e->q, e->p);
+    e->length = kern_vec_length(e->d);
+    e->d = kern_vec_scale(e->d, 1 / e->length);
+}
+
 /* Before the first edge. */
 static void kern_edge_open(kern_edge *e, const kern_block *block)
 {
@@ -1529,17 +1564,15 @@ static int kern_edge_next(kern_edge *e, const kern_block *block,
                           const kern_box *box, kern_real gap)
 {
     while (e->start < e->end) { /* the last one ends where the first began */
+        const int end = kern_polygon_corner_after(block, e->end);
         kern_box own;
+        kern_box_set(&own, kern_polygon_at(block, e->end),
+                     kern_polygon_at(block, end));
         e->start = e->end;
-        e->end = kern_polygon_corner_after(block, e->start);
-        e->p = kern_polygon_at(block, e->start);
-        e->q = kern_polygon_at(block, e->end);
-        kern_box_set(&own, e->p, e->q);
+        e->end = end;
         if (!kern_box_near(&own, box, gap))
             continue;
-        e->d = kern_vec_sub(e->q, e->p);
-        e->length = kern_vec_length(e->d);
-        e->d = kern_vec_scale(e->d, 1 / e->length);
+        kern_edge_set(e, block, e->start, end);
         e->back = kern_vec_unit(kern_vec_sub(
             kern_polygon_at(block, kern_polygon_prev(block, e->start)), e->p));
         return 1;
@@ -1548,17 +1581,20 @@ static int kern_edge_next(kern_edge *e, const kern_block *block,
 }
 
 /* Adds a raw contact, the longest first: the order in which they make faces.
-   What finds no room is only counted. */
-static void kern_search_put(kern_search *s, kern_vec p, kern_vec n,
-                            kern_real half)
+   What finds no room is only counted. In place of the blocks it may name the
+   corners where the edges start. */
+static void kern_search_put(kern_search *s, int a, int b, kern_vec p,
+                            kern_vec n, kern_real half)
 {
     int i = s->count++;
     if (i >= s->room)
         return;
     for (; i > s->first && s->out[i - 1].travel < half; i--)
         s->out[i] = s->out[i - 1];
-    s->out[i].a = s->index_a;
-    s->out[i].b = s->index_b;
+    s->out[i].a = a;
+    s->out[i].b = b;
+    s->out[i].line = -1; /* the chords are not known */
+    s->out[i].mu = -1;
     s->out[i].p = p;
     s->out[i].n = n;
     s->out[i].travel = half;
@@ -1589,7 +1625,8 @@ static void kern_search_line(kern_search *s, const kern_edge *e,
     if (!(high - low > s->least))
         return;
     mid = kern_vec_step(e->p, (low + high) / 2, t);
-    kern_search_put(s, kern_vec_step(mid, gap / 2, n), n, (high - low) / 2);
+    kern_search_put(s, e->start, f->start, kern_vec_step(mid, gap / 2, n), n,
+                    (high - low) / 2);
 }
 
 /* The corner where f starts stands on edge e of the block `to`: it is convex
@@ -1601,6 +1638,7 @@ static void kern_search_point(kern_search *s, const kern_edge *f,
     const kern_vec r = kern_vec_sub(f->p, e->p);
     const kern_vec t = kern_vec_sub(f->p, e->q);
     const kern_real along = kern_vec_dot(r, e->d), square = s->gap * s->gap;
+    const int on_a = to == s->a;
     if (kern_vec_cross(f->back, f->d) > 0 ||
         kern_abs(kern_vec_cross(r, e->d)) > s->gap ||
         kern_vec_cross(f->d, e->d) < -s->sine ||
@@ -1611,8 +1649,9 @@ static void kern_search_point(kern_search *s, const kern_edge *f,
          kern_polygon_turn(to, e->start) < 0) ||
         (kern_vec_dot(t, t) <= square &&
          kern_polygon_turn(to, e->end) < 0))
-        kern_search_put(s, f->p, kern_vec_scale(kern_vec_turn(e->d),
-                                                to == s->a ? -1 : 1), 0);
+        kern_search_put(s, on_a ? e->start : f->start,
+                        on_a ? f->start : e->start, f->p,
+                        kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1), 0);
 }
 
 /* Looks for lines and points at each two edges that are near each other. */
@@ -1629,6 +1668,223 @@ static void kern_search_edges(kern_search *s)
             kern_search_point(s, &e, s->b, &f);
             kern_search_point(s, &f, s->a, &e);
         }
+    }
+}
+
+/* ---- steps ---- */
+/* Outlines from images and from clippers have steps of a pixel, or of a
+   rounding. A step lower than the gap is no key: contacts are found at the
+   edges as they are, so that no support is lost, but where an outline has such
+   steps take their normals from a chord across them, and lie on it. What a
+   step's own edge found faces away from the chord's normal, and is left out.
+
+   A step is an edge between a left and a right turn, whose neighbours go on in
+   about one direction, one a little higher than the other. Its ends, and the
+   corners that are as near to them as steps are low, are loose. Between two
+   corners that are not, an outline is taken for its chord, or, where that
+   passes by a corner too far away, for the chords to the farthest and from
+   it. */
+
+static int kern_step_at(const kern_search *s, const kern_block *block, int i)
+{
+    const int j = kern_polygon_corner_after(block, i);
+    const kern_vec p = kern_polygon_at(block, i), q = kern_polygon_at(block, j);
+    const kern_vec e = kern_vec_sub(q, p);
+    kern_vec in, out, on;
+    kern_real high;
+    if (kern_polygon_turn(block, i) * kern_polygon_turn(block, j) >= 0)
+        return 0;
+    in = kern_vec_unit(kern_vec_sub(
+        p, kern_polygon_at(block, kern_polygon_prev(block, i))));
+    out = kern_vec_unit(kern_vec_sub(
+        kern_polygon_at(block, kern_polygon_next(block, j)), q));
+    if (!(kern_vec_dot(in, out) > KERN_GOES_ON))
+        return 0;
+    on = kern_vec_unit(kern_vec_add(in, out));
+    high = kern_abs(kern_vec_cross(on, e));
+    return high <= s->step && high > s->sine * kern_vec_length(e);
+}
+
+/* Is corner i at a step, or nearer to one than steps are high? */
+static int kern_step_near(const kern_search *s, const kern_block *block, int i)
+{
+    int back;
+    for (back = 0; back < 2; back++) {
+        kern_real way = 0;
+        int at = i;
+        do {
+            const int to = back ? kern_polygon_corner_before(block, at)
+                                : kern_polygon_corner_after(block, at);
+            if (kern_step_at(s, block, back ? to : at))
+                return 1;
+            way += kern_vec_length(kern_vec_sub(kern_polygon_at(block, to),
+                                                kern_polygon_at(block, at)));
+            at = to;
+        } while (way <= s->step && at != i);
+    }
+    return 0;
+}
+
+/* The corner between `start` and `end` that is farthest from their chord, if
+   that is too far; else `end`. */
+static int kern_chord_part(const kern_search *s, const kern_block *block,
+                           int start, int end)
+{
+    const kern_vec p = kern_polygon_at(block, start);
+    const kern_vec d = kern_vec_sub(kern_polygon_at(block, end), p);
+    const kern_real whole = kern_vec_dot(d, d);
+    const kern_real wide = KERN_CHORD * s->step;
+    kern_real most = wide * wide;
+    int i, part = end;
+    for (i = kern_polygon_corner_after(block, start); i != end;
+         i = kern_polygon_corner_after(block, i)) {
+        kern_vec r = kern_vec_sub(kern_polygon_at(block, i), p);
+        kern_real square;
+        if (whole > 0) /* the chord of a whole outline has no length */
+            r = kern_vec_step(r, -kern_min(kern_max(kern_vec_dot(r, d) / whole,
+                                                    0), 1), d);
+        square = kern_vec_dot(r, r);
+        if (square > most) {
+            most = square;
+            part = i;
+        }
+    }
+    return part;
+}
+
+/* The corner that is farthest from the middle of the block. */
+static int kern_polygon_far(const kern_block *block)
+{
+    const kern_vec mid = kern_vec_mid(block->box.low, block->box.high);
+    kern_real most = -1;
+    int i, far = 0;
+    for (i = 0; i < block->vertices; i++) {
+        const kern_vec r = kern_vec_sub(kern_polygon_at(block, i), mid);
+        const kern_real square = kern_vec_dot(r, r);
+        if (square > most && kern_polygon_turn(block, i) != 0) {
+            most = square;
+            far = i;
+        }
+    }
+    return far;
+}
+
+/* Gives the raw contacts at corners from `start` to `end` of the block that
+   chord. */
+static void kern_chord_give(const kern_search *s, const kern_block *block,
+                            int start, int end)
+{
+    const int n = block->vertices, length = (end - start + n) % n;
+    int i;
+    for (i = s->first; i < s->count; i++) {
+        kern_contact *c = &s->out[i];
+        int *at = block == s->a ? &c->a : &c->b;
+        if ((*at - start + n) % n >= length)
+            continue;
+        *at = start;
+        if (block == s->a)
+            c->line = end;
+        else
+            c->mu = KERN_R(end);
+    }
+}
+
+/* Looks for chords that leave out corners. Returns whether there are any. */
+static int kern_search_chords(const kern_search *s, const kern_block *block)
+{
+    int stop[KERN_CHORDS];
+    int first = kern_polygon_corner_after(block, block->vertices - 1);
+    int any = 0, at, end, part, top;
+    const int begin = first;
+    while (kern_step_near(s, block, first)) {
+        first = kern_polygon_corner_after(block, first);
+        if (first == begin) {
+            first = kern_polygon_far(block);
+            break;
+        }
+    }
+    at = first;
+    do {
+        end = at;
+        do
+            end = kern_polygon_corner_after(block, end);
+        while (end != first && kern_step_near(s, block, end));
+        stop[0] = end;
+        for (top = 1; top > 0; at = end) {
+            end = stop[top - 1];
+            while ((part = kern_chord_part(s, block, at, end)) != end) {
+                end = part;
+                if (top < KERN_CHORDS)
+                    stop[top++] = end;
+            }
+            top -= end == stop[top - 1];
+            if (end != kern_polygon_corner_after(block, at)) {
+                kern_chord_give(s, block, at, end);
+                any = 1;
+            }
+        }
+    } while (at != first);
+    return any;
+}
+
+/* How far inside the chord's ends p is. */
+static kern_real kern_chord_inside(const kern_edge *e, kern_vec p)
+{
+    const kern_real along = kern_vec_dot(kern_vec_sub(p, e->p), e->d);
+    return kern_min(along, e->length - along);
+}
+
+/* Puts a raw contact on its chords again: midway between two that run against
+   each other, else on the one inside of whose ends it lies farther. */
+static void kern_search_again(kern_search *s, const kern_contact *c)
+{
+    kern_edge e, f;
+    kern_vec t, n, p;
+    kern_real cosine;
+    if (c->line < 0 && c->mu < 0) {
+        kern_search_put(s, s->index_a, s->index_b, c->p, c->n, c->travel);
+        return;
+    }
+    kern_edge_set(&e, s->a, c->a, c->line >= 0 ? c->line
+                  : kern_polygon_corner_after(s->a, c->a));
+    kern_edge_set(&f, s->b, c->b, c->mu >= 0 ? (int)c->mu
+                  : kern_polygon_corner_after(s->b, c->b));
+    p = kern_vec_mid(e.p, f.p);
+    if (kern_vec_dot(e.d, f.d) < 0 &&
+        kern_abs(kern_vec_cross(e.d, f.d)) <= s->sine) {
+        t = kern_vec_unit(kern_vec_sub(e.d, f.d));
+        /* of both, where they are at the contact */
+        p = kern_vec_mid(
+            kern_vec_step(e.p, kern_vec_dot(kern_vec_sub(c->p, e.p), e.d), e.d),
+            kern_vec_step(f.p, kern_vec_dot(kern_vec_sub(c->p, f.p), f.d),
+                          f.d));
+    } else if (kern_chord_inside(&e, c->p) >= kern_chord_inside(&f, c->p)) {
+        t = e.d;
+        p = e.p;
+    } else {
+        t = kern_vec_scale(f.d, -1);
+        p = f.p;
+    }
+    n = kern_vec_scale(kern_vec_turn(t), -1);
+    cosine = kern_vec_dot(n, c->n);
+    if (cosine > KERN_GOES_ON)
+        kern_search_put(s, s->index_a, s->index_b,
+                        kern_vec_step(c->p, kern_vec_dot(
+                            kern_vec_sub(p, c->p), n), n),
+                        n, c->travel * cosine);
+}
+
+/* Gives raw contacts at steps their places and normals. */
+static void kern_search_steps(kern_search *s)
+{
+    const int raw = s->count;
+    int i;
+    kern_search_chords(s, s->a);
+    kern_search_chords(s, s->b);
+    s->count = s->first;
+    for (i = s->first; i < raw; i++) {
+        const kern_contact c = s->out[i]; /* none is put behind its place */
+        kern_search_again(s, &c);
     }
 }
 
@@ -1775,6 +2031,9 @@ static kern_status kern_search_touch(kern_search *s)
         return KERN_NO_SPACE;
     if (s->count == s->first)
         return KERN_STANDS;
+    kern_search_steps(s);
+    if (s->count == s->first)
+        return KERN_STANDS;
     kern_search_filter(s);
     for (i = s->first; i < s->count; i++) {
         kern_search_face(s, i);
@@ -1808,6 +2067,7 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     s->gap = kern_max(s->gap, s->floor);
     s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
     s->foot = kern_max(KERN_FOOT * size, s->floor);
+    s->step = kern_min(s->gap, KERN_STEP_MOST * size) + s->floor;
     return kern_search_touch(s);
 }
 
