@@ -1581,8 +1581,8 @@ static int kern_edge_next(kern_edge *e, const kern_block *block,
 }
 
 /* Adds a raw contact, the longest first: the order in which they make faces.
-   What finds no room is only counted. In place of the blocks it may name the
-   corners where the edges start. */
+   What finds no room is only counted. In place of the blocks it may name where
+   the edges start, or -1 less the corner that is the point. */
 static void kern_search_put(kern_search *s, int a, int b, kern_vec p,
                             kern_vec n, kern_real half)
 {
@@ -1649,8 +1649,8 @@ static void kern_search_point(kern_search *s, const kern_edge *f,
          kern_polygon_turn(to, e->start) < 0) ||
         (kern_vec_dot(t, t) <= square &&
          kern_polygon_turn(to, e->end) < 0))
-        kern_search_put(s, on_a ? e->start : f->start,
-                        on_a ? f->start : e->start, f->p,
+        kern_search_put(s, on_a ? e->start : -1 - f->start,
+                        on_a ? -1 - f->start : e->start, f->p,
                         kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1), 0);
 }
 
@@ -1769,6 +1769,9 @@ static int kern_polygon_far(const kern_block *block)
     return far;
 }
 
+static int kern_raw_corner(int i)
+{ return i < 0 ? -1 - i : i; }
+
 /* Gives the raw contacts at corners from `start` to `end` of the block that
    chord. */
 static void kern_chord_give(const kern_search *s, const kern_block *block,
@@ -1779,9 +1782,9 @@ static void kern_chord_give(const kern_search *s, const kern_block *block,
     for (i = s->first; i < s->count; i++) {
         kern_contact *c = &s->out[i];
         int *at = block == s->a ? &c->a : &c->b;
-        if ((*at - start + n) % n >= length)
+        if ((kern_raw_corner(*at) - start + n) % n >= length)
             continue;
-        *at = start;
+        *at = *at < 0 ? -1 - start : start;
         if (block == s->a)
             c->line = end;
         else
@@ -1789,12 +1792,12 @@ static void kern_chord_give(const kern_search *s, const kern_block *block,
     }
 }
 
-/* Looks for chords that leave out corners. Returns whether there are any. */
-static int kern_search_chords(const kern_search *s, const kern_block *block)
+/* Looks for chords that leave out corners. */
+static void kern_search_chords(const kern_search *s, const kern_block *block)
 {
     int stop[KERN_CHORDS];
     int first = kern_polygon_corner_after(block, block->vertices - 1);
-    int any = 0, at, end, part, top;
+    int at, end, part, top;
     const int begin = first;
     while (kern_step_near(s, block, first)) {
         first = kern_polygon_corner_after(block, first);
@@ -1818,20 +1821,48 @@ static int kern_search_chords(const kern_search *s, const kern_block *block)
                     stop[top++] = end;
             }
             top -= end == stop[top - 1];
-            if (end != kern_polygon_corner_after(block, at)) {
+            if (end != kern_polygon_corner_after(block, at))
                 kern_chord_give(s, block, at, end);
-                any = 1;
-            }
         }
     } while (at != first);
-    return any;
 }
 
-/* How far inside the chord's ends p is. */
-static kern_real kern_chord_inside(const kern_edge *e, kern_vec p)
+/* The chord or edge of a raw contact. */
+static void kern_chord_set(kern_edge *e, const kern_block *block, int at,
+                           int end)
+{
+    at = kern_raw_corner(at);
+    kern_edge_set(e, block, at,
+                  end < 0 ? kern_polygon_corner_after(block, at) : end);
+}
+
+/* p on the chord's line */
+static kern_vec kern_chord_foot(const kern_edge *e, kern_vec p)
+{
+    return kern_vec_step(e->p, kern_vec_dot(kern_vec_sub(p, e->p), e->d),
+                         e->d);
+}
+
+/* How far inside the chord's ends p is; below 0 if it is the chord's own corner
+   and has no normal there. */
+static kern_real kern_chord_inside(const kern_edge *e, kern_vec p, int at)
 {
     const kern_real along = kern_vec_dot(kern_vec_sub(p, e->p), e->d);
-    return kern_min(along, e->length - along);
+    const kern_real inside = kern_min(along, e->length - along);
+    return at < 0 && !(inside > 0) ? -KERN_HUGE : inside;
+}
+
+/* A corner of chord f on chord e: where it is taken to be. What f leaves out
+   next to its end stands for that, if the end is about as near. */
+static kern_vec kern_chord_corner(const kern_search *s, const kern_edge *f,
+                                  kern_vec p, int at, const kern_edge *e)
+{
+    const kern_real along = kern_vec_dot(kern_vec_sub(p, f->p), f->d);
+    const kern_vec end = along + along > f->length ? f->q : f->p;
+    const kern_vec r = kern_vec_sub(end, e->p);
+    return at < 0 && kern_chord_inside(e, end, 0) >= 0 &&
+           kern_abs(kern_vec_cross(r, e->d)) <= s->gap + KERN_CHORD * s->step
+           ? end : p;
 }
 
 /* Puts a raw contact on its chords again: midway between two that run against
@@ -1845,33 +1876,24 @@ static void kern_search_again(kern_search *s, const kern_contact *c)
         kern_search_put(s, s->index_a, s->index_b, c->p, c->n, c->travel);
         return;
     }
-    kern_edge_set(&e, s->a, c->a, c->line >= 0 ? c->line
-                  : kern_polygon_corner_after(s->a, c->a));
-    kern_edge_set(&f, s->b, c->b, c->mu >= 0 ? (int)c->mu
-                  : kern_polygon_corner_after(s->b, c->b));
-    p = kern_vec_mid(e.p, f.p);
+    kern_chord_set(&e, s->a, c->a, c->line);
+    kern_chord_set(&f, s->b, c->b, (int)c->mu);
     if (kern_vec_dot(e.d, f.d) < 0 &&
         kern_abs(kern_vec_cross(e.d, f.d)) <= s->sine) {
         t = kern_vec_unit(kern_vec_sub(e.d, f.d));
-        /* of both, where they are at the contact */
-        p = kern_vec_mid(
-            kern_vec_step(e.p, kern_vec_dot(kern_vec_sub(c->p, e.p), e.d), e.d),
-            kern_vec_step(f.p, kern_vec_dot(kern_vec_sub(c->p, f.p), f.d),
-                          f.d));
-    } else if (kern_chord_inside(&e, c->p) >= kern_chord_inside(&f, c->p)) {
+        p = kern_vec_mid(kern_chord_foot(&e, c->p), kern_chord_foot(&f, c->p));
+    } else if (kern_chord_inside(&e, c->p, c->a) >=
+               kern_chord_inside(&f, c->p, c->b)) {
         t = e.d;
-        p = e.p;
+        p = kern_chord_foot(&e, kern_chord_corner(s, &f, c->p, c->b, &e));
     } else {
         t = kern_vec_scale(f.d, -1);
-        p = f.p;
+        p = kern_chord_foot(&f, kern_chord_corner(s, &e, c->p, c->a, &f));
     }
     n = kern_vec_scale(kern_vec_turn(t), -1);
     cosine = kern_vec_dot(n, c->n);
     if (cosine > KERN_GOES_ON)
-        kern_search_put(s, s->index_a, s->index_b,
-                        kern_vec_step(c->p, kern_vec_dot(
-                            kern_vec_sub(p, c->p), n), n),
-                        n, c->travel * cosine);
+        kern_search_put(s, s->index_a, s->index_b, p, n, c->travel * cosine);
 }
 
 /* Gives raw contacts at steps their places and normals. */

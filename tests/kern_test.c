@@ -2525,6 +2525,322 @@ static void contact_order(void)
     }
 }
 
+/* ==== Steps ========================================================= */
+/* Outlines from clippers and from images have steps lower than the gap. What
+   lies on them has the contacts of outlines without. */
+
+/* A unit box on a bed with friction 0.4 and nothing to push against. */
+static void check_slides(world *w)
+{
+    int side;
+    world_touch(w);
+    check_contacts(w);
+    for (side = -1; side <= 1; side += 2) {
+        double value;
+        CHECK_INT(load_factor(w, NULL, side, &value), KERN_STANDS);
+        CHECK_NEAR(value, 0.4, 2e-3);
+        CHECK_INT(tilt(w, side, &value), KERN_STANDS);
+        CHECK_NEAR(value, atan(0.4), 2e-3);
+    }
+}
+
+/* shear/step_1e-12, shear/kerb_1e-9: a step of a rounding was a shear key, with
+   load factors of 2.27 and 1. */
+static void steps_of_a_rounding(void)
+{
+    static const double high[] = {1e-12, 1e-9, 1e-6, 1e-4, 9e-4};
+    int i;
+    for (i = 0; i < 5; i++) {
+        const double h = high[i];
+        static world w;
+        double xy[16] = {0, -1, 1, -1, 1, 0, 0.5, 0, 0.5, 0, 0, 0};
+        double on[16] = {0, 0, 0.5, 0, 0.5, 0, 1, 0, 1, 1, 0, 1};
+        const double kerb[] = {-2, -1, 3, -1, 3, h, 1, h, 1, 0, -2, 0};
+        const double both[] = {-2, -1, 3, -1, 3, h, 1, h, 1, 0, 0, 0,
+                               0, h, -2, h};
+        if (SINGLE && h < 1e-6)
+            continue;
+        sprintf(context, "(step of %g)", h);
+        xy[5] = xy[7] = on[5] = on[7] = -h;
+        world_reset(&w);
+        world_polygon(&w, 0, xy, 6);
+        world_polygon(&w, 1, on, 6);
+        check_slides(&w);
+        CHECK_INT(w.contacts, 2);
+        world_reset(&w);
+        world_polygon(&w, 0, kerb, 6);
+        world_box(&w, 1, 0, 0, 1, 1);
+        check_slides(&w);
+        CHECK_INT(w.contacts, 2);
+        world_reset(&w);
+        world_polygon(&w, 0, both, 8);
+        world_box(&w, 1, 0, 0, 1, 1);
+        check_slides(&w);
+        CHECK_INT(w.contacts, 2);
+    }
+    context[0] = 0;
+}
+
+/* A step as high as the gap and more is one. */
+static void steps_that_carry(void)
+{
+    const double kerb[] = {-2, -1, 3, -1, 3, 2e-3, 1, 2e-3, 1, 0, -2, 0};
+    static world w;
+    double value;
+    world_reset(&w);
+    world_polygon(&w, 0, kerb, 6);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_touch(&w);
+    CHECK_INT(load_factor(&w, NULL, 1, &value), KERN_STANDS);
+    CHECK(value > 0.9);
+    CHECK_INT(load_factor(&w, NULL, -1, &value), KERN_STANDS);
+    CHECK_NEAR(value, 0.4, EXACT * 10);
+    w.options.gap = R(2.5e-3); /* whoever calls it a gap has no kerb */
+    check_slides(&w);
+    /* shear/lip_2e-6: a sliver of support is one */
+    world_reset(&w);
+    world_box(&w, 0, -2, -1, SINGLE ? 2e-5 : 2e-6, 0);
+    world_box(&w, 0, 0.7, -1, 3, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_touch(&w);
+    CHECK_INT(verdict(&w, 0), KERN_STANDS);
+    CHECK_INT(load_factor(&w, NULL, 1, &value), KERN_STANDS);
+    CHECK_NEAR(value, 0.4, SINGLE ? 1e-3 : 1e-6);
+}
+
+/* The joint between two stones of unit width in an image of n pixels across a
+   stone: a row of pixels ends where the joint passes its middle. n = 0: the
+   joint as it is. */
+static void pixel_joint(world *w, int n, double slope)
+{
+    static double xy[MAX_VERTICES], on[MAX_VERTICES];
+    int c, k = 0, i, last;
+    world_reset(w);
+    if (n == 0) {
+        const double a[] = {0, -1, 1, -1, 1, slope, 0, 0};
+        const double b[] = {0, 0, 1, slope, 1, 1 + slope, 0, 1 + slope};
+        world_polygon(w, 0, a, 4);
+        world_polygon(w, 1, b, 4);
+        return;
+    }
+    last = 0;
+    on[k++] = 0;
+    on[k++] = 0;
+    for (c = 0; c < n; c++) {
+        const int high = (int)floor(slope * (c + 0.5) + 0.5);
+        if (high != last) {
+            on[k++] = (double)c / n;
+            on[k++] = (double)last / n;
+            on[k++] = (double)c / n;
+            on[k++] = (double)high / n;
+        }
+        last = high;
+    }
+    on[k++] = 1;
+    on[k++] = (double)last / n;
+    /* clockwise below, counter-clockwise above */
+    for (i = 0; i < k; i++)
+        xy[i] = on[i];
+    xy[i++] = 1;
+    xy[i++] = -1;
+    xy[i++] = 0;
+    xy[i++] = -1;
+    world_polygon(w, 0, xy, i / 2);
+    on[k++] = 1;
+    on[k++] = 1 + slope;
+    on[k++] = 0;
+    on[k++] = 1 + slope;
+    world_polygon(w, 1, on, k / 2);
+}
+
+/* Where a pixel is more than the gap of 1/1000, the gap must be told: a pixel
+   and a half. */
+static void steps_of_pixels(void)
+{
+    static const int pixels[] = {100, 300, 1000, 2000};
+    static const double degrees[] = {1, 5, 10, 20, 30, 44};
+    static world w, t;
+    int i, j;
+    for (j = 0; j < 6; j++)
+        for (i = 0; i < 4; i++) {
+            const int n = pixels[i];
+            const double slope = tan(degrees[j] * pi / 180);
+            const double pixel = 1.0 / n;
+            kern_margin m, straight;
+            double right, want;
+            int side;
+            if (4 * slope * n > MAX_VERTICES / 2 - 10)
+                continue;
+            sprintf(context, "(%d pixels, %g degrees)", n, degrees[j]);
+            pixel_joint(&t, 0, slope);
+            pixel_joint(&w, n, slope);
+            w.options.mu = t.options.mu = R(degrees[j] > 15 ? 1.2 : 0.4);
+            w.options.gap = R(n < 2000 ? 1.5 * pixel : 0);
+            world_touch(&w);
+            world_touch(&t);
+            CHECK_INT(w.contacts, 2);
+            CHECK_INT(measure(&t, &straight), KERN_STANDS);
+            CHECK_INT(measure(&w, &m), KERN_STANDS);
+            CHECK_NEAR(m.margin, straight.margin, pixel);
+            CHECK(abs(m.level - straight.level) <= 1);
+            for (side = -1; side <= 1; side += 2) {
+                load_factor(&t, NULL, side, &want);
+                CHECK_INT(load_factor(&w, NULL, side, &right), KERN_STANDS);
+                CHECK_NEAR(right, want, 0.05 * want);
+                if(getenv("V")) printf("%s %d: %g %g  margin %g %g level %d %d contacts %d\n",context,side,right,want,(double)m.margin,(double)straight.margin,m.level,straight.level,w.contacts);
+            }
+        }
+    context[0] = 0;
+}
+
+/* ---- random stones with and without steps ---- */
+
+/* The polygon xy with steps in the edges that `rough` has a bit for: pairs of
+   risers, upright, inclined or broken, that lead `high` out of or into the
+   stone and back. Returns how many vertices there are. */
+static int roughened(double *out, const double *xy, int n, int rough,
+                     double gap)
+{
+    int i, k, to = 0;
+    for (i = 0; i < n; i++) {
+        const double *p = xy + 2 * i, *q = xy + 2 * ((i + 1) % n);
+        const double long_ = hypot(q[0] - p[0], q[1] - p[1]);
+        const double tx = (q[0] - p[0]) / long_, ty = (q[1] - p[1]) / long_;
+        const int pairs = rough >> i & 1 ? random_int(1, 3) : 0;
+        out[to++] = p[0];
+        out[to++] = p[1];
+        for (k = 0; k < 4 * pairs; k++) {
+            static double at, high, run, part;
+            const int pair = k / 4, lower = k % 4 == 0 || k % 4 == 3;
+            if (k % 4 == 0) {
+                high = gap * pow(10, uniform(SINGLE ? -3 : -9, log10(0.9)));
+                high *= chance(0.5) ? 1 : -1;
+                at = chance(0.2) ? uniform(0.1, 3) * gap
+                                 : uniform(0.05, 0.9) * long_ / pairs;
+                at += long_ * pair / pairs;
+                run = chance(0.5) ? 0 : fabs(high) * uniform(0, 1);
+                part = chance(0.3) ? uniform(0.2, 0.8) : 0;
+            } else if (k % 4 == 2) {
+                const double left = (pair + 1.0) / pairs * long_ - at;
+                at += (left - 3 * run) * uniform(0.1, 0.9);
+            }
+            if (k % 4 == 1 || k % 4 == 3)
+                at += run;
+            if (part > 0 && (k % 4 == 1 || k % 4 == 3)) {
+                /* the riser is broken in the middle */
+                const double x = at - run * 0.7;
+                out[to++] = p[0] + tx * x + ty * high * part;
+                out[to++] = p[1] + ty * x - tx * high * part;
+            }
+            out[to++] = p[0] + tx * at + (lower ? 0 : ty * high);
+            out[to++] = p[1] + ty * at - (lower ? 0 : tx * high);
+        }
+    }
+    return to / 2;
+}
+
+/* A random stone of three to seven corners around (0, 0). */
+static int round_stone(double *xy)
+{
+    const int n = random_int(3, 7);
+    const double turn = uniform(0, 2 * pi);
+    int i;
+    for (i = 0; i < n; i++) {
+        const double angle = turn + 2 * pi * (i + uniform(-0.2, 0.2)) / n;
+        xy[2 * i] = cos(angle);
+        xy[2 * i + 1] = sin(angle);
+    }
+    return n;
+}
+
+/* A fixed neighbour of the edge from p to q: a box along part of it, a box with
+   a corner on it, or one on whose edge corner q stands. */
+static int neighbour(double *xy, const double *p, const double *q)
+{
+    const double long_ = hypot(q[0] - p[0], q[1] - p[1]);
+    const double tx = (q[0] - p[0]) / long_, ty = (q[1] - p[1]) / long_;
+    const double from = uniform(-0.3, 0.7) * long_;
+    const double wide_ = uniform(0.2, 1) * long_, deep = uniform(0.2, 1);
+    double turn = 0;
+    int i;
+    for (i = 0; i < 4; i++) {
+        const double along = i == 0 || i == 3 ? 0 : wide_;
+        const double out = i == 0 || i == 1 ? deep : 0;
+        xy[2 * i] = along;
+        xy[2 * i + 1] = -out;
+    }
+    if (chance(0.3))
+        turn = uniform(0.2, 1.2);
+    for (i = 0; i < 4; i++) { /* corner 3 is its place on the edge */
+        const double x = xy[2 * i] * cos(turn) + xy[2 * i + 1] * sin(turn);
+        const double y = -xy[2 * i] * sin(turn) + xy[2 * i + 1] * cos(turn);
+        xy[2 * i] = p[0] + tx * (x + from) - ty * y;
+        xy[2 * i + 1] = p[1] + ty * (x + from) + tx * y;
+    }
+    return 4;
+}
+
+/* Has each contact of w one of t at its place, and none another? */
+static int same_supports(const world *w, const world *t, double gap)
+{
+    int i, j, ok = w->contacts == t->contacts;
+    for (i = 0; i < w->contacts && ok; i++) {
+        const kern_contact *c = &w->contact[i];
+        int found = 0;
+        for (j = 0; j < t->contacts; j++) {
+            const kern_contact *d = &t->contact[j];
+            found |= c->a == d->a && c->b == d->b && c->line == d->line &&
+                     hypot((double)(c->p.x - d->p.x),
+                           (double)(c->p.y - d->p.y)) <= gap &&
+                     (double)(c->n.x * d->n.x + c->n.y * d->n.y) >=
+                         cos((double)w->options.angle);
+        }
+        ok = found;
+    }
+    return ok;
+}
+
+static void steps_in_random_stones(void)
+{
+    int trial, cases = 0;
+    for (trial = 0; trial < TRIALS; trial++) {
+        static world w, t;
+        double stone[14], other[8], rough[400];
+        const int on_stone = trial % 2;
+        double gap;
+        int n, edge, k;
+        random_seed(52000u + (unsigned long long)trial);
+        sprintf(context, "(stone %d)", trial);
+        n = round_stone(stone);
+        edge = random_int(0, n - 1);
+        neighbour(other, stone + 2 * edge, stone + 2 * ((edge + 1) % n));
+        world_reset(&w);
+        world_polygon(&w, 1, stone, n);
+        world_polygon(&w, 0, other, 4);
+        gap = 1e-3 * sqrt(fabs((double)w.block[0].area));
+        if (world_touch(&w) <= 0)
+            continue; /* in each other */
+        cases++;
+        world_reset(&t);
+        k = roughened(rough, stone, n, on_stone ? random_int(1, 127) : 0, gap);
+        world_polygon(&t, 1, rough, k);
+        k = roughened(rough, other, 4, on_stone ? 0 : random_int(1, 15), gap);
+        world_polygon(&t, 0, rough, k);
+        CHECK(world_touch(&t) > 0);
+        if (!same_supports(&w, &t, 1.125*gap)) {
+            CHECK(!"same supports");
+            if (getenv("V")) {
+                for (k = 0; k < w.contacts; k++) printf("  w p %.6f %.6f n %.5f %.5f line %d\n", w.contact[k].p.x,w.contact[k].p.y,w.contact[k].n.x,w.contact[k].n.y,w.contact[k].line);
+                for (k = 0; k < t.contacts; k++) printf("  t p %.6f %.6f n %.5f %.5f line %d\n", t.contact[k].p.x,t.contact[k].p.y,t.contact[k].n.x,t.contact[k].n.y,t.contact[k].line);
+            }
+        } else
+            passed++;
+    }
+    context[0] = 0;
+    if (getenv("V")) printf("%d cases\n", cases);
+    CHECK(cases > 1500);
+}
+
 /* ==== Linear programs =============================================== */
 
 enum { LP_ROWS = 8, LP_COLS = 24 };
@@ -5780,6 +6096,10 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(contact_many_blocks),
                              TEST(contact_invariance),
                              TEST(contact_order),
+                             TEST(steps_of_a_rounding),
+                             TEST(steps_that_carry),
+                             TEST(steps_of_pixels),
+                             TEST(steps_in_random_stones),
                              TEST(lp_cycling),
                              TEST(lp_kinds),
                              TEST(lp_random),
