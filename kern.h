@@ -1102,23 +1102,21 @@ static int kern_polygon_turn(const kern_block *block, int i)
     return turn > 0 ? 1 : -1;
 }
 
-static int kern_polygon_corner_after(const kern_block *block, int i)
+static int kern_polygon_beside(const kern_block *block, int i, int back)
+{ return back ? kern_polygon_prev(block, i) : kern_polygon_next(block, i); }
+
+/* The next corner, or the one before. */
+static int kern_polygon_corner(const kern_block *block, int i, int back)
 {
     const int start = i;
     do
-        i = kern_polygon_next(block, i);
+        i = kern_polygon_beside(block, i, back);
     while (i != start && kern_polygon_turn(block, i) == 0);
     return i;
 }
 
-static int kern_polygon_corner_before(const kern_block *block, int i)
-{
-    const int start = i;
-    do
-        i = kern_polygon_prev(block, i);
-    while (i != start && kern_polygon_turn(block, i) == 0);
-    return i;
-}
+static int kern_polygon_corner_after(const kern_block *block, int i)
+{ return kern_polygon_corner(block, i, 0); }
 
 /* ---- boxes ---- */
 
@@ -1678,31 +1676,46 @@ static void kern_search_edges(kern_search *s)
    steps take their normals from a chord across them, and lie on it. What a
    step's own edge found faces away from the chord's normal, and is left out.
 
-   A step is an edge between a left and a right turn, whose neighbours go on in
-   about one direction, one a little higher than the other. Its ends, and the
-   corners that are as near to them as steps are low, are loose. Between two
-   corners that are not, an outline is taken for its chord, or, where that
-   passes by a corner too far away, for the chords to the farthest and from
+   A step is an edge, or some short ones, between a left and a right turn, whose
+   neighbours go on in about one direction, one a little higher than the other.
+   Its ends, and the corners that are as near to them as steps are low, are
+   loose. Between two corners that are not, an outline is taken for its chord,
+   or, where that passes by a corner too far away, for the chords to it and from
    it. */
 
-static int kern_step_at(const kern_search *s, const kern_block *block, int i)
+static kern_vec kern_polygon_way(const kern_block *block, int from, int to)
 {
-    const int j = kern_polygon_corner_after(block, i);
-    const kern_vec p = kern_polygon_at(block, i), q = kern_polygon_at(block, j);
-    const kern_vec e = kern_vec_sub(q, p);
-    kern_vec in, out, on;
-    kern_real high;
-    if (kern_polygon_turn(block, i) * kern_polygon_turn(block, j) >= 0)
-        return 0;
-    in = kern_vec_unit(kern_vec_sub(
-        p, kern_polygon_at(block, kern_polygon_prev(block, i))));
-    out = kern_vec_unit(kern_vec_sub(
-        kern_polygon_at(block, kern_polygon_next(block, j)), q));
-    if (!(kern_vec_dot(in, out) > KERN_GOES_ON))
-        return 0;
-    on = kern_vec_unit(kern_vec_add(in, out));
-    high = kern_abs(kern_vec_cross(on, e));
-    return high <= s->step && high > s->sine * kern_vec_length(e);
+    return kern_vec_sub(kern_polygon_at(block, to),
+                        kern_polygon_at(block, from));
+}
+
+/* Is corner i the end of a step? Looks at those that go on from it, or back. */
+static int kern_step_from(const kern_search *s, const kern_block *block, int i,
+                          int back)
+{
+    const int turn = kern_polygon_turn(block, i);
+    const kern_vec in = kern_vec_unit(kern_polygon_way(
+        block, kern_polygon_beside(block, i, !back), i));
+    kern_real way = 0;
+    int at = i;
+    do {
+        const int to = kern_polygon_corner(block, at, back);
+        const kern_vec e = kern_polygon_way(block, i, to);
+        const kern_real length =
+            kern_vec_length(kern_polygon_way(block, at, to));
+        way += length;
+        if (to != i && kern_polygon_turn(block, to) * turn < 0) {
+            const kern_vec out = kern_vec_unit(kern_polygon_way(
+                block, to, kern_polygon_beside(block, to, back)));
+            const kern_vec on = kern_vec_unit(kern_vec_add(in, out));
+            const kern_real high = kern_abs(kern_vec_cross(on, e));
+            if (kern_vec_dot(in, out) > KERN_GOES_ON && high <= s->step &&
+                high > s->sine * kern_vec_length(e))
+                return 1;
+        }
+        at = to;
+    } while (way <= 2 * s->step && at != i);
+    return 0;
 }
 
 /* Is corner i at a step, or nearer to one than steps are high? */
@@ -1713,39 +1726,41 @@ static int kern_step_near(const kern_search *s, const kern_block *block, int i)
         kern_real way = 0;
         int at = i;
         do {
-            const int to = back ? kern_polygon_corner_before(block, at)
-                                : kern_polygon_corner_after(block, at);
-            if (kern_step_at(s, block, back ? to : at))
+            const int to = kern_polygon_corner(block, at, back);
+            if (kern_step_from(s, block, at, 0) ||
+                kern_step_from(s, block, at, 1))
                 return 1;
-            way += kern_vec_length(kern_vec_sub(kern_polygon_at(block, to),
-                                                kern_polygon_at(block, at)));
+            way += kern_vec_length(kern_polygon_way(block, at, to));
             at = to;
         } while (way <= s->step && at != i);
     }
     return 0;
 }
 
-/* The corner between `start` and `end` that is farthest from their chord, if
-   that is too far; else `end`. */
+/* If the chord from `start` to `end` passes by corners too far away: that which
+   is farthest from both together, and so a corner of the whole rather than of
+   a step next to it; else `end`. */
 static int kern_chord_part(const kern_search *s, const kern_block *block,
                            int start, int end)
 {
-    const kern_vec p = kern_polygon_at(block, start);
-    const kern_vec d = kern_vec_sub(kern_polygon_at(block, end), p);
+    const kern_vec d = kern_polygon_way(block, start, end);
     const kern_real whole = kern_vec_dot(d, d);
     const kern_real wide = KERN_CHORD * s->step;
-    kern_real most = wide * wide;
+    kern_real most = 0;
     int i, part = end;
     for (i = kern_polygon_corner_after(block, start); i != end;
          i = kern_polygon_corner_after(block, i)) {
-        kern_vec r = kern_vec_sub(kern_polygon_at(block, i), p);
-        kern_real square;
+        const kern_vec r = kern_polygon_way(block, start, i);
+        kern_real along = 0, far;
+        kern_vec off;
         if (whole > 0) /* the chord of a whole outline has no length */
-            r = kern_vec_step(r, -kern_min(kern_max(kern_vec_dot(r, d) / whole,
-                                                    0), 1), d);
-        square = kern_vec_dot(r, r);
-        if (square > most) {
-            most = square;
+            along = kern_min(kern_max(kern_vec_dot(r, d) / whole, 0), 1);
+        off = kern_vec_step(r, -along, d);
+        if (!(kern_vec_dot(off, off) > wide * wide))
+            continue;
+        far = kern_vec_length(r) + kern_vec_length(kern_vec_sub(d, r));
+        if (far > most) {
+            most = far;
             part = i;
         }
     }
@@ -1852,15 +1867,15 @@ static kern_real kern_chord_inside(const kern_edge *e, kern_vec p, int at)
     return at < 0 && !(inside > 0) ? -KERN_HUGE : inside;
 }
 
-/* A corner of chord f on chord e: where it is taken to be. What f leaves out
-   next to its end stands for that, if the end is about as near. */
+/* Where p is taken to be, a point of chord f on chord e: at the end of f that is
+   nearer, if that is about as near to e. */
 static kern_vec kern_chord_corner(const kern_search *s, const kern_edge *f,
-                                  kern_vec p, int at, const kern_edge *e)
+                                  kern_vec p, const kern_edge *e)
 {
     const kern_real along = kern_vec_dot(kern_vec_sub(p, f->p), f->d);
     const kern_vec end = along + along > f->length ? f->q : f->p;
     const kern_vec r = kern_vec_sub(end, e->p);
-    return at < 0 && kern_chord_inside(e, end, 0) >= 0 &&
+    return kern_chord_inside(e, end, 0) >= 0 &&
            kern_abs(kern_vec_cross(r, e->d)) <= s->gap + KERN_CHORD * s->step
            ? end : p;
 }
@@ -1885,10 +1900,12 @@ static void kern_search_again(kern_search *s, const kern_contact *c)
     } else if (kern_chord_inside(&e, c->p, c->a) >=
                kern_chord_inside(&f, c->p, c->b)) {
         t = e.d;
-        p = kern_chord_foot(&e, kern_chord_corner(s, &f, c->p, c->b, &e));
+        p = kern_chord_foot(&e, c->travel > 0 ? c->p
+                                : kern_chord_corner(s, &f, c->p, &e));
     } else {
         t = kern_vec_scale(f.d, -1);
-        p = kern_chord_foot(&f, kern_chord_corner(s, &e, c->p, c->a, &f));
+        p = kern_chord_foot(&f, c->travel > 0 ? c->p
+                                : kern_chord_corner(s, &e, c->p, &f));
     }
     n = kern_vec_scale(kern_vec_turn(t), -1);
     cosine = kern_vec_dot(n, c->n);
