@@ -646,16 +646,19 @@ KERN_API int kern_touch(const kern_block *block, int blocks, int b,
    point where p equals q; normal from a into b, of any length. Writes one or
    two contact points to out and returns how many, or KERN_SAME_BLOCK,
    KERN_BAD_BLOCK (an index below 0), KERN_BAD_NUMBER, KERN_BAD_FRICTION,
-   KERN_BAD_NORMAL, KERN_BAD_LINE (p to q leaves the tangent by more than
-   options->angle), KERN_BAD_OPTION. At the end: kern_contact_travels(). */
+   KERN_BAD_NORMAL (zero, or so short that its inverse is no number),
+   KERN_BAD_LINE (p to q leaves the tangent by more than options->angle),
+   KERN_BAD_OPTION. At the end: kern_contact_travels(). */
 KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
                                kern_vec q, kern_real mu,
                                const kern_options *options, kern_contact *out);
 
 /* Sets the travel of every point contact from the others of its interface (the
    same two blocks, in either order): toward the middle of the two that are
-   farthest apart; a lone one stays. The ends of a line go to its middle.
-   Time: O(C^2) times the points of an interface. */
+   farthest apart; a lone one stays. The ends of a line go to its middle. Does
+   nothing without contacts (NULL).
+   Time: O(C) for each interface with points, and for the points of one that are
+   nearly as far apart as any, the square of their number. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage; grown, where it is negative. */
@@ -975,7 +978,8 @@ static void kern_fault_clear(kern_fault *fault)
 /* Share of the gap by which overlap may be deeper unseen, in a place of twice
    that length. Less takes more steps along an edge. */
 #define KERN_STRIDE     KERN_R(0.0625)
-#define KERN_STRIDES    64 /* before they double, and 8 a vertex */
+#define KERN_STRIDES    64 /* before they double, and 8 a vertex; and most
+                              triangles of a size for an inner point */
 /* Cosine of 10 degrees: a vertex at a line contact belongs to it if their
    normals differ by less; across a real corner they differ by more. */
 #define KERN_SAME_FACE  KERN_R(0.98480775301220806)
@@ -1476,24 +1480,29 @@ static kern_real kern_overlap_edge(const kern_block *b, kern_real gap,
     return 0;
 }
 
-/* The first depth in b of an inner point of a. Every polygon has a vertex whose
-   triangle with its neighbours lies inside; in a round one it is flat, and
-   triangles of vertices farther apart are tried first. */
+/* The depth in b of an inner point of a, if it is beyond the gap. Every polygon
+   has a vertex whose triangle with its neighbours lies inside; in a round one
+   it is flat, and triangles of vertices farther apart are tried first. Where no
+   boundary is deep in the other block, one point that is far inside a tells of
+   all that is around it. */
 static kern_real kern_overlap_inner(const kern_block *a, const kern_block *b,
                                     kern_real gap)
 {
     const int n = a->vertices;
     int step, i, j;
     for (step = n / 3; step > 0; step /= 2)
-        for (i = 0; i < n; i++) {
+        for (i = 0; i < n; i += 1 + n / KERN_STRIDES) {
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(a->vertex[i], a->vertex[(i + step) % n]),
                 a->vertex[(i + 2 * step) % n]);
             const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
-            const kern_real depth = kern_min(kern_polygon_depth(a, at, &j),
-                                             kern_polygon_depth(b, at, &j));
+            const kern_real own = kern_polygon_depth(a, at, &j);
+            const kern_real depth = own > gap ? kern_polygon_depth(b, at, &j)
+                                              : KERN_R(0);
             if (depth > gap)
-                return depth;
+                return kern_min(own, depth);
+            if (own > 2 * gap)
+                return 0;
         }
     return 0;
 }
@@ -1514,17 +1523,16 @@ static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
 static kern_real kern_overlap(const kern_block *a, const kern_block *b,
                               kern_real gap)
 {
-    const kern_vec shift = kern_vec_sub(a->box.low, b->box.low);
     kern_real depth;
     if (!kern_box_near(&a->box, &b->box, -gap) ||
         kern_overlap_parted(a, b, gap) || kern_overlap_parted(b, a, gap))
         return 0;
     depth = kern_max(kern_overlap_boundary(a, b, gap),
                      kern_overlap_boundary(b, a, gap));
-    /* what covers each other has no deep boundary: are they at one place? */
-    if (!(depth > 0) && kern_vec_largest(shift) <= kern_block_size(a) / 4)
+    /* what is at one place has no deep boundary, whiskers or not */
+    if (!(depth > 0))
         depth = kern_overlap_inner(a, b, gap);
-    return depth;
+    return depth > 0 ? depth : kern_overlap_inner(b, a, gap);
 }
 
 /* ---- lines and points ---- */
@@ -2028,26 +2036,58 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
                         (c->a == d->b && c->b == d->a));
 }
 
-/* Travel of point i: to the foot of the midpoint of the two points of its
-   interface that are farthest apart. A lone one stays. */
-static kern_real kern_point_travel(const kern_contact *contact, int contacts,
-                                   int i)
+/* Travels of the points of an interface, whose first is contact i: to the feet
+   of the midpoint of the two that are farthest apart, of several such the first
+   by index. A lone one stays. A point is no end of a pair as wide as one that
+   is known if its distance from the middle of their box and half the box's
+   diagonal are together less. */
+static void kern_interface_travels(kern_contact *contact, int contacts, int i)
 {
-    const kern_contact *c = &contact[i];
-    kern_vec centre = c->p;
-    kern_real widest = 0;
+    const kern_contact first = contact[i];
+    kern_vec mid, centre = first.p;
+    kern_real widest = 0, width = 0, reach;
+    kern_box box;
     int j, k;
-    for (j = 0; j < contacts; j++)
-        for (k = kern_same_interface(c, &contact[j]) ? j + 1 : contacts;
-             k < contacts; k++) {
-            const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
+    kern_box_set(&box, first.p, first.p);
+    for (j = i + 1; j < contacts; j++)
+        if (kern_same_interface(&first, &contact[j]))
+            kern_box_add(&box, contact[j].p);
+    mid = kern_vec_mid(box.low, box.high);
+    reach = kern_vec_length(kern_vec_sub(box.high, mid));
+    for (j = i; j < contacts; j++) {
+        const kern_vec p = contact[j].p;
+        if (!kern_same_interface(&first, &contact[j]) ||
+            kern_vec_length(kern_vec_sub(p, mid)) + reach <
+                KERN_R(0.999) * width)
+            continue;
+        for (k = j + 1; k < contacts; k++) {
+            const kern_vec d = kern_vec_sub(contact[k].p, p);
             const kern_real square = kern_vec_dot(d, d);
-            if (square > widest && kern_same_interface(c, &contact[k])) {
+            if (square > widest && kern_same_interface(&first, &contact[k])) {
                 widest = square;
-                centre = kern_vec_mid(contact[j].p, contact[k].p);
+                width = KERN_SQRT(square);
+                centre = kern_vec_mid(p, contact[k].p);
             }
         }
-    return kern_vec_cross(c->n, kern_vec_sub(centre, c->p));
+    }
+    for (j = i; j < contacts; j++) {
+        kern_contact *c = &contact[j];
+        if (kern_same_interface(&first, c))
+            c->travel = widest > 0 ? kern_vec_cross(
+                c->n, kern_vec_sub(centre, c->p)) : KERN_R(0);
+    }
+}
+
+/* Travels of all points. One is beyond all lengths until it is known. */
+static void kern_point_travels(kern_contact *contact, int contacts)
+{
+    int i;
+    for (i = 0; i < contacts; i++)
+        if (!contact[i].line)
+            contact[i].travel = KERN_HUGE;
+    for (i = 0; i < contacts; i++)
+        if (!contact[i].line && contact[i].travel >= KERN_HUGE)
+            kern_interface_travels(contact, contacts, i);
 }
 
 /* ---- pairs of blocks ---- */
@@ -2078,11 +2118,7 @@ static kern_status kern_search_touch(kern_search *s)
         kern_search_face(s, i);
         s->out[i].mu = KERN_R(i - s->first);
     }
-    for (i = s->first; i < s->count; i++)
-        if (!s->out[i].line)
-            s->out[i].travel = kern_point_travel(s->out + s->first,
-                                                 s->count - s->first,
-                                                 i - s->first);
+    kern_point_travels(s->out + s->first, s->count - s->first);
     return KERN_STANDS;
 }
 
@@ -2362,12 +2398,13 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
         return (int)KERN_BAD_BLOCK;
     if (a == b)
         return (int)KERN_SAME_BLOCK;
-    if (!kern_is_finite(normal.x + normal.y + mu) ||
+    if (!kern_vec_is_finite(normal) || !kern_is_finite(mu) ||
         !kern_vec_is_moderate(p) || !kern_vec_is_moderate(q))
         return (int)KERN_BAD_NUMBER;
     if (mu < 0)
         return (int)KERN_BAD_FRICTION;
-    if (!(kern_vec_largest(normal) > 0))
+    if (!(kern_vec_largest(normal) > 0) ||
+        !kern_is_finite(1 / kern_vec_largest(normal)))
         return (int)KERN_BAD_NORMAL;
     /* first made about 1 long: its square may be no number */
     normal = kern_vec_scale(normal, 1 / kern_vec_largest(normal));
@@ -2397,11 +2434,12 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 {
     int i;
-    for (i = 0; i < contacts; i++) {
+    if (!contact)
+        return;
+    kern_point_travels(contact, contacts);
+    for (i = 0; i + 1 < contacts; i++) {
         kern_contact *c = &contact[i];
-        if (!c->line) {
-            c->travel = kern_point_travel(contact, contacts, i);
-        } else if (i + 1 < contacts) {
+        if (c->line) {
             const kern_vec d = kern_vec_sub(c[1].p, c->p);
             c->travel = kern_vec_cross(c->n, d) / 2;
             c[1].travel = -c->travel;

@@ -2707,6 +2707,116 @@ static void steps_straight_joint(void)
     CHECK_NEAR(value, tan(atan(0.4) + 10 * pi / 180), 1e-3);
 }
 
+/* overlap/whisker: the same stone twice, the second with a whisker that is
+   thinner than the gap. */
+static void overlap_with_whiskers(void)
+{
+    static const double whisker[] = {0, 0, 1, 0, 1, 1, 0, 1,
+                                     0, 0.5005, -3, 0.50025, 0, 0.5};
+    static const double two[] = {0, 0, 1, 0, 1, 0.3, 5, 0.30025, 1, 0.3005,
+                                 1, 1, 0, 1, 0, 0.5005, -3, 0.50025, 0, 0.5};
+    /* two stones with a neck between them, as an image may join them */
+    static const double neck[] = {0, 0, 1, 0, 1, 0.5, 1.5, 0.5, 1.5, 0,
+                                  2.5, 0, 2.5, 1, 1.5, 1, 1.5, 0.5005,
+                                  1, 0.5005, 1, 1, 0, 1};
+    static world w;
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    int k, swap;
+    for (k = 0; k < 5; k++)
+        for (swap = 0; swap < 2; swap++) {
+            world_reset(&w);
+            if (swap)
+                world_box(&w, 1, k == 4 ? 1.5 : 0, 0, k == 4 ? 2.5 : 1, 1);
+            if (k == 0)
+                world_polygon(&w, 1, whisker, 7);
+            else if (k == 1)
+                world_polygon(&w, 1, two, 10);
+            else if (k == 2)
+                world_box(&w, 1, 2e-4, -2e-4, 1 + 2e-4, 1 - 2e-4);
+            else
+                world_polygon(&w, 1, neck, 12);
+            if (!swap)
+                world_box(&w, 1, k == 4 ? 1.5 : 0, 0, k == 4 ? 2.5 : 1, 1);
+            CHECK_INT(kern_touch(w.block, 2, 1, &w.options, w.contact,
+                                 MAX_POINTS, &work),
+                      KERN_OVERLAP);
+            CHECK(work.fault.value > R(0.001));
+        }
+    world_reset(&w); /* beside each other, whiskers and all */
+    world_polygon(&w, 1, whisker, 7);
+    world_box(&w, 1, -1, 0, 0, 0.5);
+    CHECK_INT(kern_touch(w.block, 2, 1, &w.options, w.contact, MAX_POINTS,
+                         &work),
+              4);
+}
+
+/* A point contact goes to the middle of the two that are farthest apart, of
+   several such pairs the first, as two loops would find it. */
+static void travels_of_many(void)
+{
+    enum { MANY = 5000 };
+    static kern_contact c[MANY];
+    const clock_t start = clock();
+    int trial, i, j, k;
+    for (trial = 0; trial < 200; trial++) {
+        const int n = trial < 196 ? random_int(0, 40) : MANY;
+        const int pairs = trial < 196 ? random_int(1, 4) : 1;
+        for (i = 0; i < n; i++) {
+            const double x = trial == 196 ? i : trial == 197 ? n - i
+                             : trial % 2 ? random_int(0, 4) : uniform(0, 1);
+            const double y = trial >= 196 ? x * 0.5
+                             : trial % 2 ? random_int(0, 4) : uniform(0, 1);
+            memset(&c[i], 0, sizeof c[i]);
+            k = random_int(0, pairs - 1);
+            c[i].a = chance(0.5) ? 0 : k + 1;
+            c[i].b = c[i].a == 0 ? k + 1 : 0;
+            c[i].p = vec(x, y);
+            c[i].n = vec(0.6, 0.8);
+            c[i].travel = R(i);
+        }
+        kern_contact_travels(c, n);
+        for (i = 0; i < n && trial < 196; i++) {
+            double widest = 0, x = (double)c[i].p.x, y = (double)c[i].p.y;
+            for (j = 0; j < n; j++)
+                for (k = j + 1; k < n; k++) {
+                    const double dx = (double)(c[k].p.x - c[j].p.x);
+                    const double dy = (double)(c[k].p.y - c[j].p.y);
+                    if (c[j].a + c[j].b == c[i].a + c[i].b &&
+                        c[k].a + c[k].b == c[i].a + c[i].b &&
+                        (double)R(dx * dx + dy * dy) > widest) {
+                        widest = (double)R(dx * dx + dy * dy);
+                        x = (double)(c[j].p.x + c[k].p.x) / 2;
+                        y = (double)(c[j].p.y + c[k].p.y) / 2;
+                    }
+                }
+            CHECK_NEAR(c[i].travel, 0.6 * (y - (double)c[i].p.y) -
+                       0.8 * (x - (double)c[i].p.x), GEO);
+        }
+    }
+    CHECK((double)(clock() - start) / CLOCKS_PER_SEC < 1);
+    kern_contact_travels(NULL, 0);
+    kern_contact_travels(NULL, 3);
+}
+
+/* The normal of a given contact may be of any length that has an inverse. */
+static void given_normals(void)
+{
+    const double longest = SINGLE ? (double)FLT_MAX : DBL_MAX;
+    const double shortest = SINGLE ? (double)FLT_MIN : DBL_MIN;
+    const kern_options o = kern_defaults();
+    const double length[] = {shortest * 1e-2, shortest, longest / 2, longest};
+    int i;
+    for (i = 0; i < 4; i++) {
+        kern_contact c[2];
+        const int got = kern_contact_make(0, 1, vec(length[i], length[i]),
+                                          vec(0, 0), vec(0, 0), R(0.4), &o, c);
+        CHECK_INT(got, i == 0 ? (int)KERN_BAD_NORMAL : 1);
+        if (got == 1)
+            CHECK_NEAR(hypot((double)c[0].n.x - sqrt(0.5),
+                             (double)c[0].n.y - sqrt(0.5)), 0, GEO);
+    }
+}
+
 /* ---- random stones with and without steps ---- */
 
 #ifndef STONES
@@ -6185,6 +6295,9 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(steps_that_carry),
                              TEST(steps_of_pixels),
                              TEST(steps_straight_joint),
+                             TEST(overlap_with_whiskers),
+                             TEST(travels_of_many),
+                             TEST(given_normals),
                              TEST(steps_in_random_stones),
                              TEST(steps_invariance),
                              TEST(lp_cycling),
