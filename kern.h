@@ -967,6 +967,10 @@ static void kern_fault_clear(kern_fault *fault)
    of a straight line in pixels are up to 1.1 pixels off the line through two
    of them. */
 #define KERN_CHORD      KERN_R(1.125)
+/* Most parts of an outline that have a box of their own, and by how many edges
+   they are longer than need be: more take more stack, shorter ones time. */
+#define KERN_PARTS      24
+#define KERN_PART_EDGES 8
 /* Ends of chords that are kept while one before them is looked for. */
 #define KERN_CHORDS     16
 /* Cosine of 60 degrees: by so much a step may turn the outline, and a normal
@@ -1157,30 +1161,106 @@ static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 static kern_real kern_box_largest(const kern_box *box)
 { return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
 
+/* ---- parts ---- */
+/* An outline is looked at part by part: runs of as many edges, each with its
+   box. What is far from a part's box is far from its edges, so outlines of many
+   vertices cost some hundreds of edges a look, and not all. */
+
+typedef struct kern_parts {
+    const kern_block *block;
+    int each;               /* edges of a part, in the order written */
+    kern_box box[KERN_PARTS];
+} kern_parts;
+
+static void kern_parts_set(kern_parts *parts, const kern_block *block)
+{
+    int i;
+    parts->block = block;
+    parts->each = block->vertices / KERN_PARTS + KERN_PART_EDGES;
+    for (i = 0; i < block->vertices; i++) {
+        kern_box *box = &parts->box[i / parts->each];
+        const kern_vec end = block->vertex[kern_polygon_next(block, i)];
+        if (i % parts->each == 0)
+            kern_box_set(box, block->vertex[i], end);
+        else
+            kern_box_add(box, end);
+    }
+}
+
+/* The first edge from i on, counted counter-clockwise, whose part is near the
+   box; the number of edges if there is none. */
+static int kern_parts_near(const kern_parts *parts, int i, const kern_box *box,
+                           kern_real gap)
+{
+    const int n = parts->block->vertices, back = parts->block->area < 0;
+    while (i < n) {
+        const int at = back ? (2 * n - 2 - i) % n : i;
+        if (kern_box_near(&parts->box[at / parts->each], box, gap))
+            return i;
+        i += back ? at % parts->each + 1 : parts->each - at % parts->each;
+    }
+    return n;
+}
+
 /* ---- places ---- */
 
+/* Square of the distance of the origin from the edge from u to v. */
+static kern_real kern_edge_square(kern_vec u, kern_vec v)
+{
+    const kern_vec d = kern_vec_sub(v, u);
+    const kern_real whole = kern_vec_dot(d, d);
+    const kern_real along =
+        kern_min(kern_max(-kern_vec_dot(u, d), 0), whole);
+    const kern_vec r = kern_vec_step(u, along / whole, d);
+    return kern_vec_dot(r, r);
+}
+
+/* Is the box farther from p than the square says, beyond all rounding? */
+static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
+{
+    const kern_real x = kern_max(kern_max(box->low.x - p.x, p.x - box->high.x),
+                                 0);
+    const kern_real y = kern_max(kern_max(box->low.y - p.y, p.y - box->high.y),
+                                 0);
+    return KERN_R(0.999) * (x * x + y * y) > square;
+}
+
 /* Distance of p from the boundary, below 0 where it is outside, and the vertex
-   at which the nearest edge ends. */
-static kern_real kern_polygon_depth(const kern_block *block, kern_vec p,
+   at which the nearest edge ends: of several the first. What *nearest is before
+   is a guess, and saves time. A part that is farther away than an edge that is
+   known may cross the level of p to the right of p, if at all: once or not, by
+   where its ends are. */
+static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
                                     int *nearest)
 {
-    kern_vec u = kern_vec_sub(block->vertex[block->vertices - 1], p);
+    const kern_block *block = parts->block;
+    const kern_vec *vertex = block->vertex;
+    const int n = block->vertices;
+    const kern_real guess = kern_edge_square(
+        kern_vec_sub(vertex[kern_polygon_prev(block, *nearest)], p),
+        kern_vec_sub(vertex[*nearest], p));
+    kern_vec u = kern_vec_sub(vertex[n - 1], p);
     kern_real least = KERN_HUGE;
-    int i, inside = 0;
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec v = kern_vec_sub(block->vertex[i], p);
-        const kern_vec d = kern_vec_sub(v, u);
-        const kern_real whole = kern_vec_dot(d, d);
-        const kern_real along =
-            kern_min(kern_max(-kern_vec_dot(u, d), 0), whole);
-        const kern_vec r = kern_vec_step(u, along / whole, d);
-        const kern_real square = kern_vec_dot(r, r);
-        if (square < least) {
-            least = square;
-            *nearest = i;
+    int i, next = 1, inside = 0;
+    for (i = 0; i < n; i++) {
+        const kern_box *box = &parts->box[(next - 1) / parts->each];
+        const int skip = i == next &&
+                         kern_box_beyond(box, p, kern_min(least, guess));
+        kern_vec v;
+        next += i == next ? parts->each : 0;
+        if (skip)
+            i = next < n ? next - 1 : n - 1;
+        v = kern_vec_sub(vertex[i], p);
+        if (!skip) {
+            const kern_real square = kern_edge_square(u, v);
+            if (square < least) {
+                least = square;
+                *nearest = i;
+            }
         }
         if ((u.y > 0) != (v.y > 0) &&
-            (kern_vec_cross(u, v) > 0) == (v.y > u.y))
+            (skip ? box->low.x > p.x
+                  : (kern_vec_cross(u, v) > 0) == (v.y > u.y)))
             inside = !inside;
         u = v;
     }
@@ -1198,21 +1278,29 @@ static int kern_one_side(const kern_vec e[2], const kern_vec f[2])
 
 /* Does the way from p to q touch one of the edges from `first` up to `end`?
    Ways whose boxes meet do, unless one lies on one side of the other. */
-static int kern_polygon_meets(const kern_block *block, kern_vec p, kern_vec q,
+static int kern_polygon_meets(const kern_parts *parts, kern_vec p, kern_vec q,
                               int first, int end)
 {
+    const kern_block *block = parts->block;
     kern_vec way[2], edge[2];
     kern_box box, other;
     way[0] = p;
     way[1] = q;
     kern_box_set(&box, p, q);
-    for (; first < end; first++) {
-        edge[0] = block->vertex[first];
-        edge[1] = block->vertex[kern_polygon_next(block, first)];
-        kern_box_set(&other, edge[0], edge[1]);
-        if (kern_box_near(&box, &other, 0) && !kern_one_side(way, edge) &&
-            !kern_one_side(edge, way))
-            return 1;
+    while (first < end) {
+        const int part = first / parts->each;
+        const int stop = (part + 1) * parts->each;
+        const int last = stop < end ? stop : end;
+        if (!kern_box_near(&box, &parts->box[part], 0))
+            first = last;
+        for (; first < last; first++) {
+            edge[0] = block->vertex[first];
+            edge[1] = block->vertex[kern_polygon_next(block, first)];
+            kern_box_set(&other, edge[0], edge[1]);
+            if (kern_box_near(&box, &other, 0) && !kern_one_side(way, edge) &&
+                !kern_one_side(edge, way))
+                return 1;
+        }
     }
     return 0;
 }
@@ -1226,6 +1314,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
                                        kern_fault *fault)
 {
     const int n = block->vertices;
+    kern_parts parts;
     int i, left = 0, right = 0, lowest = 0;
     int rose = block->vertex[0].y > block->vertex[n - 1].y;
     for (i = 0; i < n; i++) {
@@ -1240,9 +1329,10 @@ static kern_status kern_polygon_simple(const kern_block *block,
         lowest += rises && !rose;
         rose = rises;
     }
+    kern_parts_set(&parts, block);
     for (i = 0; i < n && ((left && right) || lowest > 1); i++) {
         fault->index = i;
-        if (kern_polygon_meets(block, block->vertex[i],
+        if (kern_polygon_meets(&parts, block->vertex[i],
                                block->vertex[kern_polygon_next(block, i)],
                                i + 2, n - (i == 0)))
             return KERN_CROSSING;
@@ -1377,6 +1467,7 @@ typedef struct kern_search {
     kern_fault *fault;
     /* the pair */
     const kern_block *a, *b;
+    kern_parts parts_a, parts_b;
     int index_a, index_b;   /* a before b                                  */
     kern_real gap;          /* widest [m]                                  */
     kern_real least;        /* a line is longer [m]                        */
@@ -1392,27 +1483,42 @@ typedef struct kern_search {
    more, and keep the steps few: within the gap of an edge of b nothing is too
    deep, and outside nothing is until the way meets b. */
 
+/* Is nothing of the block farther to the left of the line through p in
+   direction d than that? */
+static int kern_overlap_beside(const kern_parts *parts, kern_vec p, kern_vec d,
+                               kern_real left)
+{
+    const kern_block *block = parts->block;
+    int i, stop;
+    for (i = 0; i < block->vertices; i = stop) {
+        const kern_box *box = &parts->box[i / parts->each];
+        const kern_vec corner =
+            kern_vec_make(d.y > 0 ? box->low.x : box->high.x,
+                          d.x > 0 ? box->high.y : box->low.y);
+        stop = i + parts->each;
+        if (kern_vec_cross(d, kern_vec_sub(corner, p)) <= left)
+            continue;
+        for (; i < stop && i < block->vertices; i++)
+            if (!(kern_vec_cross(d, kern_vec_sub(block->vertex[i], p)) <= left))
+                return 0;
+    }
+    return 1;
+}
+
 /* Does the line of an edge of a part the two, each on its own side of it but
    for the gap? Then nothing is deep, and where stones are convex there is such
    an edge wherever nothing is. */
-static int kern_overlap_parted(const kern_block *a, const kern_block *b,
+static int kern_overlap_parted(const kern_parts *a, const kern_parts *b,
                                kern_real gap)
 {
-    int i, j, k;
-    for (i = 0; i < a->vertices; i++) {
-        const kern_vec p = kern_polygon_at(a, i);
+    const kern_block *block = a->block;
+    int i;
+    for (i = 0; i < block->vertices; i++) {
+        const kern_vec p = kern_polygon_at(block, i);
         const kern_vec d = kern_vec_unit(kern_vec_sub(
-            kern_polygon_at(a, kern_polygon_next(a, i)), p));
-        int parts = 1;
-        for (k = 0; k < 2; k++) {
-            const kern_block *block = k ? a : b;
-            for (j = 0; j < block->vertices && parts; j++) {
-                const kern_real inner =
-                    kern_vec_cross(d, kern_vec_sub(block->vertex[j], p));
-                parts = (k ? -inner : inner) <= gap / 2;
-            }
-        }
-        if (parts)
+            kern_polygon_at(block, kern_polygon_next(block, i)), p));
+        if (kern_overlap_beside(b, p, d, gap / 2) &&
+            kern_overlap_beside(a, p, kern_vec_scale(d, -1), gap / 2))
             return 1;
     }
     return 0;
@@ -1436,12 +1542,13 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
 
 /* How far the way on from p in direction d, at most `most`, goes before it
    meets b; less, but not by more than the gap. */
-static kern_real kern_overlap_free(const kern_block *b, kern_real gap,
+static kern_real kern_overlap_free(const kern_parts *b, kern_real gap,
                                    kern_vec p, kern_vec d, kern_real most)
 {
     kern_real low = 0, high = most, mid = most;
     do {
-        if (kern_polygon_meets(b, p, kern_vec_step(p, mid, d), 0, b->vertices))
+        if (kern_polygon_meets(b, p, kern_vec_step(p, mid, d), 0,
+                               b->block->vertices))
             high = mid;
         else
             low = mid;
@@ -1453,24 +1560,23 @@ static kern_real kern_overlap_free(const kern_block *b, kern_real gap,
 /* The first depth beyond the gap in b on the way from p to q, 0: none. Where a
    gap is all but rounding, steps that are as short come to no end: from some
    number on they double, and may pass by what is as deep as they are long. */
-static kern_real kern_overlap_edge(const kern_block *b, kern_real gap,
-                                   kern_vec p, kern_vec q)
+static kern_real kern_overlap_edge(const kern_parts *b, kern_real gap,
+                                   kern_vec p, kern_vec q, int *nearest)
 {
     const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
     const kern_real length = kern_vec_dot(way, d);
     kern_real s, step, stride = gap * KERN_STRIDE;
-    int left = KERN_STRIDES + 8 * b->vertices;
+    int left = KERN_STRIDES + 8 * b->block->vertices;
     kern_box box;
     kern_box_set(&box, p, q);
-    if (!kern_box_near(&box, &b->box, -gap))
+    if (!kern_box_near(&box, &b->block->box, -gap))
         return 0;
     for (s = 0; s < length; s += step) {
         const kern_vec at = kern_vec_step(p, s, d);
-        int nearest = 0;
-        const kern_real depth = kern_polygon_depth(b, at, &nearest);
+        const kern_real depth = kern_polygon_depth(b, at, nearest);
         if (depth > gap)
             return depth;
-        step = kern_overlap_along(b, nearest, gap, at, d, length - s);
+        step = kern_overlap_along(b->block, *nearest, gap, at, d, length - s);
         if (depth < 0 && !(step > 0))
             step = kern_overlap_free(b, gap, at, d, length - s) + gap;
         step = kern_max(step, gap - depth + stride);
@@ -1485,20 +1591,21 @@ static kern_real kern_overlap_edge(const kern_block *b, kern_real gap,
    it is flat, and triangles of vertices farther apart are tried first. Where no
    boundary is deep in the other block, one point that is far inside a tells of
    all that is around it. */
-static kern_real kern_overlap_inner(const kern_block *a, const kern_block *b,
+static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
                                     kern_real gap)
 {
-    const int n = a->vertices;
-    int step, i, j;
+    const kern_vec *vertex = a->block->vertex;
+    const int n = a->block->vertices;
+    int step, i, own_at = 0, at_b = 0;
     for (step = n / 3; step > 0; step /= 2)
         for (i = 0; i < n; i += 1 + n / KERN_STRIDES) {
             const kern_vec sum = kern_vec_add(
-                kern_vec_add(a->vertex[i], a->vertex[(i + step) % n]),
-                a->vertex[(i + 2 * step) % n]);
+                kern_vec_add(vertex[i], vertex[(i + step) % n]),
+                vertex[(i + 2 * step) % n]);
             const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
-            const kern_real own = kern_polygon_depth(a, at, &j);
-            const kern_real depth = own > gap ? kern_polygon_depth(b, at, &j)
-                                              : KERN_R(0);
+            const kern_real own = kern_polygon_depth(a, at, &own_at);
+            const kern_real depth =
+                own > gap ? kern_polygon_depth(b, at, &at_b) : KERN_R(0);
             if (depth > gap)
                 return kern_min(own, depth);
             if (own > 2 * gap)
@@ -1508,23 +1615,25 @@ static kern_real kern_overlap_inner(const kern_block *a, const kern_block *b,
 }
 
 /* The first depth beyond the gap in b of a's boundary, 0: none. */
-static kern_real kern_overlap_boundary(const kern_block *a, const kern_block *b,
+static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
                                        kern_real gap)
 {
+    const kern_block *block = a->block;
     kern_real depth = 0;
-    int i;
-    for (i = 0; i < a->vertices && !(depth > 0); i++)
-        depth = kern_overlap_edge(b, gap, a->vertex[i],
-                                  a->vertex[kern_polygon_next(a, i)]);
+    int i, nearest = 0;
+    for (i = 0; i < block->vertices && !(depth > 0); i++)
+        depth = kern_overlap_edge(b, gap, block->vertex[i],
+                                  block->vertex[kern_polygon_next(block, i)],
+                                  &nearest);
     return depth;
 }
 
 /* Depth of the overlap of a and b, 0: none deeper than the gap. */
-static kern_real kern_overlap(const kern_block *a, const kern_block *b,
+static kern_real kern_overlap(const kern_parts *a, const kern_parts *b,
                               kern_real gap)
 {
     kern_real depth;
-    if (!kern_box_near(&a->box, &b->box, -gap) ||
+    if (!kern_box_near(&a->block->box, &b->block->box, -gap) ||
         kern_overlap_parted(a, b, gap) || kern_overlap_parted(b, a, gap))
         return 0;
     depth = kern_max(kern_overlap_boundary(a, b, gap),
@@ -1565,22 +1674,28 @@ static void kern_edge_open(kern_edge *e, const kern_block *block)
     e->end = kern_polygon_corner_after(block, block->vertices - 1);
 }
 
-/* Goes to the next edge that is near the box; 0: there is none. */
-static int kern_edge_next(kern_edge *e, const kern_block *block,
+/* Goes to the next edge that is near the box; 0: there is none. An edge whose
+   middle vertices were dropped may lie in several parts: it is looked at if the
+   first or the last is near, or begins before one that is. */
+static int kern_edge_next(kern_edge *e, const kern_parts *parts,
                           const kern_box *box, kern_real gap)
 {
+    const kern_block *block = parts->block;
     while (e->start < e->end) { /* the last one ends where the first began */
-        const int end = kern_polygon_corner_after(block, e->end);
+        const int at = kern_parts_near(parts, e->end, box, 2 * gap) + 1;
+        const int from = kern_polygon_corner(
+            block, at < block->vertices ? at : 0, 1);
+        const int end = kern_polygon_corner_after(block, from);
         kern_box own;
-        kern_box_set(&own, kern_polygon_at(block, e->end),
+        kern_box_set(&own, kern_polygon_at(block, from),
                      kern_polygon_at(block, end));
-        e->start = e->end;
+        e->start = from;
         e->end = end;
         if (!kern_box_near(&own, box, gap))
             continue;
-        kern_edge_set(e, block, e->start, end);
+        kern_edge_set(e, block, from, end);
         e->back = kern_vec_unit(kern_vec_sub(
-            kern_polygon_at(block, kern_polygon_prev(block, e->start)), e->p));
+            kern_polygon_at(block, kern_polygon_prev(block, from)), e->p));
         return 1;
     }
     return 0;
@@ -1665,11 +1780,11 @@ static void kern_search_edges(kern_search *s)
 {
     kern_edge e, f;
     kern_edge_open(&e, s->a);
-    while (kern_edge_next(&e, s->a, &s->b->box, s->gap)) {
+    while (kern_edge_next(&e, &s->parts_a, &s->b->box, s->gap)) {
         kern_box box;
         kern_box_set(&box, e.p, e.q);
         kern_edge_open(&f, s->b);
-        while (kern_edge_next(&f, s->b, &box, s->gap)) {
+        while (kern_edge_next(&f, &s->parts_b, &box, s->gap)) {
             kern_search_line(s, &e, &f);
             kern_search_point(s, &e, s->b, &f);
             kern_search_point(s, &f, s->a, &e);
@@ -2096,7 +2211,7 @@ static void kern_point_travels(kern_contact *contact, int contacts)
    holds their order. */
 static kern_status kern_search_touch(kern_search *s)
 {
-    const kern_real depth = kern_overlap(s->a, s->b, s->gap);
+    const kern_real depth = kern_overlap(&s->parts_a, &s->parts_b, s->gap);
     int i;
     if (depth > 0) {
         s->fault->block = s->index_a;
@@ -2138,6 +2253,8 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     if (!s->b->fixed)
         area = kern_min(area, kern_abs(s->b->area));
     size = KERN_SQRT(area);
+    kern_parts_set(&s->parts_a, s->a);
+    kern_parts_set(&s->parts_b, s->b);
     s->gap = s->user_gap > 0 ? s->user_gap : KERN_GAP * size;
     s->gap = kern_max(s->gap, s->floor);
     s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
