@@ -1329,8 +1329,11 @@ static kern_status kern_polygon_simple(const kern_block *block,
         lowest += rises && !rose;
         rose = rises;
     }
+    fault->index = -1;
+    if (!(left && right) && lowest < 2)
+        return KERN_STANDS;
     kern_parts_set(&parts, block);
-    for (i = 0; i < n && ((left && right) || lowest > 1); i++) {
+    for (i = 0; i < n; i++) {
         fault->index = i;
         if (kern_polygon_meets(&parts, block->vertex[i],
                                block->vertex[kern_polygon_next(block, i)],
@@ -1990,8 +1993,8 @@ static kern_real kern_chord_inside(const kern_edge *e, kern_vec p, int at)
     return at < 0 && !(inside > 0) ? -KERN_HUGE : inside;
 }
 
-/* Where p is taken to be, a point of chord f on chord e: at the end of f that is
-   nearer, if that is about as near to e. */
+/* Where p is taken to be, a point of chord f on chord e: at the nearer end of f,
+   if that is about as near to e. */
 static kern_vec kern_chord_corner(const kern_search *s, const kern_edge *f,
                                   kern_vec p, const kern_edge *e)
 {
@@ -2074,15 +2077,22 @@ static int kern_search_passes(const kern_search *s, const kern_contact *line,
            off * off + beyond * beyond <= s->gap * s->gap;
 }
 
-/* Leaves out the points that belong to a line. */
+/* Leaves out the points that belong to a line. The next one often belongs to
+   the next line, so the search goes on from there, round all of them. */
 static void kern_search_filter(kern_search *s)
 {
-    int i, k, kept = s->first;
-    for (i = s->first; i < s->count; i++) {
+    int i, k, lines = s->first, at = s->first, kept;
+    while (lines < s->count && s->out[lines].travel > 0)
+        lines++;
+    kept = lines;
+    for (i = lines; i < s->count; i++) {
         const kern_contact *c = &s->out[i];
         int passed = 0;
-        for (k = s->first; !(c->travel > 0) && s->out[k].travel > 0; k++)
-            passed |= kern_search_passes(s, &s->out[k], c);
+        for (k = s->first; k < lines && !passed; k++) {
+            passed = kern_search_passes(s, &s->out[at], c);
+            if (!passed)
+                at = at + 1 < lines ? at + 1 : s->first;
+        }
         if (!passed)
             s->out[kept++] = *c;
     }

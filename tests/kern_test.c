@@ -2928,8 +2928,7 @@ static int same_supports(const world *w, const world *t, double gap)
     return ok;
 }
 
-/* Does the stone lie in the world as it was asked for? Steps near a sharp corner
-   may cross. */
+/* Is the polygon a good one? Steps near a sharp corner may cross. */
 static int is_simple(const double *xy, int n)
 {
     kern_vec v[200];
