@@ -973,6 +973,10 @@ static void kern_fault_clear(kern_fault *fault)
 #define KERN_PART_EDGES 8
 /* Ends of chords that are kept while one before them is looked for. */
 #define KERN_CHORDS     16
+/* How long a way is, in steps, whose direction steps hardly change, and the sine
+   of 10 degrees: by how much they still do. */
+#define KERN_STEP_WAY   KERN_R(8.0)
+#define KERN_STEP_SINE  KERN_R(0.17364817766693036)
 /* Cosine of 60 degrees: by so much a step may turn the outline, and a normal
    be off that of its chord. */
 #define KERN_GOES_ON    KERN_R(0.5)
@@ -1993,28 +1997,50 @@ static kern_real kern_chord_inside(const kern_edge *e, kern_vec p, int at)
     return at < 0 && !(inside > 0) ? -KERN_HUGE : inside;
 }
 
-/* Where p is taken to be, a point of chord f on chord e: at the nearer end of f,
-   if that is about as near to e. */
-static kern_vec kern_chord_corner(const kern_search *s, const kern_edge *f,
-                                  kern_vec p, const kern_edge *e)
+/* Does direction d lead to the inner side of the chord, by more than a chord of
+   some steps may be off? */
+static int kern_chord_inward(const kern_edge *e, kern_vec d)
+{ return kern_vec_cross(d, e->d) < -KERN_STEP_SINE * kern_vec_length(d); }
+
+/* A point at *p, on chord e: where chord f of the block is not along e, the end
+   of f stands there, if that is about as near to e. 0: it does not, since one of
+   the ways from it leads to the inner side, as between two stones whose corners
+   meet. Where `known` is nonzero that is known already. */
+static int kern_chord_stands(const kern_search *s, const kern_edge *e,
+                             const kern_edge *f, const kern_block *block,
+                             kern_vec *p, int known)
 {
-    const kern_real along = kern_vec_dot(kern_vec_sub(p, f->p), f->d);
-    const kern_vec end = along + along > f->length ? f->q : f->p;
-    const kern_vec r = kern_vec_sub(end, e->p);
-    return kern_chord_inside(e, end, 0) >= 0 &&
-           kern_abs(kern_vec_cross(r, e->d)) <= s->gap + KERN_CHORD * s->step
-           ? end : p;
+    const kern_real along = kern_vec_dot(kern_vec_sub(*p, f->p), f->d);
+    const int back = along + along <= f->length;
+    const int corner = back ? f->start : f->end;
+    const kern_vec end = back ? f->p : f->q;
+    const kern_vec on = kern_vec_sub(back ? f->q : f->p, end);
+    const kern_real high =
+        kern_abs(kern_vec_cross(kern_vec_sub(end, e->p), e->d));
+    kern_vec way;
+    int i = corner;
+    if (!(kern_chord_inside(e, end, 0) >= 0 &&
+          high <= s->gap + KERN_CHORD * s->step))
+        return 1;
+    *p = end;
+    do {
+        i = kern_polygon_beside(block, i, back);
+        way = kern_polygon_way(block, corner, i);
+    } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * s->step);
+    return known ||
+           !(kern_chord_inward(e, on) || kern_chord_inward(e, way));
 }
 
 /* Puts a raw contact on its chords again: midway between two that run against
    each other, else on the one inside of whose ends it lies farther. */
 static void kern_search_again(kern_search *s, const kern_contact *c)
 {
+    const int line = c->travel > 0;
     kern_edge e, f;
-    kern_vec t, n, p;
+    kern_vec t, n, p = c->p;
     kern_real cosine;
     if (c->line < 0 && c->mu < 0) {
-        kern_search_put(s, s->index_a, s->index_b, c->p, c->n, c->travel);
+        kern_search_put(s, s->index_a, s->index_b, p, c->n, c->travel);
         return;
     }
     kern_chord_set(&e, s->a, c->a, c->line);
@@ -2022,16 +2048,18 @@ static void kern_search_again(kern_search *s, const kern_contact *c)
     if (kern_vec_dot(e.d, f.d) < 0 &&
         kern_abs(kern_vec_cross(e.d, f.d)) <= s->sine) {
         t = kern_vec_unit(kern_vec_sub(e.d, f.d));
-        p = kern_vec_mid(kern_chord_foot(&e, c->p), kern_chord_foot(&f, c->p));
-    } else if (kern_chord_inside(&e, c->p, c->a) >=
-               kern_chord_inside(&f, c->p, c->b)) {
+        p = kern_vec_mid(kern_chord_foot(&e, p), kern_chord_foot(&f, p));
+    } else if (kern_chord_inside(&e, p, c->a) >=
+               kern_chord_inside(&f, p, c->b)) {
         t = e.d;
-        p = kern_chord_foot(&e, c->travel > 0 ? c->p
-                                : kern_chord_corner(s, &f, c->p, &e));
+        if (!line && !kern_chord_stands(s, &e, &f, s->b, &p, c->line < 0))
+            return;
+        p = kern_chord_foot(&e, p);
     } else {
         t = kern_vec_scale(f.d, -1);
-        p = kern_chord_foot(&f, c->travel > 0 ? c->p
-                                : kern_chord_corner(s, &e, c->p, &f));
+        if (!line && !kern_chord_stands(s, &f, &e, s->a, &p, c->mu < 0))
+            return;
+        p = kern_chord_foot(&f, p);
     }
     n = kern_vec_scale(kern_vec_turn(t), -1);
     cosine = kern_vec_dot(n, c->n);
