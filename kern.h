@@ -91,6 +91,10 @@
 
    The size of a block is the square root of its area. Found contacts of a pair
    accept gaps and overlaps up to 1/1000 of the size of the smaller free block.
+   A step in an outline that is no higher than the gap is no key: the contact
+   there has the normal of the outline without steps. Outlines from an image
+   have steps of a pixel; where that is more than the gap, set options.gap to a
+   pixel and a half.
 
 
    MEMORY                                                            >>memory
@@ -598,7 +602,9 @@ KERN_API void kern_work_need(int blocks, int contacts,
    KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
    above 1e100, float: 1e10), KERN_NO_AREA, KERN_CROSSING (also for repeated
    vertices), KERN_BAD_MASS (density < 0).
-   Time: O(n) for n vertices of a convex polygon, O(n^2) for another. */
+   Time: O(n) for n vertices of a convex polygon; in another each edge is held
+   against 24 boxes and the edges in one or two of them: some 4 ms for 10,000
+   vertices, 0.3 s for 100,000. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
@@ -617,8 +623,9 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    b = 0, 1, 2, ... those of block b with every block a < b, a ascending, so
    that what the last block touches comes last. Two fixed blocks have none, nor
    has a block without vertices. Returns how many contact points there are, or
-   KERN_NO_SPACE (nothing may be read from out, which may have to be a little
-   longer than the result while the faces of a pair are merged: double it),
+   KERN_NO_SPACE (nothing may be read from out, which may have to be longer
+   than the result while the faces of a pair are merged, by some seven points
+   for each step of its outlines: double it),
    KERN_OVERLAP (both blocks; value: the depth [m] that was found),
    KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
    KERN_NO_AREA (the block), with the fault in the work memory. Of this it

@@ -3035,6 +3035,168 @@ static void steps_invariance(void)
     context[0] = 0;
 }
 
+/* The structure with steps in some edges of its stones, lower than half the gap
+   of the smallest, so that two on each other do not reach into each other. */
+static int structure_with_steps(world *to, const world *from)
+{
+    double least = huge_value();
+    int i, k;
+    for (i = 0; i < from->blocks; i++)
+        if (!from->block[i].fixed)
+            least = fmin(least, sqrt(fabs((double)from->block[i].area)));
+    world_reset(to);
+    to->gravity = from->gravity;
+    to->options = from->options;
+    for (i = 0; i < from->blocks; i++) {
+        const kern_block *b = &from->block[i];
+        double xy[32], rough[600];
+        if (b->vertices < 3 || b->vertices > 16)
+            return 0;
+        for (k = 0; k < b->vertices; k++) {
+            const kern_vec v = kern_polygon_at(b, k);
+            xy[2 * k] = (double)v.x;
+            xy[2 * k + 1] = (double)v.y;
+        }
+        k = roughened(rough, xy, b->vertices, random_int(0, 65535),
+                      0.45e-3 * least);
+        if (k > 190 || !is_simple(rough, k) || to->vertices + k > MAX_VERTICES)
+            return 0;
+        world_polygon(to, 1, rough, k);
+        to->block[i].fixed = b->fixed;
+        to->block[i].mass = b->mass;
+        to->block[i].centre = b->centre;
+        to->block[i].load = b->load;
+    }
+    return world_touch(to) > 0;
+}
+
+/* No structure falls because its stones have steps, and none bears more. */
+static void steps_in_random_structures(void)
+{
+    static world w, t;
+    int seed, cases = 0;
+    for (seed = 0; seed < 2000; seed++) {
+        kern_margin m, n;
+        double factor, rough;
+        int got, now;
+        random_of_kind(&w, 83000u + (unsigned long long)seed, 8, seed % KINDS);
+        w.options.relative = 0;
+        w.options.epsilon = 0;
+        if (w.given || w.contacts < 1 || w.contacts > 60 ||
+            !structure_with_steps(&t, &w))
+            continue;
+        cases++;
+        got = measure(&w, &m);
+        now = measure(&t, &n);
+        /* an end of a contact moves by a gap */
+        if (got == KERN_STANDS && (double)m.margin > 0.01 * mean_size(&w))
+            CHECK(now == KERN_STANDS || (SINGLE && now == KERN_UNDECIDED));
+        if (now == KERN_STANDS && (double)n.margin > 0.01 * mean_size(&w))
+            CHECK(got == KERN_STANDS || (SINGLE && got == KERN_UNDECIDED));
+        if (SINGLE || got != KERN_STANDS || now != KERN_STANDS ||
+            load_factor(&w, NULL, 1, &factor) != KERN_STANDS ||
+            load_factor(&t, NULL, 1, &rough) != KERN_STANDS)
+            continue;
+        if (isinf(factor) || isinf(rough))
+            CHECK(isinf(factor) && isinf(rough));
+        else
+            CHECK_NEAR(rough, factor, 0.05 * factor + 0.01);
+    }
+    context[0] = 0;
+    CHECK(cases > 500);
+}
+
+/* ---- outlines of many vertices ---- */
+
+enum { LONG = 10000 };
+static kern_vec long_outline[2][LONG];
+
+/* A wavy ring, or its mirror image below it with vertices in between, that
+   turns either way. */
+static kern_status long_ring(kern_block *b, int n, int below, int clockwise,
+                             kern_fault *fault)
+{
+    kern_vec *v = long_outline[below];
+    int i;
+    for (i = 0; i < n; i++) {
+        const double a =
+            2 * pi * ((clockwise ? n - i : i) + (below ? 0.3 : 0)) / n;
+        const double r = 1 + 0.05 * sin(7 * a);
+        v[i] = vec(r * cos(a), r * sin(a));
+        if (below)
+            v[i].y = R(-2.1 - (double)v[i].y);
+    }
+    return kern_block_init(b, v, n, R(below ? 0 : 1), fault);
+}
+
+static void long_outlines(void)
+{
+    static kern_contact out[2000];
+    const kern_options o = kern_defaults();
+    const int n = SINGLE ? 2000 : LONG;
+    const clock_t start = clock();
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    kern_block block[2];
+    kern_fault fault;
+    int k, got[4];
+    for (k = 0; k < 4; k++) {
+        CHECK_INT(long_ring(&block[0], n, 0, k & 1, NULL), KERN_STANDS);
+        CHECK_INT(long_ring(&block[1], n, 1, k >> 1, NULL), KERN_STANDS);
+        got[k] = kern_touch(block, 2, 1, &o, out, 2000, &work);
+        CHECK(got[k] > 0 && got[k] <= 4);
+        CHECK_INT(got[k], got[0]);
+        CHECK_NEAR(out[0].p.y, -1.05, 2e-3);
+        CHECK_NEAR(out[0].n.y, -1, 1e-3);
+    }
+    for (k = 0; k < n; k++) /* into each other by a tenth */
+        long_outline[1][k].y += R(0.1);
+    kern_block_init(&block[1], long_outline[1], n, R(0), NULL);
+    CHECK_INT(kern_touch(block, 2, 1, &o, out, 2000, &work), KERN_OVERLAP);
+    /* one vertex on the other side of the ring */
+    long_outline[0][n / 3] = vec(-1.5 * cos(2 * pi / 3),
+                                 -1.5 * sin(2 * pi / 3));
+    CHECK_INT(kern_block_init(&block[0], long_outline[0], n, R(1), &fault),
+              KERN_CROSSING);
+    CHECK(fault.index >= 0 && fault.index <= n / 3);
+    CHECK((double)(clock() - start) / CLOCKS_PER_SEC < 2);
+}
+
+/* Two stones that fit along a joint of pixels. */
+static void long_joint(void)
+{
+    static kern_contact out[20000];
+    const int n = 2000;
+    const clock_t start = clock();
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    kern_options o = kern_defaults();
+    kern_block block[2];
+    int c, i, k = 1, last = 0;
+    long_outline[0][0] = vec(0, 0);
+    for (c = 0; c < n; c++) {
+        const int high = (int)floor(0.6 * (c + 0.5) + 0.5);
+        if (high != last) {
+            long_outline[0][k++] = vec((double)c / n, (double)last / n);
+            long_outline[0][k++] = vec((double)c / n, (double)high / n);
+        }
+        last = high;
+    }
+    long_outline[0][k++] = vec(1, (double)last / n);
+    for (i = 0; i < k; i++)
+        long_outline[1][i] = long_outline[0][i];
+    long_outline[0][k] = vec(1, 2);
+    long_outline[0][k + 1] = vec(0, 2);
+    long_outline[1][k] = vec(1, -1);
+    long_outline[1][k + 1] = vec(0, -1);
+    o.gap = R(1.5 / n);
+    CHECK_INT(kern_block_init(&block[0], long_outline[0], k + 2, R(1), NULL),
+              KERN_STANDS);
+    CHECK_INT(kern_block_init(&block[1], long_outline[1], k + 2, R(0), NULL),
+              KERN_STANDS);
+    CHECK_INT(kern_touch(block, 2, 1, &o, out, 20000, &work), 2);
+    CHECK_NEAR(fabs((double)out[0].travel), sqrt(1.36) / 2, 1.5 / n);
+    CHECK((double)(clock() - start) / CLOCKS_PER_SEC < 1);
+}
+
 /* ==== Linear programs =============================================== */
 
 enum { LP_ROWS = 8, LP_COLS = 24 };
@@ -6299,6 +6461,9 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(given_normals),
                              TEST(steps_in_random_stones),
                              TEST(steps_invariance),
+                             TEST(steps_in_random_structures),
+                             TEST(long_outlines),
+                             TEST(long_joint),
                              TEST(lp_cycling),
                              TEST(lp_kinds),
                              TEST(lp_random),
