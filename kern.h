@@ -579,7 +579,8 @@ KERN_API kern_options kern_defaults(void);
 
 /* Options that also find the contacts which the first rocking of a stone would
    close: a gap of 3 % of the mean size [m] and an angle of 0.1 rad, where
-   *options has less. For profiles that foretell shaking, see >>measures. */
+   *options has less; NULL stands for kern_defaults(). For profiles that foretell
+   shaking, see >>measures. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
@@ -668,7 +669,8 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
    nearly as far apart as any, the square of their number. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
-/* Where a contact point acts at a shrinkage; grown, where it is negative. */
+/* Where a contact point acts at a shrinkage; grown, where it is negative. The
+   origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact,
                                   kern_real shrink, int relative);
 
@@ -980,8 +982,8 @@ static void kern_fault_clear(kern_fault *fault)
 #define KERN_PART_EDGES 8
 /* Ends of chords that are kept while one before them is looked for. */
 #define KERN_CHORDS     16
-/* How long a way is, in steps, whose direction steps hardly change, and the sine
-   of 10 degrees: by how much they still do. */
+/* How long a way is, in steps, whose direction steps hardly change, and the
+   sine of 10 degrees: by how much they still do. */
 #define KERN_STEP_WAY   KERN_R(8.0)
 #define KERN_STEP_SINE  KERN_R(0.17364817766693036)
 /* Cosine of 60 degrees: by so much a step may turn the outline, and a normal
@@ -2010,9 +2012,9 @@ static int kern_chord_inward(const kern_edge *e, kern_vec d)
 { return kern_vec_cross(d, e->d) < -KERN_STEP_SINE * kern_vec_length(d); }
 
 /* A point at *p, on chord e: where chord f of the block is not along e, the end
-   of f stands there, if that is about as near to e. 0: it does not, since one of
-   the ways from it leads to the inner side, as between two stones whose corners
-   meet. Where `known` is nonzero that is known already. */
+   of f stands there, if that is about as near to e. 0: it does not, since one
+   of the ways from it leads to the inner side, as between two stones whose
+   corners meet. `known`: that it stands is known already. */
 static int kern_chord_stands(const kern_search *s, const kern_edge *e,
                              const kern_edge *f, const kern_block *block,
                              kern_vec *p, int known)
@@ -4493,8 +4495,10 @@ static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
 KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
                                   int relative)
 {
-    kern_real rate;
-    const kern_real shift = kern_shift(c->travel, shrink, relative, &rate);
+    kern_real rate, shift;
+    if (!c)
+        return kern_vec_make(0, 0);
+    shift = kern_shift(c->travel, shrink, relative, &rate);
     return kern_vec_step(c->p, shift, kern_vec_turn(c->n));
 }
 
@@ -6028,7 +6032,7 @@ KERN_API kern_options kern_defaults(void)
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size)
 {
-    kern_options o = *options;
+    kern_options o = options ? *options : kern_defaults();
     o.gap = kern_max(o.gap, KERN_NEAR_GAP * mean_size);
     o.angle = kern_max(o.angle, KERN_NEAR_ANGLE);
     return o;

@@ -2796,6 +2796,9 @@ static void travels_of_many(void)
     CHECK((double)(clock() - start) / CLOCKS_PER_SEC < 1);
     kern_contact_travels(NULL, 0);
     kern_contact_travels(NULL, 3);
+    CHECK_NEAR(kern_contact_at(NULL, 0, 0).x, 0, 0);
+    CHECK_NEAR(kern_near(NULL, 1).gap, R(0.03), 0);
+    CHECK_NEAR(kern_near(NULL, 1).mu, kern_defaults().mu, 0);
 }
 
 /* The normal of a given contact may be of any length that has an inverse. */
