@@ -579,8 +579,8 @@ KERN_API kern_options kern_defaults(void);
 
 /* Options that also find the contacts which the first rocking of a stone would
    close: a gap of 3 % of the mean size [m] and an angle of 0.1 rad, where
-   *options has less; NULL stands for kern_defaults(). For profiles that foretell
-   shaking, see >>measures. */
+   *options has less; NULL stands for kern_defaults(). For profiles that
+   foretell shaking, see >>measures. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
@@ -1857,23 +1857,66 @@ static int kern_step_from(const kern_search *s, const kern_block *block, int i,
     return 0;
 }
 
-/* Is corner i at a step, or nearer to one than steps are high? */
-static int kern_step_near(const kern_search *s, const kern_block *block, int i)
+static int kern_step_ends(const kern_search *s, const kern_block *block, int i)
 {
-    int back;
-    for (back = 0; back < 2; back++) {
-        kern_real way = 0;
-        int at = i;
-        do {
-            const int to = kern_polygon_corner(block, at, back);
-            if (kern_step_from(s, block, at, 0) ||
-                kern_step_from(s, block, at, 1))
-                return 1;
-            way += kern_vec_length(kern_polygon_way(block, at, to));
-            at = to;
-        } while (way <= s->step && at != i);
+    return kern_step_from(s, block, i, 0) || kern_step_from(s, block, i, 1);
+}
+
+/* Steps on the way round an outline, corner by corner: each is looked at once,
+   as soon as it is nearer than steps are high. */
+typedef struct kern_round {
+    kern_real since;        /* way from the last end of a step            */
+    kern_real ahead;        /* way to the corner that was looked at last, */
+    int at, ends;           /* and whether a step ends there              */
+} kern_round;
+
+static void kern_round_open(kern_round *k, const kern_search *s,
+                            const kern_block *block, int i)
+{
+    int at = i, to;
+    k->since = k->ahead = 0;
+    k->at = i;
+    k->ends = kern_step_ends(s, block, i);
+    do {
+        to = kern_polygon_corner(block, at, 1);
+        k->since += kern_vec_length(kern_polygon_way(block, at, to));
+        at = to;
+    } while (k->since <= s->step && at != i && !kern_step_ends(s, block, at));
+}
+
+/* Is corner i, which is that of k, at a step, or nearer to one than steps are
+   high? */
+static int kern_round_near(kern_round *k, const kern_search *s,
+                           const kern_block *block, int i)
+{
+    int to;
+    while (!k->ends && k->ahead <= s->step) {
+        to = kern_polygon_corner_after(block, k->at);
+        k->ahead += kern_vec_length(kern_polygon_way(block, k->at, to));
+        k->at = to;
+        k->ends = kern_step_ends(s, block, to);
+        if (to == i)
+            break;
     }
-    return 0;
+    return k->since <= s->step || (k->ends && k->ahead <= s->step);
+}
+
+/* From corner i to the next, which is returned. */
+static int kern_round_on(kern_round *k, const kern_search *s,
+                         const kern_block *block, int i)
+{
+    const int to = kern_polygon_corner_after(block, i);
+    const kern_real way = kern_vec_length(kern_polygon_way(block, i, to));
+    if (k->at == i) {
+        k->since = k->ends ? way : k->since + way;
+        k->ahead = 0;
+        k->at = to;
+        k->ends = kern_step_ends(s, block, to);
+    } else {
+        k->since += way;
+        k->ahead -= way;
+    }
+    return to;
 }
 
 /* If the chord from `start` to `end` passes by corners too far away: that which
@@ -1946,38 +1989,55 @@ static void kern_chord_give(const kern_search *s, const kern_block *block,
     }
 }
 
-/* Looks for chords that leave out corners. */
+/* Goes on from corner `start` to that where its chord ends, by way of those
+   kept in stop[0..top), and gives the chord to its contacts. */
+static int kern_chord_next(const kern_search *s, const kern_block *block,
+                           int start, int *stop, int *top)
+{
+    int end = stop[*top - 1], part;
+    while ((part = kern_chord_part(s, block, start, end)) != end) {
+        end = part;
+        if (*top < KERN_CHORDS)
+            stop[(*top)++] = end;
+    }
+    *top -= end == stop[*top - 1];
+    if (end != kern_polygon_corner_after(block, start))
+        kern_chord_give(s, block, start, end);
+    return end;
+}
+
+/* Looks for chords that leave out corners. There are none where an outline
+   turns left only. */
 static void kern_search_chords(const kern_search *s, const kern_block *block)
 {
     int stop[KERN_CHORDS];
     int first = kern_polygon_corner_after(block, block->vertices - 1);
-    int at, end, part, top;
+    int at = 0, top, loose = 1; /* none is fast */
+    kern_round k;
     const int begin = first;
-    while (kern_step_near(s, block, first)) {
-        first = kern_polygon_corner_after(block, first);
-        if (first == begin) {
-            first = kern_polygon_far(block);
-            break;
-        }
-    }
+    while (at < block->vertices && kern_polygon_turn(block, at) >= 0)
+        at++;
+    if (at == block->vertices)
+        return;
+    kern_round_open(&k, s, block, first);
+    do {
+        loose = kern_round_near(&k, s, block, first);
+        if (loose)
+            first = kern_round_on(&k, s, block, first);
+    } while (loose && first != begin);
+    if (loose)
+        first = kern_polygon_far(block);
     at = first;
     do {
-        end = at;
+        int end = at;
         do
-            end = kern_polygon_corner_after(block, end);
-        while (end != first && kern_step_near(s, block, end));
+            end = loose ? kern_polygon_corner_after(block, end)
+                        : kern_round_on(&k, s, block, end);
+        while (end != first &&
+               (loose || kern_round_near(&k, s, block, end)));
         stop[0] = end;
-        for (top = 1; top > 0; at = end) {
-            end = stop[top - 1];
-            while ((part = kern_chord_part(s, block, at, end)) != end) {
-                end = part;
-                if (top < KERN_CHORDS)
-                    stop[top++] = end;
-            }
-            top -= end == stop[top - 1];
-            if (end != kern_polygon_corner_after(block, at))
-                kern_chord_give(s, block, at, end);
-        }
+        for (top = 1; top > 0;)
+            at = kern_chord_next(s, block, at, stop, &top);
     } while (at != first);
 }
 
