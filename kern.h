@@ -969,6 +969,7 @@ extern "C" {
 #define KERN_UNIT_MOST   UM
 #define KERN_PART_ROUNDS PR
 #define KERN_WIDE_SMALL  16
+#define KERN_PLAIN_SMALL 64
 #define KERN_LEAST_ROUNDS  30
 #define KERN_POUR_ROUNDS   8
 #define KERN_ROWS_MOST     16
@@ -987,7 +988,7 @@ extern "C" {
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
 #define KERN_MANY          8       /* pivots between them                     */
-#define KERN_FIRST         KERN_R(0.15)
+#define KERN_FIRST         KERN_R(0.12)
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
@@ -4902,7 +4903,7 @@ typedef struct kern_model {
     int *dirty, *local;
     int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: whether a part with it fell      */
-    int falls;                /* the mark of the last of them                 */
+    int falls, fallen;        /* the mark of the last part, and its groups    */
     int wide;                 /* by how much the next part of them is widened */
     int again, regrown;
     kern_take common;         /* work memory behind what every method needs   */
@@ -6081,9 +6082,9 @@ static void kern_part_motion(kern_part *p)
     }
 }
 
-/* Whether the part is all there is. */
+/* Whether the part is all there is: then forces on it prove that it stands. */
 static int kern_part_is_whole(const kern_part *p)
-{ return p->groups == p->m->groups; }
+{ return p->groups == p->m->groups && p->m->from == 0; }
 
 /* The forces of a program of all groups. What is negative by rounding is
    nothing. */
@@ -6245,6 +6246,7 @@ static kern_status kern_part_widen(kern_part *p)
     if (m->groups > KERN_WIDE_SMALL && 2 * groups > m->groups)
         return KERN_NO_SPACE; /* not much less than the whole */
     m->falls++;
+    m->fallen = p->groups;
     for (n = 0; n < p->groups; n++)
         m->fell[p->group[n]] = m->falls;
     return kern_part_lay(p);
@@ -6290,7 +6292,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     if (total > KERN_BOUND / 2)
         return KERN_UNDECIDED;
     p->found = KERN_STANDS;
-    if (!proven)
+    if (!proven || m->from > 0)
         return KERN_STANDS;
     for (i = 0; i < m->s->contacts; i++) {
         m->force[i].normal *= m->weight;
@@ -6737,26 +6739,63 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* As kern_path_search(), by the linear program of the whole: from the bracket
-   that is known, if one is. */
+/* Whether the motion that is known still proves that it falls where it did. */
+static int kern_path_still_falls(kern_model *m, kern_path *path)
+{
+    const kern_seed *seed = path->seed;
+    const kern_question q = kern_path_at(path, seed->fails);
+    const int last = m->s->blocks - 1;
+    kern_real error;
+    int i;
+    for (i = 0; i < m->s->blocks; i++) {
+        kern_motion *v = m->motion + i;
+        v->vx = v->vy = v->spin = KERN_R(0);
+        if (i == last)
+            *v = seed->last;
+        else if (seed->motion)
+            *v = seed->motion[i];
+    }
+    error = kern_prove_motion(m->s, &q, m->motion);
+    if (!(error <= 1) || seed->fails - path->holds > path->tolerance)
+        return 0;
+    m->work->error = kern_max(m->work->error, error);
+    kern_proof_out(m, path->proof, KERN_FALLS);
+    path->fails = seed->fails;
+    path->edge = seed->edge;
+    return 1;
+}
+
+/* As kern_path_search(), by the linear program of the whole. Where a part fell,
+   or something is known, it begins at `at`, where that stands; else, or if it is
+   not decided there, it climbs from path->holds. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_real step, int fell)
+                                   kern_real step, kern_real at, int fell)
 {
     const kern_real holds = path->holds;
     const kern_question q = kern_path_at(path, holds);
+    const int near = fell && (4 * m->fallen >= m->groups
+                              || m->groups <= KERN_PLAIN_SMALL);
+    const int seeded = !fell && path->seed && path->seed->fails > at;
+    const int closed = fell && path->closed;
     kern_status status = kern_model_plain(m, path->part, &q);
-    fell &= holds > path->start && path->edge - holds < path->edge / 4;
-    if (status == KERN_STANDS && fell) {
-        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (status != KERN_STANDS || path->holds > holds)
+    if (status != KERN_STANDS)
+        return status;
+    if (at > holds && (near || seeded)) {
+        status = kern_path_ask(m, path, at);
+        if (status == KERN_STANDS
+            && (closed || (seeded && kern_path_still_falls(m, path))))
             return status;
+        if (status == KERN_STANDS && seeded)
+            return kern_path_climb(m, path, step, 0);
+        if (status == KERN_STANDS || status == KERN_FALLS)
+            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (status == KERN_STANDS && path->holds > holds)
+            return status;
+        path->holds = holds;
     }
-    if (status == KERN_STANDS)
-        status = kern_path_ask(m, path, holds);
+    status = kern_path_ask(m, path, holds);
     if (status == KERN_FALLS && holds > path->start)
         status = kern_path_ask(m, path, path->start);
-    else if (fell)
-        return status;
     return status == KERN_STANDS ? kern_path_climb(m, path, step, 0) : status;
 }
 
@@ -6791,32 +6830,6 @@ static kern_status kern_path_part(kern_model *m, kern_path *path)
                                      ? KERN_EDGE_ROUNDS : KERN_PART_ROUNDS);
     path->alone = 0;
     return status;
-}
-
-/* Whether the motion that is known still proves that it falls where it did. */
-static int kern_path_still_falls(kern_model *m, kern_path *path)
-{
-    const kern_seed *seed = path->seed;
-    const kern_question q = kern_path_at(path, seed->fails);
-    const int last = m->s->blocks - 1;
-    kern_real error;
-    int i;
-    for (i = 0; i < m->s->blocks; i++) {
-        kern_motion *v = m->motion + i;
-        v->vx = v->vy = v->spin = KERN_R(0);
-        if (i == last)
-            *v = seed->last;
-        else if (seed->motion)
-            *v = seed->motion[i];
-    }
-    error = kern_prove_motion(m->s, &q, m->motion);
-    if (!(error <= 1))
-        return 0;
-    m->work->error = kern_max(m->work->error, error);
-    kern_proof_out(m, path->proof, KERN_FALLS);
-    path->fails = seed->fails;
-    path->edge = seed->edge;
-    return 1;
 }
 
 /* The first edge of a path on which the verdict changes but once. What falls
@@ -6885,7 +6898,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             break;
     }
     path->holds = holds;
-    return kern_path_plain(m, path, step, fell);
+    return kern_path_plain(m, path, step, at, fell);
 }
 
 static kern_real kern_step(const kern_model *m, const kern_options *o)
@@ -7531,17 +7544,19 @@ static kern_status kern_plan_nearer(const kern_plan *plan, int found,
     kern_path path;
     kern_structure s;
     kern_travels travels;
+    kern_question q;
     kern_status status = kern_plan_alone(plan, found, &path, &m, &part, &s);
     if (status != KERN_STANDS)
         return status;
     travels = kern_travels_of(&m);
     if (!travels.nested)
         return KERN_STANDS;
-    path.end = travels.most;
-    path.seed = seed;
+    path.end = seed->fails;
+    q = kern_path_at(&path, path.end);
+    if (kern_model_pour(&m, &part, &q, 0) == KERN_STANDS)
+        return KERN_STANDS;
     path.proof = proof;
-    status = kern_path_search(&m, &path, path.unit * KERN_FIRST,
-                              path.unit * KERN_FIRST);
+    status = kern_path_search(&m, &path, path.end, path.unit * KERN_FIRST);
     if (status == KERN_STANDS && !path.never && path.fails < seed->fails) {
         seed->holds = path.holds;
         seed->edge = path.edge;
