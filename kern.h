@@ -506,6 +506,7 @@ typedef struct kern_work {
 /* What a measure leaves to the next one of nearly the same structure. */
 typedef struct kern_known {
     kern_motion *motion;  /* one a block: of the mechanism, at fails          */
+    kern_force *force;    /* one a contact point: at holds                    */
     kern_real holds, margin, fails; /* of the last measure; fails 0: there
                                        was none                               */
 } kern_known;
@@ -771,12 +772,13 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
    with the mechanism that it had there. Answers are those of kern_measure(),
    and as well proven. */
 
-/* An empty plan: arrays for so many blocks and contact points, `motion` for as
-   many blocks, and work memory for a structure of that size. Gravity is
-   (0, -9.81). */
+/* An empty plan: arrays for so many blocks and contact points, `motion` and
+   `force` for as many of them, and work memory for a structure of that size.
+   Gravity is (0, -9.81). */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
-                                kern_motion *motion, kern_work *work);
+                                kern_motion *motion, kern_force *force,
+                                kern_work *work);
 
 /* Adds a block behind the others and finds its contacts. Returns how many
    contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
@@ -943,36 +945,29 @@ extern "C" {
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 
-/* Least forces: what a group may miss as a share of its load; how much is added
-   to the diagonal of a matrix, as a share of its mean; a pivot of three rows
-   that is rounding; forces, in loads of a part, beyond which it is said to
-   fall. */
+/* Least forces and pouring. What a group may miss, as a share of its load: far
+   less than a proof allows. */
 #define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
+/* Added to the diagonal of their matrix, as a share of its mean. */
 #define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
-#define KERN_LEAST_FIRST KERN_R(1e-3)
-#define KERN_LEAST_NEXT  KERN_R(1e-2)
-#define KERN_LEAST_LAST  KERN_PICK(1e-13, 1e-7)
-#define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
-#define KERN_PARTING KERN_PICK(1e-6, 1e-3)
-#define KERN_MOVING      KERN_R(1e-3)
+/* Pivot of a 3 x 3 matrix, as a share of its trace, that is rounding; and above
+   which its solution needs no second look. */
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
-#define KERN_POUR_BOUND  KERN_R(PB)
-#define KERN_POUR_BUDGET 4000
-#ifndef UM
-#define UM 32
-#define PB 50
-#define PR 6
-#define RG 4
-#define WH 1000000
-#define EX 1
-#endif
-#define KERN_UNIT_MOST   UM
-#define KERN_PART_ROUNDS PR
-#define KERN_WIDE_SMALL  16
-#define KERN_PLAIN_SMALL 64
-#define KERN_LEAST_ROUNDS  30
-#define KERN_POUR_ROUNDS   8
-#define KERN_ROWS_MOST     16
+#define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
+/* Forces, in loads of a unit, beyond which it is said to fall. Larger, and
+   units grow less often, but take more steps. */
+#define KERN_LEAST_MOST  KERN_R(50)
+/* Share of the largest velocity that is no approach. */
+#define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
+#define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
+#define KERN_POUR_ROUNDS   8       /* of one group                            */
+#define KERN_ROWS_MOST     16      /* contacts of one group                   */
+#define KERN_UNIT_MOST     32      /* groups of a unit                        */
+#define KERN_REGROWN       4       /* times that a unit of three is joined    */
+#define KERN_POUR_BUDGET   4000    /* products for each group and contact     */
+#define KERN_PART_ROUNDS   6       /* questions about a part at a time        */
+#define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
+#define KERN_PLAIN_SMALL   64      /* groups: asked near to a part's edge     */
 /* Least and largest mass [kg] and sum of all that acts on a block [N], least
    size of a block [m], least power of a motion [W]: of these the squares, the
    moments and products with KERN_BOUND are numbers, and keep all digits. */
@@ -2843,8 +2838,6 @@ typedef struct kern_simplex {
     int interval;           /* until it is chosen again, the least            */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
-    const int *known;       /* columns of an earlier one to start from        */
-    int knowns;
     int stale;              /* the matrix has changed since                   */
     int cramped;            /* columns had to leave for want of room          */
     int settled;            /* no pivot since the values were refined         */
@@ -4066,7 +4059,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows;
     sx->lp = lp;
-    sx->started = sx->stale = sx->cramped = sx->violated = sx->knowns = 0;
+    sx->started = sx->stale = sx->cramped = sx->violated = 0;
     sx->groups = lp->ends ? m / 3 : 0;
     sx->room = room;
     sx->base = kern_take_ints(take, m + 3 + room);
@@ -4180,32 +4173,16 @@ static void kern_crash_group(kern_simplex *sx, int g, int first)
     }
 }
 
-/* Puts the known columns into slots that are free, where they still exist. */
-static void kern_crash_known(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    int i, slot = 0;
-    for (i = 0; i < sx->knowns; i++) {
-        while (slot < lp->rows && sx->base[slot] < lp->cols)
-            slot++;
-        if (slot < lp->rows && sx->known[i] < lp->cols)
-            sx->base[slot] = sx->known[i];
-    }
-}
-
 /* The crash basis: down the order, each group takes three columns to groups
    after it (or to none) that carry its load and what rests on it. Feasible at
-   once for most walls. Without an order every filler is basic. Groups that
-   have known columns keep those. */
+   once for most walls. Without a network every filler is basic. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *first = sx->link, *next = sx->place, *kept = sx->spare;
+    int *first = sx->link, *next = sx->place;
     int i, j;
-    for (i = 0; i < lp->rows; i++) {
-        kept[i] = 0;
+    for (i = 0; i < lp->rows; i++)
         sx->row[i] = lp->rhs[i];
-    }
     for (i = 0; i < kern_extra(sx, 0); i++)
         sx->base[i] = lp->cols + i;
     for (i = 0; i <= sx->groups; i++)
@@ -4215,18 +4192,13 @@ static void kern_simplex_crash(kern_simplex *sx)
         next[j] = first[g];
         first[g] = j;
     }
-    for (i = 0; i < sx->knowns; i++)
-        if (sx->known[i] < lp->cols)
-            kept[kern_lp_first(sx->lp, sx->known[i])] = 1;
     for (i = 0; i < sx->groups; i++)
-        if (!kept[i])
-            kern_crash_group(sx, i, first[i]);
-    kern_crash_known(sx);
+        kern_crash_group(sx, i, first[i]);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
     for (i = 0; i < lp->rows; i++)
         sx->spare[i] = -1;
-    sx->extras = sx->knowns = 0;
+    sx->extras = 0;
     sx->started = 1;
     sx->interval = KERN_RENEW;
     sx->unit = kern_largest(lp->rhs, lp->rows);
@@ -4897,6 +4869,7 @@ typedef struct kern_model {
     kern_real *arm;           /* four a contact: torques of n and t on b, and
                                  of -n and -t on a, in their units            */
     kern_force *force;        /* one a contact: of the last verdict           */
+    const kern_force *prior;  /* forces that are known, or NULL               */
     kern_motion *motion;      /* one a block: of the last verdict             */
     kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next;       /* of a group: see >>pour                       */
@@ -5049,6 +5022,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     m->mean = kern_mean_size(s->block, s->blocks);
     m->weight = KERN_R(1);
     m->from = last_only ? s->blocks - 1 : 0;
+    m->prior = NULL;
     kern_model_group(m, NULL);
     return KERN_STANDS;
 }
@@ -5256,6 +5230,20 @@ static inline kern_spring kern_spring_of(kern_real wn, kern_real wt,
     return s;
 }
 
+/* Where the motion of contact i begins: its spring then exerts the force that
+   is known, so what is found is the least change of that. */
+static inline void kern_model_prior(const kern_model *m, int i,
+                                    kern_real *wn, kern_real *wt)
+{
+    const kern_real mu = m->s->contact[i].mu, one = KERN_R(0.5) / m->weight;
+    *wn = *wt = KERN_R(0);
+    if (!m->prior)
+        return;
+    *wn = m->prior[i].normal * one;
+    if (mu > 0)
+        *wt = m->prior[i].tangential * one / (mu * mu);
+}
+
 /* Contact i's n and t as rows of the group at an end: 0 is block b, 1 is a. */
 static inline void kern_model_rows(const kern_model *m, int i, int end,
                                    kern_real n[3], kern_real t[3])
@@ -5326,24 +5314,25 @@ static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
         const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
         const kern_vec n = p->m->s->contact[p->contact[k]].n;
         const kern_real x = h[0] - t[0], y = h[1] - t[1];
-        kern_real *way = p->way + 4 * (size_t)k + to;
-        way[0] = n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
-        way[1] = n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
+        kern_real *way = p->way + 4 * (size_t)k + to, wn = 0, wt = 0;
+        if (to == 0)
+            kern_model_prior(p->m, p->contact[k], &wn, &wt);
+        way[0] = wn + n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
+        way[1] = wt + n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
     }
 }
 
-/* The gradient of the dual at u to p->left: b less what the forces of u exert,
-   less prox u. Returns its value, and in *most the largest force. */
+/* The gradient of the dual at u, to p->left: b less what the forces of u exert.
+   Returns its value, and in *most the largest force. */
 static kern_real kern_least_left(kern_part *p, const kern_real *b,
-                                 int contacts, kern_real prox,
-                                 kern_real *most)
+                                 int contacts, kern_real *most)
 {
     kern_real value = KERN_R(0);
     int i, k, end;
     *most = KERN_R(0);
     for (i = 0; i < 3 * p->groups; i++) {
-        p->left[i] = b[i] - prox * p->u[i];
-        value += (b[i] - prox * p->u[i] / 2) * p->u[i];
+        p->left[i] = b[i];
+        value += b[i] * p->u[i];
     }
     for (k = 0; k < contacts; k++) {
         const int c = p->contact[k];
@@ -5383,8 +5372,7 @@ static void kern_least_add(kern_part *p, int k, int end, int other,
 }
 
 /* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
-static void kern_least_matrix(kern_part *p, int contacts, int all,
-                              kern_real prox)
+static void kern_least_matrix(kern_part *p, int contacts, int all)
 {
     const int last = p->groups - 1;
     const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
@@ -5415,8 +5403,7 @@ static void kern_least_matrix(kern_part *p, int contacts, int all,
                 if (i == 0)
                     trace += *d;
                 else
-                    *d += prox + KERN_LEAST_SHIFT * trace
-                                 / KERN_R(3 * p->groups);
+                    *d += KERN_LEAST_SHIFT * trace / KERN_R(3 * p->groups);
             }
         }
 }
@@ -5480,13 +5467,12 @@ static void kern_least_solve(kern_part *p)
 
 /* The slope of the dual at u + share * step. */
 static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
-                                  int contacts, kern_real prox,
-                                  kern_real share)
+                                  int contacts, kern_real share)
 {
     kern_real slope = KERN_R(0);
     int i, k;
     for (i = 0; i < 3 * p->groups; i++)
-        slope += (b[i] - prox * (p->u[i] + share * p->step[i])) * p->step[i];
+        slope += b[i] * p->step[i];
     for (k = 0; k < contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_spring_of(
@@ -5499,20 +5485,17 @@ static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
 
 /* How far to go along the step: where the dual is largest, to a few percent. */
 static kern_real kern_least_share(const kern_part *p, const kern_real *b,
-                                  int contacts, kern_real prox)
+                                  int contacts)
 {
-    const kern_real first = kern_least_slope(p, b, contacts, prox,
-                                             KERN_R(0));
+    const kern_real first = kern_least_slope(p, b, contacts, KERN_R(0));
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
     int round;
-    at_hi = kern_least_slope(p, b, contacts, prox,
-                                             hi);
+    at_hi = kern_least_slope(p, b, contacts, hi);
     for (round = 0; round < 12 && at_hi > first / 8; round++) {
         lo = hi;
         at_lo = at_hi;
         hi *= 4;
-        at_hi = kern_least_slope(p, b, contacts, prox,
-                                             hi);
+        at_hi = kern_least_slope(p, b, contacts, hi);
     }
     if (at_hi >= -first / 8)
         return hi;
@@ -5521,8 +5504,7 @@ static kern_real kern_least_share(const kern_part *p, const kern_real *b,
                                                   KERN_R(0.1)), KERN_R(0.9));
         kern_real slope;
         at = lo + (hi - lo) * share;
-        slope = kern_least_slope(p, b, contacts, prox,
-                                             at);
+        slope = kern_least_slope(p, b, contacts, at);
         if (kern_abs(slope) <= first / 8)
             break;
         if (slope > 0) {
@@ -5537,43 +5519,29 @@ static kern_real kern_least_share(const kern_part *p, const kern_real *b,
 }
 
 /* Least forces of a part under the loads b: KERN_STANDS with u; KERN_FALLS,
-   which is no proof, where they would be larger than `bound`, or where what is
-   left of b, prox u, does not become less with prox; or KERN_UNDECIDED. */
+   which is no proof, where they would be larger than `bound`; or
+   KERN_UNDECIDED. */
 static kern_status kern_least_find(kern_part *p, const kern_real *b,
-                                   int contacts, kern_real prox,
-                                   kern_real tolerance, kern_real bound,
-                                   int *budget)
+                                   int contacts, kern_real tolerance,
+                                   kern_real bound, int *budget)
 {
     const int n = 3 * p->groups;
-    kern_real last = KERN_INFINITY;
     int i, round;
     for (i = 0; i < n + 3; i++)
         p->u[i] = p->step[i] = KERN_R(0);
     for (round = 0; round < KERN_LEAST_ROUNDS; round++) {
-        kern_real most, value, share, left, fall;
+        kern_real most, value, share;
         kern_least_ways(p, p->u, contacts, 0);
-        value = kern_least_left(p, b, contacts, prox, &most);
-        left = kern_largest(p->left, n);
-        fall = prox * kern_largest(p->u, n);
-        if (round > 0 && left <= fall / 16 + tolerance + 4 * KERN_EPS * most) {
-            if (fall <= tolerance)
-                return KERN_STANDS;
-            if (fall > last / 4)
-                return KERN_FALLS;
-            last = fall;
-            prox *= KERN_LEAST_NEXT;
-            if (prox < KERN_LEAST_LAST)
-                return KERN_UNDECIDED;
-            value = kern_least_left(p, b, contacts, prox, &most);
-        }
+        value = kern_least_left(p, b, contacts, &most);
+        if (kern_largest(p->left, n) <= tolerance + 4 * KERN_EPS * most)
+            return KERN_STANDS;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        kern_least_matrix(p, contacts, round == 0, prox);
+        kern_least_matrix(p, contacts, round == 0);
         kern_least_solve(p);
         kern_least_ways(p, p->step, contacts, 2);
         *budget -= p->cost;
-        share = round == 0 ? KERN_R(1)
-                           : kern_least_share(p, b, contacts, prox);
+        share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
         for (i = 0; i < n; i++)
             p->u[i] += share * p->step[i];
     }
@@ -5647,7 +5615,7 @@ static int kern_pour_three(const kern_real h[6], const kern_real b[3],
 }
 
 typedef struct kern_row { /* a contact that carries the group */
-    kern_real n[3], t[3], mu;
+    kern_real n[3], t[3], mu, wn, wt;
     int contact, on, mask;
 } kern_row;
 
@@ -5672,6 +5640,7 @@ static int kern_pour_rows(const kern_model *m, int g,
         row[n].contact = i;
         row[n].on = other;
         row[n].mask = 3;
+        kern_model_prior(m, i, &row[n].wn, &row[n].wt);
         n++;
     }
     return n;
@@ -5695,8 +5664,8 @@ static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
         kern_real wn, wt, v[3], w[3];
         if (c->mask == 0)
             continue;
-        wn = kern_three(c->n, u);
-        wt = kern_three(c->t, u);
+        wn = c->wn + kern_three(c->n, u);
+        wt = c->wt + kern_three(c->t, u);
         for (j = 0; j < 3; j++) {
             v[j] = nn * c->n[j] + nt * c->t[j];
             w[j] = nt * c->n[j] + tt * c->t[j];
@@ -5731,8 +5700,9 @@ static kern_status kern_pour_alone(kern_model *m, int g)
             u[j] += step[j];
         changed = 0;
         for (k = 0; k < n; k++) {
-            const kern_real wn = kern_three(row[k].n, u);
-            const kern_real wt = row[k].mu * kern_three(row[k].t, u);
+            const kern_real wn = row[k].wn + kern_three(row[k].n, u);
+            const kern_real wt = row[k].mu
+                                 * (row[k].wt + kern_three(row[k].t, u));
             const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
             changed |= mask != row[k].mask;
             row[k].mask = mask;
@@ -5752,9 +5722,9 @@ static kern_status kern_pour_alone(kern_model *m, int g)
             u[j] += step[j];
     }
     for (k = 0; k < n; k++) {
-        const kern_spring s = kern_spring_of(kern_three(row[k].n, u),
-                                             kern_three(row[k].t, u),
-                                             row[k].mu);
+        const kern_spring s = kern_spring_of(
+            row[k].wn + kern_three(row[k].n, u),
+            row[k].wt + kern_three(row[k].t, u), row[k].mu);
         kern_pour_write(m, row[k].contact, row[k].on, s.f, s.r, tolerance);
     }
     return KERN_STANDS;
@@ -5862,9 +5832,9 @@ static int kern_pour_parts(kern_part *p)
     for (n = 0; n < p->groups; n++)
         for (j = 0; j < 3; j++)
             power += p->u[3 * n + j] * m->load[3 * p->group[n] + j];
-    kern_least_ways(p, p->u, p->contacts, 0);
+    kern_least_ways(p, p->u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real *w = p->way + 4 * (size_t)k + 2;
         if (w[0] + m->s->contact[p->contact[k]].mu * kern_abs(w[1]) > most)
             return 0;
     }
@@ -5873,7 +5843,7 @@ static int kern_pour_parts(kern_part *p)
 
 /* Least forces of the open part, written if they balance it. KERN_FALLS where
    no forces would, all else held. */
-static kern_status kern_pour_part(kern_part *p, kern_real prox, int *budget)
+static kern_status kern_pour_part(kern_part *p, int *budget)
 {
     const kern_model *m = p->m;
     kern_real load = KERN_R(0), least = KERN_INFINITY;
@@ -5886,47 +5856,13 @@ static kern_status kern_pour_part(kern_part *p, kern_real prox, int *budget)
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->b[n]);
-    status = kern_least_find(p, p->b, p->own, prox, KERN_POUR_TOL * least,
-                             KERN_POUR_BOUND * load, budget);
+    status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
+                             KERN_LEAST_MOST * load, budget);
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
         status = KERN_UNDECIDED;
     return status;
-}
-
-/* Opens what moves in the part, which seems to fall: where no forces exist u
-   grows along a mechanism. */
-static void kern_pour_moving(kern_part *p)
-{
-    kern_model *m = p->m;
-    const kern_real least = KERN_MOVING * kern_largest(p->u, 3 * p->groups);
-    int n, last = 0, groups = 0;
-    for (n = 0; n < p->groups; n++) {
-        m->local[p->group[n]] = KERN_OUT;
-        if (kern_largest(p->u + 3 * n, 3) > least) {
-            last = p->group[n];
-            m->local[last] = 0;
-            groups++;
-        }
-    }
-    kern_part_open(p, m, groups, last); /* no larger than it was */
-}
-
-/* All groups as one unit. */
-static kern_poured kern_pour_whole(kern_model *m, kern_part *p)
-{
-    kern_status status;
-    int g, budget = KERN_COUNT_MOST;
-    for (g = 0; g < m->groups; g++)
-        m->local[g] = 0;
-    if (!kern_part_open(p, m, m->groups, m->groups - 1) || !kern_least_lay(p))
-        return KERN_POUR_DRY;
-    status = kern_pour_part(p, KERN_LEAST_FIRST, &budget);
-    if (status == KERN_FALLS)
-        kern_pour_moving(p);
-    return status == KERN_STANDS ? KERN_POURED
-           : status == KERN_FALLS ? KERN_POUR_FALLS : KERN_POUR_DRY;
 }
 
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
@@ -5943,7 +5879,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             && p->cost <= *budget)
             status = failed && groups == 1
                      ? p->own < p->contacts ? KERN_UNDECIDED : KERN_FALLS
-                     : kern_pour_part(p, KERN_LEAST_LAST, budget);
+                     : kern_pour_part(p, budget);
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
         kern_pour_unmark(m, last);
@@ -5953,7 +5889,8 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0 || groups > KERN_UNIT_MOST || m->regrown > RG)
+        if (added == 0 || groups > KERN_UNIT_MOST
+            || m->regrown > KERN_REGROWN)
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -6280,8 +6217,6 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     m->work->solves++;
     kern_model_set(m, q);
     poured = kern_pour(m, p);
-    if (poured == KERN_POUR_DRY && m->groups >= WH)
-        poured = kern_pour_whole(m, p);
     switch (poured) {
     case KERN_POURED: break;
     case KERN_POUR_FALLS: return KERN_FALLS;
@@ -6852,7 +6787,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const int last = fell ? path->closed : seeded || at >= path->end;
         kern_status status = kern_path_pour(m, path, at, last);
-        int exact = 1;
         if (status == KERN_STANDS) {
             holds = at;
             if (fell && last) {
@@ -6884,7 +6818,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         }
         seeded = 0;
         path->holds = holds;
-        if (status == KERN_STANDS && fell && exact
+        if (status == KERN_STANDS && fell
             && path->edge > start + path->tolerance) {
             status = kern_path_part(m, path);
             at = path->holds;
@@ -7394,7 +7328,8 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
-                                kern_motion *motion, kern_work *work)
+                                kern_motion *motion, kern_force *force,
+                                kern_work *work)
 {
     kern_plan plan;
     plan.options = kern_defaults();
@@ -7405,6 +7340,7 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
     plan.block_room = blocks;
     plan.contact_room = contacts;
     plan.known.motion = motion;
+    plan.known.force = force;
     plan.known.holds = plan.known.margin = plan.known.fails = KERN_R(0);
     plan.work = work;
     return plan;
@@ -7414,14 +7350,14 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
 static int kern_plan_is_whole(const kern_plan *plan)
 {
     return plan && plan->block && plan->contact && plan->known.motion
-           && plan->work;
+           && plan->known.force && plan->work;
 }
 
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 {
     kern_structure *s;
     kern_motion *rest;
-    int found;
+    int found, k;
     if (!kern_plan_is_whole(plan) || !block)
         return (int)KERN_BAD_POINTER;
     s = &plan->s;
@@ -7436,6 +7372,9 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
         return found;
     rest = plan->known.motion + s->blocks;
     rest->vx = rest->vy = rest->spin = KERN_R(0);
+    for (k = s->contacts; k < s->contacts + found; k++)
+        plan->known.force[k].normal = plan->known.force[k].tangential =
+            KERN_R(0);
     s->blocks++;
     s->contacts += found;
     return found;
@@ -7457,6 +7396,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
             continue;
         c->a -= c->a > i;
         c->b -= c->b > i;
+        plan->known.force[n] = plan->known.force[k];
         plan->contact[n++] = *c;
     }
     for (k = i; k + 1 < s->blocks; k++) {
@@ -7492,7 +7432,7 @@ KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
     int i;
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
-    kept.force = proof ? proof->force : NULL;
+    kept.force = plan->known.force;
     kept.motion = plan->known.motion;
     status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, &plan->s,
                             KERN_R(0), &plan->options, plan->work, out, &kept);
@@ -7504,6 +7444,8 @@ KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
     if (status < 0)
         return status;
     plan->known.fails = KERN_R(0);
+    for (i = 0; i < plan->s.contacts && proof && proof->force; i++)
+        proof->force[i] = plan->known.force[i];
     for (i = 0; i < plan->s.blocks; i++) {
         kern_motion *v = plan->known.motion + i;
         if (status == KERN_STANDS && out->saturated)
@@ -7603,6 +7545,7 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
         status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
                                  KERN_R(0), &plan->options, plan->work,
                                  free_blocks, 0);
+    m.prior = plan->known.fails > 0 ? plan->known.force : NULL;
     path.part = &part;
     path.proof = proof;
     path.seed = &seed;
@@ -7651,6 +7594,7 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
         status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
                                  KERN_R(0), &plan->options, plan->work,
                                  free_blocks, 0);
+        m.prior = plan->known.fails > 0 ? plan->known.force : NULL;
         path.part = &part;
         nested &= status != KERN_STANDS || kern_travels_of(&m).nested;
         if (status == KERN_STANDS && nested)

@@ -190,7 +190,8 @@ static int plan_wall(struct wall *w)
     w->plan = kern_plan_of(
         malloc((size_t)blocks * sizeof(kern_block)), blocks,
         malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        malloc((size_t)blocks * sizeof(kern_motion)), &w->work);
+        malloc((size_t)blocks * sizeof(kern_motion)),
+        malloc((size_t)contacts * sizeof(kern_force)), &w->work);
     w->plan.options = w->file.options;
     w->plan.s.gravity = w->file.gravity;
     for (i = 0; i < w->file.blocks; i++) {
@@ -230,6 +231,7 @@ static void close_wall(struct wall *w)
     free(w->plan.block);
     free(w->plan.contact);
     free(w->plan.known.motion);
+    free(w->plan.known.force);
     text_free(&w->file);
 }
 

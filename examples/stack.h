@@ -120,7 +120,8 @@ struct stack_wall {
     char *used;             /* one a stone of the stock                  */
     kern_plan plan;
     kern_work work;
-    kern_motion *motion;   /* room for what the plan knows                    */
+    kern_motion *motion;    /* room for what a plan knows                */
+    kern_force *force;
     kern_margin m;
     double filled;          /* area within the frame                     */
     double *sky;            /* height of what is highest, column by column */
@@ -146,7 +147,9 @@ STACK_API void stack_free(struct stack_wall *w)
     free(w->plan.block);
     free(w->plan.contact);
     free(w->plan.known.motion);
+    free(w->plan.known.force);
     free(w->motion);
+    free(w->force);
     free(w->work.real);
     free(w->work.index);
     free(w->sky);
@@ -194,8 +197,10 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->plan = kern_plan_of(
         malloc((size_t)blocks * sizeof(kern_block)), blocks,
         malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        malloc((size_t)blocks * sizeof(kern_motion)), &w->work);
+        malloc((size_t)blocks * sizeof(kern_motion)),
+        malloc((size_t)contacts * sizeof(kern_force)), &w->work);
     w->motion = malloc((size_t)blocks * sizeof(kern_motion));
+    w->force = malloc((size_t)contacts * sizeof(kern_force));
     w->plan.options.mu = options->friction;
     w->plan.options.epsilon = 0.02 * stock->size;
     w->plan.s.gravity = stones_vec(0, -9.81);
@@ -208,6 +213,7 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
     if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
         !w->plan.contact || !w->plan.known.motion || !w->motion || !w->place ||
+        !w->plan.known.force || !w->force ||
         !w->used ||
         !w->sky || !w->owner || !w->near.edge)
         return -1;
@@ -740,6 +746,8 @@ static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
     if (status == KERN_STANDS && special) {
         memcpy(w->motion, known.motion,
                (size_t)w->plan.s.blocks * sizeof(kern_motion));
+        memcpy(w->force, known.force,
+               (size_t)w->plan.s.contacts * sizeof(kern_force));
         status = stack_add(w, &block) < 0 ? KERN_OVERLAP
                : kern_plan_measure(&w->plan, &c->m, NULL);
         c->stable = w->options.load && status == KERN_STANDS ? stack_load(w)
@@ -748,6 +756,8 @@ static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
             kern_plan_remove(&w->plan, w->laid + 1);
         memcpy(known.motion, w->motion,
                (size_t)w->plan.s.blocks * sizeof(kern_motion));
+        memcpy(known.force, w->force,
+               (size_t)w->plan.s.contacts * sizeof(kern_force));
         w->plan.known = known;
     }
     if (!w->options.load) c->stable = c->m.margin / w->stock->size;

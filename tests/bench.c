@@ -1072,7 +1072,8 @@ static kern_plan plan_open(struct ask *ask)
     kern_plan plan = kern_plan_of(
         room_for((size_t)blocks, sizeof(kern_block)), blocks,
         room_for((size_t)contacts, sizeof(kern_contact)), contacts,
-        room_for((size_t)blocks, sizeof(kern_motion)), &ask->work);
+        room_for((size_t)blocks, sizeof(kern_motion)),
+        room_for((size_t)contacts, sizeof(kern_force)), &ask->work);
     int i;
     plan.options = ask->scene->options;
     for (i = 0; i + 1 < blocks; i++)

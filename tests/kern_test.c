@@ -4509,6 +4509,7 @@ typedef struct site {
     kern_block block[MAX_BLOCKS];
     kern_contact contact[MAX_POINTS];
     kern_motion motion[MAX_BLOCKS];
+    kern_force force[MAX_POINTS];
     int number[MAX_BLOCKS]; /* in the world, of the plan's blocks */
     kern_real real[KERN_REALS(MAX_BLOCKS, MAX_POINTS)];
     int index[KERN_INTS(MAX_BLOCKS, MAX_POINTS)];
@@ -4523,7 +4524,7 @@ static void site_open(site *p, const world *w)
     p->work = kern_work_of(p->real, KERN_REALS(MAX_BLOCKS, MAX_POINTS),
                            p->index, KERN_INTS(MAX_BLOCKS, MAX_POINTS));
     p->plan = kern_plan_of(p->block, MAX_BLOCKS, p->contact, MAX_POINTS,
-                           p->motion, &p->work);
+                           p->motion, p->force, &p->work);
     p->plan.options = w->options;
     p->plan.s.gravity = w->gravity;
 }
@@ -4934,6 +4935,7 @@ static void plan_stale(void)
     static kern_real real[KERN_REALS(BOXES, ROOM)];
     static int index[KERN_INTS(BOXES, ROOM)];
     static kern_motion motion[BOXES];
+    static kern_force force[ROOM];
     static world w;
     kern_block block[BOXES];
     kern_contact contact[ROOM];
@@ -4943,7 +4945,7 @@ static void plan_stale(void)
     int way, i;
     for (way = 0; way < 3; way++) {
         kern_plan plan =
-            kern_plan_of(block, BOXES, contact, ROOM, motion, &work);
+            kern_plan_of(block, BOXES, contact, ROOM, motion, force, &work);
         kern_work own = kern_work_of(real, KERN_REALS(BOXES, ROOM), index,
                                      KERN_INTS(BOXES, ROOM));
         int before, got;
@@ -5119,9 +5121,11 @@ static void plan_every_size(void)
                 memcpy(p.block, was.block, sizeof p.block);
                 memcpy(p.contact, was.contact, sizeof p.contact);
                 memcpy(p.motion, was.motion, sizeof p.motion);
+                memcpy(p.force, was.force, sizeof p.force);
                 p.plan.s.block = p.plan.block = p.block;
                 p.plan.s.contact = p.plan.contact = p.contact;
                 p.plan.known.motion = p.motion;
+                p.plan.known.force = p.force;
                 p.plan.work = &p.work;
                 for (k = 0; k < need[0] + GUARD; k++)
                     real[k] = R(12345);

@@ -41,6 +41,7 @@ static kern_vec placed[CANDIDATE_VERTICES]; /* the candidate, where tried */
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
 static kern_motion motion[BLOCKS];
+static kern_force force[CONTACTS];
 static kern_real reals[KERN_LEAN_REALS(BLOCKS, CONTACTS)];
 static int ints[KERN_LEAN_INTS(BLOCKS, CONTACTS)];
 
@@ -120,7 +121,7 @@ int main(void)
     kern_work work = kern_work_of(reals, KERN_LEAN_REALS(BLOCKS, CONTACTS),
                                   ints, KERN_LEAN_INTS(BLOCKS, CONTACTS));
     kern_plan plan = kern_plan_of(block, BLOCKS, contact, CONTACTS, motion,
-                                  &work);
+                                  force, &work);
     kern_margin m;
     float most = -1;
     uint32_t start = board_ticks();
