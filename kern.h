@@ -884,6 +884,13 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
+/* Conditions that hold whatever the caller hands in; off, unless a test build
+   defines it. With KERN_AUDIT, the most rows it looks at, the engine checks its
+   whole state after every pivot. */
+#ifndef KERN_ASSERT
+#define KERN_ASSERT(condition) ((void)0)
+#endif
+
 #define KERN_R(x) ((kern_real)(x))
 
 /* Tolerances. Lengths are in units of a block's size, forces in units of the
@@ -919,10 +926,8 @@ extern "C" {
    inverse of up to thirty a group. Less makes the base grow from course to
    course, more fills the dense complement. */
 #define KERN_BASE_TOL    KERN_PICK(1e-3, 1e-2)
-/* Largest entry of an inverse with which three columns are taken as they are,
-   and with which they are kept when the matrix changes. */
+/* Largest entry of an inverse with which three columns are taken as they are. */
 #define KERN_BASE_GOOD   KERN_PICK(30, 10)
-#define KERN_BASE_MOST   KERN_PICK(300, 100)
 /* What a column of the base may carry when every group is loaded with 1: more,
    and what is lost by rounding grows from course to course. */
 #define KERN_BASE_GROWTH KERN_PICK(1e4, 1e3)
@@ -978,7 +983,6 @@ extern "C" {
 
 /* Bounds of loops and counts. */
 #define KERN_RENEW         40      /* least pivots between choices of a base */
-#define KERN_KEEP          8       /* and where the matrix changes           */
 #define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 #define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
 #define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
@@ -3417,24 +3421,6 @@ static void kern_basis_choose(kern_simplex *sx)
     sx->pivots = 0;
 }
 
-/* Makes base and complement anew where the matrix has changed, with the same
-   columns in the same places. Returns 0 where these no longer are far from
-   dependent. */
-static int kern_basis_keep(kern_simplex *sx)
-{
-    const int k = sx->extras;
-    int g;
-    for (g = 0; g < sx->groups; g++)
-        if (!(kern_base_block(sx, g) < KERN_BASE_MOST))
-            return 0;
-    kern_extras_make(sx, k);
-    kern_extras_invert(sx, k);
-    if (sx->extras < k)
-        return 0;
-    kern_extras_place(sx);
-    return 1;
-}
-
 /* What the values leave of the right-hand side, to sx->alpha: returns its
    largest entry as a share of the largest value. */
 static kern_real kern_basis_residual(kern_simplex *sx)
@@ -3486,13 +3472,11 @@ static int kern_basis_values(kern_simplex *sx)
 }
 
 /* Begins anew from the basic columns: after a change of the matrix, and when
-   pivots have made S larger or less accurate than it needs to be. With `keep`
-   every column keeps its place, where that still does. */
-static void kern_basis_renew(kern_simplex *sx, int keep)
+   pivots have made S larger or less accurate than it needs to be. */
+static void kern_basis_renew(kern_simplex *sx)
 {
     int i;
-    if (!keep || !kern_basis_keep(sx))
-        kern_basis_choose(sx);
+    kern_basis_choose(sx);
     for (i = 0; i < kern_extra(sx, sx->extras); i++)
         sx->value[i] = KERN_R(0);
     sx->stale = 0;
@@ -3899,6 +3883,48 @@ static kern_real kern_row_growth(kern_simplex *sx, const kern_real *y,
     return along / size;
 }
 
+#ifdef KERN_AUDIT
+/* Bases of float, and of jams, may be nearly singular. */
+#define KERN_AUDIT_TOL KERN_PICK(1e-2, 1e30)
+/* Whether header and places are inverse to each other, rows of S and spare
+   slots too; and for a network, where rounding is bounded, whether B x = b, and
+   B^-1 B = I for a vector of ones of mixed signs. */
+static void kern_simplex_audit(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    const int m = lp->rows, end = kern_extra(sx, sx->extras);
+    kern_real v[KERN_AUDIT], want[KERN_AUDIT];
+    int p, j, t;
+    if (end > KERN_AUDIT)
+        return;
+    for (j = 0; j < lp->cols; j++)
+        KERN_ASSERT(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
+    for (t = 0; t < sx->extras; t++)
+        KERN_ASSERT(sx->spare[sx->slot[t]] == t);
+    for (p = 0; p < end; p++) {
+        const int used = p >= m + 3 || (p < m && sx->spare[p] < 0);
+        want[p] = !used ? KERN_R(0) : p % 3 ? KERN_R(1) : KERN_R(-1);
+        KERN_ASSERT(!used || sx->base[p] >= lp->cols
+                    || sx->place[sx->base[p]] == p);
+        v[p] = KERN_R(0);
+    }
+    for (p = 0; p < end; p++) {
+        if (sx->base[p] < lp->cols && (want[p] > 0 || want[p] < 0))
+            kern_lp_subtract(lp, sx->base[p], -want[p], v);
+        else if (want[p] > 0 || want[p] < 0)
+            v[sx->base[p] - lp->cols] += want[p];
+    }
+    if (!lp->ends)
+        return;
+    v[m] = v[m + 1] = v[m + 2] = KERN_R(0);
+    kern_basis_solve(sx, 0, v);
+    for (p = 0; p < end; p++)
+        KERN_ASSERT(kern_abs(v[p] - want[p]) <= KERN_AUDIT_TOL);
+    KERN_ASSERT(kern_basis_residual(sx) <= KERN_AUDIT_TOL
+                || !(kern_largest(sx->value, end) > 0));
+}
+#endif
+
 /* Moves the basic variables by -step alpha, puts q = step in the place of
    what leaves. */
 static void kern_basis_move(kern_simplex *sx, int q, int position,
@@ -3912,6 +3938,9 @@ static void kern_basis_move(kern_simplex *sx, int q, int position,
     sx->value[sx->place[q]] = step;
     sx->pivots++;
     sx->settled = 0;
+#ifdef KERN_AUDIT
+    kern_simplex_audit(sx);
+#endif
 }
 
 /* Lowers the sum of violations until it is zero or no column lowers it. The
@@ -3948,7 +3977,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
             if (sx->settled)
                 return KERN_UNDECIDED;
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx, 0);
+                kern_basis_renew(sx);
             continue;
         }
         if (sx->cramped || (sx->extras == sx->room && position < sx->lp->rows
@@ -3962,7 +3991,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         if (kern_basis_worn(sx)) {
             if (kern_basis_residual(sx) > KERN_DRIFT)
                 sx->interval = sx->interval / 2 + 2;
-            kern_basis_renew(sx, 0);
+            kern_basis_renew(sx);
         }
     }
     return KERN_UNDECIDED;
@@ -4027,7 +4056,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
             return KERN_STANDS;
         if (q == KERN_OUT) {
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx, 0);
+                kern_basis_renew(sx);
             continue;
         }
         kern_basis_column(sx, q);
@@ -4045,7 +4074,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         work->pivots++;
         count++;
         if (kern_basis_worn(sx))
-            kern_basis_renew(sx, 0);
+            kern_basis_renew(sx);
     }
     return KERN_UNDECIDED;
 }
@@ -4204,7 +4233,7 @@ static void kern_simplex_crash(kern_simplex *sx)
     sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
-    kern_basis_renew(sx, 0);
+    kern_basis_renew(sx);
 }
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
@@ -4248,7 +4277,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     if (!sx->started)
         kern_simplex_crash(sx);
     else if (sx->stale)
-        kern_basis_renew(sx, sx->pivots < KERN_KEEP);
+        kern_basis_renew(sx);
     else
         kern_basis_values(sx);
     status = kern_phase_one(sx, work, limit);
@@ -5161,6 +5190,7 @@ static void kern_part_list(kern_part *p, int own)
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
     int g, n = groups, most = 0;
+    KERN_ASSERT(groups > 0 && !m->plain);
     p->m = m;
     p->rest = m->rest;
     p->groups = groups;
@@ -5971,6 +6001,7 @@ static void kern_part_set(kern_part *p, const kern_question *q)
 {
     kern_model *m = p->m;
     int n, k, edge, j;
+    KERN_ASSERT(p->lp.rows == 3 * p->groups && p->own <= p->contacts);
     for (n = 0; n < p->groups; n++) {
         kern_model_unit(m, q, p->group[n]);
         kern_model_load(m, q, p->group[n]);
@@ -6712,7 +6743,8 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
                               || m->groups <= KERN_PLAIN_SMALL);
     const int seeded = !fell && path->seed && path->seed->fails > at;
     const int closed = fell && path->closed;
-    kern_status status = kern_model_plain(m, path->part, &q);
+    kern_status status = m->plain ? KERN_STANDS
+                                  : kern_model_plain(m, path->part, &q);
     if (status != KERN_STANDS)
         return status;
     if (at > holds && (near || seeded)) {
@@ -6783,6 +6815,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     if (seeded)
         at = kern_max(start, seed->holds);
     path->start = start;
+    if (m->plain)
+        return kern_path_plain(m, path, step, start, 0);
     kern_falls_clear(m);
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const int last = fell ? path->closed : seeded || at >= path->end;
