@@ -14,8 +14,8 @@
                             >>determinism >>misra >>references
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
-                            >>check >>statics >>proof >>model >>kern >>profile
-                            >>plan >>words
+                            >>check >>statics >>proof >>model >>part >>least
+                            >>pour >>verdict >>kern >>profile >>plan >>words
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -171,10 +171,18 @@
    spin of every block such that no contact closes and the weights do work. It
    is the collapse mechanism, and the proof that nothing holds it.
 
-   Algorithm 1 moves the contact points inward step by step and solves again.
-   Only the torques change, so the next solution starts from the last. The
-   margin is found by Newton's method on y (>>kern): some eight solutions,
-   most of them with few pivots.
+   Forces are looked for from top to bottom (>>pour): each block passes what it
+   carries on to what carries it, by the least squares of non-negative forces
+   that balance it, three equations at a time. Blocks that cannot do so alone
+   are balanced together with those that rest on them. What cannot be balanced
+   even where everything else could exert whatever is needed is a small part
+   that falls; the simplex method (>>lp) finds its motion, and the whole is its
+   problem only where no small part decides (arches, perfect brick walls).
+
+   Algorithm 1 moves the contact points inward step by step. Only the torques
+   change. The margin is found from above (>>kern): no edge of the whole lies
+   beyond the edge of a part, all else held. That edge is found by Newton's
+   method on y, and one more verdict just before it proves the whole.
 
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
@@ -278,12 +286,16 @@
 
    REFERENCES                                                    >>references
 
-   The paper: the kern-based measure and Algorithm 1 for planning dry stacking
-   with irregular stones (Thangavelu, Napp and others). Limit analysis by
-   linear programming: R. K. Livesley, Limit analysis of structures formed from
-   rigid blocks, Int. J. Numer. Meth. Engng 12 (1978). Bland's rule: R. G.
-   Bland, New finite pivoting rules for the simplex method, Math. Oper. Res. 2
-   (1977).
+   The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia,
+   V. Thangavelu, N. Napp, Approximate stability analysis for drystacked
+   structures, IEEE/RSJ IROS 2019. Limit analysis by linear programming: R. K.
+   Livesley, Limit analysis of structures formed from rigid blocks, Int. J.
+   Numer. Meth. Engng 12 (1978). Least squares with non-negative unknowns: C. L.
+   Lawson and R. J. Hanson, Solving Least Squares Problems (1974), ch. 23;
+   Newton's method on a dual of piecewise constant curvature: O. L. Mangasarian,
+   A finite Newton method for classification, Optim. Methods Softw. 17 (2002).
+   Bland's rule: R. G. Bland, New finite pivoting rules for the simplex method,
+   Math. Oper. Res. 2 (1977).
 
    0.1.0  first version */
 
@@ -698,8 +710,8 @@ KERN_API kern_vec kern_contact_at(const kern_contact *contact,
 
 /* Whether the structure stands with its kerns shrunk by `shrink` (grown, if
    negative). KERN_STANDS, KERN_FALLS or KERN_UNDECIDED. proof may be NULL.
-   Time: about C + B k for each pivot, and as many pivots as the crash basis
-   leaves to do: none for a tower or a wall of 30, some tens for 200. */
+   Time: O(B + C) where forces can be passed on from the top down, as in most
+   walls; else about C + B k for each pivot of the simplex method. */
 KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
                                  const kern_options *options, kern_work *work,
                                  const kern_proof *proof);
@@ -806,8 +818,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
-   Where kerns are not nested it is kern_plan_try() that tells. KERN_BAD_NUMBER
-   also for a margin below 0. The plan stays as it is. Time: that of one verdict
+   Where kerns are not nested it is kern_plan_try() that tells, with its proof.
+   KERN_BAD_NUMBER also for a margin below 0. The plan stays as it is. Time: that of one verdict
    at the most, and for a block that cannot be held there by its neighbours
    much less. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
@@ -926,7 +938,7 @@ extern "C" {
    inverse of up to thirty a group. Less makes the base grow from course to
    course, more fills the dense complement. */
 #define KERN_BASE_TOL    KERN_PICK(1e-3, 1e-2)
-/* Largest entry of an inverse with which three columns are taken as they are. */
+/* Largest entry of an inverse with which three columns are taken as is. */
 #define KERN_BASE_GOOD   KERN_PICK(30, 10)
 /* What a column of the base may carry when every group is loaded with 1: more,
    and what is lost by rounding grows from course to course. */
@@ -966,7 +978,7 @@ extern "C" {
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
 #define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
-#define KERN_ROWS_MOST     16      /* contacts of one group                   */
+#define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
 #define KERN_REGROWN       4       /* times that a unit of three is joined    */
 #define KERN_POUR_BUDGET   4000    /* products for each group and contact     */
@@ -2866,8 +2878,8 @@ typedef struct kern_simplex {
 
 #define KERN_OUT (-1)
 
-/* A position in the basis is a slot, which is as many as there are rows, or that
-   of extra e. Between them lie three for the rows of none, with fillers that
+/* A position in the basis is a slot, which is as many as there are rows, or
+   that of extra e. Between them lie three for the rows of none, with fillers that
    stay 0: what goes over positions goes straight through. */
 static inline int kern_extra(const kern_simplex *sx, int e)
 { return sx->lp->rows + 3 + e; }
@@ -3932,8 +3944,9 @@ static void kern_basis_move(kern_simplex *sx, int q, int position,
 {
     kern_basis_add(sx, -step);
     /* the last extra goes to the place of one that is left, if it is */
-    sx->value[position] = position < sx->lp->rows
-                          ? KERN_R(0) : sx->value[kern_extra(sx, sx->extras) - 1];
+    sx->value[position] =
+        position < sx->lp->rows
+        ? KERN_R(0) : sx->value[kern_extra(sx, sx->extras) - 1];
     kern_basis_exchange(sx, q, position);
     sx->value[sx->place[q]] = step;
     sx->pivots++;
@@ -5139,7 +5152,7 @@ typedef struct kern_part {
                                  first, then those by which others rest on it */
     int *group;               /* of the part, ascending                       */
     int *contact;             /* of the part                                  */
-    int *ends;                /* of a contact: groups of the part, or `groups` */
+    int *ends;                /* of a contact: groups of the part, or none    */
     kern_take rest;           /* work memory behind these                     */
     /* least forces */
     int *first, *offset;      /* of a group: first column of its rows in the
@@ -5218,7 +5231,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
-/* ---- Least forces ----------------------------------------------- >>force */
+/* ---- Least forces ----------------------------------------------- >>least */
 /* Of all admissible forces on a part, those of least squares:
 
        min |x|^2 / 2,  A x = b,  x >= 0.
@@ -5583,8 +5596,8 @@ static kern_status kern_least_find(kern_part *p, const kern_real *b,
    it carries on to what carries it by its least forces, in three unknowns.
    Groups that cannot do so alone form a unit with those that rest on them.
    Forces found so balance every group, and prove that the structure stands. A
-   unit that cannot be balanced even where all others can exert whatever is
-   needed is a part that falls. 
+   unit that cannot be balanced, and moves away from what rests on it, is a part
+   that falls: nothing else could hold it.
 
    leader[g] is the last group of g's unit, next[g] another group of the unit in
    a circle, dirty[g] says of a leader that its unit must be balanced again. */
@@ -5967,7 +5980,7 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     return KERN_POURED;
 }
 
-/* ---- Verdicts --------------------------------------------------- >>verdict */
+/* ---- Verdicts ------------------------------------------------- >>verdict */
 
 /* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
 static kern_status kern_part_lay(kern_part *p)
@@ -6283,9 +6296,9 @@ static kern_status kern_model_plain(kern_model *m, kern_part *p,
     return status;
 }
 
-/* Answers a question with a proof, or not at all: by the forces that are poured,
-   or the motion of the part that falls then, or else by the linear program of
-   the whole. After KERN_FALLS the part that falls is open. */
+/* Answers a question with a proof, or not at all: by the forces that are
+   poured, or the motion of the part that falls then, or else by the linear
+   program of the whole. After KERN_FALLS the part that falls is open. */
 static kern_status kern_model_ask(kern_model *m, kern_part *p,
                                   const kern_question *q)
 {
@@ -6309,13 +6322,14 @@ static kern_status kern_model_ask(kern_model *m, kern_part *p,
 /* Every measure asks along a path s: kerns shrink, a load grows, gravity
    turns. What is wanted is the first place where the structure falls.
 
-   From where it stands the path is climbed in steps until it falls. Between a
-   place that stands and a place that falls the edge is found by Newton's
-   method on the certificate. At a place that falls, y gives the power
-   -y.rhs > 0, which changes along the path at the rate y.(rhs' - A' x): its
-   zero is where this mechanism stops. It converges quadratically, from the
-   side that falls. At the end half a tolerance to each side of the edge is
-   asked: the bracket is narrow, and both ends are proven. */
+   At a place that falls y gives the power -y.rhs > 0, which changes along the
+   path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
+   (Newton's method). It converges quadratically, from the side that falls. Half
+   a tolerance to each side of the edge is asked at the end: the bracket is
+   narrow, and both ends are proven.
+
+   What is asked about is a small part as long as possible (kern_path_search()),
+   and the whole only where none is found (kern_path_plain()). */
 
 typedef enum kern_path_kind {
     KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
@@ -6556,7 +6570,8 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
    changed its sign between them that is the edge; if not, it is asked at the
    edge too, where yet another mechanism may fall. What stands beyond an edge
    is nearer to the true one than thought: then in steps that grow. */
-static kern_status kern_path_edge(kern_model *m, kern_path *path, int rounds)
+static kern_status kern_path_edge(kern_model *m, kern_path *path,
+                                  int rounds)
 {
     const kern_real half = path->tolerance * KERN_R(0.45);
     const kern_real same = path->unit * KERN_SAME_EDGE;
@@ -6732,8 +6747,8 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
 }
 
 /* As kern_path_search(), by the linear program of the whole. Where a part fell,
-   or something is known, it begins at `at`, where that stands; else, or if it is
-   not decided there, it climbs from path->holds. */
+   or something is known, it begins at `at`, where that stands. Else, or if it
+   is not decided there, it climbs from path->holds. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
                                    kern_real step, kern_real at, int fell)
 {
@@ -6839,8 +6854,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             else if (seeded && seed->fails > at)
                 at = seed->fails;
             else
-                at = kern_min(path->end,
-                              start + kern_max(2 * (at - start), first));
+                at = kern_min(path->end, seed && seed->fails > 0
+                                         ? at + first
+                                         : start + 2 * (at - start));
         } else if (status == KERN_FALLS) {
             if (at <= start && !path->stood)
                 return status;
@@ -6972,8 +6988,8 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
     kern_model m;
     kern_part part;
     kern_path path;
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s, shrink,
-                                        o, work, work, proof);
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s,
+                                        shrink, o, work, work, proof);
     if (status != KERN_STANDS)
         return status;
     status = kern_model_ask(&m, &part, &path.q);
@@ -7090,8 +7106,8 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
     kern_status status;
     kern_travels travels;
     kern_real limit, growth, grown;
-    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s, KERN_R(0), o, work,
-                            deficit, NULL);
+    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s, KERN_R(0),
+                            o, work, deficit, NULL);
     if (status != KERN_STANDS)
         return status;
     status = kern_path_ask(&m, &path, KERN_R(0));
@@ -7159,8 +7175,8 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
     kern_part part;
     kern_path path;
     int i, loaded = 0;
-    kern_status status = kern_path_open(&path, kind, &m, &part, s, shrink, o, work,
-                                        out, proof);
+    kern_status status = kern_path_open(&path, kind, &m, &part, s, shrink, o,
+                                        work, out, proof);
     if (status != KERN_STANDS)
         return status;
     if (!pattern && !kern_has_side(s, side))
@@ -7324,8 +7340,8 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     kern_fall fall;
     int i, free_blocks, half;
     kern_status status = kern_path_open(
-        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, &part, s, KERN_R(0), o,
-        work, value ? out : NULL, NULL);
+        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, &part, s,
+        KERN_R(0), o, work, value ? out : NULL, NULL);
     if (status != KERN_STANDS)
         return status;
     if (side != 0 && !kern_has_side(s, side))
@@ -7559,56 +7575,84 @@ static kern_status kern_plan_check(const kern_plan *plan, const void *out,
     return status == KERN_STANDS && !out ? KERN_BAD_POINTER : status;
 }
 
-KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
+/* The measure of the plan from what is known of it; `falls`: it is known to fall
+   at once. */
+static kern_status kern_plan_whole(const kern_plan *plan, int free_blocks,
+                                   const kern_seed *seed, int falls,
                                    kern_margin *out, const kern_proof *proof)
 {
     kern_model m;
     kern_part part;
     kern_path path;
+    int last;
+    kern_status status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
+                                         KERN_R(0), &plan->options, plan->work,
+                                         free_blocks, 0);
+    if (status != KERN_STANDS)
+        return status;
+    m.prior = plan->known.fails > 0 ? plan->known.force : NULL;
+    path.part = &part;
+    path.proof = proof;
+    path.seed = seed;
+    if (!falls)
+        return kern_measure_along(&m, &path, &plan->options, out);
+    status = kern_measure_none(&m, &plan->options, out, &last);
+    return status == KERN_STANDS ? KERN_FALLS : status;
+}
+
+KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
+                                   kern_margin *out, const kern_proof *proof)
+{
     kern_seed seed;
-    kern_status status, alone = KERN_STANDS;
-    int free_blocks = 0, last;
+    kern_status status;
+    int free_blocks = 0, falls = 0;
     const int found = kern_plan_add(plan, block);
     if (found < 0)
         return (kern_status)found;
     status = kern_plan_check(plan, out, &free_blocks);
     seed = kern_plan_seed(plan);
     if (status == KERN_STANDS && !block->fixed && seed.fails > 0)
-        alone = kern_plan_nearer(plan, found, proof, &seed);
+        falls = kern_plan_nearer(plan, found, proof, &seed) == KERN_FALLS;
     if (status == KERN_STANDS)
-        status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
-                                 KERN_R(0), &plan->options, plan->work,
-                                 free_blocks, 0);
-    m.prior = plan->known.fails > 0 ? plan->known.force : NULL;
-    path.part = &part;
-    path.proof = proof;
-    path.seed = &seed;
-    if (status == KERN_STANDS && alone == KERN_FALLS) {
-        status = kern_measure_none(&m, &plan->options, out, &last);
-        status = status == KERN_STANDS ? alone : status;
-    } else if (status == KERN_STANDS)
-        status = kern_measure_along(&m, &path, &plan->options, out);
+        status = kern_plan_whole(plan, free_blocks, &seed, falls, out, proof);
     kern_plan_undo(plan, found);
     return status;
 }
 
-/* Answers for the model of a path at a shrinkage. */
-static kern_status kern_plan_stands(kern_model *m, kern_path *path,
-                                    kern_real shrink, const kern_proof *proof)
+/* The verdict of the plan at a shrinkage, or of its last block alone on
+   neighbours that are held; *nested says whether it is the same up to there. */
+static kern_status kern_plan_stands(const kern_plan *plan, int found,
+                                    int free_blocks, int alone,
+                                    kern_real shrink, int *nested,
+                                    const kern_proof *proof)
 {
-    const kern_question q = kern_path_at(path, shrink);
-    const kern_status status = kern_model_ask(m, path->part, &q);
-    kern_proof_out(m, proof, status);
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_structure s;
+    kern_question q;
+    kern_status status =
+        alone ? kern_plan_alone(plan, found, &path, &m, &part, &s)
+              : kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
+                                KERN_R(0), &plan->options, plan->work,
+                                free_blocks, 0);
+    if (status != KERN_STANDS)
+        return status;
+    *nested = kern_travels_of(&m).nested;
+    if (!*nested)
+        return KERN_STANDS;
+    if (!alone && plan->known.fails > 0)
+        m.prior = plan->known.force;
+    q = kern_path_at(&path, shrink);
+    status = kern_model_ask(&m, &part, &q);
+    if (!alone || status == KERN_FALLS)
+        kern_proof_out(&m, proof, status);
     return status;
 }
 
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_structure s;
     kern_margin r;
     kern_status status;
     int free_blocks = 0, nested = 1;
@@ -7618,22 +7662,12 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
     status = kern_plan_check(plan, plan, &free_blocks);
     if (status == KERN_STANDS && !(margin >= 0 && kern_is_finite(margin)))
         status = KERN_BAD_NUMBER;
-    if (status == KERN_STANDS && !block->fixed) {
-        status = kern_plan_alone(plan, found, &path, &m, &part, &s);
-        nested = status != KERN_STANDS || kern_travels_of(&m).nested;
-        if (status == KERN_STANDS && nested)
-            status = kern_plan_stands(&m, &path, margin, proof);
-    }
-    if (status == KERN_STANDS || status == KERN_UNDECIDED) {
-        status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
-                                 KERN_R(0), &plan->options, plan->work,
-                                 free_blocks, 0);
-        m.prior = plan->known.fails > 0 ? plan->known.force : NULL;
-        path.part = &part;
-        nested &= status != KERN_STANDS || kern_travels_of(&m).nested;
-        if (status == KERN_STANDS && nested)
-            status = kern_plan_stands(&m, &path, margin, proof);
-    }
+    if (status == KERN_STANDS && !block->fixed)
+        status = kern_plan_stands(plan, found, free_blocks, 1, margin, &nested,
+                                  proof);
+    if (nested && (status == KERN_STANDS || status == KERN_UNDECIDED))
+        status = kern_plan_stands(plan, found, free_blocks, 0, margin, &nested,
+                                  proof);
     kern_plan_undo(plan, found);
     if (nested || status < 0)
         return status;

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x49d956673a2a4040u },
-    { 1000, 0x43509ecfb8b633a0u },
-    { 5000, 0x07ca06f6202f3560u },
+    { 200, 0x84c4d77430d2fe42u },
+    { 1000, 0x225fc31fa6142cefu },
+    { 5000, 0xe1f7e3e89f308b7cu },
 #else
-    { 200, 0x0be4f41ff8eed536u },
-    { 1000, 0x5ae6e0897ad798beu },
-    { 5000, 0xf0323d948d318d5bu },
+    { 200, 0x3f19fb627e240528u },
+    { 1000, 0xf3a59e54b89e8dd6u },
+    { 5000, 0x68fb399e44f438beu },
 #endif
 };
 

@@ -4656,7 +4656,8 @@ static void site_keep(const site *p)
            sizeof *p->block * (size_t)p->plan.s.blocks);
     memcpy(site_was.contact, p->contact,
            sizeof *p->contact * (size_t)p->plan.s.contacts);
-    memcpy(site_was.motion, p->motion, sizeof *p->motion * (size_t)p->plan.s.blocks);
+    memcpy(site_was.motion, p->motion,
+           sizeof *p->motion * (size_t)p->plan.s.blocks);
 }
 
 static void site_unchanged(const site *p, int line)
@@ -4670,6 +4671,46 @@ static void site_unchanged(const site *p, int line)
                      !memcmp(p->motion, site_was.motion,
                              sizeof *p->motion * b),
                  line, "the plan is as it was", 0, 0, 0);
+}
+
+/* kern_plan_bears() beside the margin that kern_plan_try() gave: with proofs,
+   and nothing that the plan holds changes. */
+static void site_bears(site *p, const kern_block *block, int got,
+                       const kern_margin *m, int found)
+{
+    const kern_proof proof = proof_here();
+    const int b = p->plan.s.blocks, c = p->plan.s.contacts;
+    const kern_real aside = R(2e-6) * kern_mean_size(p->block, b + 1);
+    kern_structure s = p->plan.s;
+    int side;
+    if (got < 0)
+        return;
+    s.blocks = b + 1;
+    s.contacts = c + found;
+    site_keep(p);
+    for (side = 0; side < 2; side++) {
+        const kern_real at = got == KERN_FALLS ? R(0)
+                             : side ? m->fails + aside
+                                    : kern_max(m->holds - aside, R(0));
+        const int want = got == KERN_FALLS || side ? KERN_FALLS : KERN_STANDS;
+        int said;
+        if (side && m->saturated)
+            break;
+        said = kern_plan_bears(&p->plan, block, at, &proof);
+        site_unchanged(p, __LINE__);
+        if (SINGLE && said != want) /* both proofs may hold over some way */
+            continue;
+        CHECK_INT(said, want);
+        p->block[b] = *block; /* the proof is of the plan with the block */
+        if (said == KERN_STANDS) /* where kerns are not nested, at m->holds */
+            CHECK(kern_check_forces(&s, at, &p->plan.options, proof.force,
+                                    &p->work) <= 1 ||
+                  kern_check_forces(&s, m->holds, &p->plan.options,
+                                    proof.force, &p->work) <= 1);
+        else if (p->w->options.relative == 0)
+            CHECK(kern_check_motion(&s, at, &p->plan.options, proof.motion)
+                      <= 1 || side);
+    }
 }
 
 /* kern_plan_try(), compared; and nothing else that the plan holds changes. */
@@ -4699,6 +4740,7 @@ static int site_try(site *p, const kern_block *block, kern_margin *m)
         CHECK(same_contact(&p->contact[c + k], &one[k]));
     site_world(p, &t, 1, found);
     site_answer(p, &t, got, m, __LINE__);
+    site_bears(p, block, got, m, found);
     return got;
 }
 

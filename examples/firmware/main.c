@@ -42,8 +42,8 @@ static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
 static kern_motion motion[BLOCKS];
 static kern_force force[CONTACTS];
-static kern_real reals[KERN_LEAN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_LEAN_INTS(BLOCKS, CONTACTS)];
+static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
+static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 
 /* Prints an answer and the pivots and the time that it took. */
 static void print_measure(kern_status status, const kern_margin *m,
@@ -102,7 +102,8 @@ static void print_memory(void)
     board_print("memory: ");
     board_print_int((int32_t)(sizeof reals + sizeof ints));
     board_print(" bytes of work memory, ");
-    board_print_int((int32_t)(sizeof block + sizeof contact + sizeof basis
+    board_print_int((int32_t)(sizeof block + sizeof contact + sizeof motion
+                              + sizeof force
                               + sizeof placed));
     board_print(" of blocks and contacts,\n        ");
     board_print_int(board_variables());
@@ -118,8 +119,8 @@ static void print_memory(void)
 int main(void)
 {
     static const float place[] = { 0, 0.2f, 0.4f, -0.3f };
-    kern_work work = kern_work_of(reals, KERN_LEAN_REALS(BLOCKS, CONTACTS),
-                                  ints, KERN_LEAN_INTS(BLOCKS, CONTACTS));
+    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
+                                  ints, KERN_INTS(BLOCKS, CONTACTS));
     kern_plan plan = kern_plan_of(block, BLOCKS, contact, CONTACTS, motion,
                                   force, &work);
     kern_margin m;
@@ -158,12 +159,5 @@ int main(void)
 }
 
 /* Output, where pivots and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 60 pivots; 120085 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 3 pivots; 15184 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 9 pivots; 43632 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 8 pivots; 44409 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 392 ticks
-memory: 20312 bytes of work memory, 7976 of blocks and contacts,
-        28296 of variables in all, 1744 of 37240 of stack, 30276 of flash
-best place: 0.20 m
+
 */
