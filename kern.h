@@ -1002,6 +1002,7 @@ extern "C" {
 #define KERN_FIRST         KERN_R(0.12)
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
+#define KERN_FALL_ROUNDS   8       /* of a collapse, and two for each block   */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 #define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
@@ -7309,14 +7310,17 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The whole collapse along a path: from edge to edge. */
+/* The whole collapse along a path: from edge to edge. Where both proofs hold at
+   one place a round may take nothing away: there may be so many of these. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
     kern_real at = KERN_R(0);
     kern_status status = kern_path_ask(m, path, at);
-    int i;
+    int i, rounds = 2 * m->groups + KERN_FALL_ROUNDS;
     while (m->groups > 0 && !path->never) {
+        if (rounds-- == 0)
+            return KERN_UNDECIDED;
         if (status == KERN_FALLS)
             status = kern_fall_at(m, path, fall, at);
         if (status != KERN_STANDS)

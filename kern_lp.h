@@ -10,6 +10,12 @@
    kern.h. GLPK is not trusted: what it answers passes the same proof as any
    other answer, and where the proof fails the simplex of kern.h is asked.
 
+   WHEN. Hardly ever for speed: where the forces of a wall can be passed on from
+   the top down no linear program is asked, and where one is, the simplex of
+   kern.h, which starts from a basis that carries the weights, was 20 to 200
+   times as fast on walls, towers and arches of 50 to 200 blocks. It is a second
+   opinion: another solver, beneath the same proofs.
+
    LICENCE. GLPK is under the GNU General Public License, version 3 or later.
    This file is under the licence of kern.h, but a program that is linked with
    GLPK may be given away only under the GPL as a whole. Firmware whose source
