@@ -6198,7 +6198,8 @@ static void kern_falls_clear(kern_model *m)
 
 /* Notes what falls. Where a part falls that has groups in common with one that
    fell before, the mechanism is larger than either: it is widened by its
-   neighbours, each time twice as far. Lays out its linear program. */
+   neighbours, each time twice as far; and in a small structure by all others.
+   Lays out its linear program. */
 static kern_status kern_part_widen(kern_part *p)
 {
     kern_model *m = p->m;
@@ -6206,6 +6207,7 @@ static kern_status kern_part_widen(kern_part *p)
     int groups = p->groups;
     for (n = 0; n < groups; n++)
         again |= m->fell[p->group[n]];
+    again |= m->groups <= KERN_WIDE_SMALL / 2 && 2 * groups > m->groups;
     if (again)
         m->wide = groups * 2 <= m->groups && m->groups > KERN_WIDE_SMALL
                   ? 2 * m->wide + 1 : m->groups;

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x84c4d77430d2fe42u },
-    { 1000, 0x225fc31fa6142cefu },
-    { 5000, 0xe1f7e3e89f308b7cu },
+    { 200, 0x326abe6f84341c09u },
+    { 1000, 0x07032aeef2b020b2u },
+    { 5000, 0xce4ba9dea119d4c0u },
 #else
-    { 200, 0x3f19fb627e240528u },
-    { 1000, 0xf3a59e54b89e8dd6u },
-    { 5000, 0x68fb399e44f438beu },
+    { 200, 0xb5464731c19724a5u },
+    { 1000, 0xac36327b90a80944u },
+    { 5000, 0xe6b87e8c7bbdacb7u },
 #endif
 };
 
