@@ -4915,13 +4915,14 @@ typedef struct kern_model {
     const kern_force *prior;  /* forces that are known, or NULL               */
     kern_motion *motion;      /* one a block: of the last verdict             */
     kern_real *sum;           /* scratch of the proof, four a block           */
-    int *leader, *next;       /* of a group: see >>pour                       */
-    int *dirty, *local;
+    int *leader, *next, *dirty; /* of a group: see >>pour                     */
+    int again;                /* the first leader that became dirty           */
+    int regrown;              /* how often a unit of three or more was joined */
+    int *local;               /* of a group: its number in the open part      */
     int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: whether a part with it fell      */
     int falls, fallen;        /* the mark of the last part, and its groups    */
     int wide;                 /* by how much the next part of them is widened */
-    int again, regrown;
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
 } kern_model;
@@ -6878,9 +6879,13 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             if (status == KERN_STANDS && kern_part_is_whole(path->part)
                 && at > holds && path->closed)
                 return status;
-        } else if (fell)
-            at = kern_max(start, kern_min(path->edge, at)
-                                 - path->tolerance / 2);
+        } else if (fell) {
+            const kern_real next = kern_max(start, kern_min(path->edge, at)
+                                                   - path->tolerance / 2);
+            if (!(next < at))
+                break; /* critical where it starts */
+            at = next;
+        }
         if (status != KERN_STANDS)
             break;
     }
