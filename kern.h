@@ -980,6 +980,7 @@ extern "C" {
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
+#define KERN_UNIT_PRIOR    5       /* and where forces are known              */
 #define KERN_REGROWN       4       /* times that a unit of three is joined    */
 #define KERN_POUR_BUDGET   4000    /* products for each group and contact     */
 #define KERN_PART_ROUNDS   6       /* questions about a part at a time        */
@@ -2855,6 +2856,7 @@ typedef struct kern_simplex {
     int interval;           /* until it is chosen again, the least            */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
+    const kern_real *prior; /* a solution like the one looked for, or NULL    */
     int stale;              /* the matrix has changed since                   */
     int cramped;            /* columns had to leave for want of room          */
     int settled;            /* no pivot since the values were refined         */
@@ -4102,6 +4104,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows;
     sx->lp = lp;
+    sx->prior = NULL;
     sx->started = sx->stale = sx->cramped = sx->violated = 0;
     sx->groups = lp->ends ? m / 3 : 0;
     sx->room = room;
@@ -4216,13 +4219,29 @@ static void kern_crash_group(kern_simplex *sx, int g, int first)
     }
 }
 
+static int kern_is_prior(const kern_simplex *sx, int j)
+{ return sx->prior[j] > KERN_FEAS_TOL; }
+
+/* Puts the columns of the prior solution into slots that are free. */
+static void kern_crash_prior(kern_simplex *sx)
+{
+    int j, slot = 0;
+    for (j = 0; j < sx->lp->cols; j++) {
+        while (slot < sx->lp->rows && sx->base[slot] < sx->lp->cols)
+            slot++;
+        if (slot < sx->lp->rows && kern_is_prior(sx, j))
+            sx->base[slot] = j;
+    }
+}
+
 /* The crash basis: down the order, each group takes three columns to groups
    after it (or to none) that carry its load and what rests on it. Feasible at
-   once for most walls. Without a network every filler is basic. */
+   once for most walls. Without a network every filler is basic. Groups that
+   have columns of a prior solution take those. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *first = sx->link, *next = sx->place;
+    int *first = sx->link, *next = sx->place, *kept = sx->spare;
     int i, j;
     for (i = 0; i < lp->rows; i++)
         sx->row[i] = lp->rhs[i];
@@ -4236,7 +4255,15 @@ static void kern_simplex_crash(kern_simplex *sx)
         first[g] = j;
     }
     for (i = 0; i < sx->groups; i++)
-        kern_crash_group(sx, i, first[i]);
+        kept[i] = 0;
+    for (j = 0; j < lp->cols && sx->prior; j++)
+        if (kern_is_prior(sx, j))
+            kept[kern_lp_first(lp, j)] = 1;
+    for (i = 0; i < sx->groups; i++)
+        if (!kept[i])
+            kern_crash_group(sx, i, first[i]);
+    if (sx->prior)
+        kern_crash_prior(sx);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
     for (i = 0; i < lp->rows; i++)
@@ -5934,8 +5961,8 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0 || groups > KERN_UNIT_MOST
-            || m->regrown > KERN_REGROWN)
+        if (added == 0 || m->regrown > KERN_REGROWN
+            || groups > (m->prior ? KERN_UNIT_PRIOR : KERN_UNIT_MOST))
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -6165,6 +6192,7 @@ static kern_status kern_part_ask(kern_part *p, const kern_question *q)
             break;
         /* once more from the crash basis */
         p->simplex.started = 0;
+        p->simplex.prior = NULL;
     }
     return status;
 }
@@ -6186,7 +6214,19 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
         p->group[g] = g;
     for (k = 0; k < p->contacts; k++)
         p->contact[k] = k;
-    return kern_part_lay(p);
+    if (kern_part_lay(p) != KERN_STANDS)
+        return KERN_NO_SPACE;
+    for (k = 0; k < p->contacts && m->prior; k++) {
+        const kern_real f = m->prior[k].normal / m->weight;
+        const kern_real mu = m->s->contact[k].mu;
+        const kern_real r = mu > 0 ? m->prior[k].tangential / (m->weight * mu)
+                                   : f;
+        p->x[2 * k] = (f + r) / 2;
+        p->x[2 * k + 1] = (f - r) / 2;
+    }
+    if (m->prior)
+        p->simplex.prior = p->x;
+    return KERN_STANDS;
 }
 
 static void kern_falls_clear(kern_model *m)
