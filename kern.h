@@ -6669,6 +6669,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
                 under *= 2;
             else if (inside)
                 aside *= 2;
+            else if (hi - lo <= path->tolerance * KERN_WIDEST)
+                break; /* a jam: neither proof comes nearer */
             else
                 share *= KERN_R(0.7);
         }

@@ -5195,6 +5195,105 @@ static void plan_every_size(void)
             }
 }
 
+/* ==== Jams ========================================================== */
+
+/* A chockstone in two pieces between two walls that lean; 0 where there is no
+   such thing. */
+static int two_wedges(world *w)
+{
+    const double y0 = uniform(0.05, 0.4), y1 = y0 + uniform(0.8, 2);
+    const double left = uniform(-0.15, 0.6), right = uniform(-0.15, 0.6);
+    const double half = uniform(0.3, 0.8), x = uniform(-0.3, 0.3);
+    const double top = x + uniform(-0.4, 0.4) * (y1 - y0);
+    const double l0 = -half - left * y0, l1 = -half - left * y1;
+    const double r0 = half + right * y0, r1 = half + right * y1;
+    double wall[2][8] = {{-9, 0, 0, 0, 0, 4, -9, 4}, {0, 0, 9, 0, 9, 4, 0, 4}};
+    double piece[2][8];
+    if (x < l0 + 0.05 || top < l1 + 0.05 || x > r0 - 0.05 || top > r1 - 0.05)
+        return 0;
+    wall[0][2] = -half;
+    wall[0][4] = -half - 4 * left;
+    wall[1][0] = half;
+    wall[1][6] = half + 4 * right;
+    piece[0][0] = l0, piece[0][1] = y0, piece[0][2] = x, piece[0][3] = y0;
+    piece[0][4] = top, piece[0][5] = y1, piece[0][6] = l1, piece[0][7] = y1;
+    piece[1][0] = x, piece[1][1] = y0, piece[1][2] = r0, piece[1][3] = y0;
+    piece[1][4] = r1, piece[1][5] = y1, piece[1][6] = top, piece[1][7] = y1;
+    world_reset(w);
+    w->options.mu = R(uniform(0.3, 0.9));
+    world_polygon(w, 0, wall[0], 4);
+    world_polygon(w, 0, wall[1], 4);
+    world_polygon(w, 1, piece[0], 4);
+    world_polygon(w, 1, piece[1], 4);
+    world_touch(w);
+    return 1;
+}
+
+/* Near to critical the forces of a jam grow like 1 / (d* - d), up to the bound.
+   It must not use up the limit of program after program: 211,315 pivots were
+   seen. */
+static void jams_are_bounded(void)
+{
+    static world w;
+    int seed, most = 0, found = 0;
+    for (seed = 0; seed < 3000; seed++) {
+        kern_structure s;
+        kern_work work;
+        kern_margin m;
+        random_seed(730000u + (unsigned long long)seed);
+        sprintf(context, "(two wedges %d)", seed);
+        if (!two_wedges(&w))
+            continue;
+        s = structure_of(&w);
+        work = work_of(&w);
+        CHECK(kern_measure(&s, &w.options, &work, &m, NULL) >= 0 || SINGLE);
+        most = work.pivots > most ? work.pivots : most;
+        found++;
+    }
+    context[0] = 0;
+    CHECK(found > 1000);
+    CHECK(most <= 5000);
+}
+
+/* Two small stones on a large one, turned, far from the origin: both proofs hold
+   at one place, where a collapse took nothing away for ever. */
+static void profile_ends(void)
+{
+    static const double corner[4][8] = {
+        {499997.0205986467, 98.94020399325342, 500003.0193986867,
+         99.06019599341343, 500002.99940002, 100.05999600008,
+         499997.00059998, 99.94000399992},
+        {499999.5000999967, 99.99000066665333, 500000.4999000033,
+         100.00999933334667, 500000.4879008033, 100.60987933734661,
+         499999.48810081665, 100.58988067065327},
+        {499999.7174670727, 100.5944686079159, 499999.81744707335,
+         100.59646847458524, 499999.8162471534, 100.65645647498523,
+         499999.71626715275, 100.6544566083159},
+        {499999.86743707367, 100.5974684079199, 499999.96741707437,
+         100.59946827458924, 499999.9662171544, 100.65945627498924,
+         499999.8662371537, 100.6574564083199}};
+    static world w;
+    kern_real value[4];
+    kern_collapse c;
+    kern_structure s;
+    kern_work work;
+    int i, side, got;
+    if (SINGLE)
+        return; /* no digits are left there */
+    world_reset(&w);
+    w.gravity = vec(0.19618692026159754, -9.808038065399128);
+    for (i = 0; i < 4; i++)
+        world_polygon(&w, i > 0, corner[i], 4);
+    world_touch(&w);
+    s = structure_of(&w);
+    work = work_of(&w);
+    for (side = -1; side <= 1; side++) {
+        got = kern_profile(&s, side, &w.options, &work, value, &c);
+        CHECK(got == KERN_STANDS || got == KERN_UNDECIDED);
+    }
+    CHECK(work.pivots < 1000);
+}
+
 /* ==== Known cases =================================================== */
 
 /* What the cases share: the parameters that a family keeps fixed. */
@@ -6938,6 +7037,8 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(plan_candidates),
                              TEST(plan_saturated),
                              TEST(plan_stale),
+                             TEST(jams_are_bounded),
+                             TEST(profile_ends),
                              TEST(plan_ground_only),
                              TEST(plan_faults),
                              TEST(plan_every_size),
