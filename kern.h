@@ -983,6 +983,7 @@ extern "C" {
 #define KERN_UNIT_PRIOR    5       /* and where forces are known              */
 #define KERN_REGROWN       4       /* times that a unit of three is joined    */
 #define KERN_POUR_BUDGET   4000    /* products for each group and contact     */
+#define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
 #define KERN_PART_ROUNDS   6       /* questions about a part at a time        */
 #define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
 #define KERN_PLAIN_SMALL   64      /* groups: asked near to a part's edge     */
@@ -5976,7 +5977,9 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
    part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
-    int budget = KERN_POUR_BUDGET * (m->s->contacts + m->groups);
+    const int size = m->s->contacts + m->groups;
+    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
+                                     ? size : KERN_POUR_LARGEST);
     int g, at;
     m->regrown = 0;
     for (g = 0; g < m->groups; g++) {
