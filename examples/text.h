@@ -137,9 +137,7 @@ static double text_strtod(const char *word, const char *dot)
     size_t length = strlen(word) + n; /* less the dot, and a NUL */
     if (length > sizeof room) copy = malloc(length);
     if (!copy) return HUGE_VAL;
-    memcpy(copy, word, before);
-    memcpy(copy + before, point, n);
-    strcpy(copy + before + n, dot + 1);
+    snprintf(copy, length, "%.*s%s%s", (int)before, word, point, dot + 1);
     double value = strtod(copy, NULL);
     if (copy != room) free(copy);
     return value;
