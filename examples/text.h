@@ -131,13 +131,15 @@ static inline const char *text_show(char *out, const char *word)
 static double text_strtod(const char *word, const char *dot)
 {
     const char *point = localeconv()->decimal_point;
-    size_t before = (size_t)(dot - word), n = strlen(point);
     if (*dot != '.' || strcmp(point, ".") == 0) return strtod(word, NULL);
     char room[64], *copy = room;
-    size_t length = strlen(word) + n; /* less the dot, and a NUL */
+    size_t length = strlen(word) + strlen(point); /* less the dot, and a NUL */
     if (length > sizeof room) copy = malloc(length);
     if (!copy) return HUGE_VAL;
-    snprintf(copy, length, "%.*s%s%s", (int)before, word, point, dot + 1);
+    char *o = copy;
+    while (word < dot) *o++ = *word++;
+    while (*point) *o++ = *point++;
+    strcpy(o, dot + 1);
     double value = strtod(copy, NULL);
     if (copy != room) free(copy);
     return value;
