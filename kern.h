@@ -980,7 +980,6 @@ extern "C" {
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
-#define KERN_UNIT_PRIOR    5       /* and where forces are known              */
 #define KERN_REGROWN       4       /* times that a unit of three is joined    */
 #define KERN_POUR_BUDGET   4000    /* products for each group and contact     */
 #define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
@@ -5962,8 +5961,8 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0 || m->regrown > KERN_REGROWN
-            || groups > (m->prior ? KERN_UNIT_PRIOR : KERN_UNIT_MOST))
+        if (added == 0 || groups > KERN_UNIT_MOST
+            || m->regrown > KERN_REGROWN)
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
