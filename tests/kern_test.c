@@ -4969,8 +4969,8 @@ static void plan_saturated(void)
     CHECK(m.saturated);
 }
 
-/* Nothing, or ground alone: a question without an answer, which changes
-   nothing. */
+/* Blocks and contacts taken back by hand, and garbage in the work memory: the
+   plan goes on with less than it knew, and answers the same. */
 static void plan_stale(void)
 {
     enum { BOXES = 8, ROOM = 40 };
@@ -5021,6 +5021,8 @@ static void plan_stale(void)
     }
 }
 
+/* Nothing, or ground alone: a question without an answer, which changes
+   nothing. */
 static void plan_ground_only(void)
 {
     static world w;
