@@ -226,7 +226,7 @@
    The load factors of single stones also tell which of them move first: in
    four structures of five the first to move is in the weakest quarter. Where
    stones slide before they tip, as in low walls, all load factors end at mu,
-   and rank less well. examples/study has the whole comparison.
+   and rank less well. examples/shaking/study has the whole comparison.
 
 
    LIMITS                                                            >>limits

@@ -13,10 +13,16 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
-#include "draw.h"
-#include "text.h"
+#include "parts/draw.h"
+#include "parts/text.h"
 
+#include <errno.h>
+#include <limits.h>
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 /* Is stream 1 (stdout) or 2 (stderr) a terminal? The C library cannot tell. */

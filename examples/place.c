@@ -11,12 +11,18 @@
    file for a picture (- for none), the second a wall made of polygons. Times
    go to stderr. */
 
-#include <time.h>
-
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
-#include "draw.h"
-#include "text.h"
+
+#include "parts/draw.h"
+#include "parts/text.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
 enum { CORNERS = 5, PLACES = 240, ROWS = 24 };
 

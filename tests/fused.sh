@@ -61,7 +61,7 @@ for precision in "" -DKERN_SINGLE; do
         done
     done
 done
-for example in stack shake place; do
+for example in walls/stack shaking/shake place; do
     for opt in -O2 -O3; do
         free_of_fused "examples/$example.c, gcc $opt $v3" gcc -std=c99 $opt \
             $v3 $exact -fno-tree-vectorize "examples/$example.c"

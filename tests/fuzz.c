@@ -30,7 +30,7 @@
 #include "../kern.h"
 
 #ifdef FUZZ_TEXT
-#include "../examples/text.h"
+#include "../examples/parts/text.h"
 #endif
 
 #if !defined(FUZZ_TEXT) && !defined(FUZZ_STRUCTURE)

@@ -9,13 +9,13 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
-#include "../examples/draw.h"
-#include "../examples/rigid.h"
-#include "../examples/text.h"
+#include "../examples/parts/draw.h"
+#include "../examples/parts/rigid.h"
+#include "../examples/parts/text.h"
 
-#include "../examples/build.h"
-#include "../examples/stones.h"
-#include "../examples/stack.h"
+#include "../examples/parts/build.h"
+#include "../examples/walls/stones.h"
+#include "../examples/walls/stack.h"
 
 static const double pi = 3.14159265358979323846;
 static int failures;

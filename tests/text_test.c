@@ -1,6 +1,6 @@
 /* cc -O2 -ffp-contract=off -o text_test tests/text_test.c -lm && ./text_test
 
-   What examples/text.h reads where the locale is not "C", and what it says of
+   What examples/parts/text.h reads where the locale is not "C", and what it says of
    files that are none. The locale here writes a comma, or two bytes, in place
    of the point: strtod() and localeconv() are replaced. */
 
@@ -40,7 +40,7 @@ static struct lconv *local_conventions(void)
 
 #define strtod local_strtod
 #define localeconv local_conventions
-#include "../examples/text.h"
+#include "../examples/parts/text.h"
 #undef strtod
 
 static int failed;

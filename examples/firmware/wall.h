@@ -7,6 +7,8 @@
 #ifndef WALL_H
 #define WALL_H
 
+#include "../../kern.h"
+
 #define WALL_STONES 30
 #define DENSITY 2400.0f /* [kg/m^2] a metre deep */
 

@@ -1,12 +1,12 @@
 /* build.h - structures of irregular stones, built in the simulator, for the
    example programs.
 
-   Include rigid.h first. A stone of irregularity L is a rectangle whose height
-   varies by L/200, whose corners are moved by up to L/200 of it, and whose
-   edges get with probability L/100 one more vertex outside; the convex hull of
-   that. build_structure() lets them down one by one on what is there, chooses
-   of some stones the one that lies lowest, lets the whole settle, and keeps
-   only what stays about where it was put.
+   A stone of irregularity L is a rectangle whose height varies by L/200, whose
+   corners are moved by up to L/200 of it, and whose edges get with probability
+   L/100 one more vertex outside; the convex hull of that. build_structure()
+   lets them down one by one on what is there, chooses of some stones the one
+   that lies lowest, lets the whole settle, and keeps only what stays about
+   where it was put.
 
    The same seed gives the same structure. Lengths: a stone is about 1 wide.
 
@@ -15,8 +15,12 @@
 #ifndef BUILD_H
 #define BUILD_H
 
+#include "rigid.h"
+
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 enum { BUILD_CORNERS = 8, BUILD_STONES = 64, BUILD_CANDIDATES = 4 };
 

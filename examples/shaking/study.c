@@ -6,7 +6,7 @@
    right order, by family and by irregularity; and whether the values of single
    stones tell which of them move first.
 
-       cc -O2 -ffp-contract=off -o study examples/study.c -lm
+       cc -O2 -ffp-contract=off -o study examples/shaking/study.c -lm
        ./study --svg pictures FOLDER
 
    FOLDER holds labels.csv (columns name, family, irregularity, level),
@@ -16,13 +16,17 @@
    SPDX-License-Identifier: MIT */
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
-#include "draw.h"
-#include "text.h"
+#include "../parts/draw.h"
+#include "../parts/measures.h"
+#include "../parts/plot.h"
 
-#include "measures.h"
-#include "plot.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum { ROOM = 4096, WORD = 64, RESAMPLES = 1000, KINDS = 32 };
 
@@ -406,10 +410,10 @@ static int write_scatter(const struct study *y, int k, double *room)
     const int n = y->entries;
     double *a = room, *b = room + n;
     struct plot p = { NULL, 0, 0, 0, 0, 0, 0, 0, 0 };
-    char path[ROOM], title[160], shade[8];
+    char name[80], title[160], shade[8];
     FILE *out;
-    snprintf(path, sizeof path, "%s/scatter-%s.svg", y->svg, measures_name[k]);
-    out = fopen(path, "w");
+    snprintf(name, sizeof name, "scatter-%s.svg", measures_name[k]);
+    out = plot_open(y->svg, name);
     if (!out) return -1;
     columns_of(y, k, NULL, a, b);
     for (int i = 0; i < n; i++) {

@@ -1,8 +1,6 @@
-/* walls.h - the paper's Figs. 8 and 9: walls that the planners of stack.h build
+/* walls - the paper's Figs. 8 and 9: walls that the planners of stack.h build
    from the same stocks, and their quality over the irregularity of the stones.
-
-   Include kern.h, draw.h, text.h, rigid.h, build.h, plot.h, table.h, stones.h
-   and stack.h first. walls_all() writes into a folder:
+   Writes into a folder:
 
        walls/                   every wall, for the program kern
        walls.csv                one line a wall
@@ -10,10 +8,33 @@
        fig9.svg, fig9.csv       quality over irregularity: mean and deviation
        fig9.md                  differences between planners, with intervals
 
+       cc -O2 -ffp-contract=off -o walls examples/walls/walls.c -lm
+       mkdir -p out/walls && ./walls out
+
    SPDX-License-Identifier: MIT */
 
-#ifndef WALLS_H
-#define WALLS_H
+#define KERN_IMPLEMENTATION
+#include "../../kern.h"
+
+#include "../parts/draw.h"
+#include "../parts/plot.h"
+#include "../parts/table.h"
+#include "stack.h"
+#include "stones.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static const char help[] =
+"usage: walls [--quick] [--sets N] FOLDER\n"
+"Builds walls with the planners of stack.h from N stocks a level of\n"
+"irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
+"must hold a folder `walls`.\n"
+"  --quick   2 stocks a level\n";
 
 enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_PATH = 4096 };
 
@@ -65,20 +86,10 @@ static double walls_quality(const struct walls_one *o, int stability)
     return stack_quality(o->stability[stability], o->fill);
 }
 
-static int figures_fail(const char *what, const char *name)
+static int fail(const char *what, const char *name)
 {
-    fprintf(stderr, "figures: %s %s\n", what, name);
+    fprintf(stderr, "walls: %s %s\n", what, name);
     return -1;
-}
-
-static FILE *figures_out(const char *folder, const char *name)
-{
-    char path[WALLS_PATH];
-    FILE *out;
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    out = fopen(path, "w");
-    if (!out) figures_fail("cannot write", path);
-    return out;
 }
 
 /* ---- Building ------------------------------------------------------------ */
@@ -95,7 +106,7 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     o.seed = (uint64_t)set + 1;
     if (f->quick) o.walls = 4;
     if (stack_open(w, stock, &o) || stack_plan(w))
-        return figures_fail("not enough memory for", "a wall");
+        return fail("not enough memory for", "a wall");
     one->seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     one->laid = w->laid;
     one->fill = stack_fill(w);
@@ -106,8 +117,8 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     one->asking = w->asking;
     snprintf(path, sizeof path, "%s/walls/i%d-%02d-%s.kern", f->folder,
              10 + 10 * level, set + 1, stack_planner_name[planner]);
-    if (stack_write(w, path)) return figures_fail("cannot write", path);
-    return table_once("figures", path, 1, &one->stability[WALLS_COLLAPSE]);
+    if (stack_write(w, path)) return fail("cannot write", path);
+    return table_once("walls", path, 1, &one->stability[WALLS_COLLAPSE]);
 }
 
 /* ---- Fig. 8 -------------------------------------------------------------- */
@@ -160,13 +171,13 @@ static void walls_head(FILE *out)
 /* Builds everything; Fig. 8 is drawn on the way. */
 static int walls_make(const struct walls *f)
 {
-    FILE *out = figures_out(f->folder, "fig8.svg");
+    FILE *out = plot_open(f->folder, "fig8.svg");
     int bad = !out;
     if (out) walls_head(out);
     for (int l = 0; l < WALLS_LEVELS && !bad; l++)
         for (int set = 0; set < f->sets && !bad; set++) {
             struct stones stock;
-            fprintf(stderr, "figures: irregularity %d, set %d of %d\n",
+            fprintf(stderr, "walls: irregularity %d, set %d of %d\n",
                     10 + 10 * l, set + 1, f->sets);
             bad = stones_make(&stock, 10 + 10 * l, WALLS_STONES,
                               (uint64_t)set + 1);
@@ -226,7 +237,7 @@ static void walls_sum_up(const struct walls *f, int level, int planner,
 
 static int walls_list(const struct walls *f)
 {
-    FILE *out = figures_out(f->folder, "walls.csv");
+    FILE *out = plot_open(f->folder, "walls.csv");
     if (!out) return -1;
     fprintf(out, "irregularity,set,planner,stones,filling,level,margin_sizes,"
             "collapse,Q,seconds,candidates,asked,asked_a_second\n");
@@ -242,7 +253,7 @@ static int walls_list(const struct walls *f)
                         walls_quality(o, WALLS_MARGIN), o->seconds, o->tried,
                         o->asked, o->asked / fmax(o->asking, 1e-9));
             }
-    return fclose(out) ? figures_fail("cannot write", "walls.csv") : 0;
+    return fclose(out) ? fail("cannot write", "walls.csv") : 0;
 }
 
 /* Differences of two planners, for each choice of stability. */
@@ -298,7 +309,8 @@ static void walls_means(const struct walls *f, FILE *out)
 
 static int walls_tables(const struct walls *f)
 {
-    FILE *csv = figures_out(f->folder, "fig9.csv"), *md = figures_out(f->folder, "fig9.md");
+    FILE *csv = plot_open(f->folder, "fig9.csv");
+    FILE *md = plot_open(f->folder, "fig9.md");
     if (!csv || !md) return -1;
     fprintf(csv, "irregularity,planner,sets,mean,deviation,interval\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
@@ -313,7 +325,7 @@ static int walls_tables(const struct walls *f)
     walls_differences(f, md, STACK_COMBINED, STACK_HEURISTIC);
     walls_differences(f, md, STACK_BEST, STACK_HEURISTIC);
     walls_differences(f, md, STACK_BEST, STACK_COMBINED);
-    return fclose(csv) | fclose(md) ? figures_fail("cannot write", "fig9") : 0;
+    return fclose(csv) | fclose(md) ? fail("cannot write", "fig9") : 0;
 }
 
 /* One planner's curve: a bar of a standard deviation each way. */
@@ -341,7 +353,7 @@ static void walls_curve(const struct walls *f, const struct plot *p,
 
 static int walls_nine(const struct walls *f)
 {
-    FILE *out = figures_out(f->folder, "fig9.svg");
+    FILE *out = plot_open(f->folder, "fig9.svg");
     struct plot p = { NULL, 5, 55, 0, 0.1, 0, 0, 0, 0 };
     int bad;
     if (!out) return -1;
@@ -356,7 +368,7 @@ static int walls_nine(const struct walls *f)
                "irregularity, %", "Q = margin / size x f(filling)", 0);
     for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k);
     bad = plot_end(&p);
-    return fclose(out) | bad ? figures_fail("cannot write", "fig9.svg") : 0;
+    return fclose(out) | bad ? fail("cannot write", "fig9.svg") : 0;
 }
 
 /* All of it, from so many stocks a level. */
@@ -372,4 +384,23 @@ static int walls_all(const char *folder, int sets, int quick)
     return bad;
 }
 
-#endif /* WALLS_H */
+int main(int argc, char **argv)
+{
+    const char *folder = NULL;
+    int quick = 0, sets = 0;
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0)
+            return fputs(help, stdout) < 0 ? 2 : 0;
+        if (strcmp(argv[i], "--quick") == 0) quick = 1;
+        else if (strcmp(argv[i], "--sets") == 0 && i + 1 < argc &&
+                 atoi(argv[i + 1]) > 0)
+            sets = atoi(argv[++i]);
+        else if (argv[i][0] != '-' && !folder) folder = argv[i];
+        else folder = NULL, i = argc;
+    }
+    if (!folder || sets > 1000) {
+        fputs(help, stderr);
+        return 2;
+    }
+    return walls_all(folder, sets > 0 ? sets : quick ? 2 : 20, quick) ? 2 : 0;
+}

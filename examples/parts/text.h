@@ -13,17 +13,16 @@
        epsilon  E                                     step of Algorithm 1
        tolerance GAP [ANGLE]                          ANGLE in radians
 
-   and # begins a comment. Include kern.h first, then this file, as kern.c does:
-
-       cc -O2 -o kern examples/kern.c -lm
-
-   A program uses text_load() or text_read(), then text_free(); of the rest
-   text_show(), text_number() and text_utf8() may be of use.
+   and # begins a comment. A program uses text_load() or text_read(), then
+   text_free(); of the rest text_show(), text_number() and text_utf8() may be of
+   use.
 
    SPDX-License-Identifier: MIT */
 
 #ifndef TEXT_H
 #define TEXT_H
+
+#include "../../kern.h"
 
 #include <errno.h>
 #include <float.h>

@@ -1,6 +1,6 @@
 /* plot.h - scatter plots and curves as SVG, for the example programs.
 
-   Include kern.h and draw.h first. plot_begin() writes axes with round numbers,
+   plot_open() opens the file, plot_begin() writes axes with round numbers,
    plot_point() and plot_curve() what is in them, plot_colours() a colour bar
    beside them, plot_end() the rest.
 
@@ -9,11 +9,28 @@
 #ifndef PLOT_H
 #define PLOT_H
 
+#include "draw.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
 struct plot {
     FILE *out;
     double x0, x1, y0, y1;      /* what the axes span                     */
     double left, top, width, height; /* of the field between them, pixels */
 };
+
+/* Opens FOLDER/NAME for writing; says on stderr where it cannot. */
+static FILE *plot_open(const char *folder, const char *name)
+{
+    char path[4096];
+    FILE *out;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    out = fopen(path, "w");
+    if (!out) fprintf(stderr, "cannot write %s\n", path);
+    return out;
+}
 
 static const double plot_width = 380, plot_height = 270;
 

@@ -1,18 +1,20 @@
 /* measures.h - everything that the library says about a structure, and how well
    numbers rank, for the example programs that compare it with shaking.
 
-   Include kern.h and text.h first. measures_load() reads a file and finds its
-   contacts, measures_all() fills one number for each measure of the list, all
-   of them such that more is safer. rank_correlation() and rank_accuracy() say
-   how well one list of numbers puts things in the order of another.
+   measures_load() reads a file and finds its contacts, measures_all() fills one
+   number for each measure of the list, all of them such that more is safer.
+   rank_correlation() and rank_accuracy() say how well one list of numbers puts
+   things in the order of another.
 
    SPDX-License-Identifier: MIT */
 
 #ifndef MEASURES_H
 #define MEASURES_H
 
+#include "../../kern.h"
+#include "text.h"
+
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 
 /* A program may leave some of these functions unused. */

@@ -9,43 +9,34 @@
        fig6.svg, fig6.csv       displacement and shaking level (Fig. 6)
        fig7*.svg, fig7.csv      two walls that differ in one stone (Fig. 7)
 
-       cc -O2 -ffp-contract=off -o figures examples/figures.c -lm
+       cc -O2 -ffp-contract=off -o figures examples/shaking/figures.c -lm
        mkdir -p out/structures && ./figures out
-
-   With --walls it builds walls with the planners of stack.h instead, and
-   writes what walls.h says: Figs. 8 and 9.
-
-       mkdir -p out/walls && ./figures --walls out
 
    SPDX-License-Identifier: MIT */
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
-#include "draw.h"
-#include "rigid.h"
-#include "text.h"
+#include "../parts/build.h"
+#include "../parts/draw.h"
+#include "../parts/measures.h"
+#include "../parts/plot.h"
+#include "../parts/table.h"
 
-#include "build.h"
-#include "measures.h"
-#include "plot.h"
-#include "table.h"
-
-#include "stones.h"
-#include "stack.h"
-#include "walls.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
 enum { PATH = 4096, LEVELS = 20 };
 
 static const char help[] =
 "usage: figures [--quick] FOLDER\n"
-"       figures --walls [--quick] [--sets N] FOLDER\n"
 "Builds and shakes structures, and writes the table and the figures of the\n"
 "paper into FOLDER, which must hold a folder `structures`.\n"
-"  --walls   Figs. 8 and 9 instead: walls of the planners of stack.h, from N\n"
-"            stocks a level of irregularity, 20 if not told otherwise;\n"
-"            FOLDER must hold a folder `walls`\n"
-"  --quick   few structures, each shaken once; 2 stocks a level\n";
+"  --quick   few structures, each shaken once\n";
 
 struct sample {
     char name[40], path[PATH];
@@ -60,6 +51,12 @@ struct figures {
     int quick, samples;
     struct sample *sample;
 };
+
+static int fail(const char *what, const char *name)
+{
+    fprintf(stderr, "figures: %s %s\n", what, name);
+    return -1;
+}
 
 /* ---- Structures ---------------------------------------------------------- */
 
@@ -76,7 +73,7 @@ static int shake_file(const char *path, int first, int last, int repeat,
     t.plan.seed = 1;
     t.file = path;
     bad = table_load(&t) || table_collapse(&t, r);
-    if (bad) figures_fail(path, t.text.message);
+    if (bad) fail(path, t.text.message);
     table_free(&t);
     return bad;
 }
@@ -109,13 +106,13 @@ static int build_sample(const struct figures *f, int i, struct sample *s)
         bad = measure_file(s->path, s->value);
     }
     free(b);
-    return bad ? figures_fail("cannot build", s->path) : 0;
+    return bad ? fail("cannot build", s->path) : 0;
 }
 
 static int write_labels(const struct figures *f)
 {
-    FILE *out = figures_out(f->folder, "labels.csv");
-    FILE *stones = figures_out(f->folder, "stones.csv");
+    FILE *out = plot_open(f->folder, "labels.csv");
+    FILE *stones = plot_open(f->folder, "stones.csv");
     if (!out || !stones) return -1;
     fprintf(out, "name,family,irregularity,stones,level,level_sd\n");
     fprintf(stones, "name,stone,level\n");
@@ -127,14 +124,14 @@ static int write_labels(const struct figures *f)
         for (int k = 0; k < s->stones; k++)
             fprintf(stones, "%s,s%d,%.6g\n", s->name, k, s->shaken.first[k]);
     }
-    return fclose(out) | fclose(stones) ? figures_fail("cannot write", "labels") : 0;
+    return fclose(out) | fclose(stones) ? fail("cannot write", "labels") : 0;
 }
 
 static int make_samples(struct figures *f)
 {
     f->samples = f->quick ? 6 : 80;
     f->sample = calloc((size_t)f->samples, sizeof *f->sample);
-    if (!f->sample) return figures_fail("not enough memory for", "the structures");
+    if (!f->sample) return fail("not enough memory for", "the structures");
     for (int i = 0; i < f->samples; i++) {
         struct sample *s = &f->sample[i];
         fprintf(stderr, "figures: structure %d of %d\n", i + 1, f->samples);
@@ -200,7 +197,8 @@ static int time_sample(const struct sample *s, double cost[COSTS])
 /* The structures with the most stones of each kind. */
 static int table_one(const struct figures *f)
 {
-    FILE *csv = figures_out(f->folder, "table1.csv"), *md = figures_out(f->folder, "table1.md");
+    FILE *csv = plot_open(f->folder, "table1.csv");
+    FILE *md = plot_open(f->folder, "table1.md");
     if (!csv || !md) return -1;
     fprintf(csv, "name,stones,shaking_one_level,shaking,margin,profile\n");
     fprintf(md, "CPU seconds; measures with the search for contacts.\n\n"
@@ -214,7 +212,7 @@ static int table_one(const struct figures *f)
             if ((int)f->sample[i].kind == kind &&
                 (!s || f->sample[i].stones > s->stones))
                 s = &f->sample[i];
-        if (!s || time_sample(s, cost)) return figures_fail("cannot time", "measures");
+        if (!s || time_sample(s, cost)) return fail("cannot time", "measures");
         fprintf(csv, "%s,%d", s->name, s->stones);
         fprintf(md, "| %s | %d |", s->name, s->stones);
         for (int k = 0; k < COSTS; k++) {
@@ -225,7 +223,7 @@ static int table_one(const struct figures *f)
         fprintf(md, " %.0f | %.0f |\n", cost[COST_SHAKING] / cost[COST_MARGIN],
                 cost[COST_SHAKING] / cost[COST_PROFILE]);
     }
-    return fclose(csv) | fclose(md) ? figures_fail("cannot write", "table1") : 0;
+    return fclose(csv) | fclose(md) ? fail("cannot write", "table1") : 0;
 }
 
 /* ---- Fig. 3 -------------------------------------------------------------- */
@@ -235,7 +233,7 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
 {
     struct draw_scene scene = { 0 };
     kern_proof proof = { NULL, NULL };
-    FILE *out = figures_out(f->folder, name);
+    FILE *out = plot_open(f->folder, name);
     int bad;
     proof.force = calloc((size_t)m->s.contacts, sizeof *proof.force);
     bad = !out || !proof.force ||
@@ -250,7 +248,7 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
     bad = bad || draw_svg(out, &scene);
     if (out) bad |= fclose(out) != 0;
     free(proof.force);
-    return bad ? figures_fail("cannot draw", name) : 0;
+    return bad ? fail("cannot draw", name) : 0;
 }
 
 /* The first structure, as it is and at the last step of Algorithm 1. */
@@ -284,7 +282,8 @@ static void level_axis(double *x)
 
 static int figure_six(const struct figures *f)
 {
-    FILE *csv = figures_out(f->folder, "fig6.csv"), *svg = figures_out(f->folder, "fig6.svg");
+    FILE *csv = plot_open(f->folder, "fig6.csv");
+    FILE *svg = plot_open(f->folder, "fig6.svg");
     struct plot p = { NULL, 0, LEVELS, 0, 1.5, 0, 0, 0, 0 };
     double x[LEVELS], most = 0;
     char shade[8];
@@ -310,7 +309,7 @@ static int figure_six(const struct figures *f)
     }
     plot_colours(&p, 0, most, "load factor of the weaker half");
     bad = plot_end(&p);
-    return fclose(csv) | fclose(svg) | bad ? figures_fail("cannot write", "fig6") : 0;
+    return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig6") : 0;
 }
 
 static void write_brick(FILE *out, int course, int i, double x, double width)
@@ -327,7 +326,7 @@ static int write_wall(const char *path, double out_by)
     enum { COURSES = 5, BRICKS = 5 };
     const double width = 1, joint = 0.02, half = (width - joint) / 2;
     FILE *out = fopen(path, "w");
-    if (!out) return figures_fail("cannot write", path);
+    if (!out) return fail("cannot write", path);
     fprintf(out, "friction 0.4\ngravity 0 -9.81\ntolerance 0.001\n"
             "fixed base -2 -1  %d -1  %d 0  -2 0\n", BRICKS + 2, BRICKS + 2);
     for (int c = 0; c < COURSES; c++) {
@@ -339,7 +338,7 @@ static int write_wall(const char *path, double out_by)
             x += (end ? half : width) + joint;
         }
     }
-    return fclose(out) ? figures_fail("cannot write", path) : 0;
+    return fclose(out) ? fail("cannot write", path) : 0;
 }
 
 /* Draws a wall and returns its margin and level. */
@@ -349,7 +348,7 @@ static int draw_wall(const struct figures *f, const char *path,
     struct measures_of w;
     struct draw_scene scene = { 0 };
     char caption[120];
-    FILE *out = figures_out(f->folder, name);
+    FILE *out = plot_open(f->folder, name);
     int bad = !out || measures_load(&w, path) ||
               kern_measure(&w.s, &w.options, &w.work, m, NULL) != KERN_STANDS;
     if (!bad) {
@@ -362,7 +361,7 @@ static int draw_wall(const struct figures *f, const char *path,
         measures_free(&w);
     }
     if (out) bad |= fclose(out) != 0;
-    return bad ? figures_fail("cannot draw", name) : 0;
+    return bad ? fail("cannot draw", name) : 0;
 }
 
 static int figure_seven(const struct figures *f)
@@ -373,7 +372,8 @@ static int figure_seven(const struct figures *f)
     struct table_report r[2] = { { NULL, NULL, 0, 0, 0, 0 },
                                  { NULL, NULL, 0, 0, 0, 0 } };
     struct plot p = { NULL, 0, LEVELS, 0, 0.1, 0, 0, 0, 0 };
-    FILE *csv = figures_out(f->folder, "fig7.csv"), *svg = figures_out(f->folder, "fig7.svg");
+    FILE *csv = plot_open(f->folder, "fig7.csv");
+    FILE *svg = plot_open(f->folder, "fig7.svg");
     kern_margin m[2];
     double x[LEVELS];
     char path[PATH], text[80];
@@ -409,31 +409,24 @@ static int figure_seven(const struct figures *f)
         free(r[k].first);
     }
     bad = plot_end(&p);
-    return fclose(csv) | fclose(svg) | bad ? figures_fail("cannot write", "fig7") : 0;
+    return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig7") : 0;
 }
 
 int main(int argc, char **argv)
 {
     struct figures f = { NULL, 0, 0, NULL };
-    int bad, walls = 0, sets = 0;
+    int bad;
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--help") == 0)
             return fputs(help, stdout) < 0 ? 2 : 0;
         if (strcmp(argv[i], "--quick") == 0) f.quick = 1;
-        else if (strcmp(argv[i], "--walls") == 0) walls = 1;
-        else if (strcmp(argv[i], "--sets") == 0 && i + 1 < argc &&
-                 atoi(argv[i + 1]) > 0)
-            sets = atoi(argv[++i]);
         else if (argv[i][0] != '-' && !f.folder) f.folder = argv[i];
         else f.folder = NULL, i = argc;
     }
-    if (!f.folder || (sets > 0 && !walls) || sets > 1000) {
+    if (!f.folder) {
         fputs(help, stderr);
         return 2;
     }
-    if (walls)
-        return walls_all(f.folder, sets > 0 ? sets : f.quick ? 2 : 20,
-                         f.quick) ? 2 : 0;
     bad = make_samples(&f) || table_one(&f) || figure_three(&f) ||
           figure_six(&f) || figure_seven(&f);
     for (int i = 0; i < f.samples && f.sample; i++) {

@@ -1,10 +1,9 @@
 /* table.h - a table that shakes structures, for the example programs.
 
-   Include kern.h, draw.h, text.h and rigid.h first. table_load() puts a
-   structure of the text format on the table, table_shake() shakes it at one
-   level, table_collapse() at all of them, from the structure as it was built.
-   The table moves along a figure of eight; the displacement scores of the
-   stones and their mean are Eqs. (6) and (7) of the paper.
+   table_load() puts a structure of the text format on the table, table_shake()
+   shakes it at one level, table_collapse() at all of them, from the structure
+   as it was built. The table moves along a figure of eight; the displacement
+   scores of the stones and their mean are Eqs. (6) and (7) of the paper.
 
    The same plan gives the same bits. Programs are linked with -lm.
 
@@ -13,7 +12,15 @@
 #ifndef TABLE_H
 #define TABLE_H
 
+#include "../../kern.h"
+#include "draw.h"
+#include "rigid.h"
+#include "text.h"
+
+#include <math.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <time.h>
 
 /* ---- The scene and its numbers: lengths in stones, g is 9.81 ------------- */

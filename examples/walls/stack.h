@@ -1,8 +1,6 @@
 /* stack.h - a planner that builds a wall of irregular stones, for the example
    programs.
 
-   Include kern.h, draw.h, text.h, rigid.h, build.h and stones.h first.
-
    A step: several of the next stones are let down, in several turns, at several
    places, and slid against what is beside them (candidates). A hierarchy of
    filters then keeps the good ones; each is a number and a threshold, see
@@ -27,6 +25,17 @@
 #ifndef STACK_H
 #define STACK_H
 
+#include "../../kern.h"
+#include "../parts/build.h"
+#include "../parts/draw.h"
+#include "../parts/rigid.h"
+#include "stones.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 /* A program may leave some of these functions unused. */

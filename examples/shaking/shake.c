@@ -4,20 +4,28 @@
    a figure of eight, harder from level to level, and says how far the stones
    are displaced after each, and at which level the structure collapses.
 
-       cc -O2 -ffp-contract=off -o shake examples/shake.c -lm
+       cc -O2 -ffp-contract=off -o shake examples/shaking/shake.c -lm
        ./shake --film wall.svg examples/structures/wall-60.kern
        ./shake --help
 
    SPDX-License-Identifier: MIT */
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
-#include "draw.h"
-#include "rigid.h"
-#include "text.h"
+#include "../parts/draw.h"
+#include "../parts/rigid.h"
+#include "../parts/table.h"
+#include "../parts/text.h"
 
-#include "table.h"
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
 /* Is stream 2 (stderr) a terminal? The C library cannot tell. */
 #if defined(_WIN32)

@@ -4,24 +4,29 @@
    library how safely the wall would stand with each candidate. The stock is
    the blocks of a structure file, in any pose, or is made by the program.
 
-       cc -O2 -ffp-contract=off -o stack examples/stack.c -lm
+       cc -O2 -ffp-contract=off -o stack examples/walls/stack.c -lm
        ./stack --irregularity 30 --stones 36
        ./stack --help
 
    SPDX-License-Identifier: MIT */
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
-#include "draw.h"
-#include "rigid.h"
-#include "text.h"
-
-#include "build.h"
-#include "measures.h"
-#include "stones.h"
+#include "../parts/draw.h"
+#include "../parts/measures.h"
+#include "../parts/table.h"
+#include "../parts/text.h"
 #include "stack.h"
-#include "table.h"
+#include "stones.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
 
 static const char help[] =
 "usage: stack [options] STOCK\n"

@@ -1,9 +1,9 @@
 /* draw.h - pictures of structures as SVG, for the example programs.
 
-   Include kern.h first, then this file. draw_svg() writes one self-contained
-   picture: stones, hatched ground, contacts whole and shrunk, contact forces,
-   the limiting contact, the collapse motion, a key with scales, a caption.
-   The functions above it write single shapes and serve other pictures too.
+   draw_svg() writes one self-contained picture: stones, hatched ground,
+   contacts whole and shrunk, contact forces, the limiting contact, the collapse
+   motion, a key with scales, a caption. The functions above it write single
+   shapes and serve other pictures too.
 
    Lengths on the page are in pixels, y downwards; the model has y upwards, and
    draw_place() goes from one to the other. The same input gives the same file.
@@ -13,6 +13,8 @@
 
 #ifndef DRAW_H
 #define DRAW_H
+
+#include "../../kern.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,12 +1,12 @@
 /* stones.h - stones for the example programs that build walls: a stock of them,
    and where one comes to rest.
 
-   Include kern.h, text.h, rigid.h and build.h first. stones_load() takes the
-   blocks of a structure file as a stock, stones_make() makes one of a given
-   irregularity. rest_drop(), rest_slide() and rest_settle() move a polygon the
-   way a hand would lay it: straight down, along what carries it, and turning
-   about what it touches until something holds it on either side of its centre.
-   Each motion ends at the first touch, so that nothing overlaps.
+   stones_load() takes the blocks of a structure file as a stock, stones_make()
+   makes one of a given irregularity. rest_drop(), rest_slide() and
+   rest_settle() move a polygon the way a hand would lay it: straight down,
+   along what supports it, and turning about what it touches until something
+   holds it on either side of its centre. Each motion ends at the first touch,
+   so that nothing overlaps.
 
    Only + - * / and sqrt() are used: the same input gives the same bits.
 
@@ -14,6 +14,11 @@
 
 #ifndef STONES_H
 #define STONES_H
+
+#include "../../kern.h"
+#include "../parts/build.h"
+#include "../parts/rigid.h"
+#include "../parts/text.h"
 
 #include <math.h>
 #include <stdint.h>
