@@ -17,6 +17,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -115,6 +116,15 @@ static double not_a_number(void)
 {
     volatile double x = huge_value();
     return x - x;
+}
+
+enum { NO_NUMBERS = 3 };
+
+static double no_number(int which)
+{
+    return which == 0   ? not_a_number()
+           : which == 1 ? huge_value()
+                        : -huge_value();
 }
 
 /* Small deterministic random numbers (xorshift). */
@@ -325,8 +335,30 @@ static kern_work work_for(int blocks, int contacts)
     return kern_work_of(real, reals, index, indices);
 }
 
-/* Numbers that a test puts behind work memory, to see that they stay. */
-enum { GUARD = 64 };
+/* Numbers that a test puts into work memory and behind it, to see that what
+   lies behind stays. */
+enum { GUARD = 64, MARK = 12345 };
+
+static void guard_fill(kern_real *real, int reals, int *index, int ints)
+{
+    int k;
+    for (k = 0; k < reals + GUARD; k++)
+        real[k] = R(MARK);
+    for (k = 0; k < ints + GUARD; k++)
+        index[k] = MARK;
+}
+
+/* Is everything behind the work memory as guard_fill() left it? */
+static int guard_holds(const kern_work *work, int reals, int ints)
+{
+    int k, clean = 1;
+    for (k = work->reals; k < reals + GUARD; k++)
+        clean = clean && !(work->real[k] < R(MARK)) &&
+                !(work->real[k] > R(MARK));
+    for (k = work->indices; k < ints + GUARD; k++)
+        clean = clean && work->index[k] == MARK;
+    return clean;
+}
 
 static kern_work work_of(const world *w)
 {
@@ -1509,9 +1541,7 @@ static void polygon_faults(void)
     for (i = 0; i < 8; i++)
         for (j = 0; j < 3; j++) {
             memcpy(xy, square, sizeof xy);
-            xy[i] = j == 0   ? not_a_number()
-                    : j == 1 ? huge_value()
-                             : -huge_value();
+            xy[i] = no_number(j);
             CHECK_INT(polygon(&b, &fault, 1, xy, 4), KERN_BAD_NUMBER);
             CHECK_INT(fault.index, i / 2);
         }
@@ -3582,63 +3612,64 @@ static void lp_scaled(void)
     CHECK(answers > 20);
 }
 
+static const double small_program[] = {1, 1, 2, 1, -1, 0};
+static const double small_cost[] = {1, 1};
+
 static void lp_bad_input(void)
 {
-    static const double one[] = {1, 1, 2, 1, -1, 0};
-    static const double cost[] = {1, 1};
-    static kern_real real[KERN_LP_REALS(2, 2) + 16];
-    static int index[KERN_LP_INTS(2, 2) + 16];
-    kern_work work;
+    static kern_real real[KERN_LP_REALS(2, 2)];
+    static int index[KERN_LP_INTS(2, 2)];
+    kern_work work =
+        kern_work_of(real, KERN_LP_REALS(2, 2), index, KERN_LP_INTS(2, 2));
     program p;
-    int i, j, enough = 0;
+    int i, j;
     for (i = 0; i < 4 + 2 + 2; i++)
         for (j = 0; j < 2; j++) {
-            const kern_real bad = R(j ? huge_value() : not_a_number());
-            program_set(&p, 2, 2, one, cost);
-            *(i < 4 ? &p.a[i] : i < 6 ? &p.rhs[i - 4] : &p.cost[i - 6]) = bad;
+            program_set(&p, 2, 2, small_program, small_cost);
+            *(i < 4   ? &p.a[i]
+              : i < 6 ? &p.rhs[i - 4]
+                      : &p.cost[i - 6]) = R(no_number(j));
             CHECK_INT(program_solve(&p), KERN_BAD_NUMBER);
         }
-    program_set(&p, 2, 2, one, cost);
-    p.lp.rows = -1;
-    CHECK_INT(program_solve(&p), KERN_BAD_COUNT);
-    program_set(&p, 2, 2, one, cost);
-    p.lp.cols = -1;
-    CHECK_INT(program_solve(&p), KERN_BAD_COUNT);
-    program_set(&p, 2, 2, one, cost);
-    p.lp.a = NULL;
-    CHECK_INT(program_solve(&p), KERN_BAD_POINTER);
-    program_set(&p, 2, 2, one, cost);
-    p.lp.rhs = NULL;
-    CHECK_INT(program_solve(&p), KERN_BAD_POINTER);
-    program_set(&p, 2, 2, one, cost);
-    work = kern_work_of(real, KERN_LP_REALS(2, 2), index, KERN_LP_INTS(2, 2));
+    for (i = 0; i < 4; i++) {
+        program_set(&p, 2, 2, small_program, small_cost);
+        p.lp.rows = i == 0 ? -1 : 2;
+        p.lp.cols = i == 1 ? -1 : 2;
+        p.lp.a = i == 2 ? NULL : p.a;
+        p.lp.rhs = i == 3 ? NULL : p.rhs;
+        CHECK_INT(program_solve(&p), i < 2 ? KERN_BAD_COUNT : KERN_BAD_POINTER);
+    }
+    program_set(&p, 2, 2, small_program, small_cost);
     CHECK_INT(kern_lp_solve(NULL, p.x, p.y, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_lp_solve(&p.lp, NULL, p.y, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_lp_solve(&p.lp, p.x, NULL, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_lp_solve(&p.lp, p.x, p.y, NULL), KERN_BAD_POINTER);
-    /* every size of the work arrays; what lies behind stays as it was */
-    for (j = 0; j < 2; j++) {
-        const int need = j ? KERN_LP_INTS(2, 2) : KERN_LP_REALS(2, 2);
-        for (i = 0; i <= need; i++) {
-            int got, k, clean = 1;
-            for (k = 0; k < KERN_LP_REALS(2, 2) + 16; k++)
-                real[k] = R(12345);
-            for (k = 0; k < KERN_LP_INTS(2, 2) + 16; k++)
-                index[k] = 12345;
-            work = kern_work_of(real, j ? KERN_LP_REALS(2, 2) : i, index,
-                                j ? i : KERN_LP_INTS(2, 2));
+}
+
+/* Every size of the work arrays; what lies behind them stays as it was. */
+static void lp_every_size(void)
+{
+    enum { REALS = KERN_LP_REALS(2, 2), INTS = KERN_LP_INTS(2, 2) };
+    static kern_real real[REALS + GUARD];
+    static int index[INTS + GUARD];
+    program p;
+    int array, size, enough = 0;
+    program_set(&p, 2, 2, small_program, small_cost);
+    for (array = 0; array < 2; array++) {
+        const int need = array ? INTS : REALS;
+        for (size = 0; size <= need; size++) {
+            kern_work work = kern_work_of(real, array ? REALS : size, index,
+                                          array ? size : INTS);
+            int got;
+            guard_fill(real, REALS, index, INTS);
             got = kern_lp_solve(&p.lp, p.x, p.y, &work);
             CHECK(got == KERN_NO_SPACE || got == KERN_STANDS);
             enough += got == KERN_STANDS;
-            if (i == need)
+            if (size == need)
                 CHECK_INT(got, KERN_STANDS);
-            if (i == 0)
+            if (size == 0)
                 CHECK_INT(got, KERN_NO_SPACE);
-            for (k = work.reals; k < KERN_LP_REALS(2, 2) + 16; k++)
-                clean = clean && !(real[k] < R(12345)) && !(real[k] > R(12345));
-            for (k = work.indices; k < KERN_LP_INTS(2, 2) + 16; k++)
-                clean = clean && index[k] == 12345;
-            CHECK(clean);
+            CHECK(guard_holds(&work, REALS, INTS));
         }
     }
     CHECK(enough >= 2);
@@ -3970,7 +4001,6 @@ static void proof_far_away(void)
 /* What is not a number proves nothing. */
 static void proof_of_no_numbers(void)
 {
-    const double bad[3] = {not_a_number(), huge_value(), -huge_value()};
     static world w;
     kern_force force[4];
     kern_motion motion[2];
@@ -3985,7 +4015,7 @@ static void proof_of_no_numbers(void)
     s = structure_of(&w);
     work = work_of(&w);
     for (i = 0; i < 3; i++) {
-        const kern_real shrink = R(bad[i]);
+        const kern_real shrink = R(no_number(i));
         memset(force, 0, sizeof force);
         memset(motion, 0, sizeof motion);
         for (k = 0; k < 3; k++) { /* no force, the half, all on one end */
@@ -4002,10 +4032,10 @@ static void proof_of_no_numbers(void)
             memset(force, 0, sizeof force);
             memset(motion, 0, sizeof motion);
             force[0].normal = force[1].normal = R(2400 * 9.81);
-            *(k ? &force[1].normal : &force[0].tangential) = R(bad[i]);
+            *(k ? &force[1].normal : &force[0].tangential) = R(no_number(i));
             motion[1].vy = R(1);
             *(k == 0 ? &motion[1].vx : k == 1 ? &motion[1].vy
-                                              : &motion[1].spin) = R(bad[i]);
+                                              : &motion[1].spin) = R(no_number(i));
             CHECK_NEAR(kern_check_forces(&s, 0, &w.options, force, &work),
                        huge_value(), 0);
             CHECK_NEAR(kern_check_motion(&s, 0, &w.options, motion),
@@ -5160,7 +5190,7 @@ static void plan_every_size(void)
     for (array = 0; array < 2; array++)
         for (size = 0; size <= need[array]; size++)
             for (call = 0; call < 3; call++) {
-                int got, clean = 1;
+                int got;
                 p.plan = was.plan;
                 memcpy(p.block, was.block, sizeof p.block);
                 memcpy(p.contact, was.contact, sizeof p.contact);
@@ -5171,22 +5201,14 @@ static void plan_every_size(void)
                 p.plan.known.motion = p.motion;
                 p.plan.known.force = p.force;
                 p.plan.work = &p.work;
-                for (k = 0; k < need[0] + GUARD; k++)
-                    real[k] = R(12345);
-                for (k = 0; k < need[1] + GUARD; k++)
-                    index[k] = 12345;
+                guard_fill(real, need[0], index, need[1]);
                 p.work = kern_work_of(real, array ? need[0] : size, index,
                                       array ? size : need[1]);
                 site_keep(&p);
                 got = call == 0   ? kern_plan_measure(&p.plan, &m, NULL)
                       : call == 1 ? kern_plan_try(&p.plan, &b, &m, NULL)
                                   : kern_plan_remove(&p.plan, 1);
-                for (k = p.work.reals; k < need[0] + GUARD; k++)
-                    clean =
-                        clean && !(real[k] < R(12345)) && !(real[k] > R(12345));
-                for (k = p.work.indices; k < need[1] + GUARD; k++)
-                    clean = clean && index[k] == 12345;
-                CHECK(clean);
+                CHECK(guard_holds(&p.work, need[0], need[1]));
                 want = size == need[array] || got != KERN_NO_SPACE
                            ? KERN_STANDS
                            : KERN_NO_SPACE;
@@ -6159,266 +6181,276 @@ static void all_say(const kern_structure *s, const kern_options *o,
     }
 }
 
-#define SAY(want, block, index)                                                \
-    all_say(&s, &w.options, &work, want, block, index, __LINE__)
+/* A field of the world with a value that makes the structure bad, and what the
+   library says: a status, and in the fault the index of a block or a contact
+   (-2: any). Blocks 0, 1, 2 stand on each other; contacts 0 and 1 lie between
+   the first two, 2 and 3 between the last two. */
+typedef struct spoilt {
+    int line;
+    size_t field;
+    int whole; /* nonzero: the field is an int */
+    double value;
+    int want, block, index;
+} spoilt;
+
+#define REAL(field, value, want, block, index)                                 \
+    {__LINE__, offsetof(world, field), 0, value, want, block, index}
+#define WHOLE(field, value, want, block, index)                                \
+    {__LINE__, offsetof(world, field), 1, value, want, block, index}
+
+static const spoilt bad_values[] = {
+    WHOLE(blocks, -1, KERN_BAD_COUNT, -2, -2),
+    WHOLE(contacts, -1, KERN_BAD_COUNT, -2, -2),
+    WHOLE(blocks, 2147483647, KERN_BAD_COUNT, -2, -2),
+    WHOLE(contacts, 2147483647, KERN_BAD_COUNT, -2, -2),
+    REAL(block[1].mass, 0, KERN_BAD_MASS, 1, -2),
+    REAL(block[1].mass, -3, KERN_BAD_MASS, 1, -2),
+    REAL(contact[1].mu, -0.1, KERN_BAD_FRICTION, -2, 1),
+    WHOLE(contact[2].a, -1, KERN_BAD_BLOCK, -2, 2),
+    WHOLE(contact[2].b, 3, KERN_BAD_BLOCK, -2, 2),
+    WHOLE(contact[2].b, 2147483647, KERN_BAD_BLOCK, -2, 2),
+    WHOLE(contact[2].a, -2147483648.0, KERN_BAD_BLOCK, -2, 2),
+    WHOLE(contact[0].a, 1, KERN_SAME_BLOCK, -2, 0),
+    REAL(contact[0].n.y, 0, KERN_BAD_NORMAL, -2, 0),
+    REAL(options.epsilon, -1, KERN_BAD_OPTION, -2, -2),
+    WHOLE(options.pivots, -1, KERN_BAD_OPTION, -2, -2),
+};
+
+#define NUMBER(field, block, index) REAL(field, 0, KERN_BAD_NUMBER, block, index)
+static const spoilt numbers_of_a_structure[] = {
+    NUMBER(block[2].mass, 2, -2),        NUMBER(block[2].centre.x, 2, -2),
+    NUMBER(block[2].centre.y, 2, -2),    NUMBER(block[2].load.fx, 2, -2),
+    NUMBER(block[2].load.fy, 2, -2),     NUMBER(block[2].load.torque, 2, -2),
+    NUMBER(block[2].area, 2, -2),        NUMBER(contact[3].p.x, -2, 3),
+    NUMBER(contact[3].p.y, -2, 3),       NUMBER(contact[3].n.x, -2, 3),
+    NUMBER(contact[3].n.y, -2, 3),       NUMBER(contact[3].mu, -2, 3),
+    NUMBER(contact[3].travel, -2, 3),    NUMBER(gravity.x, -2, -2),
+    NUMBER(gravity.y, -2, -2),           NUMBER(options.epsilon, -2, -2),
+};
+
+static void spoil(world *w, const spoilt *row, double value)
+{
+    void *field = (char *)w + row->field;
+    if (row->whole)
+        *(int *)field = (int)value;
+    else
+        *(kern_real *)field = R(value);
+}
+
+/* Every entry, asked about a stack of two in which one field has a value. */
+static void say_of_row(const world *good, const spoilt *row, double value)
+{
+    static world w;
+    kern_structure s;
+    kern_work work = work_of(good);
+    world_copy(&w, good);
+    spoil(&w, row, value);
+    s = structure_of(&w);
+    all_say(&s, &w.options, &work, row->want, row->block, row->index,
+            row->line);
+}
 
 static void bad_structure(void)
 {
-    static world good, w;
+    enum {
+        VALUES = (int)(sizeof bad_values / sizeof *bad_values),
+        NUMBERS = (int)(sizeof numbers_of_a_structure /
+                        sizeof *numbers_of_a_structure)
+    };
+    static world w;
     kern_structure s;
     kern_work work;
     int i, j;
-    stack_of_two(&good, 0.25);
-    CHECK_INT(good.contacts, 4);
-    work = work_of(&good);
+    stack_of_two(&w, 0.25);
+    CHECK_INT(w.contacts, 4);
     s = structure_of(&w);
-#define FRESH() (world_copy(&w, &good), s = structure_of(&w))
-    FRESH();
+    work = work_of(&w);
     CHECK_INT(kern_stands(&s, 0, &w.options, &work, NULL), KERN_STANDS);
-    /* pointers */
+    for (i = 0; i < VALUES; i++)
+        say_of_row(&w, &bad_values[i], bad_values[i].value);
+    for (j = 0; j < NO_NUMBERS; j++)
+        for (i = 0; i < NUMBERS; i++)
+            say_of_row(&w, &numbers_of_a_structure[i], no_number(j));
+    /* no block, the ground alone, nothing but fixed blocks */
+    work = work_of(&w);
+    s.contacts = 0;
+    for (i = 0; i < 2; i++) {
+        s.blocks = i;
+        all_say(&s, &w.options, &work, KERN_NO_FREE, -2, -2, __LINE__);
+    }
+    s = structure_of(&w);
+    w.block[1].fixed = w.block[2].fixed = 1;
+    all_say(&s, &w.options, &work, KERN_NO_FREE, -2, -2, __LINE__);
+    /* what is wrong with a fixed block's mass does not matter */
+    stack_of_two(&w, 0.25);
+    w.block[0].mass = R(-5);
+    CHECK_INT(kern_stands(&s, 0, &w.options, &work, NULL), KERN_STANDS);
+}
+
+static void bad_pointers(void)
+{
+    static world w;
+    kern_structure s;
+    kern_work work;
+    kern_real out;
+    stack_of_two(&w, 0.25);
+    work = work_of(&w);
+    s = structure_of(&w);
     s.block = NULL;
-    SAY(KERN_BAD_POINTER, -2, -2);
-    FRESH();
+    all_say(&s, &w.options, &work, KERN_BAD_POINTER, -2, -2, __LINE__);
+    s = structure_of(&w);
     s.contact = NULL;
-    SAY(KERN_BAD_POINTER, -2, -2);
-    FRESH();
+    all_say(&s, &w.options, &work, KERN_BAD_POINTER, -2, -2, __LINE__);
+    s = structure_of(&w);
     all_say(NULL, &w.options, &work, KERN_BAD_POINTER, -2, -2, __LINE__);
     all_say(&s, NULL, &work, KERN_BAD_POINTER, -2, -2, __LINE__);
     all_say(&s, &w.options, NULL, KERN_BAD_POINTER, -2, -2, __LINE__);
-    {
-        kern_real out;
-        CHECK_INT(kern_measure(&s, &w.options, &work, NULL, NULL),
-                  KERN_BAD_POINTER);
-        CHECK_INT(kern_deficit(&s, &w.options, &work, NULL), KERN_BAD_POINTER);
-        CHECK_INT(
-            kern_load_factor(&s, 0, NULL, 1, &w.options, &work, NULL, NULL),
-            KERN_BAD_POINTER);
-        CHECK_INT(kern_tilt(&s, 0, 1, &w.options, &work, NULL, NULL),
-                  KERN_BAD_POINTER);
-        CHECK_INT(
-            kern_load_factor(&s, 0, NULL, 0, &w.options, &work, &out, NULL),
-            KERN_BAD_OPTION);
-        CHECK_INT(kern_tilt(&s, 0, 2, &w.options, &work, &out, NULL),
-                  KERN_BAD_OPTION);
-    }
-    /* counts */
-    s.blocks = -1;
-    SAY(KERN_BAD_COUNT, -2, -2);
-    FRESH();
-    s.contacts = -1;
-    SAY(KERN_BAD_COUNT, -2, -2);
-    FRESH();
-    s.blocks = 2147483647;
-    SAY(KERN_BAD_COUNT, -2, -2);
-    FRESH();
-    s.contacts = 2147483647;
-    SAY(KERN_BAD_COUNT, -2, -2);
-    FRESH();
-    s.blocks = 0;
-    s.contacts = 0;
-    SAY(KERN_NO_FREE, -2, -2);
-    FRESH();
-    s.blocks = 1;
-    s.contacts = 0;
-    SAY(KERN_NO_FREE, -2, -2);
-    FRESH();
-    w.block[1].fixed = w.block[2].fixed = 1;
-    SAY(KERN_NO_FREE, -2, -2);
-    FRESH();
-    /* numbers */
-    for (j = 0; j < 3; j++) {
-        const kern_real bad = R(j == 0   ? not_a_number()
-                                : j == 1 ? huge_value()
-                                         : -huge_value());
-        for (i = 0; i < 7; i++) {
-            kern_block *b = &w.block[2];
-            *(i == 0   ? &b->mass
-              : i == 1 ? &b->centre.x
-              : i == 2 ? &b->centre.y
-              : i == 3 ? &b->load.fx
-              : i == 4 ? &b->load.fy
-              : i == 5 ? &b->load.torque
-                       : &b->area) = bad;
-            SAY(KERN_BAD_NUMBER, 2, -2);
-            FRESH();
-        }
-        for (i = 0; i < 6; i++) {
-            kern_contact *c = &w.contact[3];
-            *(i == 0   ? &c->p.x
-              : i == 1 ? &c->p.y
-              : i == 2 ? &c->n.x
-              : i == 3 ? &c->n.y
-              : i == 4 ? &c->mu
-                       : &c->travel) = bad;
-            SAY(KERN_BAD_NUMBER, -2, 3);
-            FRESH();
-        }
-        w.gravity.x = bad;
-        s = structure_of(&w);
-        SAY(KERN_BAD_NUMBER, -2, -2);
-        FRESH();
-        w.gravity.y = bad;
-        s = structure_of(&w);
-        SAY(KERN_BAD_NUMBER, -2, -2);
-        FRESH();
-        CHECK_INT(kern_stands(&s, bad, &w.options, &work, NULL),
-                  KERN_BAD_NUMBER);
-        {
-            kern_real out;
-            kern_wrench pattern[3];
-            CHECK_INT(kern_tilt(&s, bad, 1, &w.options, &work, &out, NULL),
-                      KERN_BAD_NUMBER);
-            CHECK_INT(kern_load_factor(&s, bad, NULL, 1, &w.options, &work,
-                                       &out, NULL),
-                      KERN_BAD_NUMBER);
-            for (i = 0; i < 3; i++) {
-                memset(pattern, 0, sizeof pattern);
-                *(i == 0   ? &pattern[1].fx
-                  : i == 1 ? &pattern[1].fy
-                           : &pattern[1].torque) = bad;
-                CHECK_INT(kern_load_factor(&s, 0, pattern, 1, &w.options, &work,
-                                           &out, NULL),
-                          KERN_BAD_NUMBER);
-                CHECK_INT(work.fault.block, 1);
-            }
-        }
-        w.options.epsilon = bad;
-        SAY(KERN_BAD_NUMBER, -2, -2);
-        FRESH();
-    }
-    /* masses and friction */
-    w.block[1].mass = R(0);
-    SAY(KERN_BAD_MASS, 1, -2);
-    FRESH();
-    w.block[1].mass = R(-3);
-    SAY(KERN_BAD_MASS, 1, -2);
-    FRESH();
-    w.contact[1].mu = R(-0.1);
-    SAY(KERN_BAD_FRICTION, -2, 1);
-    FRESH();
-    /* contacts of blocks that are not there */
-    w.contact[2].a = -1;
-    SAY(KERN_BAD_BLOCK, -2, 2);
-    FRESH();
-    w.contact[2].b = 3;
-    SAY(KERN_BAD_BLOCK, -2, 2);
-    FRESH();
-    w.contact[2].b = 2147483647;
-    SAY(KERN_BAD_BLOCK, -2, 2);
-    FRESH();
-    w.contact[2].a = (int)(-2147483647 - 1);
-    SAY(KERN_BAD_BLOCK, -2, 2);
-    FRESH();
-    w.contact[0].a = w.contact[0].b;
-    SAY(KERN_SAME_BLOCK, -2, 0);
-    FRESH();
-    w.contact[0].n = vec(0, 0);
-    SAY(KERN_BAD_NORMAL, -2, 0);
-    FRESH();
-    /* options */
-    w.options.epsilon = R(-1);
-    SAY(KERN_BAD_OPTION, -2, -2);
-    FRESH();
-    w.options.pivots = -1;
-    SAY(KERN_BAD_OPTION, -2, -2);
-    FRESH();
-    /* what is wrong with a fixed block's mass does not matter */
-    w.block[0].mass = R(-5);
-    CHECK_INT(kern_stands(&s, 0, &w.options, &work, NULL), KERN_STANDS);
-    FRESH();
+    CHECK_INT(kern_measure(&s, &w.options, &work, NULL, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_deficit(&s, &w.options, &work, NULL), KERN_BAD_POINTER);
+    CHECK_INT(kern_load_factor(&s, 0, NULL, 1, &w.options, &work, NULL, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_tilt(&s, 0, 1, &w.options, &work, NULL, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_load_factor(&s, 0, NULL, 0, &w.options, &work, &out, NULL),
+              KERN_BAD_OPTION);
+    CHECK_INT(kern_tilt(&s, 0, 2, &w.options, &work, &out, NULL),
+              KERN_BAD_OPTION);
     /* a proof that cannot be read is none */
     CHECK(kern_check_forces(&s, 0, &w.options, NULL, &work) > 1);
     CHECK(kern_check_motion(&s, 0, &w.options, NULL) > 1);
-#undef FRESH
+}
+
+/* Shrinkages and load patterns that are no numbers. */
+static void bad_arguments(void)
+{
+    static world w;
+    kern_structure s;
+    kern_work work;
+    kern_real out;
+    int i, j;
+    stack_of_two(&w, 0.25);
+    work = work_of(&w);
+    s = structure_of(&w);
+    for (j = 0; j < NO_NUMBERS; j++) {
+        const kern_real bad = R(no_number(j));
+        CHECK_INT(kern_stands(&s, bad, &w.options, &work, NULL),
+                  KERN_BAD_NUMBER);
+        CHECK_INT(kern_tilt(&s, bad, 1, &w.options, &work, &out, NULL),
+                  KERN_BAD_NUMBER);
+        CHECK_INT(
+            kern_load_factor(&s, bad, NULL, 1, &w.options, &work, &out, NULL),
+            KERN_BAD_NUMBER);
+        for (i = 0; i < 3; i++) {
+            kern_wrench pattern[3];
+            memset(pattern, 0, sizeof pattern);
+            *(i == 0   ? &pattern[1].fx
+              : i == 1 ? &pattern[1].fy
+                       : &pattern[1].torque) = bad;
+            CHECK_INT(kern_load_factor(&s, 0, pattern, 1, &w.options, &work,
+                                       &out, NULL),
+                      KERN_BAD_NUMBER);
+            CHECK_INT(work.fault.block, 1);
+        }
+    }
+}
+
+/* The same for kern_contacts(): w.options are those it is given. */
+static const spoilt bad_geometries[] = {
+    REAL(options.mu, -1, KERN_BAD_FRICTION, -2, -2),
+    REAL(options.gap, -1, KERN_BAD_OPTION, -2, -2),
+    REAL(options.angle, -1, KERN_BAD_OPTION, -2, -2),
+    REAL(options.angle, 0.5, KERN_BAD_OPTION, -2, -2),
+    WHOLE(block[2].vertices, 2, KERN_FEW_VERTICES, 2, -2),
+};
+
+static const spoilt numbers_of_a_geometry[] = {
+    NUMBER(block[1].box.low.x, 1, -1),  NUMBER(block[1].box.low.y, 1, -1),
+    NUMBER(block[1].box.high.x, 1, -1), NUMBER(block[1].box.high.y, 1, -1),
+    NUMBER(block[1].area, 1, -1),       NUMBER(options.mu, -2, -2),
+    NUMBER(options.gap, -2, -2),        NUMBER(options.angle, -2, -2),
+};
+
+/* What kern_contacts() says of a world; the fault goes to *fault. */
+static int contacts_say(const world *w, kern_fault *fault)
+{
+    static kern_contact out[64];
+    int index[6], got;
+    kern_work work = kern_work_of(NULL, 0, index, 6);
+    memset(&work.fault, 0x55, sizeof work.fault);
+    got = kern_contacts(w->block, w->blocks, &w->options, out, 64, &work);
+    *fault = work.fault;
+    return got;
+}
+
+static void contacts_say_of_row(const world *good, const spoilt *row,
+                                double value)
+{
+    static world w;
+    kern_fault fault;
+    world_copy(&w, good);
+    spoil(&w, row, value);
+    check_near(contacts_say(&w, &fault), row->want, 0, row->line,
+               "status of bad geometry");
+    if (row->block > -2)
+        check_near(fault.block, row->block, 0, row->line, "fault.block");
+    if (row->index > -2)
+        check_near(fault.index, row->index, 0, row->line, "fault.index");
 }
 
 static void bad_geometry(void)
 {
-    static world good, w;
-    static kern_contact out[64];
-    int index[6];
-    kern_work work = kern_work_of(NULL, 0, index, 6);
-    kern_options o;
+    enum {
+        VALUES = (int)(sizeof bad_geometries / sizeof *bad_geometries),
+        NUMBERS = (int)(sizeof numbers_of_a_geometry /
+                        sizeof *numbers_of_a_geometry)
+    };
+    static world w;
+    kern_fault fault;
     int i, j;
-    stack_of_two(&good, 0.25);
-    o = good.options;
-#define FRESH()                                                                \
-    (world_copy(&w, &good), o = good.options,                                  \
-     memset(&work.fault, 0x55, sizeof work.fault))
-#define FOUND() kern_contacts(w.block, w.blocks, &o, out, 64, &work)
-    FRESH();
-    CHECK_INT(FOUND(), 4);
+    stack_of_two(&w, 0.25);
+    CHECK_INT(contacts_say(&w, &fault), 4);
+    for (j = 0; j < NO_NUMBERS; j++)
+        for (i = 0; i < NUMBERS; i++)
+            contacts_say_of_row(&w, &numbers_of_a_geometry[i], no_number(j));
+    for (i = 0; i < VALUES; i++)
+        contacts_say_of_row(&w, &bad_geometries[i], bad_geometries[i].value);
+    w.options.angle = R(0.49);
+    CHECK(contacts_say(&w, &fault) >= 0);
+    w.options = kern_defaults();
+    w.block[2].vertices = -2;
+    i = contacts_say(&w, &fault);
+    CHECK(i == KERN_FEW_VERTICES || i == KERN_BAD_COUNT);
+    w.block[2].vertices = 4;
+    w.block[2].vertex = NULL;
+    CHECK_INT(contacts_say(&w, &fault), KERN_BAD_POINTER);
+    CHECK_INT(fault.block, 2);
+    /* a block without a polygon touches nothing */
+    w.block[2].vertices = 0;
+    CHECK_INT(contacts_say(&w, &fault), 2);
+}
+
+static void bad_contact_pointers(void)
+{
+    static world w;
+    static kern_contact out[64];
+    int index[6], got;
+    kern_work work = kern_work_of(NULL, 0, index, 6);
+    const kern_options o = kern_defaults();
+    stack_of_two(&w, 0.25);
     CHECK_INT(kern_contacts(NULL, 3, &o, out, 64, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_contacts(w.block, 3, NULL, out, 64, &work),
               KERN_BAD_POINTER);
     CHECK_INT(kern_contacts(w.block, 3, &o, NULL, 64, &work),
               KERN_BAD_POINTER);
     CHECK_INT(kern_contacts(w.block, -1, &o, out, 64, &work), KERN_BAD_COUNT);
-    i = kern_contacts(w.block, 3, &o, out, -1, &work);
-    CHECK(i == KERN_BAD_COUNT || i == KERN_NO_SPACE);
+    got = kern_contacts(w.block, 3, &o, out, -1, &work);
+    CHECK(got == KERN_BAD_COUNT || got == KERN_NO_SPACE);
     CHECK_INT(kern_touch(NULL, 3, 1, &o, out, 64, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_touch(w.block, -1, 1, &o, out, 64, &work), KERN_BAD_COUNT);
-    for (j = 0; j < 3; j++) {
-        const kern_real bad = R(j == 0   ? not_a_number()
-                                : j == 1 ? huge_value()
-                                         : -huge_value());
-        for (i = 0; i < 5; i++) {
-            kern_block *b = &w.block[1];
-            FRESH();
-            *(i == 0   ? &b->box.low.x
-              : i == 1 ? &b->box.low.y
-              : i == 2 ? &b->box.high.x
-              : i == 3 ? &b->box.high.y
-                       : &b->area) = bad;
-            CHECK_INT(FOUND(), KERN_BAD_NUMBER);
-            CHECK_INT(work.fault.block, 1);
-            CHECK_INT(work.fault.index, -1);
-        }
-        FRESH();
-        o.mu = bad;
-        CHECK_INT(FOUND(), KERN_BAD_NUMBER);
-        FRESH();
-        o.gap = bad;
-        CHECK_INT(FOUND(), KERN_BAD_NUMBER);
-        FRESH();
-        o.angle = bad;
-        CHECK_INT(FOUND(), KERN_BAD_NUMBER);
-    }
-    FRESH();
-    o.mu = R(-1);
-    CHECK_INT(FOUND(), KERN_BAD_FRICTION);
-    FRESH();
-    o.gap = R(-1);
-    CHECK_INT(FOUND(), KERN_BAD_OPTION);
-    FRESH();
-    o.angle = R(-1);
-    CHECK_INT(FOUND(), KERN_BAD_OPTION);
-    FRESH();
-    o.angle = R(0.5);
-    CHECK_INT(FOUND(), KERN_BAD_OPTION);
-    FRESH();
-    o.angle = R(0.49);
-    CHECK(FOUND() >= 0);
-    FRESH();
-    w.block[2].vertices = 2;
-    CHECK_INT(FOUND(), KERN_FEW_VERTICES);
-    CHECK_INT(work.fault.block, 2);
-    FRESH();
-    w.block[2].vertices = -2;
-    i = FOUND();
-    CHECK(i == KERN_FEW_VERTICES || i == KERN_BAD_COUNT);
-    FRESH();
-    w.block[2].vertex = NULL;
-    CHECK_INT(FOUND(), KERN_BAD_POINTER);
-    CHECK_INT(work.fault.block, 2);
-    /* a block without a polygon touches nothing */
-    FRESH();
-    w.block[2].vertex = NULL;
-    w.block[2].vertices = 0;
-    CHECK_INT(FOUND(), 2);
-#undef FOUND
-#undef FRESH
 }
+
+/* ---- statuses ---- */
 
 static const struct {
     int value;
@@ -6429,91 +6461,124 @@ static const struct {
 #undef STATUS_ROW
 };
 
-/* Every status has a text of its own and can be had. */
-static void status_of_every_kind(void)
+/* The statuses that calls of the tests below returned. */
+static int had[64], had_count;
+
+static int have(int status)
 {
-    enum { ROWS = (int)(sizeof statuses / sizeof *statuses) };
+    had[had_count++] = status;
+    return status;
+}
+
+/* Too few pivots: undecided or right, never wrong. */
+static void statuses_of_few_pivots(void)
+{
     static world w;
-    static const double square[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    static const double bow[] = {0, 0, 1, 1, 1, 0, 0, 1};
-    static const double flat[] = {0, 0, 1, 0, 2, 0, 1, 0};
-    static const double ray[] = {1, -1, 1}, down[] = {-1, -1};
-    int had[ROWS], i, j, count = 0, got[40];
-    kern_block b;
-    kern_fault fault;
-    kern_contact c[2];
+    kern_margin m;
     kern_structure s;
     kern_work work;
-    kern_margin m;
-    program p;
-    const kern_options o = kern_defaults();
-    stack_of_two(&w, 0.25);
-    got[count++] = verdict(&w, 0);
-    w.gravity = vec(9, 0);
-    got[count++] = verdict(&w, 0);
-    program_set(&p, 1, 2, ray, down);
-    got[count++] = program_solve(&p);
+    int i, got;
     brick_wall(&w, wall4, 0.4, 1);
     s = structure_of(&w);
     work = work_of(&w);
     for (i = 1; i < 4; i++) {
-        /* too few pivots: undecided or right, never wrong */
         w.options.pivots = i;
-        j = kern_stands(&s, R(0.03), &w.options, &work, NULL);
-        CHECK(j == KERN_UNDECIDED || j == KERN_STANDS);
-        got[count++] = j;
-        j = kern_stands(&s, R(0.12), &w.options, &work, NULL);
-        CHECK(j == KERN_UNDECIDED || j == KERN_FALLS);
-        got[count++] = j;
-        j = kern_measure(&s, &w.options, &work, &m, NULL);
-        CHECK(j == KERN_UNDECIDED || j == KERN_STANDS);
+        got = have(kern_stands(&s, R(0.03), &w.options, &work, NULL));
+        CHECK(got == KERN_UNDECIDED || got == KERN_STANDS);
+        got = have(kern_stands(&s, R(0.12), &w.options, &work, NULL));
+        CHECK(got == KERN_UNDECIDED || got == KERN_FALLS);
+        got = kern_measure(&s, &w.options, &work, &m, NULL);
+        CHECK(got == KERN_UNDECIDED || got == KERN_STANDS);
     }
-    w.options.pivots = 0;
-    work.reals = 0;
-    got[count++] = kern_stands(&s, 0, &w.options, &work, NULL);
-    got[count++] = kern_stands(NULL, 0, &w.options, &work, NULL);
+}
+
+static void statuses_of_measures(void)
+{
+    static const double ray[] = {1, -1, 1}, down[] = {-1, -1};
+    static world w;
+    kern_margin m;
+    kern_structure s;
+    kern_work work;
+    program p;
+    stack_of_two(&w, 0.25);
+    have(verdict(&w, 0));
+    w.gravity = vec(9, 0);
+    have(verdict(&w, 0));
+    program_set(&p, 1, 2, ray, down);
+    have(program_solve(&p));
     work = work_of(&w);
-    got[count++] = kern_stands(&s, R(not_a_number()), &w.options, &work, NULL);
+    s = structure_of(&w);
+    work.reals = 0;
+    have(kern_stands(&s, 0, &w.options, &work, NULL));
+    have(kern_stands(NULL, 0, &w.options, &work, NULL));
+    work = work_of(&w);
+    have(kern_stands(&s, R(not_a_number()), &w.options, &work, NULL));
     s.blocks = -1;
-    got[count++] = kern_stands(&s, 0, &w.options, &work, NULL);
+    have(kern_stands(&s, 0, &w.options, &work, NULL));
     s.blocks = 1;
     s.contacts = 0;
-    got[count++] = kern_stands(&s, 0, &w.options, &work, NULL);
+    have(kern_stands(&s, 0, &w.options, &work, NULL));
     s = structure_of(&w);
     w.options.epsilon = R(1e-12);
-    got[count++] = kern_measure(&s, &w.options, &work, &m, NULL);
+    w.gravity = vec(0, -9.81);
+    s = structure_of(&w);
+    have(kern_measure(&s, &w.options, &work, &m, NULL));
     w.options.epsilon = R(-1);
-    got[count++] = kern_measure(&s, &w.options, &work, &m, NULL);
-    got[count++] = polygon(&b, &fault, 1, square, 2);
-    got[count++] = polygon(&b, &fault, 1, bow, 4);
-    got[count++] = polygon(&b, &fault, 1, flat, 3);
-    got[count++] = polygon(&b, &fault, -1, square, 4);
-    got[count++] =
-        kern_contact_make(0, 1, vec(0, 1), vec(0, 0), vec(0, 0), R(-1), &o, c);
-    got[count++] =
-        kern_contact_make(1, 1, vec(0, 1), vec(0, 0), vec(0, 0), R(1), &o, c);
-    got[count++] =
-        kern_contact_make(-1, 1, vec(0, 1), vec(0, 0), vec(0, 0), R(1), &o, c);
-    got[count++] =
-        kern_contact_make(0, 1, vec(0, 0), vec(0, 0), vec(0, 0), R(1), &o, c);
-    got[count++] =
-        kern_contact_make(0, 1, vec(0, 1), vec(0, 0), vec(0, 1), R(1), &o, c);
+    have(kern_measure(&s, &w.options, &work, &m, NULL));
+}
+
+static void statuses_of_geometry(void)
+{
+    static const double square[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    static const double bow[] = {0, 0, 1, 1, 1, 0, 0, 1};
+    static const double flat[] = {0, 0, 1, 0, 2, 0, 1, 0};
+    static const struct {
+        int a, ny, py; /* block a and block 1, normal and second point */
+        double mu;
+    } given_contact[] = {
+        {0, 1, 0, -1}, {1, 1, 0, 1}, {-1, 1, 0, 1}, {0, 0, 0, 1}, {0, 1, 1, 1}};
+    static world w;
+    const kern_options o = kern_defaults();
+    kern_block b;
+    kern_fault fault;
+    kern_contact c[2];
+    int i;
+    have(polygon(&b, &fault, 1, square, 2));
+    have(polygon(&b, &fault, 1, bow, 4));
+    have(polygon(&b, &fault, 1, flat, 3));
+    have(polygon(&b, &fault, -1, square, 4));
+    for (i = 0; i < 5; i++)
+        have(kern_contact_make(given_contact[i].a, 1,
+                               vec(0, given_contact[i].ny), vec(0, 0),
+                               vec(0, given_contact[i].py),
+                               R(given_contact[i].mu), &o, c));
     world_reset(&w);
     world_box(&w, 1, 0, 0, 1, 1);
     world_box(&w, 1, 0.5, 0.5, 2, 2);
-    got[count++] = world_touch(&w);
+    have(world_touch(&w));
+}
+
+/* Every status has a text of its own and can be had. */
+static void status_of_every_kind(void)
+{
+    enum { ROWS = (int)(sizeof statuses / sizeof *statuses) };
+    int i, j;
+    had_count = 0;
+    statuses_of_measures();
+    statuses_of_few_pivots();
+    statuses_of_geometry();
     for (i = 0; i < ROWS; i++) {
         const char *text = kern_status_text((kern_status)statuses[i].value);
+        int count = 0;
         CHECK(text && text[0]);
         for (j = 0; j < i; j++)
             CHECK(strcmp(text, kern_status_text(
                                    (kern_status)statuses[j].value)) != 0);
-        had[i] = 0;
-        for (j = 0; j < count; j++)
-            had[i] += got[j] == statuses[i].value;
-        if (!had[i])
+        for (j = 0; j < had_count; j++)
+            count += had[j] == statuses[i].value;
+        if (!count)
             printf("no test gives %s\n", statuses[i].name);
-        CHECK(had[i] > 0);
+        CHECK(count > 0);
         CHECK(statuses[i].value >= KERN_STATUS_LEAST);
     }
     CHECK(kern_status_text((kern_status)-99) != NULL);
@@ -6543,71 +6608,82 @@ static void memory_need(void)
     CHECK_INT(KERN_INTS(1 + 2, 2 + 2), KERN_INTS(3, 4));
 }
 
+enum { ENTRIES = 6 };
+
+/* Every entry that takes a structure, with nothing said of the answer. */
+static int call_entry(int entry, const world *w, kern_work *work)
+{
+    const kern_structure s = structure_of(w);
+    const kern_options *o = &w->options;
+    kern_real value[MAX_BLOCKS], out;
+    kern_collapse all;
+    kern_margin m;
+    switch (entry) {
+    case 0:
+        return kern_stands(&s, 0, o, work, NULL);
+    case 1:
+        return kern_measure(&s, o, work, &m, NULL);
+    case 2:
+        return kern_deficit(&s, o, work, &out);
+    case 3:
+        return kern_load_factor(&s, 0, NULL, 1, o, work, &out, NULL);
+    case 4:
+        return kern_tilt(&s, 0, 1, o, work, &out, NULL);
+    default:
+        return kern_profile(&s, 0, o, work, value, &all);
+    }
+}
+
+/* Sizes below zero, and arrays that are not there. */
+static void no_work(const world *w, kern_real *real, int reals, int *index,
+                    int ints)
+{
+    kern_work work = kern_work_of(real, -1, index, ints);
+    int got;
+    CHECK_INT(call_entry(0, w, &work), KERN_NO_SPACE);
+    work = kern_work_of(real, reals, index, -5);
+    CHECK_INT(call_entry(0, w, &work), KERN_NO_SPACE);
+    work = kern_work_of(NULL, reals, index, ints);
+    got = call_entry(0, w, &work);
+    CHECK(got == KERN_BAD_POINTER || got == KERN_NO_SPACE);
+    work = kern_work_of(real, reals, NULL, ints);
+    got = call_entry(0, w, &work);
+    CHECK(got == KERN_BAD_POINTER || got == KERN_NO_SPACE);
+}
+
 /* Every size of one array with the other whole: enough gives the right answer,
    less says so, and what lies behind the array is never touched. */
 static void every_size(const world *w, int stride)
 {
-    const kern_structure s = structure_of(w);
-    int reals, ints, array, size, call, k, want[6];
-    kern_real *real, value[MAX_BLOCKS];
-    kern_collapse all;
+    int reals, ints, array, size, entry, want[ENTRIES];
+    kern_real *real;
     int *index;
     kern_work work = work_of(w);
-    kern_margin m;
-    kern_real out;
-#define CALL(call)                                                             \
-    ((call) == 0   ? kern_stands(&s, 0, &w->options, &work, NULL)              \
-     : (call) == 1 ? kern_measure(&s, &w->options, &work, &m, NULL)            \
-     : (call) == 2 ? kern_deficit(&s, &w->options, &work, &out)                \
-     : (call) == 3                                                             \
-         ? kern_load_factor(&s, 0, NULL, 1, &w->options, &work, &out, NULL)    \
-     : (call) == 4 ? kern_tilt(&s, 0, 1, &w->options, &work, &out, NULL)       \
-                   : kern_profile(&s, 0, &w->options, &work, value, &all))
-    for (call = 0; call < 6; call++)
-        want[call] = CALL(call);
+    for (entry = 0; entry < ENTRIES; entry++)
+        want[entry] = call_entry(entry, w, &work);
     kern_work_need(w->blocks, w->contacts, &reals, &ints);
     real = (kern_real *)malloc(sizeof *real * (size_t)(reals + GUARD));
     index = (int *)malloc(sizeof *index * (size_t)(ints + GUARD));
-    for (array = 0; array < 2; array++)
-        for (size = 0; size <= (array ? ints : reals);
-             size += size + stride > (array ? ints : reals) &&
-                             size < (array ? ints : reals)
-                         ? (array ? ints : reals) - size
-                         : stride)
-            for (call = 0; call < 6; call++) {
-                int got, clean = 1;
-                for (k = 0; k < reals + GUARD; k++)
-                    real[k] = R(12345);
-                for (k = 0; k < ints + GUARD; k++)
-                    index[k] = 12345;
+    for (array = 0; array < 2; array++) {
+        const int need = array ? ints : reals;
+        for (size = 0; size <= need;
+             size += size + stride > need && size < need ? need - size : stride)
+            for (entry = 0; entry < ENTRIES; entry++) {
+                int got;
+                guard_fill(real, reals, index, ints);
                 work = kern_work_of(real, array ? reals : size, index,
                                     array ? size : ints);
-                got = CALL(call);
-                for (k = work.reals; k < reals + GUARD; k++)
-                    clean =
-                        clean && !(real[k] < R(12345)) && !(real[k] > R(12345));
-                for (k = work.indices; k < ints + GUARD; k++)
-                    clean = clean && index[k] == 12345;
-                CHECK(clean);
+                got = call_entry(entry, w, &work);
+                CHECK(guard_holds(&work, reals, ints));
                 if (got != KERN_NO_SPACE)
-                    CHECK_INT(got, want[call]);
+                    CHECK_INT(got, want[entry]);
                 if (size == 0)
                     CHECK_INT(got, KERN_NO_SPACE);
-                if (size == (array ? ints : reals))
-                    CHECK_INT(got, want[call]);
+                if (size == need)
+                    CHECK_INT(got, want[entry]);
             }
-    /* sizes below zero, and arrays that are not there */
-    work = kern_work_of(real, -1, index, ints);
-    CHECK_INT(CALL(0), KERN_NO_SPACE);
-    work = kern_work_of(real, reals, index, -5);
-    CHECK_INT(CALL(0), KERN_NO_SPACE);
-    work = kern_work_of(NULL, reals, index, ints);
-    k = CALL(0);
-    CHECK(k == KERN_BAD_POINTER || k == KERN_NO_SPACE);
-    work = kern_work_of(real, reals, NULL, ints);
-    k = CALL(0);
-    CHECK(k == KERN_BAD_POINTER || k == KERN_NO_SPACE);
-#undef CALL
+    }
+    no_work(w, real, reals, index, ints);
     free(real);
     free(index);
 }
@@ -7009,6 +7085,7 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(lp_random),
                              TEST(lp_scaled),
                              TEST(lp_bad_input),
+                             TEST(lp_every_size),
                              TEST(proof_forces_of_a_cube),
                              TEST(proof_free_fall),
                              TEST(proof_motions_of_a_cube),
@@ -7064,7 +7141,10 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(t18_side_by_side),
                              TEST(twin_random),
                              TEST(bad_structure),
+                             TEST(bad_pointers),
+                             TEST(bad_arguments),
                              TEST(bad_geometry),
+                             TEST(bad_contact_pointers),
                              TEST(status_of_every_kind),
                              TEST(memory_need),
                              TEST(memory_every_size),
