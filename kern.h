@@ -10,7 +10,7 @@
 
    CONTENTS: search for the tags
      I    Manual            >>what >>use >>conventions >>memory >>verdicts
-                            >>config >>method >>measures >>limits
+                            >>config >>method >>rules >>measures >>limits
                             >>determinism >>misra >>references
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
@@ -183,6 +183,74 @@
    change. The margin is found from above (>>kern): no edge of the whole lies
    beyond the edge of a part, all else held. That edge is found by Newton's
    method on y, and one more verdict just before it proves the whole.
+
+
+   RULES                                                               >>rules
+
+   What each number is, exactly, so that another program can reproduce it.
+
+   Contacts of two polygons that are not both fixed. `gap` and `angle` are those
+   of the options; no tolerance is below 64 roundings of the largest coordinate.
+   "Size" is that of the pair's smaller free block. Vertices where the outline
+   turns by less than 1e-6 rad do not count, nor do steps lower than the gap.
+     line      An edge of each run antiparallel within `angle`, and are within
+               the gap over a length of more than the gap or 1e-3 of the size,
+               whichever is less. The contact points are the ends of that
+               stretch, midway between the edges; n is the mean normal.
+     point     A convex vertex within the gap of an edge, its foot more than
+               1e-6 of the size from both ends, both edges of the vertex on the
+               outer side of that edge within `angle`. The contact point is the
+               vertex, n is the normal of the edge. None where a line contact
+               of the pair whose normal differs by less than 10 degrees passes
+               within the gap.
+     corner    A convex vertex within the gap of a reflex one: a point contact
+               with each edge there on whose outer side both its edges lie.
+               A convex vertex on a convex one is no contact.
+     face      Contacts of a pair whose normals agree within `angle` and which
+               lie on one line within the gap are one line contact, from the
+               first to the last point, with the mean of the normals weighted by
+               length. The longest contact begins a face, points come last.
+     overlap   A point of one outline deeper than the gap inside the other
+               block, or a block inside another: KERN_OVERLAP.
+   Points closer than that add nothing, and a larger gap removes no support.
+   Contacts that the caller gives are taken as they are: normals are made unit;
+   the two points of a line lie along t within `angle`, or it is refused.
+
+   Shrinkage. A contact point has a way u = t or -t and a travel l >= 0:
+     line      The two ends go to each other; l is half the length.
+     points    Two or more points of one pair go to the middle q of the two that
+               are farthest apart, each along its own t: l = |(q - p) . t|.
+     one point stays: l = 0, as does every l below 1e-9 of the mean size.
+   At shrinkage d it acts at p + min(d, l) u; relative: at p + d l u, d <= 1.
+   d_max is the largest l (relative: 1). Normals do not change. With lines alone
+   the contacts are nested and a structure that has fallen falls at every larger
+   d; with points of different normals it may stand again.
+
+   Measures, for a structure that stands at d = 0 unless said otherwise:
+     level     The smallest k >= 1 such that it falls at min(k epsilon, d_max);
+               ceil(d_max / epsilon) + 1, saturated, where there is none; 0
+               where it falls at d = 0. More than 1,000,000 steps are refused.
+     margin    The largest d* such that it stands at every d below d*; d_max,
+               saturated, where it stands throughout. Losses narrower than
+               d_max / 1000 between two stretches that stand may be missed.
+     deficit   Where it falls at d = 0: the least growth d with contact points
+               at p - d u (relative: p - d l u) such that it stands; infinite
+               where a growth of 1000 times the longest side of the free
+               blocks' box (relative: over the smallest l) is not enough.
+     load      The largest factor f such that it stands under every multiple of
+     factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
+               right (gravity turned by +90 degrees) or to the left.
+     tilt      The first angle of gravity, turned to the side, at which it
+               falls; pi where there is none. Loads do not turn.
+     profile   d grows from 0. Where the structure falls, the blocks that move
+               in the mechanism get that d and are taken away, and d goes on
+               from there. A block that never moves gets d_max, one that moves
+               at once 0. The same with a horizontal load, up to a factor 10.
+               Where several mechanisms exist, the one with fewer blocks.
+     mechanism Where it falls: velocities of all free blocks, the largest of a
+               centre or of a spin times the block's size being 1.
+   A margin comes with holds and fails, both proven. A level is undecided only
+   if the verdict at a step that it depends on is.
 
 
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures

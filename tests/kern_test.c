@@ -369,7 +369,8 @@ static kern_work work_of(const world *w)
 
 /* ==== The independent solver ======================================== */
 
-/* ---- proofs, checked again ---- */
+/* ---- proofs, checked again as kern_check_forces() and kern_check_motion()
+   define them, with contact points moved as >>rules of the header says ---- */
 
 /* Where contact k acts at shrinkage d, and the way its point may go. Written
    from the definition: ends of a line meet in the middle, points of one
