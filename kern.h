@@ -133,6 +133,13 @@
    "Stands" means that forces exist which are admissible: no tension, friction
    in its cone. See >>limits.
 
+   options.limit bounds the work of one call. Work that would exceed the limit
+   is not begun: the call returns KERN_LIMIT and writes what is proven by then.
+   With a limit that is large enough the answer is the same, to the last bit,
+   as without. A unit of work took 0.05 to 0.3 microseconds on a desktop
+   computer. The margin of examples/structures/wall-60.kern takes 1,256 units,
+   its load factor 25,934: work->units says so after each call.
+
    Where a call returns less than 0 the work memory's `fault` says where the
    fault lies, kern_status_text() says what was expected, and nothing else of
    the caller's was changed.
@@ -444,7 +451,8 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
 
 /* What a call says. Zero and above is a verdict: its proof was found and
    checked. Below zero there is none, and of what the caller handed in only the
-   counters and the fault of the work memory have changed. */
+   counters and the fault of the work memory have changed; with KERN_LIMIT also
+   what the call says it writes then. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_STANDS, 0, "stands: forces were found that hold every block")      \
     X(KERN_FALLS, 1, "falls: a motion was found that no forces can stop")     \
@@ -466,13 +474,14 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_BAD_LINE, -15, "a line contact does not lie along its tangent")    \
     X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
     X(KERN_NO_FREE, -17, "no block is free")                                  \
-    X(KERN_BAD_STEP, -18, "the step needs more than 1,000,000 levels")
+    X(KERN_BAD_STEP, -18, "the step needs more than 1,000,000 levels")        \
+    X(KERN_LIMIT, -19, "the limit of work of one call was reached")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-    KERN_STATUS_LEAST = -18 /* the same number */
+    KERN_STATUS_LEAST = -19 /* the same number */
 } kern_status;
 
 /* Where the fault lies of which a status below zero speaks. */
@@ -535,7 +544,8 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
-    int pivots;           /* most pivots of a linear program; 0: by its size  */
+    int limit;            /* most units of work of one call, see kern_work; 0:
+                             2,000,000,000, which is also the largest         */
 } kern_options;
 
 /* Of a contact point [N], and of a block: velocity of its centre and spin. */
@@ -577,7 +587,11 @@ typedef struct kern_work {
     int indices;          /* KERN_INTS(blocks, contacts)                      */
     /* the library adds up; the caller reads, and sets to 0 as it likes       */
     int pivots;           /* of all linear programs                           */
-    int solves;           /* linear programs                                  */
+    int solves;           /* questions to pouring, and linear programs        */
+    int units;            /* work of the last call: a unit is some 300
+                             multiplications, what it takes to pour one stone.
+                             limit + 1 with KERN_LIMIT, else at most the limit.
+                             The search for contacts is not counted           */
     kern_real error;      /* largest error of a proof, as a share of what is
                              allowed: <= 1                                    */
     kern_fault fault;     /* of the last call that returned less than 0       */
@@ -612,7 +626,7 @@ typedef struct kern_lp {
     const kern_real *a;    /* rows x cols, column by column                   */
     const kern_real *rhs;  /* one a row                                       */
     const kern_real *cost; /* one a column; NULL: any solution will do        */
-    int pivots;            /* most pivots; 0: by size                         */
+    int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
 /* Elsewhere a product that overflows, in the precision it is written in:
    compilers leave it to the machine, and in double it would be emulated where
@@ -661,7 +675,7 @@ typedef struct kern_lp {
    function that takes work memory may return KERN_NO_SPACE, every one that
    takes a structure: KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000,
    contacts up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL,
-   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE. Numbers that could not be
+   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_LIMIT. Numbers that could not be
    squared or multiplied safely are refused, with the block in the fault: a
    centre, a place or a travel above 1e100 m (KERN_BAD_NUMBER), a mass as in
    kern_block_init() (KERN_BAD_MASS), an area below that or above 1e200 m^2
@@ -788,6 +802,9 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
    at out->holds and proof->motion (unless saturated) moves it at out->fails.
    KERN_FALLS: it does not stand as it is; level, margin, holds, fails are 0,
    most and epsilon are set, and proof->motion says how it falls.
+   KERN_LIMIT: level -1, saturated 0; holds and margin are the largest shrinkage
+   that is proven to stand, -1 if none is yet; fails is the smallest that is
+   proven to fall, `most` if none is; the proof's contents mean nothing.
    KERN_UNDECIDED, and KERN_BAD_STEP where most / epsilon is above 1,000,000:
    *out is as it was. [holds, fails] is at most 2e-6 of the mean block size
    wide, more only where no proof can be completed nearer to critical. Kerns of
@@ -801,7 +818,9 @@ KERN_API kern_status kern_measure(const kern_structure *s,
 
 /* How far kerns must grow [m] (relative: a share) until the structure stands.
    KERN_STANDS: it does already, 0. KERN_FALLS: *deficit is written, and is
-   KERN_INFINITY where growing to 1000 times the structure does not help. */
+   KERN_INFINITY where growing to 1000 times the structure does not help.
+   KERN_LIMIT: *deficit is how far they must grow at least, -1 where the
+   structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_structure *s,
                                   const kern_options *options, kern_work *work,
                                   kern_real *deficit);
@@ -811,7 +830,8 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
    with kerns shrunk by `shrink`. pattern NULL: m |g| at every centre, to the
    right (side 1: gravity turned by +90 degrees) or left (-1). KERN_STANDS:
    *factor, KERN_INFINITY where it stands at 1,000,000; proof as in
-   kern_measure(), for the loads at the factor. KERN_FALLS: it falls at 0. */
+   kern_measure(), for the loads at the factor. KERN_FALLS: it falls at 0.
+   KERN_LIMIT: *factor is the largest that is proven to stand, -1 if none is. */
 KERN_API kern_status kern_load_factor(const kern_structure *s,
                                       kern_real shrink,
                                       const kern_wrench *pattern, int side,
@@ -822,7 +842,9 @@ KERN_API kern_status kern_load_factor(const kern_structure *s,
 /* The first angle [rad] at which it falls when gravity turns toward the right
    (side 1) or left (-1) and loads stay; pi where it stands at every angle.
    With loads, gaps between angles that stand are seen if wider than 1/100.
-   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or no such side. */
+   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or no such side.
+   KERN_LIMIT: *angle is the largest that is proven to stand, negative if none
+   is. */
 KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
                                int side, const kern_options *options,
                                kern_work *work, kern_real *angle,
@@ -837,8 +859,9 @@ KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
    one that does not stand as it is 0, a fixed one KERN_INFINITY. A structure
    that falls as it is has a profile too. KERN_STANDS: all was written; below
    0: *out is as it was, and value means nothing. KERN_BAD_OPTION: no such side,
-   or no gravity. KERN_UNDECIDED: a verdict it needs is. Every verdict on the
-   way is proven. Time: for each mechanism a few solutions, with fewer and fewer
+   or no gravity. KERN_UNDECIDED: a verdict it needs is. KERN_LIMIT: value of
+   the blocks that have been taken away by then is as it will be, of others -1;
+   *out is as it was. Every verdict on the way is proven. Time: for each mechanism a few solutions, with fewer and fewer
    blocks; altogether 3 to 5 times that of the margin. */
 KERN_API kern_status kern_profile(const kern_structure *s, int side,
                                   const kern_options *options,
@@ -870,7 +893,8 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
    done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
-/* kern_measure() of the plan; remembers what it learns. */
+/* kern_measure() of the plan; remembers what it learns. After
+   KERN_UNDECIDED and KERN_LIMIT it knows nothing any longer. */
 KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
                                        const kern_proof *proof);
 
@@ -887,9 +911,9 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
    Where kerns are not nested it is kern_plan_try() that tells, with its proof.
-   KERN_BAD_NUMBER also for a margin below 0. The plan stays as it is. Time: that of one verdict
-   at the most, and for a block that cannot be held there by its neighbours
-   much less. */
+   KERN_BAD_NUMBER also for a margin below 0. The plan stays as it is. Time:
+   that of one verdict at the most, and for a block that cannot be held there by
+   its neighbours much less. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
@@ -916,8 +940,9 @@ KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
    are its prices: cost - y.A >= 0. KERN_FALLS: no x exists: y.A >= 0 and
    y.rhs < 0. KERN_UNBOUNDED: along x the cost falls: A x = 0, x >= 0,
    cost.x < 0. Each is checked against A, every row and column by its own
-   terms, so that units do not matter. KERN_UNDECIDED: pivot limit, or the
-   check failed, as it may where units differ by more than 1e4. Work memory:
+   terms, so that units do not matter. KERN_UNDECIDED: the method does not end,
+   or the check failed, as it may where units differ by more than 1e4.
+   KERN_LIMIT: lp->limit was reached. Below 0 x and y mean nothing. Work memory:
    KERN_LP_REALS(rows, cols), KERN_LP_INTS(...). Time: rows^2 + rows cols for a
    pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
@@ -1078,6 +1103,7 @@ extern "C" {
 #define KERN_BLOCKS_MOST   20000   /* the work memory still counts in int     */
 #define KERN_CONTACTS_MOST 1000000
 #define KERN_COUNT_MOST    100000000
+#define KERN_WORK_MOST     2000000000 /* units of one call                    */
 
 /* Without its sign, also where it is -0: on most processors one instruction,
    which compilers do not find by themselves. */
@@ -2650,7 +2676,7 @@ static kern_status kern_options_check(const kern_options *o)
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
     if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
-        || o->epsilon < 0 || o->pivots < 0)
+        || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
     return KERN_STANDS;
 }
@@ -2873,6 +2899,33 @@ static int kern_take_fits(const kern_take *take)
     return take->used_reals <= take->reals && take->used_ints <= take->indices;
 }
 
+/* ---- what a call may spend ---- */
+
+static int kern_limit_of(int limit) { return limit > 0 ? limit : KERN_WORK_MOST; }
+
+static void kern_work_begin(kern_work *work)
+{
+    kern_fault_clear(&work->fault);
+    work->units = 0;
+}
+
+/* Counts work that is about to be done. Returns 0 where the call has no more
+   of it left: this and all further work is refused, and the call ends. */
+static int kern_spend(kern_work *work, int limit, int units)
+{
+    const int left = kern_limit_of(limit) - work->units;
+    work->units += units <= left ? units : left + 1;
+    return units <= left;
+}
+
+/* What a call returns: where work was refused on the way that is all there is
+   to say, whatever was found without it. */
+static kern_status kern_spent(const kern_work *work, int limit,
+                              kern_status status)
+{
+    return work->units > kern_limit_of(limit) ? KERN_LIMIT : status;
+}
+
 /* ---- The LP room --------------------------------------------------- >>lp */
 /* minimise cost . x  where  A x = rhs,  x >= 0.
 
@@ -2912,7 +2965,7 @@ typedef struct kern_program {
     const int *ends;        /* network: head and tail group of columns 2 i and
                                2 i + 1, rows / 3 for none; NULL: dense        */
     kern_real most;         /* what a variable can be at the most; 0: all     */
-    int pivots;             /* limit                                          */
+    int limit;              /* of the work of the call                        */
 } kern_program;
 
 typedef struct kern_simplex {
@@ -4027,6 +4080,15 @@ static void kern_basis_move(kern_simplex *sx, int q, int position,
 #endif
 }
 
+/* Counts a pivot: prices, a column, a row, and S^-1 by one rank. */
+static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
+{
+    const int rows = sx->lp->rows, cols = sx->lp->cols, k = sx->extras;
+    return kern_spend(work, sx->lp->limit,
+                      1 + k * (k / 64) + (sx->groups ? rows / 6 + cols / 24
+                                                     : rows * (cols / 256)));
+}
+
 /* Lowers the sum of violations until it is zero or no column lowers it. The
    sum falls with every step that is not of length zero; when the budget is
    used up the smallest indices are taken (Bland), which cannot cycle. The
@@ -4067,6 +4129,8 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         if (sx->cramped || (sx->extras == sx->room && position < sx->lp->rows
                             && sx->place[q] == KERN_OUT))
             return KERN_NO_SPACE;
+        if (!kern_pivot_spend(sx, work))
+            return KERN_LIMIT;
         if (position < sx->lp->rows)
             kern_basis_row(sx, position);
         kern_basis_move(sx, q, position, step);
@@ -4152,6 +4216,8 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         if (sx->extras == sx->room && position < sx->lp->rows
             && sx->place[q] == KERN_OUT)
             return KERN_NO_SPACE;
+        if (!kern_pivot_spend(sx, work))
+            return KERN_LIMIT;
         if (position < sx->lp->rows)
             kern_basis_row(sx, position);
         kern_basis_move(sx, q, position, step);
@@ -4371,8 +4437,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
-    const int limit = lp->pivots > 0 ? lp->pivots
-                                     : 200 + 20 * (lp->rows + lp->cols);
+    const int limit = 200 + 20 * (lp->rows + lp->cols);
     kern_status status;
     int i;
     work->solves++;
@@ -4389,7 +4454,11 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
         kern_basis_renew(sx);
     else
         kern_basis_values(sx);
-    status = kern_phase_one(sx, work, limit);
+    for (i = 0; i <= sx->extras / 4; i++) /* as much as so many pivots */
+        kern_pivot_spend(sx, work);
+    status = kern_spent(work, lp->limit, KERN_STANDS);
+    if (status == KERN_STANDS)
+        status = kern_phase_one(sx, work, limit);
     if (status == KERN_STANDS && lp->cost)
         status = kern_simplex_primal(sx, work, limit);
     if (status < 0)
@@ -4514,10 +4583,12 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
     int i, n;
     if (!lp || !lp->a || !lp->rhs)
         return KERN_BAD_POINTER;
-    if (lp->rows < 1 || lp->cols < 1 || lp->pivots < 0
+    if (lp->rows < 1 || lp->cols < 1
         || lp->rows > KERN_COUNT_MOST / lp->cols
         || lp->rows > KERN_COUNT_MOST / lp->rows)
         return KERN_BAD_COUNT;
+    if (lp->limit < 0 || lp->limit > KERN_WORK_MOST)
+        return KERN_BAD_OPTION;
     n = lp->rows * lp->cols;
     for (i = 0; i < n + lp->rows + (lp->cost ? lp->cols : 0); i++) {
         const kern_real v = i < n ? lp->a[i] : i < n + lp->rows
@@ -4540,7 +4611,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     kern_status status;
     if (!work)
         return KERN_BAD_POINTER;
-    kern_fault_clear(&work->fault);
+    kern_work_begin(work);
     status = x && y ? kern_lp_check(lp, &work->fault) : KERN_BAD_POINTER;
     if (status != KERN_STANDS)
         return status;
@@ -4551,12 +4622,12 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.cost = lp->cost;
     p.ends = NULL;
     p.most = KERN_R(0);
-    p.pivots = lp->pivots;
+    p.limit = lp->limit;
     kern_take_open(&take, work);
     kern_simplex_lay(&sx, &p, lp->rows, &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
-    status = kern_program_solve(&sx, 0, x, y, work);
+    status = kern_spent(work, p.limit, kern_program_solve(&sx, 0, x, y, work));
     if (status < 0)
         return status;
     return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
@@ -4991,7 +5062,9 @@ KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
 typedef struct kern_model {
     const kern_structure *s;
     kern_work *work;
-    int pivots;               /* limit of a linear program; 0: by its size    */
+    int limit;                /* of the work of the call                      */
+    int question;             /* units of one, however small the part: its
+                                 proof goes over the whole                    */
     int relative;
     kern_real mean;           /* size of the free blocks                      */
     kern_real weight;         /* unit of force: all that acts on free blocks  */
@@ -5072,7 +5145,7 @@ KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
     w.indices = indices;
     w.pivots = w.solves = 0;
     w.error = KERN_R(0);
-    kern_fault_clear(&w.fault);
+    kern_work_begin(&w);
     return w;
 }
 
@@ -5156,7 +5229,8 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
         return KERN_NO_SPACE;
     m->s = s;
     m->work = work;
-    m->pivots = o->pivots;
+    m->limit = o->limit;
+    m->question = 1 + (s->blocks + s->contacts) / 4;
     m->relative = o->relative;
     m->mean = kern_mean_size(s->block, s->blocks);
     m->weight = KERN_R(1);
@@ -5236,6 +5310,9 @@ static void kern_model_set(kern_model *m, const kern_question *q)
     for (i = 0; i < m->s->contacts; i++)
         kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
 }
+
+static int kern_model_spend(const kern_model *m, int units)
+{ return kern_spend(m->work, m->limit, units); }
 
 /* ---- Parts ------------------------------------------------------ >>part */
 /* Some of the groups with all contacts that touch them, all other blocks held.
@@ -5677,6 +5754,8 @@ static kern_status kern_least_find(kern_part *p, const kern_real *b,
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
+        if (!kern_model_spend(p->m, 1 + p->cost / 300))
+            return KERN_LIMIT;
         kern_least_matrix(p, contacts, round == 0);
         kern_least_solve(p);
         kern_least_ways(p, p->step, contacts, 2);
@@ -6025,7 +6104,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
         kern_pour_unmark(m, last);
         if (status == KERN_STANDS)
             return KERN_POURED;
-        if (status == KERN_NO_SPACE)
+        if (status == KERN_NO_SPACE || status == KERN_LIMIT)
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
@@ -6062,6 +6141,8 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
             at++;
             continue;
         }
+        if (!kern_model_spend(m, 1))
+            return KERN_POUR_DRY;
         m->dirty[at] = 0;
         m->again = m->groups;
         if (m->next[at] == at)
@@ -6091,7 +6172,7 @@ static kern_status kern_part_lay(kern_part *p)
     p->lp.ends = p->ends;
     p->lp.cost = NULL;
     p->lp.most = KERN_BOUND;
-    p->lp.pivots = p->m->pivots;
+    p->lp.limit = p->m->limit;
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         p->lp.a = p->arc = kern_take_reals(&take, 8 * p->contacts);
@@ -6250,8 +6331,10 @@ static kern_status kern_part_ask(kern_part *p, const kern_question *q)
     kern_status status = KERN_UNDECIDED;
     int own;
     p->found = KERN_UNDECIDED;
+    if (!kern_model_spend(p->m, p->m->question))
+        return KERN_LIMIT;
     kern_part_set(p, q);
-    for (own = 0; own < 2; own++) {
+    for (own = 0; own < 2 && status != KERN_LIMIT; own++) {
         status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
         if (status == KERN_STANDS)
             status = kern_part_least(p, own);
@@ -6372,6 +6455,8 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     kern_poured poured;
     kern_real error, total = KERN_R(0);
     int i;
+    if (!kern_model_spend(m, m->question))
+        return KERN_LIMIT;
     m->work->solves++;
     kern_model_set(m, q);
     poured = kern_pour(m, p);
@@ -6465,13 +6550,15 @@ typedef struct kern_path {
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
+    kern_real stood, fell;    /* the farthest that is proven to stand, the
+                                 nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
     int closed;               /* nonzero: the bracket is as narrow as it gets */
     kern_real reach;          /* how far the last forces would do             */
     kern_part *part;          /* that fell last                               */
     const kern_seed *seed;    /* or NULL                                      */
     int alone;                /* nonzero: it is asked about the part alone    */
-    int stood;                /* nonzero: it is known to stand at the start   */
+    int begun;                /* nonzero: it is known to stand at the start   */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -6647,6 +6734,17 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
             proof->motion[i] = m->motion[i];
 }
 
+/* Notes a verdict about the whole at s, and hands its proof to the caller. */
+static void kern_path_note(const kern_model *m, kern_path *path,
+                           kern_status status, kern_real s)
+{
+    if (status == KERN_STANDS)
+        path->stood = kern_max(path->stood, s);
+    if (status == KERN_FALLS)
+        path->fell = kern_min(path->fell, s);
+    kern_proof_out(m, path->proof, status);
+}
+
 /* Asks at s. Where it falls Newton's method says where that ends. */
 static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
@@ -6657,7 +6755,7 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
     kern_real power = KERN_R(0);
     int i;
     if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
-        kern_proof_out(m, path->proof, status);
+        kern_path_note(m, path, status, s);
     if (status == KERN_STANDS) {
         path->holds = s;
         path->reach = path->kind == KERN_PATH_SHRINK && m->plain
@@ -6856,7 +6954,7 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
     if (!(error <= 1) || seed->fails - path->holds > path->tolerance)
         return 0;
     m->work->error = kern_max(m->work->error, error);
-    kern_proof_out(m, path->proof, KERN_FALLS);
+    kern_path_note(m, path, KERN_FALLS, seed->fails);
     path->fails = seed->fails;
     path->edge = seed->edge;
     return 1;
@@ -6906,7 +7004,7 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     kern_status status = kern_model_pour(m, path->part, &q, proven);
     if (status == KERN_STANDS) {
         if (proven)
-            kern_proof_out(m, path->proof, status);
+            kern_path_note(m, path, status, s);
         path->holds = s;
     }
     if (status != KERN_FALLS)
@@ -6974,7 +7072,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                                          ? at + first
                                          : start + 2 * (at - start));
         } else if (status == KERN_FALLS) {
-            if (at <= start && !path->stood)
+            if (at <= start && !path->begun)
                 return status;
             if (at <= start)
                 break;
@@ -7065,11 +7163,13 @@ static kern_status kern_path_begin(kern_path *path, kern_path_kind kind,
     path->proof = NULL;
     path->q = kern_question_of(s, o, shrink);
     path->seed = NULL;
-    path->alone = path->stood = 0;
+    path->alone = path->begun = 0;
     path->unit = kind == KERN_PATH_SHRINK && !o->relative ? path->q.mean : 1;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = path->reach = KERN_R(0);
+    path->stood = KERN_R(-1);
+    path->fell = KERN_INFINITY;
     path->never = path->closed = 0;
     return kern_model_open(m, s, o, work, free_blocks, last_only);
 }
@@ -7086,7 +7186,7 @@ static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
     int free_blocks = 0;
     if (!work)
         return KERN_BAD_POINTER;
-    kern_fault_clear(&work->fault);
+    kern_work_begin(work);
     status = kern_structure_check(s, o, &work->fault, &free_blocks);
     if (status != KERN_STANDS)
         return status;
@@ -7114,7 +7214,7 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
         return status;
     status = kern_model_ask(&m, &part, &path.q);
     kern_proof_out(&m, proof, status);
-    return status;
+    return kern_spent(work, o->limit, status);
 }
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
@@ -7170,8 +7270,15 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     if (status != KERN_STANDS)
         return status;
     path->end = r.most;
-    status = kern_measure_path(m, path, kern_travels_of(m).nested, last, &r);
-    if (status == KERN_STANDS || status == KERN_FALLS)
+    status = kern_spent(m->work, m->limit, kern_measure_path(
+        m, path, kern_travels_of(m).nested, last, &r));
+    if (status == KERN_LIMIT) {
+        r.fails = kern_min(path->fell, r.most);
+        r.margin = r.holds = kern_min(path->stood, r.fails);
+        r.level = -1;
+        r.saturated = 0;
+    }
+    if (status == KERN_STANDS || status == KERN_FALLS || status == KERN_LIMIT)
         *out = r;
     return status;
 }
@@ -7216,35 +7323,21 @@ static kern_real kern_extent(const kern_structure *s)
     return kern_max(side.x, side.y);
 }
 
-KERN_API kern_status kern_deficit(const kern_structure *s,
-                                  const kern_options *o, kern_work *work,
-                                  kern_real *deficit)
+/* Grows the kerns of what falls until it stands, and finds the edge. */
+static kern_status kern_grow(kern_model *m, kern_path *path,
+                             kern_real *deficit)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
+    const kern_travels travels = kern_travels_of(m);
+    const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
+    kern_real limit = 1000 * kern_extent(m->s), grown;
     kern_status status;
-    kern_travels travels;
-    kern_real limit, growth, grown;
-    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s, KERN_R(0),
-                            o, work, deficit, NULL);
-    if (status != KERN_STANDS)
-        return status;
-    status = kern_path_ask(&m, &path, KERN_R(0));
-    if (status == KERN_STANDS)
-        *deficit = KERN_R(0);
-    if (status != KERN_FALLS)
-        return status;
-    travels = kern_travels_of(&m);
-    limit = 1000 * kern_extent(s);
-    if (m.relative)
+    if (m->relative)
         limit = travels.least < KERN_INFINITY ? limit / travels.least
                                               : KERN_R(1);
-    grown = path.unit;
-    path.start = -limit;
-    growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
-    for (grown *= KERN_R(0.001); ; grown = kern_min(grown * growth, limit)) {
-        status = kern_path_ask(&m, &path, -grown);
+    path->start = -limit;
+    for (grown = path->unit * KERN_R(0.001); ;
+         grown = kern_min(grown * growth, limit)) {
+        status = kern_path_ask(m, path, -grown);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
             break;
         if (grown >= limit) {
@@ -7253,11 +7346,31 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
         }
     }
     if (status == KERN_STANDS)
-        status = kern_path_edge(&m, &path, KERN_EDGE_ROUNDS);
-    if (status == KERN_STANDS) {
-        *deficit = -path.edge;
-        status = KERN_FALLS;
-    }
+        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+    *deficit = -path->edge;
+    return status == KERN_STANDS ? KERN_FALLS : status;
+}
+
+KERN_API kern_status kern_deficit(const kern_structure *s,
+                                  const kern_options *o, kern_work *work,
+                                  kern_real *deficit)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_real grown = KERN_R(0);
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s,
+                                        KERN_R(0), o, work, deficit, NULL);
+    if (status != KERN_STANDS)
+        return status;
+    status = kern_path_ask(&m, &path, KERN_R(0));
+    if (status == KERN_FALLS)
+        status = kern_grow(&m, &path, &grown);
+    status = kern_spent(work, o->limit, status);
+    if (status == KERN_LIMIT)
+        grown = path.fell <= 0 ? -path.fell : KERN_R(-1);
+    if (status >= 0 || status == KERN_LIMIT)
+        *deficit = grown;
     return status;
 }
 
@@ -7316,11 +7429,14 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
     if (tilt)
         step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
     status = kern_path_ask(&m, &path, KERN_R(0));
-    path.stood = status == KERN_STANDS;
+    path.begun = status == KERN_STANDS;
     if (status == KERN_STANDS)
         status = loaded ? kern_path_climb(&m, &path, step, 1)
                         : kern_path_search(&m, &path, step, step);
-    if (status == KERN_STANDS)
+    status = kern_spent(work, o->limit, status);
+    if (status == KERN_LIMIT)
+        path.edge = path.stood;
+    if (status == KERN_STANDS || status == KERN_LIMIT)
         *out = tilt ? 4 * kern_angle_of(path.edge)
                     : path.never ? KERN_INFINITY : path.edge;
     return status;
@@ -7479,15 +7595,15 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     fall.value = value;
     for (i = 0; i < s->blocks; i++)
         value[i] = KERN_R(-1);
-    status = kern_fall_follow(&m, &path, &fall);
-    if (status != KERN_STANDS)
-        return status;
-    out->least = KERN_INFINITY;
-    for (i = 0; i < s->blocks; i++) {
+    status = kern_spent(work, o->limit, kern_fall_follow(&m, &path, &fall));
+    for (i = 0; i < s->blocks; i++)
         if (s->block[i].fixed)
             value[i] = KERN_INFINITY;
+    if (status != KERN_STANDS)
+        return status;
+    out->least = value[0];
+    for (i = 1; i < s->blocks; i++)
         out->least = kern_min(out->least, value[i]);
-    }
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
     return KERN_STANDS;
@@ -7534,7 +7650,7 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     if (!kern_plan_is_whole(plan) || !block)
         return (int)KERN_BAD_POINTER;
     s = &plan->s;
-    kern_fault_clear(&plan->work->fault);
+    kern_work_begin(plan->work);
     if (s->blocks >= plan->block_room)
         return (int)KERN_NO_SPACE;
     plan->block[s->blocks] = *block;
@@ -7614,9 +7730,10 @@ KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
     seed = kern_plan_seed(plan);
     path.seed = &seed;
     status = kern_measure_along(&m, &path, &plan->options, out);
+    if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
+        plan->known.fails = KERN_R(0); /* its proof has been written over */
     if (status < 0)
         return status;
-    plan->known.fails = KERN_R(0);
     for (i = 0; i < plan->s.contacts && proof && proof->force; i++)
         proof->force[i] = plan->known.force[i];
     for (i = 0; i < plan->s.blocks; i++) {
@@ -7739,7 +7856,7 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
     if (status == KERN_STANDS)
         status = kern_plan_whole(plan, free_blocks, &seed, falls, out, proof);
     kern_plan_undo(plan, found);
-    return status;
+    return kern_spent(plan->work, plan->options.limit, status);
 }
 
 /* The verdict of the plan at a shrinkage, or of its last block alone on
@@ -7792,6 +7909,7 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
         status = kern_plan_stands(plan, found, free_blocks, 0, margin, &nested,
                                   proof);
     kern_plan_undo(plan, found);
+    status = kern_spent(plan->work, plan->options.limit, status);
     if (nested || status < 0)
         return status;
     status = kern_plan_try(plan, block, &r, proof);
@@ -7819,7 +7937,7 @@ KERN_API kern_options kern_defaults(void)
     o.angle = KERN_R(0.0174533);
     o.epsilon = KERN_R(0);
     o.relative = 0;
-    o.pivots = 0;
+    o.limit = 0;
     return o;
 }
 

@@ -101,20 +101,28 @@ static glp_prob *kern_glpk_make(const kern_program *lp)
     return p;
 }
 
-static int kern_glpk_run(glp_prob *p, const kern_program *lp, int method)
+/* Runs the primal simplex, with as many pivots as are left of the call's
+   work. */
+static int kern_glpk_run(glp_prob *p, const kern_program *lp, kern_work *work)
 {
+    const int unit = 1 + (lp->rows + lp->cols) / 16; /* of work, for a pivot */
+    const int left = (kern_limit_of(lp->limit) - work->units) / unit;
+    const int before = glp_get_it_cnt(p);
     glp_smcp how;
     int code;
     glp_init_smcp(&how);
     how.msg_lev = GLP_MSG_OFF;
-    how.meth = method;
+    how.meth = GLP_PRIMAL;
     how.presolve = GLP_OFF;
     how.tol_bnd = 1e-10;
     how.tol_dj = 1e-10;
     how.tol_piv = 1e-10;
     /* it can stall on programs as degenerate as these */
-    how.it_lim = lp->pivots > 0 ? lp->pivots : 200 + 5 * (lp->rows + lp->cols);
+    how.it_lim = 200 + 5 * (lp->rows + lp->cols);
+    how.it_lim = how.it_lim < left ? how.it_lim : left;
     code = glp_simplex(p, &how);
+    kern_spend(work, lp->limit, (glp_get_it_cnt(p) - before) * unit
+                + (code == GLP_EITLIM && how.it_lim == left ? unit : 0));
     return code == 0 ? glp_get_status(p) : GLP_UNDEF;
 }
 
@@ -150,7 +158,7 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
 {
     glp_prob *p = kern_glpk_make(lp);
     kern_status status = KERN_UNDECIDED;
-    int i, sign = -1, code = kern_glpk_run(p, lp, GLP_PRIMAL);
+    int i, sign = -1, code = kern_glpk_run(p, lp, work);
     double size = 0.0;
     for (i = 0; i < lp->rows; i++)
         size = size > (double)kern_abs(lp->rhs[i])
@@ -164,7 +172,7 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
         }
         for (i = 1; i <= lp->cols; i++)
             glp_set_obj_coef(p, i, (double)lp->cost[i - 1]);
-        code = kern_glpk_run(p, lp, GLP_PRIMAL);
+        code = kern_glpk_run(p, lp, work);
         status = code == GLP_OPT ? KERN_STANDS
                  : code == GLP_UNBND ? KERN_UNBOUNDED : KERN_UNDECIDED;
         sign = 1;

@@ -57,6 +57,8 @@ static const char help[] =
 "      --near       count contacts that a first rocking would close as well:\n"
 "                   gaps to 3 % of the mean block, angles to 0.1; foretells best\n"
 "                   what shaking does\n"
+"      --limit N    most work of each question, in units of some 0.1 us; what\n"
+"                   takes more is undecided, and said as far as it is proven\n"
 "      --json       one JSON object a file, one line each\n"
 "      --svg OUT.svg  draw it, with --profile coloured by the margins of the\n"
 "                   blocks; of several files each NAME.* in OUT-NAME.svg\n"
@@ -78,7 +80,7 @@ enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
 static const double at_rest = 1e-4;
 
 struct settings {           /* of the command line; numbers < 0: not given */
-    kern_real epsilon, mu, gap, at;
+    kern_real epsilon, mu, gap, at, limit;
     int relative, forces, mechanism, profile, near, json;
     const char *svg;
     char **file;
@@ -373,20 +375,25 @@ static double weak_load(const struct analysis *a)
            / 2;
 }
 
+static int is_open(kern_status status)
+{
+    return status == KERN_UNDECIDED || status == KERN_LIMIT;
+}
+
 static int measure(struct analysis *a)
 {
     kern_proof proof = { a->force, a->motion };
     kern_proof limit = { a->last_force, a->collapse };
     a->verdict = kern_stands(&a->s, shrinkage(a), &a->options, &a->work,
                              &proof);
-    if (a->verdict < 0 && a->verdict != KERN_UNDECIDED)
+    if (a->verdict < 0 && !is_open(a->verdict))
         return fail_blocks(a, a->verdict, &a->work.fault);
     a->measured = kern_measure(&a->s, &a->options, &a->work, &a->m, &limit);
     if (a->measured == KERN_BAD_STEP)
         return fail(a, a->set->epsilon < 0 ? a->text.epsilon_line : 0,
                     "%s, the step is %.9g", kern_status_text(a->measured),
                     (double)a->options.epsilon);
-    if (a->measured < 0 && a->measured != KERN_UNDECIDED)
+    if (a->measured < 0 && !is_open(a->measured))
         return fail_blocks(a, a->measured, &a->work.fault);
     a->deficit = (double)NAN;
     if (a->measured == KERN_FALLS) {
@@ -411,6 +418,7 @@ static int analyse(struct analysis *a)
     if (set->epsilon > 0) a->options.epsilon = set->epsilon;
     if (set->gap > 0) a->options.gap = set->gap;
     if (!(set->mu < 0)) a->options.mu = set->mu;
+    if (set->limit > 0) a->options.limit = (int)set->limit;
     a->s.block = a->text.block;
     a->s.blocks = a->text.blocks;
     a->s.gravity = a->text.gravity;
@@ -427,7 +435,32 @@ static const char *status_word(const struct analysis *a)
 {
     if (a->error[0]) return "error";
     return a->verdict == KERN_STANDS ? "stands"
-         : a->verdict == KERN_FALLS ? "falls" : "undecided";
+         : a->verdict == KERN_FALLS ? "falls"
+         : a->verdict == KERN_LIMIT ? "limit" : "undecided";
+}
+
+/* What is asked for, and neither found nor without limit: bits of the names
+   below. */
+static const char *const open_name[] = {
+    "level", "margin", "deficit", "load_left", "load_right", "tilt_left",
+    "tilt_right", "profile"
+};
+enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
+
+static unsigned open_questions(const struct analysis *a)
+{
+    int loaded = a->verdict == KERN_STANDS
+                 && hypot(a->s.gravity.x, a->s.gravity.y) > 0;
+    int open[OPENS_MOST] = {
+        a->measured < 0 || a->m.level < 0, a->measured < 0,
+        a->measured == KERN_FALLS && isnan(a->deficit),
+        loaded && isnan(a->load[LEFT]), loaded && isnan(a->load[RIGHT]),
+        loaded && isnan(a->tilt[LEFT]), loaded && isnan(a->tilt[RIGHT]),
+        a->set->profile && a->profiled < 0
+    };
+    unsigned bits = 0;
+    for (int k = 0; k < OPENS_MOST; k++) bits |= open[k] ? 1u << k : 0;
+    return bits;
 }
 
 static int line_points(const struct analysis *a)
@@ -486,6 +519,14 @@ static void report_margin(const struct analysis *a)
     int falls = a->measured == KERN_FALLS;
     double value = falls ? a->deficit : (double)a->m.margin;
     printf("  %-10s  ", falls ? "deficit" : "margin");
+    if (a->measured == KERN_LIMIT) {
+        printf("undecided by the limit of work: ");
+        if (a->m.holds < 0) printf("not known to stand, ");
+        else printf("stands at %.4g, ", (double)a->m.holds);
+        printf("%s %.4g\n", a->m.fails < a->m.most ? "falls at" : "at most",
+               (double)a->m.fails);
+        return;
+    }
     if (a->measured < 0 || isnan(value)) {
         printf("undecided\n");
         return;
@@ -845,12 +886,27 @@ static void json_error(const struct analysis *a)
     printf("\"");
 }
 
+/* Which numbers are null because they are undecided; others that are null are
+   without limit, or belong to the other verdict. */
+static void json_open(unsigned open)
+{
+    const char *comma = "";
+    printf(", \"undecided\": [");
+    for (int k = 0; k < OPENS_MOST; k++) {
+        if (!(open >> k & 1)) continue;
+        printf("%s\"%s\"", comma, open_name[k]);
+        comma = ", ";
+    }
+    printf("]");
+}
+
 /* A file with an error has the same keys as any other. */
 static void report_json(const struct analysis *a)
 {
     int good = !a->error[0], known = good && a->measured >= 0;
     int falls = known && a->measured == KERN_FALLS;
     int lines = good ? line_points(a) : 0;
+    int proven = known || (good && a->measured == KERN_LIMIT);
     double none = (double)NAN;
     printf("{");
     json_string("file", a->file);
@@ -867,6 +923,10 @@ static void report_json(const struct analysis *a)
     printf(", \"saturated\": %s",
            !known ? "null" : a->m.saturated ? "true" : "false");
     json_number("margin", known ? (double)a->m.margin : none);
+    json_number("holds", proven && !(a->m.holds < 0) ? (double)a->m.holds
+                                                     : none);
+    json_number("fails", proven && (falls || a->m.fails < a->m.most)
+                         ? (double)a->m.fails : none);
     json_number("deficit", falls ? a->deficit : none);
     json_number("signed_margin",
                 falls ? -a->deficit : known ? (double)a->m.margin : none);
@@ -874,6 +934,7 @@ static void report_json(const struct analysis *a)
     json_number("load_right", good ? a->load[RIGHT] : none);
     json_number("tilt_left", good ? a->tilt[LEFT] : none);
     json_number("tilt_right", good ? a->tilt[RIGHT] : none);
+    json_open(good ? open_questions(a) : 0);
     json_number("proof_error", good ? (double)a->work.error : none);
     json_count("pivots", a->work.pivots, good);
     json_count("solves", a->work.solves, good);
@@ -1001,8 +1062,7 @@ static void clear_progress(int *shown)
 static int exit_status_of(const struct analysis *a)
 {
     if (a->error[0]) return EXIT_BAD;
-    if (a->verdict < 0 || a->measured < 0 || a->m.level < 0)
-        return EXIT_UNDECIDED;
+    if (a->verdict < 0 || open_questions(a)) return EXIT_UNDECIDED;
     return a->verdict == KERN_FALLS ? EXIT_FALLS : EXIT_STANDS;
 }
 
@@ -1088,7 +1148,7 @@ static int read_option(struct settings *set, char **argv, int *i)
     struct { const char *name; int zero; kern_real *out; } number[] = {
         { "--epsilon", 0, &set->epsilon }, { "-e", 0, &set->epsilon },
         { "--mu", 1, &set->mu }, { "--gap", 0, &set->gap },
-        { "--at", 1, &set->at }
+        { "--at", 1, &set->at }, { "--limit", 0, &set->limit }
     };
     struct { const char *name; int *out; } flag[] = {
         { "--relative", &set->relative }, { "-r", &set->relative },
@@ -1114,7 +1174,8 @@ static int read_option(struct settings *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct settings set = { -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, NULL, argv, 0 };
+    struct settings set = { -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, NULL, argv,
+                            0 };
     int options = 1;
     for (int i = 1; i < argc; i++) {
         const char *word = argv[i];
@@ -1133,6 +1194,10 @@ int main(int argc, char **argv)
     if (set.files == 0) {
         fputs("kern: no file is given\n", stderr);
         fputs(help, stderr);
+        return EXIT_BAD;
+    }
+    if (set.limit > 2e9 || (set.limit > 0 && set.limit < 1)) {
+        fputs("kern: --limit takes a number from 1 to 2,000,000,000\n", stderr);
         return EXIT_BAD;
     }
     if (set.relative && set.at > 1) {

@@ -104,8 +104,6 @@
                               their tolerances of 1e-7, may answer either way */
 #define SAME 1e-9          /* mean block sizes within which margins are one   */
 #define LEVELS 20          /* of Algorithm 1                                  */
-#define STALL 10           /* pivots a row: an LP of kern.h that needs more is
-                              undecided, which disagrees with everything      */
 #define DETAIL_MOST 200    /* largest structures of which all is asked        */
 #define CLOSED_MOST 500    /* and whose kerns are closed                      */
 #define PLACES_MOST 96     /* candidates of a structure of up to 50 blocks    */
@@ -372,7 +370,6 @@ static void scene_open(struct scene *scene, int family, int n, int number)
     free(work.index);
     if (scene->contacts < 0)
         give_up(kern_status_text((kern_status)scene->contacts));
-    scene->options.pivots = STALL * 3 * scene->blocks;
     scene->s.block = scene->block;
     scene->s.blocks = scene->blocks;
     scene->s.contact = scene->contact;

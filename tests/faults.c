@@ -2,8 +2,8 @@
    cc -O2 -ffp-contract=off -DKERN_USE_GLPK -o faults tests/faults.c \
        -lglpk -lm && ./faults
 
-   What the library says when it lacks memory, or pivots, or (with GLPK) when
-   the solver lies to it. Allowed is the verdict that it gives when nothing is
+   What the library says when it lacks memory, or (with GLPK) when the
+   solver lies to it. Allowed is the verdict that it gives when nothing is
    wrong, with a proof that passes, and none at all: never another one.
 
    The lies are told between GLPK and kern_lp.h: wrong numbers, wrong
@@ -141,37 +141,14 @@ static void cut_room(int seed)
     }
 }
 
-static void cut_pivots(int seed)
-{
-    kern_margin right, m;
-    kern_work work = whole_work();
-    kern_status want;
-    int limit;
-    random_structure(seed, 14, &work);
-    want = ask(&right, &work);
-    for (limit = 1; limit < 40 && want >= 0; limit++) {
-        kern_status got;
-        work = whole_work();
-        options.pivots = limit;
-        got = ask(&m, &work);
-        compare(got, &m, want, &right);
-        /* costs come after feasibility, and a proof is tried for twice */
-        CHECK(work.pivots <= 2 * (limit + 1) * work.solves);
-        CHECK(got != KERN_NO_SPACE);
-    }
-}
-
 static void too_little(void)
 {
     int seed;
     for (seed = 1; seed <= 30; seed++)
         cut_memory(seed);
-    report("every size of work memory");
     for (seed = 1; seed <= 300; seed++)
         cut_room(seed);
-    for (seed = 1; seed <= 1000; seed++)
-        cut_pivots(seed);
-    report("every limit of pivots");
+    report("every size of memory");
 }
 
 #else
@@ -214,7 +191,7 @@ static void random_program(program *p, int seed)
         random_bits();
     p->lp.rows = 1 + random_below(ROWS);
     p->lp.cols = p->lp.rows + random_below(COLS - ROWS + 1);
-    p->lp.pivots = 0;
+    p->lp.limit = 0;
     p->lp.a = p->a;
     p->lp.rhs = p->rhs;
     p->lp.cost = random_below(3) ? p->cost : NULL;

@@ -100,9 +100,10 @@ static kern_work whole_work(void)
     return work_of(KERN_REALS(BLOCKS, CONTACTS), KERN_INTS(BLOCKS, CONTACTS));
 }
 
-static void check_work(const kern_work *work, int rows, int cols, int pivots)
+static void check_work(const kern_work *work, int rows, int cols, int limit,
+                       kern_status status)
 {
-    const double limit = pivots > 0 ? pivots : 200 + 20 * (rows + cols);
+    const double most = 200 + 20 * (rows + cols);
     int i;
     for (i = 0; i < GUARD; i++) {
         PROPERTY(!(work->real[work->reals + i] < real_mark)
@@ -111,7 +112,10 @@ static void check_work(const kern_work *work, int rows, int cols, int pivots)
     }
     /* both phases have the limit, and a verdict may be asked for twice */
     PROPERTY(work->pivots >= 0 && work->solves >= 0);
-    PROPERTY(work->pivots <= 2 * limit * work->solves);
+    PROPERTY(work->pivots <= 2 * most * work->solves);
+    PROPERTY(work->units >= 0 && (limit == 0 || work->units <= limit + 1));
+    PROPERTY(status != KERN_LIMIT || work->units == limit + 1);
+    PROPERTY(status == KERN_LIMIT || limit == 0 || work->units <= limit);
     PROPERTY(work->error <= 1);
 }
 
@@ -191,7 +195,7 @@ static void check_structure(int which, const kern_structure *s,
     for (i = 0; i < s->blocks; i++)
         free_blocks += !s->block[i].fixed;
     PROPERTY(status >= KERN_STATUS_LEAST && status <= KERN_FALLS);
-    check_work(&work, 3 * free_blocks, 2 * s->contacts, o->pivots);
+    check_work(&work, 3 * free_blocks, 2 * s->contacts, o->limit, status);
     if (status >= KERN_UNDECIDED) {
         count.asked[tame]++;
         count.undecided[tame] += status == KERN_UNDECIDED;
@@ -329,8 +333,8 @@ static kern_options options_of(bytes *b)
     if (flags & 16)
         o.epsilon = number_of(b);
     if (flags & 32) {
-        o.pivots = byte_of(b);
-        b->tame = b->tame && o.pivots == 0;
+        o.limit = 16 * byte_of(b);
+        b->tame = b->tame && o.limit == 0;
     }
     b->tame = b->tame && !(flags & 12);
     return o;
@@ -367,7 +371,7 @@ static void check_program(bytes *b)
     int i;
     lp.rows = 1 + byte_of(b) % ROWS;
     lp.cols = 1 + byte_of(b) % COLS;
-    lp.pivots = byte_of(b) % 8 ? 0 : byte_of(b);
+    lp.limit = byte_of(b) % 8 ? 0 : byte_of(b);
     lp.a = a;
     lp.rhs = rhs;
     lp.cost = byte_of(b) % 2 ? cost : NULL;
@@ -378,7 +382,7 @@ static void check_program(bytes *b)
     for (i = 0; i < lp.cols; i++)
         cost[i] = number_of(b);
     status = kern_lp_solve(&lp, x, y, &work);
-    check_work(&work, lp.rows, lp.cols, lp.pivots);
+    check_work(&work, lp.rows, lp.cols, lp.limit, status);
     PROPERTY(status != KERN_NO_SPACE && status != KERN_BAD_POINTER
              && status != KERN_BAD_COUNT);
     if (status == KERN_STANDS || status == KERN_UNBOUNDED)
@@ -427,8 +431,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
                             &work.fault) == KERN_STANDS)
             s.blocks++;
     }
-    if (!b.tame && o.pivots == 0)
-        o.pivots = 60; /* or it takes seconds where the simplex stalls */
+    if (!b.tame && o.limit == 0)
+        o.limit = 1000000; /* or it takes seconds where the simplex stalls */
     s.block = block;
     s.contact = contact;
     if (flags & 16 && s.blocks > 0)

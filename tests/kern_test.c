@@ -5547,6 +5547,170 @@ static void profile_ends(void)
     CHECK(work.pivots < 1000);
 }
 
+/* ==== Limits of work ================================================ */
+
+enum limited_call {
+    LIMIT_STANDS, LIMIT_SHRUNK, LIMIT_MEASURE, LIMIT_DEFICIT, LIMIT_LEFT,
+    LIMIT_RIGHT, LIMIT_TILT, LIMIT_MARGINS, LIMIT_LOADS, LIMIT_PLAN, LIMIT_TRY,
+    LIMIT_BEARS, LIMIT_CALLS
+};
+
+/* What a call says: 0 in all that it does not write. */
+typedef struct limited {
+    int status, units;
+    kern_margin m;
+    kern_real value[MAX_BLOCKS];
+} limited;
+
+/* One call with a limit of work. Plans are made anew each time. */
+static limited ask_limited(enum limited_call call, const world *w, int limit)
+{
+    static site p;
+    const kern_structure s = structure_of(w);
+    const int last = w->blocks - 1, side = call == LIMIT_LEFT ? -1 : 1;
+    const kern_real at = R(0.1 * mean_size(w));
+    kern_work work = work_of(w);
+    kern_options o = w->options;
+    kern_collapse c;
+    limited r;
+    int i;
+    memset(&r, 0, sizeof r);
+    o.limit = limit;
+    if (call >= LIMIT_PLAN) {
+        site_open(&p, w);
+        for (i = 0; i < last; i++)
+            site_add(&p, i);
+        if (call != LIMIT_PLAN)
+            kern_plan_measure(&p.plan, &r.m, NULL);
+        memset(&r.m, 0, sizeof r.m);
+        p.plan.options.limit = limit;
+    }
+    switch (call) {
+    case LIMIT_STANDS:
+        r.status = kern_stands(&s, 0, &o, &work, NULL);
+        break;
+    case LIMIT_SHRUNK:
+        r.status = kern_stands(&s, at, &o, &work, NULL);
+        break;
+    case LIMIT_MEASURE:
+        r.status = kern_measure(&s, &o, &work, &r.m, NULL);
+        break;
+    case LIMIT_DEFICIT:
+        r.status = kern_deficit(&s, &o, &work, r.value);
+        break;
+    case LIMIT_LEFT:
+    case LIMIT_RIGHT:
+        r.status = kern_load_factor(&s, 0, NULL, side, &o, &work, r.value,
+                                    NULL);
+        break;
+    case LIMIT_TILT:
+        r.status = kern_tilt(&s, 0, side, &o, &work, r.value, NULL);
+        break;
+    case LIMIT_MARGINS:
+    case LIMIT_LOADS:
+        r.status = kern_profile(&s, call == LIMIT_LOADS, &o, &work, r.value,
+                                &c);
+        break;
+    case LIMIT_PLAN:
+        r.status = kern_plan_measure(&p.plan, &r.m, NULL);
+        break;
+    case LIMIT_TRY:
+        r.status = kern_plan_try(&p.plan, &w->block[last], &r.m, NULL);
+        break;
+    default:
+        r.status = kern_plan_bears(&p.plan, &w->block[last], at, NULL);
+        break;
+    }
+    r.units = call >= LIMIT_PLAN ? p.work.units : work.units;
+    if (call >= LIMIT_PLAN && r.status == KERN_LIMIT) {
+        kern_margin m; /* the plan is what it was */
+        p.plan.options.limit = 0;
+        CHECK_INT(p.plan.s.blocks, last);
+        i = kern_plan_measure(&p.plan, &m, NULL);
+        CHECK(i >= 0 || i == KERN_NO_FREE || SINGLE);
+        if (call == LIMIT_PLAN && i == KERN_STANDS)
+            CHECK(r.m.holds <= m.fails);
+    }
+    return r;
+}
+
+/* What is known where the limit was reached does not contradict the answer. */
+static void check_known(enum limited_call call, const world *w,
+                        const limited *all, const limited *r)
+{
+    const kern_real inside = R(1 + (SINGLE ? 1e-3 : 1e-9));
+    int i, nested = 1;
+    for (i = 0; i < w->contacts; i++)
+        nested &= w->contact[i].line;
+    if (all->status < 0)
+        return;
+    switch (call) {
+    case LIMIT_MEASURE:
+    case LIMIT_PLAN:
+    case LIMIT_TRY:
+        CHECK_INT(r->m.level, -1);
+        CHECK_INT(r->m.saturated, 0);
+        CHECK(r->m.holds <= r->m.fails && r->m.fails <= r->m.most);
+        CHECK(r->m.holds <= r->m.margin && r->m.margin <= r->m.holds);
+        CHECK(r->m.holds >= 0 || all->status == KERN_FALLS || r->m.holds <= -1);
+        if (all->status == KERN_STANDS && nested) {
+            CHECK(r->m.holds <= all->m.fails * inside);
+            CHECK(r->m.fails * inside >= all->m.holds);
+        }
+        break;
+    case LIMIT_DEFICIT:
+    case LIMIT_LEFT:
+    case LIMIT_RIGHT:
+    case LIMIT_TILT:
+        CHECK(r->value[0] <= all->value[0] * inside + R(1e-6));
+        break;
+    case LIMIT_MARGINS:
+    case LIMIT_LOADS:
+        for (i = 0; i < w->blocks; i++)
+            CHECK(r->value[i] <= -1 || r->value[i] == all->value[i]);
+        break;
+    default:
+        break;
+    }
+}
+
+/* Every call with every limit, or some of them where there are many: enough
+   work, and the answer is the same to the last bit; less, and it says so,
+   having done no more than the limit. */
+static void limits_of_work(void)
+{
+    static world w;
+    int seed, call, reached = 0, known = 0;
+    for (seed = 0; seed < 60; seed++) {
+        random_world(&w, 770000u + (unsigned long long)seed, 12);
+        for (call = 0; call < LIMIT_CALLS; call++) {
+            const limited all = ask_limited((enum limited_call)call, &w, 0);
+            const int step = 1 + all.units / 50;
+            int limit;
+            if (all.status < KERN_UNDECIDED)
+                continue;
+            CHECK(all.units > 0);
+            for (limit = 1; limit <= all.units + 1;
+                 limit += limit + 3 < all.units && limit > 3 ? step : 1) {
+                const limited r =
+                    ask_limited((enum limited_call)call, &w, limit);
+                if (limit >= all.units) {
+                    CHECK(memcmp(&r, &all, sizeof r) == 0);
+                    continue;
+                }
+                CHECK_INT(r.status, KERN_LIMIT);
+                CHECK_INT(r.units, limit + 1);
+                check_known((enum limited_call)call, &w, &all, &r);
+                reached++;
+                known += r.m.holds > 0 || r.value[0] > 0;
+            }
+        }
+    }
+    context[0] = 0;
+    CHECK(reached > 10000);
+    CHECK(known > 1000);
+}
+
 /* ==== Known cases =================================================== */
 
 /* What the cases share: the parameters that a family keeps fixed. */
@@ -6442,7 +6606,8 @@ static const spoilt bad_values[] = {
     WHOLE(contact[0].a, 1, KERN_SAME_BLOCK, -2, 0),
     REAL(contact[0].n.y, 0, KERN_BAD_NORMAL, -2, 0),
     REAL(options.epsilon, -1, KERN_BAD_OPTION, -2, -2),
-    WHOLE(options.pivots, -1, KERN_BAD_OPTION, -2, -2),
+    WHOLE(options.limit, -1, KERN_BAD_OPTION, -2, -2),
+    WHOLE(options.limit, 2000000001, KERN_BAD_OPTION, -2, -2),
 };
 
 #define NUMBER(field, block, index) REAL(field, 0, KERN_BAD_NUMBER, block, index)
@@ -6699,26 +6864,20 @@ static int have(int status)
     return status;
 }
 
-/* Too few pivots: undecided or right, never wrong. */
-static void statuses_of_few_pivots(void)
+/* A limit of work, and friction of which no number is left in the proofs. */
+static void statuses_without_verdict(void)
 {
     static world w;
-    kern_margin m;
     kern_structure s;
     kern_work work;
-    int i, got;
     brick_wall(&w, wall4, 0.4, 1);
     s = structure_of(&w);
     work = work_of(&w);
-    for (i = 1; i < 4; i++) {
-        w.options.pivots = i;
-        got = have(kern_stands(&s, R(0.03), &w.options, &work, NULL));
-        CHECK(got == KERN_UNDECIDED || got == KERN_STANDS);
-        got = have(kern_stands(&s, R(0.12), &w.options, &work, NULL));
-        CHECK(got == KERN_UNDECIDED || got == KERN_FALLS);
-        got = kern_measure(&s, &w.options, &work, &m, NULL);
-        CHECK(got == KERN_UNDECIDED || got == KERN_STANDS);
-    }
+    w.options.limit = 1;
+    have(kern_stands(&s, 0, &w.options, &work, NULL));
+    w.options.limit = 0;
+    world_friction(&w, 1e9);
+    have(kern_stands(&s, R(0.12), &w.options, &work, NULL));
 }
 
 static void statuses_of_measures(void)
@@ -6794,7 +6953,7 @@ static void status_of_every_kind(void)
     int i, j;
     had_count = 0;
     statuses_of_measures();
-    statuses_of_few_pivots();
+    statuses_without_verdict();
     statuses_of_geometry();
     for (i = 0; i < ROWS; i++) {
         const char *text = kern_status_text((kern_status)statuses[i].value);
@@ -7356,6 +7515,7 @@ static const test tests[] = {TEST(polygon_area_and_centre),
                              TEST(plan_saturated),
                              TEST(plan_stale),
                              TEST(jams_are_bounded),
+                             TEST(limits_of_work),
                              TEST(profile_ends),
                              TEST(plan_ground_only),
                              TEST(plan_faults),
