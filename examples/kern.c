@@ -55,7 +55,7 @@ static const char help[] =
 "                   collapse: contacts shrink, or a load pushes, and what falls\n"
 "                   is taken away\n"
 "      --near       count contacts that a first rocking would close as well:\n"
-"                   gaps to 3 % of the mean block, angles to 0.1; foretells best\n"
+"                   gaps to 4 % of the mean block, angles to 0.15; foretells best\n"
 "                   what shaking does\n"
 "      --limit N    most work of each question, in units of some 0.1 us; what\n"
 "                   takes more is undecided, and said as far as it is proven\n"
@@ -353,7 +353,8 @@ static void find_profile(struct analysis *a)
     }
     for (int k = falls ? PROFILES : 1; k < PROFILES; k++) {
         for (int i = 0; i < a->s.blocks; i++) a->fate[k][i] = (kern_real)NAN;
-        a->all[k].least = a->all[k].mean = a->all[k].weak = (kern_real)NAN;
+        a->all[k].least = a->all[k].mean = a->all[k].weak =
+            a->all[k].drop = (kern_real)NAN;
     }
 }
 
@@ -717,6 +718,12 @@ static void report_motion(const struct analysis *a)
     }
 }
 
+/* Of both sides together: larger is worse. */
+static double expected_drop(const struct analysis *a)
+{
+    return (double)a->all[LOAD_LEFT].drop + (double)a->all[LOAD_RIGHT].drop;
+}
+
 static void report_profile(const struct analysis *a)
 {
     char shown[TEXT_SHOW_ROOM];
@@ -738,6 +745,8 @@ static void report_profile(const struct analysis *a)
     printf("              %-10s %11.5f %11.5f %11.5f\n", "lower half",
            (double)a->all[MARGIN].weak, (double)a->all[LOAD_LEFT].weak,
            (double)a->all[LOAD_RIGHT].weak);
+    printf("  drop        %-10.4g expected under shaking, in mean blocks; more "
+           "is worse\n", expected_drop(a));
 }
 
 static void report(const struct analysis *a)
@@ -858,6 +867,7 @@ static void json_profile(const struct analysis *a, int good)
     json_number("progressive_load", known ? mean_load(a) : none);
     json_number("weak_margin", known ? (double)a->all[MARGIN].weak : none);
     json_number("weak_load", known ? weak_load(a) : none);
+    json_number("expected_drop", known ? expected_drop(a) : none);
     printf(", \"profile\": [");
     for (int i = 0; known && i < a->s.blocks; i++) {
         if (a->s.block[i].fixed) continue;

@@ -7221,9 +7221,14 @@ static void profile_two_storeys(void)
     CHECK_NEAR(c.least, 0.25, EDGE);
     CHECK_NEAR(c.mean, 0.625, EDGE);
     CHECK_NEAR(c.weak, 0.25, EDGE);
+    CHECK_NEAR(c.drop, 0, 0);
     CHECK_INT(profile(&w, 1, value, &c), KERN_STANDS);
     CHECK_NEAR(value[1], 0.4, EDGE);
     CHECK_NEAR(value[2], 1. / 6, EDGE);
+    /* sizes 2 and sqrt 3; the lowest block begins half its size below its
+       centre, at -1/2: heights 1 and 3, in mean sizes */
+    CHECK_NEAR(c.drop, (exp(-0.4 / 0.07) + 3 * exp(-1 / 0.42))
+                       / (2 + sqrt(3.)), 1e-4);
     CHECK_INT(profile(&w, -1, value, &c), KERN_STANDS);
     CHECK_NEAR(value[1], 0.4, EDGE);
     CHECK_NEAR(value[2], 0.4, EDGE);

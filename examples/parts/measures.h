@@ -114,6 +114,7 @@ MEASURES_API int measures_load(struct measures_of *m, const char *path)
       "near: progressive load factor")                                        \
     X(NEAR_WEAK_MARGIN, "near_weak_margin", "near: margin, weaker half")      \
     X(NEAR_WEAK_LOAD, "near_weak_load", "near: load factor, weaker half")     \
+    X(NEAR_DROP, "near_drop", "near: expected drop, less")                    \
     X(SLENDERNESS, "slenderness", "width over height")                        \
     X(STONES, "stones", "number of stones")
 
@@ -140,7 +141,7 @@ static const char *const measures_words[] = {
    sides, to out[0..6): what is asked of contacts as found and of near ones. */
 enum {
     ASK_MARGIN, ASK_LOAD, ASK_MEAN_MARGIN, ASK_MEAN_LOAD, ASK_WEAK_MARGIN,
-    ASK_WEAK_LOAD, ASKS
+    ASK_WEAK_LOAD, ASK_DROP, ASKS
 };
 
 MEASURES_API int measures_profiles(struct measures_of *m, double out[ASKS])
@@ -158,6 +159,7 @@ MEASURES_API int measures_profiles(struct measures_of *m, double out[ASKS])
     out[ASK_MEAN_LOAD] = ((double)all[1].mean + (double)all[2].mean) / 2;
     out[ASK_WEAK_MARGIN] = (double)all[0].weak;
     out[ASK_WEAK_LOAD] = ((double)all[1].weak + (double)all[2].weak) / 2;
+    out[ASK_DROP] = -((double)all[1].drop + (double)all[2].drop);
     return 0;
 }
 
@@ -212,12 +214,13 @@ MEASURES_API int measures_all(struct measures_of *m, double *out)
     m->options = tight;
     out[MEASURE_LEVEL] = margin.level;
     out[MEASURE_TILT] = fmin((double)tilt[0], (double)tilt[1]);
-    for (k = 0; k < ASKS; k++) {
-        static const int place[ASKS] = {
+    out[MEASURE_NEAR_DROP] = near[ASK_DROP];
+    for (k = 0; k < ASK_DROP; k++) {
+        static const int place[ASK_DROP] = {
             MEASURE_MARGIN, MEASURE_LOAD, MEASURE_PROGRESSIVE_MARGIN,
             MEASURE_PROGRESSIVE_LOAD, MEASURE_WEAK_MARGIN, MEASURE_WEAK_LOAD
         };
-        static const int beside[ASKS] = {
+        static const int beside[ASK_DROP] = {
             MEASURE_NEAR_MARGIN, MEASURE_NEAR_LOAD,
             MEASURE_NEAR_PROGRESSIVE_MARGIN, MEASURE_NEAR_PROGRESSIVE_LOAD,
             MEASURE_NEAR_WEAK_MARGIN, MEASURE_NEAR_WEAK_LOAD

@@ -325,7 +325,7 @@ static void table_stones(const struct study *y)
 
 /* ---- The gap and the angle of near contacts ------------------------------ */
 
-/* The correlation of the weaker half's load factor, in each half of the
+/* The correlation of the expected drop, in each half of the
    structures, with contacts of a gap (in mean sizes) and an angle. */
 static int tune_one(const struct study *y, double gap, double angle,
                     double *room, double out[2])
@@ -342,7 +342,7 @@ static int tune_one(const struct study *y, double gap, double angle,
         bad = bad || measures_contacts(&m) || measures_profiles(&m, ask);
         measures_free(&m);
         if (bad) return -1;
-        value[i] = ask[ASK_WEAK_LOAD];
+        value[i] = ask[ASK_DROP];
     }
     for (int half = 0; half < 2; half++) {
         int k = 0;
