@@ -1172,22 +1172,17 @@ static void kern_fault_clear(kern_fault *fault)
 /* Share of the size of the smaller free block above which no step is too low
    to carry, however wide the gap: a pebble keeps its shape. */
 #define KERN_STEP_MOST  KERN_R(0.1)
-/* How far a chord may pass by the corners that it leaves out, in gaps: those
-   of a straight line in pixels are up to 1.1 pixels off the line through two
-   of them. */
-#define KERN_CHORD      KERN_R(1.125)
 /* Most parts of an outline that have a box of their own, and by how many edges
    they are longer than need be: more take more stack, shorter ones time. */
 #define KERN_PARTS      24
 #define KERN_PART_EDGES 8
-/* Ends of chords that are kept while one before them is looked for. */
-#define KERN_CHORDS     16
-/* How long a way is, in steps, whose direction steps hardly change, and the
-   sine of 10 degrees: by how much they still do. */
+/* Most nested spans of an outline that are kept; more save time. */
+#define KERN_SPANS      16
+/* Length in steps of a way whose direction steps hardly change, and the sine of
+   10 degrees: by so much they still do. */
 #define KERN_STEP_WAY   KERN_R(8.0)
 #define KERN_STEP_SINE  KERN_R(0.17364817766693036)
-/* Cosine of 60 degrees: by so much a step may turn the outline, and a normal
-   be off that of its chord. */
+/* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
 #define KERN_GOES_ON    KERN_R(0.5)
 /* Share of the size by which a foot must lie inside its edge, so that rounding
    makes no contacts between diagonal neighbours. */
@@ -1297,6 +1292,12 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real at,
 static kern_vec kern_polygon_at(const kern_block *block, int i)
 {
     return block->vertex[block->area < 0 ? block->vertices - 1 - i : i];
+}
+
+static kern_vec kern_polygon_way(const kern_block *block, int from, int to)
+{
+    return kern_vec_sub(kern_polygon_at(block, to),
+                        kern_polygon_at(block, from));
 }
 
 static int kern_polygon_next(const kern_block *block, int i)
@@ -1663,45 +1664,27 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   A search goes over the pairs of blocks whose boxes are near each other. Of a
-   pair it first looks for overlap, then for lines and points at each two edges
-   that are near each other; what it finds is raw, and is merged to faces at
-   once. Until the end of the search a contact has one place in the array: a
-   line stands there with its middle as p, half its length as travel. The pairs
-   know nothing of each other. */
-
-typedef struct kern_search {
-    const kern_block *block;
-    int blocks;
-    int upright;            /* nonzero: all blocks together are higher than
-                               wide                                        */
-    kern_real reach;        /* widest gap of any pair [m]                  */
-    kern_real floor;        /* places closer than that are the same [m]    */
-    kern_real mu, sine;     /* of the options; sine of their angle         */
-    kern_real user_gap;     /* 0: by the size of the pair                  */
-    kern_contact *out;
-    int room, count;
-    kern_fault *fault;
-    /* the pair */
-    const kern_block *a, *b;
-    kern_parts parts_a, parts_b;
-    int index_a, index_b;   /* a before b                                  */
-    kern_real gap;          /* widest [m]                                  */
-    kern_real least;        /* a line is longer [m]                        */
-    kern_real foot;         /* from there on a foot is inside its edge [m] */
-    kern_real step;         /* up to there a step is none [m]              */
-    int first;              /* of its contacts                             */
-} kern_search;
+   1. A sweep along the longer side of the structure finds the pairs of blocks
+      whose boxes are within the gap (sweep and prune).
+   2. Overlap: if a boundary or an inner point of one block of a pair lies in
+      the other deeper than the gap, the search fails.
+   3. Edges: each two edges of the pair whose boxes are within the gap make a
+      line contact, or a point contact where a corner stands on an edge.
+   4. Steps: where an outline has risers lower than the gap, a contact takes
+      the place and the normal of the simplified outline (Douglas-Peucker).
+   5. Faces: points next to a line are dropped, and what has one normal and
+      lies on one line is merged to one contact from end to end.
+   6. Travels: lines close to their middle, points to the middle of their
+      interface.
+   At the end the contacts are sorted by their blocks, and each line becomes
+   two contact points. */
 
 /* ---- overlap ---- */
-/* No boundary point of a may lie in b deeper than the gap. Along an edge of a
-   the depth in b changes by no more than the way, so a place of some depth
-   tells how far the next one may be that is too deep. Two kinds of places tell
-   more, and keep the steps few: within the gap of an edge of b nothing is too
-   deep, and outside nothing is until the way meets b. */
+/* The search goes along the edges of one block. The depth in the other changes
+   by no more than the way, so each depth gives a step that is safe. */
 
-/* Is nothing of the block farther to the left of the line through p in
-   direction d than that? */
+/* Does everything of the outline lie right of the line through p in direction
+   d, or left of it by no more than that? */
 static int kern_overlap_beside(const kern_parts *parts, kern_vec p, kern_vec d,
                                kern_real left)
 {
@@ -1722,9 +1705,8 @@ static int kern_overlap_beside(const kern_parts *parts, kern_vec p, kern_vec d,
     return 1;
 }
 
-/* Does the line of an edge of a part the two, each on its own side of it but
-   for the gap? Then nothing is deep, and where stones are convex there is such
-   an edge wherever nothing is. */
+/* Does the line of an edge of a separate the two, within the gap? A convex
+   pair that does not overlap has such an edge, as a rule. */
 static int kern_overlap_parted(const kern_parts *a, const kern_parts *b,
                                kern_real gap)
 {
@@ -1741,8 +1723,8 @@ static int kern_overlap_parted(const kern_parts *a, const kern_parts *b,
     return 0;
 }
 
-/* How far the way on from p in direction d, at most `most`, stays within the
-   gap of the edge of b that ends at vertex i; 0: it is not there now. */
+/* How far the way from p in direction d, at most `most`, stays within the gap
+   of the edge of b that ends at vertex i; 0: p is not within the gap. */
 static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
                                     kern_vec p, kern_vec d, kern_real most)
 {
@@ -1757,26 +1739,9 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
     return low > 0 ? 0 : most;
 }
 
-/* How far the way on from p in direction d, at most `most`, goes before it
-   meets b; less, but not by more than the gap. */
-static kern_real kern_overlap_free(const kern_parts *b, kern_real gap,
-                                   kern_vec p, kern_vec d, kern_real most)
-{
-    kern_real low = 0, high = most, mid = most;
-    do {
-        if (kern_polygon_meets(b, p, kern_vec_step(p, mid, d), 0,
-                               b->block->vertices))
-            high = mid;
-        else
-            low = mid;
-        mid = (low + high) / 2;
-    } while (high - low > gap);
-    return low;
-}
-
-/* The first depth beyond the gap in b on the way from p to q, 0: none. Where a
-   gap is all but rounding, steps that are as short come to no end: from some
-   number on they double, and may pass by what is as deep as they are long. */
+/* The first depth beyond the gap in b on the way from p to q, 0: none. From
+   some number on the steps double: a gap of a few roundings takes no end of
+   them otherwise. */
 static kern_real kern_overlap_edge(const kern_parts *b, kern_real gap,
                                    kern_vec p, kern_vec q, int *nearest)
 {
@@ -1794,8 +1759,6 @@ static kern_real kern_overlap_edge(const kern_parts *b, kern_real gap,
         if (depth > gap)
             return depth;
         step = kern_overlap_along(b->block, *nearest, gap, at, d, length - s);
-        if (depth < 0 && !(step > 0))
-            step = kern_overlap_free(b, gap, at, d, length - s) + gap;
         step = kern_max(step, gap - depth + stride);
         if (--left < 0)
             stride *= 2;
@@ -1803,11 +1766,24 @@ static kern_real kern_overlap_edge(const kern_parts *b, kern_real gap,
     return 0;
 }
 
-/* The depth in b of an inner point of a, if it is beyond the gap. Every polygon
-   has a vertex whose triangle with its neighbours lies inside; in a round one
-   it is flat, and triangles of vertices farther apart are tried first. Where no
-   boundary is deep in the other block, one point that is far inside a tells of
-   all that is around it. */
+/* The first depth beyond the gap in b of the boundary of a, 0: none. */
+static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
+                                       kern_real gap)
+{
+    const kern_block *block = a->block;
+    kern_real depth = 0;
+    int i, nearest = 0;
+    for (i = 0; i < block->vertices && !(depth > 0); i++)
+        depth = kern_overlap_edge(b, gap, block->vertex[i],
+                                  block->vertex[kern_polygon_next(block, i)],
+                                  &nearest);
+    return depth;
+}
+
+/* The depth in b of an inner point of a, if it is beyond the gap. The points
+   are the middles of triangles of vertices, those far apart first: an outline
+   that turns left at a vertex has its triangle inside. Where no boundary is
+   deep, one point far inside a speaks for all around it. */
 static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
                                     kern_real gap)
 {
@@ -1831,20 +1807,6 @@ static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
     return 0;
 }
 
-/* The first depth beyond the gap in b of a's boundary, 0: none. */
-static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
-                                       kern_real gap)
-{
-    const kern_block *block = a->block;
-    kern_real depth = 0;
-    int i, nearest = 0;
-    for (i = 0; i < block->vertices && !(depth > 0); i++)
-        depth = kern_overlap_edge(b, gap, block->vertex[i],
-                                  block->vertex[kern_polygon_next(block, i)],
-                                  &nearest);
-    return depth;
-}
-
 /* Depth of the overlap of a and b, 0: none deeper than the gap. */
 static kern_real kern_overlap(const kern_parts *a, const kern_parts *b,
                               kern_real gap)
@@ -1855,23 +1817,22 @@ static kern_real kern_overlap(const kern_parts *a, const kern_parts *b,
         return 0;
     depth = kern_max(kern_overlap_boundary(a, b, gap),
                      kern_overlap_boundary(b, a, gap));
-    /* what is at one place has no deep boundary, whiskers or not */
-    if (!(depth > 0))
+    if (!(depth > 0)) /* two blocks at one place have no deep boundary */
         depth = kern_overlap_inner(a, b, gap);
     return depth > 0 ? depth : kern_overlap_inner(b, a, gap);
 }
 
-/* ---- lines and points ---- */
+/* ---- edges ---- */
 
-/* An edge from corner p to corner q: unit direction and length; direction from
-   p to the vertex before. */
+/* The way from corner `start` to corner `end`: an edge or a chord. */
 typedef struct kern_edge {
-    int start, end;         /* indices of the corners */
-    kern_vec p, q, d, back;
+    int start, end;         /* corners                               */
+    kern_vec p, q, d;       /* their places; unit direction          */
+    kern_vec back;          /* of an edge: unit direction from p to
+                               the vertex before                     */
     kern_real length;
 } kern_edge;
 
-/* The way from corner `start` to corner `end`, and its direction. */
 static void kern_edge_set(kern_edge *e, const kern_block *block, int start,
                           int end)
 {
@@ -1891,9 +1852,9 @@ static void kern_edge_open(kern_edge *e, const kern_block *block)
     e->end = kern_polygon_corner_after(block, block->vertices - 1);
 }
 
-/* Goes to the next edge that is near the box; 0: there is none. An edge whose
-   middle vertices were dropped may lie in several parts: it is looked at if the
-   first or the last is near, or begins before one that is. */
+/* Goes to the next edge that is near the box; 0: there is none. An edge with
+   vertices that are no corners may lie in several parts: that before the first
+   near part is tried as well. */
 static int kern_edge_next(kern_edge *e, const kern_parts *parts,
                           const kern_box *box, kern_real gap)
 {
@@ -1911,345 +1872,219 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
         if (!kern_box_near(&own, box, gap))
             continue;
         kern_edge_set(e, block, from, end);
-        e->back = kern_vec_unit(kern_vec_sub(
-            kern_polygon_at(block, kern_polygon_prev(block, from)), e->p));
+        e->back = kern_vec_unit(kern_polygon_way(
+            block, from, kern_polygon_prev(block, from)));
         return 1;
     }
     return 0;
 }
 
-/* Adds a raw contact, the longest first: the order in which they make faces.
-   What finds no room is only counted. In place of the blocks it may name where
-   the edges start, or -1 less the corner that is the point. */
-static void kern_search_put(kern_search *s, int a, int b, kern_vec p,
-                            kern_vec n, kern_real half)
+/* ---- simplified outlines ---- */
+/* Outlines from images and from clippers have steps of a pixel or of a
+   rounding. Their simplification (Douglas & Peucker 1973) tells the place and the
+   normal of a contact there. It is not stored: the span of an edge is found
+   from the whole outline, which is split until no corner is farther than a step
+   from the chord. The nested spans on the way serve the next edge, which is a
+   neighbour as a rule. */
+
+typedef struct kern_span {
+    int start, end;         /* corners; equal: the whole outline */
+} kern_span;
+
+typedef struct kern_outline {
+    kern_parts parts;
+    kern_span span[KERN_SPANS]; /* each lies in the one before           */
+    int spans;              /* so many; 0: there is no simplification,
+                               -1: not known                             */
+    int last;               /* the last span is split no further         */
+    int steps;              /* and has steps                             */
+} kern_outline;
+
+static void kern_outline_open(kern_outline *o, const kern_block *block)
 {
-    int i = s->count++;
-    if (i >= s->room)
-        return;
-    for (; i > s->first && s->out[i - 1].travel < half; i--)
-        s->out[i] = s->out[i - 1];
-    s->out[i].a = a;
-    s->out[i].b = b;
-    s->out[i].line = -1; /* the chords are not known */
-    s->out[i].mu = -1;
-    s->out[i].p = p;
-    s->out[i].n = n;
-    s->out[i].travel = half;
+    kern_parts_set(&o->parts, block);
+    o->spans = -1;
+    o->last = 0;
 }
 
-/* Edge e of a and edge f of b run against each other. In the frame of their
-   mean tangent t and mean normal n both are heights over s, e rises as f falls,
-   and the gap between them opens at twice that slope: the line contact is where
-   it is small enough, midway. */
-static void kern_search_line(kern_search *s, const kern_edge *e,
-                             const kern_edge *f)
+/* The whole outline as a span from the corner farthest from the centre. A
+   convex outline is not simplified. */
+static void kern_outline_whole(kern_outline *o)
 {
-    const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
-    kern_vec n, t, mid;
-    kern_real at, cosine, slope, low, high, gap;
-    if (!(kern_vec_dot(e->d, f->d) < 0) ||
-        kern_abs(kern_vec_cross(e->d, f->d)) > s->sine)
-        return;
-    t = kern_vec_unit(kern_vec_sub(e->d, f->d));
-    n = kern_vec_scale(kern_vec_turn(t), -1);
-    cosine = kern_vec_dot(e->d, t); /* and of f the opposite */
-    slope = kern_vec_dot(e->d, n) / cosine;
-    at = kern_vec_dot(r, t);
-    low = kern_max(0, at);
-    high = kern_min(e->length * cosine, at + f->length * cosine);
-    gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
-    kern_clip(&low, &high, gap, -2 * slope, -s->gap, s->gap);
-    if (!(high - low > s->least))
-        return;
-    mid = kern_vec_step(e->p, (low + high) / 2, t);
-    kern_search_put(s, e->start, f->start, kern_vec_step(mid, gap / 2, n), n,
-                    (high - low) / 2);
-}
-
-/* The corner where f starts stands on edge e of the block `to`: it is convex
-   and within the gap, its foot is inside e or e ends there in a reflex corner,
-   and both its own edges lead to the outer side. */
-static void kern_search_point(kern_search *s, const kern_edge *f,
-                              const kern_block *to, const kern_edge *e)
-{
-    const kern_vec r = kern_vec_sub(f->p, e->p);
-    const kern_vec t = kern_vec_sub(f->p, e->q);
-    const kern_real along = kern_vec_dot(r, e->d), square = s->gap * s->gap;
-    const int on_a = to == s->a;
-    if (kern_vec_cross(f->back, f->d) > 0 ||
-        kern_abs(kern_vec_cross(r, e->d)) > s->gap ||
-        kern_vec_cross(f->d, e->d) < -s->sine ||
-        kern_vec_cross(f->back, e->d) < -s->sine)
-        return;
-    if ((along > s->foot && along < e->length - s->foot) ||
-        (kern_vec_dot(r, r) <= square &&
-         kern_polygon_turn(to, e->start) < 0) ||
-        (kern_vec_dot(t, t) <= square &&
-         kern_polygon_turn(to, e->end) < 0))
-        kern_search_put(s, on_a ? e->start : -1 - f->start,
-                        on_a ? -1 - f->start : e->start, f->p,
-                        kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1), 0);
-}
-
-/* Looks for lines and points at each two edges that are near each other. */
-static void kern_search_edges(kern_search *s)
-{
-    kern_edge e, f;
-    kern_edge_open(&e, s->a);
-    while (kern_edge_next(&e, &s->parts_a, &s->b->box, s->gap)) {
-        kern_box box;
-        kern_box_set(&box, e.p, e.q);
-        kern_edge_open(&f, s->b);
-        while (kern_edge_next(&f, &s->parts_b, &box, s->gap)) {
-            kern_search_line(s, &e, &f);
-            kern_search_point(s, &e, s->b, &f);
-            kern_search_point(s, &f, s->a, &e);
+    const kern_block *block = o->parts.block;
+    kern_real most = -1;
+    int i, start = 0, reflex = 0;
+    for (i = 0; i < block->vertices; i++) {
+        const int turn = kern_polygon_turn(block, i);
+        const kern_vec r = kern_vec_sub(kern_polygon_at(block, i),
+                                        block->centre);
+        const kern_real square = kern_vec_dot(r, r);
+        reflex |= turn < 0;
+        if (square > most && turn != 0) {
+            most = square;
+            start = i;
         }
     }
+    o->span[0].start = o->span[0].end = start;
+    o->spans = reflex;
 }
 
-/* ---- steps ---- */
-/* Outlines from images and from clippers have steps of a pixel, or of a
-   rounding. A step lower than the gap is no key: contacts are found at the
-   edges as they are, so that no support is lost, but where an outline has such
-   steps take their normals from a chord across them, and lie on it. What a
-   step's own edge found faces away from the chord's normal, and is left out.
-
-   A step is an edge, or some short ones, between a left and a right turn, whose
-   neighbours go on in about one direction, one a little higher than the other.
-   Its ends, and the corners that are as near to them as steps are low, are
-   loose. Between two corners that are not, an outline is taken for its chord,
-   or, where that passes by a corner too far away, for the chords to it and from
-   it. */
-
-static kern_vec kern_polygon_way(const kern_block *block, int from, int to)
+/* Does the edge or span that starts at corner i lie in the span? */
+static int kern_span_holds(const kern_block *block, kern_span span, int i)
 {
-    return kern_vec_sub(kern_polygon_at(block, to),
-                        kern_polygon_at(block, from));
+    const int n = block->vertices;
+    return (i - span.start + n) % n <= (span.end - span.start - 1 + n) % n;
 }
 
-/* Is corner i the end of a step? Looks at those that go on from it, or back. */
-static int kern_step_from(const kern_search *s, const kern_block *block, int i,
-                          int back)
+/* Where to split the span: at the corner farthest from its chord, if that is
+   farther than a step, else at its end. */
+static int kern_span_split(const kern_block *block, kern_span span,
+                           kern_real step)
 {
-    const int turn = kern_polygon_turn(block, i);
-    const kern_vec in = kern_vec_unit(kern_polygon_way(
-        block, kern_polygon_beside(block, i, !back), i));
-    kern_real way = 0;
-    int at = i;
-    do {
-        const int to = kern_polygon_corner(block, at, back);
-        const kern_vec e = kern_polygon_way(block, i, to);
-        const kern_real length =
-            kern_vec_length(kern_polygon_way(block, at, to));
-        way += length;
-        if (to != i && kern_polygon_turn(block, to) * turn < 0) {
-            const kern_vec out = kern_vec_unit(kern_polygon_way(
-                block, to, kern_polygon_beside(block, to, back)));
-            const kern_vec on = kern_vec_unit(kern_vec_add(in, out));
-            const kern_real high = kern_abs(kern_vec_cross(on, e));
-            if (kern_vec_dot(in, out) > KERN_GOES_ON && high <= s->step &&
-                high > s->sine * kern_vec_length(e))
-                return 1;
-        }
-        at = to;
-    } while (way <= 2 * s->step && at != i);
-    return 0;
-}
-
-static int kern_step_ends(const kern_search *s, const kern_block *block, int i)
-{
-    return kern_step_from(s, block, i, 0) || kern_step_from(s, block, i, 1);
-}
-
-/* Steps on the way round an outline, corner by corner: each is looked at once,
-   as soon as it is nearer than steps are high. */
-typedef struct kern_round {
-    kern_real since;        /* way from the last end of a step            */
-    kern_real ahead;        /* way to the corner that was looked at last, */
-    int at, ends;           /* and whether a step ends there              */
-} kern_round;
-
-static void kern_round_open(kern_round *k, const kern_search *s,
-                            const kern_block *block, int i)
-{
-    int at = i, to;
-    k->since = k->ahead = 0;
-    k->at = i;
-    k->ends = kern_step_ends(s, block, i);
-    do {
-        to = kern_polygon_corner(block, at, 1);
-        k->since += kern_vec_length(kern_polygon_way(block, at, to));
-        at = to;
-    } while (k->since <= s->step && at != i && !kern_step_ends(s, block, at));
-}
-
-/* Is corner i, which is that of k, at a step, or nearer to one than steps are
-   high? */
-static int kern_round_near(kern_round *k, const kern_search *s,
-                           const kern_block *block, int i)
-{
-    int to;
-    while (!k->ends && k->ahead <= s->step) {
-        to = kern_polygon_corner_after(block, k->at);
-        k->ahead += kern_vec_length(kern_polygon_way(block, k->at, to));
-        k->at = to;
-        k->ends = kern_step_ends(s, block, to);
-        if (to == i)
-            break;
-    }
-    return k->since <= s->step || (k->ends && k->ahead <= s->step);
-}
-
-/* From corner i to the next, which is returned. */
-static int kern_round_on(kern_round *k, const kern_search *s,
-                         const kern_block *block, int i)
-{
-    const int to = kern_polygon_corner_after(block, i);
-    const kern_real way = kern_vec_length(kern_polygon_way(block, i, to));
-    if (k->at == i) {
-        k->since = k->ends ? way : k->since + way;
-        k->ahead = 0;
-        k->at = to;
-        k->ends = kern_step_ends(s, block, to);
-    } else {
-        k->since += way;
-        k->ahead -= way;
-    }
-    return to;
-}
-
-/* If the chord from `start` to `end` passes by corners too far away: that which
-   is farthest from both together, and so a corner of the whole rather than of
-   a step next to it; else `end`. */
-static int kern_chord_part(const kern_search *s, const kern_block *block,
-                           int start, int end)
-{
-    const kern_vec d = kern_polygon_way(block, start, end);
-    const kern_real whole = kern_vec_dot(d, d);
-    const kern_real wide = KERN_CHORD * s->step;
-    kern_real most = 0;
-    int i, part = end;
-    for (i = kern_polygon_corner_after(block, start); i != end;
-         i = kern_polygon_corner_after(block, i)) {
-        const kern_vec r = kern_polygon_way(block, start, i);
-        kern_real along = 0, far;
-        kern_vec off;
-        if (whole > 0) /* the chord of a whole outline has no length */
-            along = kern_min(kern_max(kern_vec_dot(r, d) / whole, 0), 1);
-        off = kern_vec_step(r, -along, d);
-        if (!(kern_vec_dot(off, off) > wide * wide))
-            continue;
-        far = kern_vec_length(r) + kern_vec_length(kern_vec_sub(d, r));
-        if (far > most) {
-            most = far;
+    const kern_vec p = kern_polygon_at(block, span.start);
+    const kern_vec d = kern_polygon_way(block, span.start, span.end);
+    const int whole = span.start == span.end; /* its chord is a point */
+    kern_real most = step * step;
+    int i = span.start, part = span.end;
+    while ((i = kern_polygon_corner_after(block, i)) != span.end) {
+        const kern_vec r = kern_vec_sub(p, kern_polygon_at(block, i));
+        const kern_real square = whole
+            ? kern_vec_dot(r, r) : kern_edge_square(r, kern_vec_add(r, d));
+        if (square > most) {
+            most = square;
             part = i;
         }
     }
     return part;
 }
 
-/* The corner that is farthest from the middle of the block. */
-static int kern_polygon_far(const kern_block *block)
+/* Has the span a step: does its chord leave out a reflex corner? */
+static int kern_span_steps(const kern_block *block, kern_span span)
 {
-    const kern_vec mid = kern_vec_mid(block->box.low, block->box.high);
-    kern_real most = -1;
-    int i, far = 0;
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec r = kern_vec_sub(kern_polygon_at(block, i), mid);
-        const kern_real square = kern_vec_dot(r, r);
-        if (square > most && kern_polygon_turn(block, i) != 0) {
-            most = square;
-            far = i;
+    int i = kern_polygon_corner_after(block, span.start);
+    while (i != span.end && kern_polygon_turn(block, i) > 0)
+        i = kern_polygon_corner_after(block, i);
+    return i != span.end;
+}
+
+/* Makes the last span the smallest that holds the edge at corner i. */
+static kern_span kern_outline_span(kern_outline *o, kern_real step, int i)
+{
+    const kern_block *block = o->parts.block;
+    kern_span span;
+    int part;
+    while (!kern_span_holds(block, o->span[o->spans - 1], i)) {
+        o->spans--;
+        o->last = 0;
+    }
+    span = o->span[o->spans - 1];
+    if (o->last)
+        return span;
+    while ((part = kern_span_split(block, span, step)) != span.end) {
+        kern_span before = span;
+        before.end = part;
+        if (kern_span_holds(block, before, i))
+            span.end = part;
+        else
+            span.start = part;
+        o->spans += o->spans < KERN_SPANS;
+        o->span[o->spans - 1] = span;
+    }
+    o->last = 1;
+    o->steps = span.start != span.end && kern_span_steps(block, span);
+    return span;
+}
+
+/* The chord that stands for the edge at corner i: 1, or the edge itself: 0. */
+static int kern_outline_chord(kern_outline *o, kern_real step, int i,
+                              kern_edge *chord)
+{
+    const kern_block *block = o->parts.block;
+    kern_span span;
+    if (o->spans < 0)
+        kern_outline_whole(o);
+    if (o->spans > 0) {
+        span = kern_outline_span(o, step, i);
+        if (o->steps) {
+            kern_edge_set(chord, block, span.start, span.end);
+            return 1;
         }
     }
-    return far;
+    kern_edge_set(chord, block, i, kern_polygon_corner_after(block, i));
+    return 0;
 }
 
-static int kern_raw_corner(int i)
-{ return i < 0 ? -1 - i : i; }
+/* ---- the pair ---- */
 
-/* Gives the raw contacts at corners from `start` to `end` of the block that
-   chord. */
-static void kern_chord_give(const kern_search *s, const kern_block *block,
-                            int start, int end)
+/* The contacts found so far, in the caller's array. */
+typedef struct kern_found {
+    kern_contact *at;
+    int room, count;        /* count may exceed the room: no more is stored */
+} kern_found;
+
+typedef struct kern_pair {
+    int a, b;               /* indices of the blocks, a before b           */
+    kern_outline of_a, of_b;
+    kern_real gap;          /* widest [m]                                  */
+    kern_real least;        /* a line is longer [m]                        */
+    kern_real foot;         /* a foot inside an edge is so far inside [m]  */
+    kern_real step;         /* a step up to there is none [m]              */
+    kern_real sine;         /* of the angle of the options                 */
+    kern_found *found;
+    int first;              /* of its contacts                             */
+} kern_pair;
+
+/* A contact before it is one of the caller's: a line is in one piece. */
+typedef struct kern_raw {
+    kern_vec p, n;          /* its middle; normal from a into b */
+    kern_real half;         /* half its length; of a point 0    */
+} kern_raw;
+
+static kern_raw kern_raw_at(const kern_contact *c)
 {
-    const int n = block->vertices, length = (end - start + n) % n;
-    int i;
-    for (i = s->first; i < s->count; i++) {
-        kern_contact *c = &s->out[i];
-        int *at = block == s->a ? &c->a : &c->b;
-        if ((kern_raw_corner(*at) - start + n) % n >= length)
-            continue;
-        *at = *at < 0 ? -1 - start : start;
-        if (block == s->a)
-            c->line = end;
-        else
-            c->mu = KERN_R(end);
-    }
+    kern_raw raw;
+    raw.p = c->p;
+    raw.n = c->n;
+    raw.half = c->travel;
+    return raw;
 }
 
-/* Goes on from corner `start` to that where its chord ends, by way of those
-   kept in stop[0..top), and gives the chord to its contacts. */
-static int kern_chord_next(const kern_search *s, const kern_block *block,
-                           int start, int *stop, int *top)
+static void kern_raw_keep(const kern_raw *raw, kern_contact *c)
 {
-    int end = stop[*top - 1], part;
-    while ((part = kern_chord_part(s, block, start, end)) != end) {
-        end = part;
-        if (*top < KERN_CHORDS)
-            stop[(*top)++] = end;
-    }
-    *top -= end == stop[*top - 1];
-    if (end != kern_polygon_corner_after(block, start))
-        kern_chord_give(s, block, start, end);
-    return end;
+    c->p = raw->p;
+    c->n = raw->n;
+    c->travel = raw->half;
+    c->line = raw->half > 0;
 }
 
-/* Looks for chords that leave out corners. There are none where an outline
-   turns left only. */
-static void kern_search_chords(const kern_search *s, const kern_block *block)
+/* One end: side is -1 or 1. */
+static kern_vec kern_raw_end(const kern_raw *raw, int side)
 {
-    int stop[KERN_CHORDS];
-    int first = kern_polygon_corner_after(block, block->vertices - 1);
-    int at = 0, top, loose = 1; /* none is fast */
-    kern_round k;
-    const int begin = first;
-    while (at < block->vertices && kern_polygon_turn(block, at) >= 0)
-        at++;
-    if (at == block->vertices)
+    return kern_vec_step(raw->p, KERN_R(side) * raw->half,
+                         kern_vec_turn(raw->n));
+}
+
+/* Adds a raw contact behind those that are as long or longer. What finds no
+   room is only counted. */
+static void kern_pair_put(const kern_pair *pair, const kern_raw *raw)
+{
+    kern_found *found = pair->found;
+    kern_contact *at = found->at;
+    int i = found->count++;
+    if (i >= found->room)
         return;
-    kern_round_open(&k, s, block, first);
-    do {
-        loose = kern_round_near(&k, s, block, first);
-        if (loose)
-            first = kern_round_on(&k, s, block, first);
-    } while (loose && first != begin);
-    if (loose)
-        first = kern_polygon_far(block);
-    at = first;
-    do {
-        int end = at;
-        do
-            end = loose ? kern_polygon_corner_after(block, end)
-                        : kern_round_on(&k, s, block, end);
-        while (end != first &&
-               (loose || kern_round_near(&k, s, block, end)));
-        stop[0] = end;
-        for (top = 1; top > 0;)
-            at = kern_chord_next(s, block, at, stop, &top);
-    } while (at != first);
+    for (; i > pair->first && at[i - 1].travel < raw->half; i--)
+        at[i] = at[i - 1];
+    at[i].a = pair->a;
+    at[i].b = pair->b;
+    kern_raw_keep(raw, &at[i]);
 }
 
-/* The chord or edge of a raw contact. */
-static void kern_chord_set(kern_edge *e, const kern_block *block, int at,
-                           int end)
-{
-    at = kern_raw_corner(at);
-    kern_edge_set(e, block, at,
-                  end < 0 ? kern_polygon_corner_after(block, at) : end);
-}
+/* ---- steps ---- */
+/* Contacts are found at the edges as they are, so that no support is lost by
+   the simplification. A contact at a step then goes to the chord, and is
+   dropped where its normal is far from that of the chord: it is that of the
+   step's own edge. */
 
 /* p on the chord's line */
 static kern_vec kern_chord_foot(const kern_edge *e, kern_vec p)
@@ -2258,13 +2093,11 @@ static kern_vec kern_chord_foot(const kern_edge *e, kern_vec p)
                          e->d);
 }
 
-/* How far inside the chord's ends p is; below 0 if it is the chord's own corner
-   and has no normal there. */
-static kern_real kern_chord_inside(const kern_edge *e, kern_vec p, int at)
+/* How far inside the chord's ends p is. */
+static kern_real kern_chord_inside(const kern_edge *e, kern_vec p)
 {
     const kern_real along = kern_vec_dot(kern_vec_sub(p, e->p), e->d);
-    const kern_real inside = kern_min(along, e->length - along);
-    return at < 0 && !(inside > 0) ? -KERN_HUGE : inside;
+    return kern_min(along, e->length - along);
 }
 
 /* Does direction d lead to the inner side of the chord, by more than a chord of
@@ -2272,82 +2105,151 @@ static kern_real kern_chord_inside(const kern_edge *e, kern_vec p, int at)
 static int kern_chord_inward(const kern_edge *e, kern_vec d)
 { return kern_vec_cross(d, e->d) < -KERN_STEP_SINE * kern_vec_length(d); }
 
-/* A point at *p, on chord e: where chord f of the block is not along e, the end
-   of f stands there, if that is about as near to e. 0: it does not, since one
-   of the ways from it leads to the inner side, as between two stones whose
-   corners meet. `known`: that it stands is known already. */
-static int kern_chord_stands(const kern_search *s, const kern_edge *e,
-                             const kern_edge *f, const kern_block *block,
-                             kern_vec *p, int known)
+/* A point at *p on chord e is the nearer end of chord f of the block. 0: that
+   end does not stand there, since one of the ways from it leads to the inner
+   side, as between two stones whose corners meet. */
+static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
+                             const kern_block *block, kern_real step,
+                             kern_vec *p)
 {
     const kern_real along = kern_vec_dot(kern_vec_sub(*p, f->p), f->d);
     const int back = along + along <= f->length;
     const int corner = back ? f->start : f->end;
-    const kern_vec end = back ? f->p : f->q;
-    const kern_vec on = kern_vec_sub(back ? f->q : f->p, end);
-    const kern_real high =
-        kern_abs(kern_vec_cross(kern_vec_sub(end, e->p), e->d));
     kern_vec way;
     int i = corner;
-    if (!(kern_chord_inside(e, end, 0) >= 0 &&
-          high <= s->gap + KERN_CHORD * s->step))
-        return 1;
-    *p = end;
+    *p = back ? f->p : f->q;
     do {
         i = kern_polygon_beside(block, i, back);
         way = kern_polygon_way(block, corner, i);
-    } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * s->step);
-    return known ||
-           !(kern_chord_inward(e, on) || kern_chord_inward(e, way));
+    } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * step);
+    return !kern_chord_inward(e, way) &&
+           !kern_chord_inward(e, kern_vec_sub(back ? f->q : f->p, *p));
 }
 
-/* Puts a raw contact on its chords again: midway between two that run against
-   each other, else on the one inside of whose ends it lies farther. */
-static void kern_search_again(kern_search *s, const kern_contact *c)
+/* Adds the raw contact of the edges that start at corners i of a and k of b, on
+   their chords: midway between two that run against each other, else on the one
+   inside of whose ends it lies farther. A corner of a or of b that is the point
+   has no normal at the end of its chord. */
+static void kern_pair_add(kern_pair *pair, int i, int k, kern_raw raw,
+                          int corner_a, int corner_b)
 {
-    const int line = c->travel > 0;
     kern_edge e, f;
-    kern_vec t, n, p = c->p;
-    kern_real cosine;
-    if (c->line < 0 && c->mu < 0) {
-        kern_search_put(s, s->index_a, s->index_b, p, c->n, c->travel);
+    kern_vec t, n, p = raw.p;
+    kern_real inside_a, inside_b, cosine;
+    const int chord_a = kern_outline_chord(&pair->of_a, pair->step, i, &e);
+    const int chord_b = kern_outline_chord(&pair->of_b, pair->step, k, &f);
+    if (!chord_a && !chord_b) {
+        kern_pair_put(pair, &raw);
         return;
     }
-    kern_chord_set(&e, s->a, c->a, c->line);
-    kern_chord_set(&f, s->b, c->b, (int)c->mu);
+    inside_a = kern_chord_inside(&e, p);
+    inside_b = kern_chord_inside(&f, p);
+    if (corner_a && !(inside_a > 0))
+        inside_a = -KERN_HUGE;
+    if (corner_b && !(inside_b > 0))
+        inside_b = -KERN_HUGE;
     if (kern_vec_dot(e.d, f.d) < 0 &&
-        kern_abs(kern_vec_cross(e.d, f.d)) <= s->sine) {
+        kern_abs(kern_vec_cross(e.d, f.d)) <= pair->sine) {
         t = kern_vec_unit(kern_vec_sub(e.d, f.d));
         p = kern_vec_mid(kern_chord_foot(&e, p), kern_chord_foot(&f, p));
-    } else if (kern_chord_inside(&e, p, c->a) >=
-               kern_chord_inside(&f, p, c->b)) {
-        t = e.d;
-        if (!line && !kern_chord_stands(s, &e, &f, s->b, &p, c->line < 0))
-            return;
-        p = kern_chord_foot(&e, p);
     } else {
-        t = kern_vec_scale(f.d, -1);
-        if (!line && !kern_chord_stands(s, &f, &e, s->a, &p, c->mu < 0))
+        const int on_a = inside_a >= inside_b;
+        const kern_edge *on = on_a ? &e : &f;
+        const kern_outline *other = on_a ? &pair->of_b : &pair->of_a;
+        t = on_a ? e.d : kern_vec_scale(f.d, -1);
+        if (!(raw.half > 0) &&
+            !kern_chord_stands(on, on_a ? &f : &e, other->parts.block,
+                               pair->step, &p))
             return;
-        p = kern_chord_foot(&f, p);
+        p = kern_chord_foot(on, p);
     }
     n = kern_vec_scale(kern_vec_turn(t), -1);
-    cosine = kern_vec_dot(n, c->n);
+    cosine = kern_vec_dot(n, raw.n);
+    raw.p = p;
+    raw.n = n;
+    raw.half *= cosine;
     if (cosine > KERN_GOES_ON)
-        kern_search_put(s, s->index_a, s->index_b, p, n, c->travel * cosine);
+        kern_pair_put(pair, &raw);
 }
 
-/* Gives raw contacts at steps their places and normals. */
-static void kern_search_steps(kern_search *s)
+/* ---- lines and points ---- */
+
+/* Edge e of a and edge f of b run against each other. In the frame of their
+   mean tangent t and mean normal n both are heights over s, e rises as f falls,
+   and the gap between them opens at twice that slope: the line contact is where
+   it is small enough, midway. */
+static void kern_pair_line(kern_pair *pair, const kern_edge *e,
+                           const kern_edge *f)
 {
-    const int raw = s->count;
-    int i;
-    kern_search_chords(s, s->a);
-    kern_search_chords(s, s->b);
-    s->count = s->first;
-    for (i = s->first; i < raw; i++) {
-        const kern_contact c = s->out[i]; /* none is put behind its place */
-        kern_search_again(s, &c);
+    const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
+    kern_real at, cosine, slope, low, high, gap;
+    kern_vec t;
+    kern_raw raw;
+    if (!(kern_vec_dot(e->d, f->d) < 0) ||
+        kern_abs(kern_vec_cross(e->d, f->d)) > pair->sine)
+        return;
+    t = kern_vec_unit(kern_vec_sub(e->d, f->d));
+    raw.n = kern_vec_scale(kern_vec_turn(t), -1);
+    cosine = kern_vec_dot(e->d, t); /* and of f the opposite */
+    slope = kern_vec_dot(e->d, raw.n) / cosine;
+    at = kern_vec_dot(r, t);
+    low = kern_max(0, at);
+    high = kern_min(e->length * cosine, at + f->length * cosine);
+    gap = kern_vec_dot(r, raw.n) + slope * at; /* at s = 0 */
+    kern_clip(&low, &high, gap, -2 * slope, -pair->gap, pair->gap);
+    if (!(high - low > pair->least))
+        return;
+    raw.p = kern_vec_step(e->p, (low + high) / 2, t);
+    raw.p = kern_vec_step(raw.p, gap / 2, raw.n);
+    raw.half = (high - low) / 2;
+    kern_pair_add(pair, e->start, f->start, raw, 0, 0);
+}
+
+/* The corner where f starts stands on edge e, of a or of b: it is convex and
+   within the gap, its foot is inside e or e ends there in a reflex corner, and
+   both its own edges lead to the outer side. */
+static void kern_pair_point(kern_pair *pair, const kern_edge *f,
+                            const kern_edge *e, int on_a)
+{
+    const kern_block *to = on_a ? pair->of_a.parts.block
+                                : pair->of_b.parts.block;
+    const kern_vec r = kern_vec_sub(f->p, e->p);
+    const kern_vec t = kern_vec_sub(f->p, e->q);
+    const kern_real along = kern_vec_dot(r, e->d);
+    const kern_real square = pair->gap * pair->gap;
+    kern_raw raw;
+    if (kern_vec_cross(f->back, f->d) > 0 ||
+        kern_abs(kern_vec_cross(r, e->d)) > pair->gap ||
+        kern_vec_cross(f->d, e->d) < -pair->sine ||
+        kern_vec_cross(f->back, e->d) < -pair->sine)
+        return;
+    raw.p = f->p;
+    raw.n = kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1);
+    raw.half = 0;
+    if ((along > pair->foot && along < e->length - pair->foot) ||
+        (kern_vec_dot(r, r) <= square &&
+         kern_polygon_turn(to, e->start) < 0) ||
+        (kern_vec_dot(t, t) <= square &&
+         kern_polygon_turn(to, e->end) < 0))
+        kern_pair_add(pair, on_a ? e->start : f->start,
+                      on_a ? f->start : e->start, raw, !on_a, on_a);
+}
+
+/* Looks for lines and points at each two edges that are near each other. */
+static void kern_pair_edges(kern_pair *pair)
+{
+    const kern_block *a = pair->of_a.parts.block, *b = pair->of_b.parts.block;
+    kern_edge e, f;
+    kern_edge_open(&e, a);
+    while (kern_edge_next(&e, &pair->of_a.parts, &b->box, pair->gap)) {
+        kern_box box;
+        kern_box_set(&box, e.p, e.q);
+        kern_edge_open(&f, b);
+        while (kern_edge_next(&f, &pair->of_b.parts, &box, pair->gap)) {
+            kern_pair_line(pair, &e, &f);
+            kern_pair_point(pair, &e, &f, 0);
+            kern_pair_point(pair, &f, &e, 1);
+        }
     }
 }
 
@@ -2357,98 +2259,94 @@ static void kern_search_steps(kern_search *s)
    and on its line join it. The face takes the leader's place in the array and
    the rest moves up in order, so the next one leads again. */
 
-/* One end of a raw contact or face: side is -1 or 1. */
-static kern_vec kern_contact_end(const kern_contact *c, int side)
-{
-    return kern_vec_step(c->p, KERN_R(side) * c->travel, kern_vec_turn(c->n));
-}
-
-/* Does the line contact pass within the gap of the point, about as inclined? */
-static int kern_search_passes(const kern_search *s, const kern_contact *line,
-                              const kern_contact *point)
+/* Does the line pass within the gap of the point, about as inclined? */
+static int kern_raw_passes(const kern_raw *line, const kern_raw *point,
+                           kern_real gap)
 {
     const kern_vec r = kern_vec_sub(point->p, line->p);
     const kern_real off = kern_vec_dot(r, line->n);
     const kern_real beyond = kern_max(
-        kern_abs(kern_vec_cross(line->n, r)) - line->travel, 0);
+        kern_abs(kern_vec_cross(line->n, r)) - line->half, 0);
     return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE &&
-           off * off + beyond * beyond <= s->gap * s->gap;
+           off * off + beyond * beyond <= gap * gap;
 }
 
-/* Leaves out the points that belong to a line. The next one often belongs to
-   the next line, so the search goes on from there, round all of them. */
-static void kern_search_filter(kern_search *s)
+/* Leaves out the points that belong to a line. The next point often belongs to
+   the same line, so the search goes on from there, round all lines. */
+static void kern_pair_filter(const kern_pair *pair)
 {
-    int i, k, lines = s->first, at = s->first, kept;
-    while (lines < s->count && s->out[lines].travel > 0)
+    kern_found *found = pair->found;
+    int i, k, lines = pair->first, at = pair->first, kept;
+    while (lines < found->count && found->at[lines].line)
         lines++;
     kept = lines;
-    for (i = lines; i < s->count; i++) {
-        const kern_contact *c = &s->out[i];
+    for (i = lines; i < found->count; i++) {
+        const kern_raw point = kern_raw_at(&found->at[i]);
         int passed = 0;
-        for (k = s->first; k < lines && !passed; k++) {
-            passed = kern_search_passes(s, &s->out[at], c);
+        for (k = pair->first; k < lines && !passed; k++) {
+            const kern_raw line = kern_raw_at(&found->at[at]);
+            passed = kern_raw_passes(&line, &point, pair->gap);
             if (!passed)
-                at = at + 1 < lines ? at + 1 : s->first;
+                at = at + 1 < lines ? at + 1 : pair->first;
         }
         if (!passed)
-            s->out[kept++] = *c;
+            found->at[kept++] = found->at[i];
     }
-    s->count = kept;
+    found->count = kept;
 }
 
 typedef struct kern_face {
-    const kern_contact *lead;
+    kern_raw lead;
     kern_vec low, high;     /* outermost points along its tangent         */
-    kern_real least, most;  /* where they are, from its p on              */
+    kern_real least, most;  /* where they are, from its middle on         */
     kern_vec sum;           /* of normals times lengths                   */
 } kern_face;
 
 /* Takes a raw contact into the face; 0: it belongs to another. */
-static int kern_face_join(kern_face *face, const kern_search *s,
-                          const kern_contact *c)
+static int kern_face_join(kern_face *face, const kern_pair *pair, kern_raw raw)
 {
-    const kern_vec n = face->lead->n, r = kern_vec_sub(c->p, face->lead->p);
-    const kern_real cosine = kern_vec_dot(n, c->n);
-    const kern_real sine = kern_abs(kern_vec_cross(n, c->n));
+    const kern_vec n = face->lead.n, r = kern_vec_sub(raw.p, face->lead.p);
+    const kern_real cosine = kern_vec_dot(n, raw.n);
+    const kern_real sine = kern_abs(kern_vec_cross(n, raw.n));
     const kern_real along = kern_vec_cross(n, r);
-    const kern_real half = c->travel * cosine;
-    if (!(cosine > 0) || sine > s->sine ||
-        kern_abs(kern_vec_dot(n, r)) + c->travel * sine > s->gap)
+    const kern_real half = raw.half * cosine;
+    if (!(cosine > 0) || sine > pair->sine ||
+        kern_abs(kern_vec_dot(n, r)) + raw.half * sine > pair->gap)
         return 0;
     if (along - half < face->least) {
         face->least = along - half;
-        face->low = kern_contact_end(c, -1);
+        face->low = kern_raw_end(&raw, -1);
     }
     if (along + half > face->most) {
         face->most = along + half;
-        face->high = kern_contact_end(c, 1);
+        face->high = kern_raw_end(&raw, 1);
     }
-    face->sum = kern_vec_step(face->sum,
-                              c->travel > 0 ? 2 * c->travel : s->gap, c->n);
+    face->sum = kern_vec_step(
+        face->sum, raw.half > 0 ? 2 * raw.half : pair->gap, raw.n);
     return 1;
 }
 
 /* Makes a face of raw contact i and all that join it. */
-static void kern_search_face(kern_search *s, int i)
+static void kern_pair_face(const kern_pair *pair, int i)
 {
-    kern_contact *leader = &s->out[i];
+    kern_found *found = pair->found;
     kern_face face;
-    kern_real half;
+    kern_raw raw;
     int k, rest = i + 1;
-    face.lead = leader;
-    face.low = face.high = leader->p;
+    face.lead = kern_raw_at(&found->at[i]);
+    face.low = face.high = face.lead.p;
     face.least = face.most = 0;
     face.sum = kern_vec_make(0, 0);
-    for (k = i; k < s->count; k++) /* the leader itself first */
-        if (!kern_face_join(&face, s, &s->out[k]) && k > i)
-            s->out[rest++] = s->out[k];
-    s->count = rest;
-    leader->n = kern_vec_unit(face.sum);
-    leader->p = kern_vec_mid(face.low, face.high);
-    half = kern_vec_cross(leader->n, kern_vec_sub(face.high, face.low)) / 2;
-    leader->line = 2 * half > s->foot;
-    leader->travel = leader->line ? half : 0;
+    for (k = i; k < found->count; k++) /* the leader itself first */
+        if (!kern_face_join(&face, pair, kern_raw_at(&found->at[k])) && k > i)
+            found->at[rest++] = found->at[k];
+    found->count = rest;
+    raw.n = kern_vec_unit(face.sum);
+    raw.p = kern_vec_mid(face.low, face.high);
+    raw.half = kern_vec_cross(raw.n, kern_vec_sub(face.high, face.low)) / 2;
+    if (!(2 * raw.half > pair->foot))
+        raw.half = 0;
+    kern_raw_keep(&raw, &found->at[i]);
 }
 
 /* ---- travels ---- */
@@ -2461,38 +2359,23 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 
 /* Travels of the points of an interface, whose first is contact i: to the feet
    of the midpoint of the two that are farthest apart, of several such the first
-   by index. A lone one stays. A point is no end of a pair as wide as one that
-   is known if its distance from the middle of their box and half the box's
-   diagonal are together less. */
+   by index. A lone one stays. */
 static void kern_interface_travels(kern_contact *contact, int contacts, int i)
 {
     const kern_contact first = contact[i];
-    kern_vec mid, centre = first.p;
-    kern_real widest = 0, width = 0, reach;
-    kern_box box;
+    kern_vec centre = first.p;
+    kern_real widest = 0;
     int j, k;
-    kern_box_set(&box, first.p, first.p);
-    for (j = i + 1; j < contacts; j++)
-        if (kern_same_interface(&first, &contact[j]))
-            kern_box_add(&box, contact[j].p);
-    mid = kern_vec_mid(box.low, box.high);
-    reach = kern_vec_length(kern_vec_sub(box.high, mid));
-    for (j = i; j < contacts; j++) {
-        const kern_vec p = contact[j].p;
-        if (!kern_same_interface(&first, &contact[j]) ||
-            kern_vec_length(kern_vec_sub(p, mid)) + reach <
-                KERN_R(0.999) * width)
-            continue;
-        for (k = j + 1; k < contacts; k++) {
-            const kern_vec d = kern_vec_sub(contact[k].p, p);
+    for (j = i; j < contacts; j++)
+        for (k = j + 1; k < contacts && kern_same_interface(&first, &contact[j]);
+             k++) {
+            const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
             if (square > widest && kern_same_interface(&first, &contact[k])) {
                 widest = square;
-                width = KERN_SQRT(square);
-                centre = kern_vec_mid(p, contact[k].p);
+                centre = kern_vec_mid(contact[j].p, contact[k].p);
             }
         }
-    }
     for (j = i; j < contacts; j++) {
         kern_contact *c = &contact[j];
         if (kern_same_interface(&first, c))
@@ -2513,72 +2396,88 @@ static void kern_point_travels(kern_contact *contact, int contacts)
             kern_interface_travels(contact, contacts, i);
 }
 
-/* ---- pairs of blocks ---- */
+/* ---- the search ---- */
 
-/* Finds the contacts of the pair and adds them. Until the end of the search mu
-   holds their order. */
-static kern_status kern_search_touch(kern_search *s)
+typedef struct kern_search {
+    const kern_block *block;
+    int blocks;
+    int upright;            /* the structure is higher than wide       */
+    kern_real reach;        /* widest gap of any pair [m]              */
+    kern_real floor;        /* places closer than that are the same [m] */
+    const kern_options *options;
+    kern_found found;
+    kern_pair pair;
+    kern_fault *fault;
+} kern_search;
+
+/* Finds the contacts of the pair. */
+static kern_status kern_pair_touch(kern_pair *pair)
 {
-    const kern_real depth = kern_overlap(&s->parts_a, &s->parts_b, s->gap);
+    kern_found *found = pair->found;
     int i;
-    if (depth > 0) {
-        s->fault->block = s->index_a;
-        s->fault->other = s->index_b;
-        s->fault->value = depth;
-        return KERN_OVERLAP;
-    }
-    s->first = s->count;
-    kern_search_edges(s);
-    if (s->count > s->room)
+    pair->first = found->count;
+    kern_pair_edges(pair);
+    if (found->count > found->room)
         return KERN_NO_SPACE;
-    if (s->count == s->first)
-        return KERN_STANDS;
-    kern_search_steps(s);
-    if (s->count == s->first)
-        return KERN_STANDS;
-    kern_search_filter(s);
-    for (i = s->first; i < s->count; i++) {
-        kern_search_face(s, i);
-        s->out[i].mu = KERN_R(i - s->first);
-    }
-    kern_point_travels(s->out + s->first, s->count - s->first);
+    kern_pair_filter(pair);
+    for (i = pair->first; i < found->count; i++)
+        kern_pair_face(pair, i);
+    kern_point_travels(found->at + pair->first, found->count - pair->first);
     return KERN_STANDS;
 }
 
-/* Finds the contacts of blocks i and j, unless they are far apart. */
-static kern_status kern_search_pair(kern_search *s, int i, int j)
+/* Opens the pair of blocks i and j; 0: they touch nowhere, or both are fixed. */
+static int kern_pair_open(kern_search *s, int i, int j)
 {
+    kern_pair *pair = &s->pair;
+    const kern_block *a, *b;
     kern_real area = KERN_HUGE, size;
-    s->index_a = i < j ? i : j;
-    s->index_b = i < j ? j : i;
-    s->a = &s->block[s->index_a];
-    s->b = &s->block[s->index_b];
-    if ((s->a->fixed && s->b->fixed) || !s->a->vertices || !s->b->vertices ||
-        !kern_box_near(&s->a->box, &s->b->box, s->reach))
-        return KERN_STANDS;
-    if (!s->a->fixed)
-        area = kern_abs(s->a->area);
-    if (!s->b->fixed)
-        area = kern_min(area, kern_abs(s->b->area));
+    pair->a = i < j ? i : j;
+    pair->b = i < j ? j : i;
+    a = &s->block[pair->a];
+    b = &s->block[pair->b];
+    if ((a->fixed && b->fixed) || !a->vertices || !b->vertices ||
+        !kern_box_near(&a->box, &b->box, s->reach))
+        return 0;
+    if (!a->fixed)
+        area = kern_abs(a->area);
+    if (!b->fixed)
+        area = kern_min(area, kern_abs(b->area));
     size = KERN_SQRT(area);
-    kern_parts_set(&s->parts_a, s->a);
-    kern_parts_set(&s->parts_b, s->b);
-    s->gap = s->user_gap > 0 ? s->user_gap : KERN_GAP * size;
-    s->gap = kern_max(s->gap, s->floor);
-    s->least = kern_max(kern_min(s->gap, KERN_GAP * size), s->floor);
-    s->foot = kern_max(KERN_FOOT * size, s->floor);
-    s->step = kern_min(s->gap, KERN_STEP_MOST * size) + s->floor;
-    return kern_search_touch(s);
+    kern_outline_open(&pair->of_a, a);
+    kern_outline_open(&pair->of_b, b);
+    pair->gap = s->options->gap > 0 ? s->options->gap : KERN_GAP * size;
+    pair->gap = kern_max(pair->gap, s->floor);
+    pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
+    pair->foot = kern_max(KERN_FOOT * size, s->floor);
+    pair->step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
+    pair->sine = kern_sine(s->options->angle);
+    pair->found = &s->found;
+    return 1;
 }
 
-/* ---- order ---- */
-/* All pairs of blocks that may touch are found by a sweep: blocks are taken in
-   the order of their lower ends, along the longer direction of the whole, and
-   meet those taken before whose upper ends have not been passed. A piece of
-   ground that spans everything stays among these, but is one for each block.
+/* Finds the contacts of blocks i and j, which must not overlap. */
+static kern_status kern_search_pair(kern_search *s, int i, int j)
+{
+    kern_pair *pair = &s->pair;
+    kern_real depth;
+    if (!kern_pair_open(s, i, j))
+        return KERN_STANDS;
+    depth = kern_overlap(&pair->of_a.parts, &pair->of_b.parts, pair->gap);
+    if (depth > 0) {
+        s->fault->block = pair->a;
+        s->fault->other = pair->b;
+        s->fault->value = depth;
+        return KERN_OVERLAP;
+    }
+    return kern_pair_touch(pair);
+}
 
-   What is found is then put in the order of the blocks. Both sorts are the
-   same heap sort, which needs no memory and n log n steps at worst. */
+/* ---- sweep and order ---- */
+/* Blocks are taken in the order of their lower ends along the longer side of
+   the structure, and meet those before whose upper ends are not passed. A piece
+   of ground that spans everything stays among these, but is one. Both sorts
+   are heap sorts, which need no memory. */
 
 static kern_real kern_search_low(const kern_search *s, int i)
 { return s->upright ? s->block[i].box.low.y : s->block[i].box.low.x; }
@@ -2590,7 +2489,7 @@ static kern_real kern_search_high(const kern_search *s, int i)
 static int kern_search_before(const kern_search *s, const int *blocks,
                               int i, int j)
 {
-    const kern_contact *c = &s->out[i], *d = &s->out[j];
+    const kern_contact *c = &s->found.at[i], *d = &s->found.at[j];
     if (blocks)
         return kern_search_low(s, blocks[i]) < kern_search_low(s, blocks[j]);
     if (c->b != d->b)
@@ -2605,9 +2504,9 @@ static void kern_search_swap(const kern_search *s, int *blocks, int i, int j)
         blocks[i] = blocks[j];
         blocks[j] = keep;
     } else {
-        const kern_contact keep = s->out[i];
-        s->out[i] = s->out[j];
-        s->out[j] = keep;
+        const kern_contact keep = s->found.at[i];
+        s->found.at[i] = s->found.at[j];
+        s->found.at[j] = keep;
     }
 }
 
@@ -2654,7 +2553,9 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
         open[kept++] = order[k];
         opened = kept;
     }
-    kern_search_sort(s, NULL, s->count);
+    for (i = 0; i < s->found.count; i++) /* a pair's contacts keep their order */
+        s->found.at[i].mu = KERN_R(i);
+    kern_search_sort(s, NULL, s->found.count);
     return KERN_STANDS;
 }
 
@@ -2662,28 +2563,30 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
    Returns how many contact points there are. */
 static int kern_search_close(const kern_search *s)
 {
-    int i, side, points = s->count, to;
-    for (i = 0; i < s->count; i++)
-        points += s->out[i].line;
-    if (points > s->room)
+    const kern_found *found = &s->found;
+    int i, side, points = found->count, to;
+    for (i = 0; i < found->count; i++)
+        points += found->at[i].line;
+    if (points > found->room)
         return (int)KERN_NO_SPACE;
     to = points;
-    for (i = s->count - 1; i >= 0; i--) {
-        const kern_contact c = s->out[i];
+    for (i = found->count - 1; i >= 0; i--) {
+        const kern_contact c = found->at[i];
+        const kern_raw raw = kern_raw_at(&c);
         for (side = 1; side >= -1; side -= 2) {
-            kern_contact *end = &s->out[--to];
+            kern_contact *end = &found->at[--to];
             *end = c;
-            end->mu = s->mu;
+            end->mu = s->options->mu;
             if (!c.line)
                 break;
-            end->p = kern_contact_end(&c, side);
-            end->travel = -KERN_R(side) * c.travel;
+            end->p = kern_raw_end(&raw, side);
+            end->travel = -KERN_R(side) * raw.half;
         }
     }
     return points;
 }
 
-/* ---- what is read ---- */
+/* ---- input ---- */
 
 static kern_status kern_options_check(const kern_options *o)
 {
@@ -2716,7 +2619,7 @@ static kern_status kern_search_check(const kern_block *block)
     return kern_abs(block->area) > 0 ? KERN_STANDS : KERN_NO_AREA;
 }
 
-/* Looks at every block: how far they reach, and how large they are. */
+/* Checks every block, and finds how far they reach and how large they are. */
 static kern_status kern_search_survey(kern_search *s)
 {
     kern_real area = 0;
@@ -2739,7 +2642,8 @@ static kern_status kern_search_survey(kern_search *s)
     }
     s->upright = whole.high.y - whole.low.y > whole.high.x - whole.low.x;
     s->floor = KERN_FLOOR * kern_box_largest(&whole);
-    s->reach = s->user_gap > 0 ? s->user_gap : KERN_GAP * KERN_SQRT(area);
+    s->reach = s->options->gap > 0 ? s->options->gap
+                                   : KERN_GAP * KERN_SQRT(area);
     s->reach = kern_max(s->reach, s->floor);
     return KERN_STANDS;
 }
@@ -2767,12 +2671,10 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
         return KERN_BAD_POINTER;
     s->block = block;
     s->blocks = blocks;
-    s->out = out;
-    s->room = room;
-    s->count = 0;
-    s->mu = options->mu;
-    s->sine = kern_sine(options->angle);
-    s->user_gap = options->gap;
+    s->options = options;
+    s->found.at = out;
+    s->found.room = room;
+    s->found.count = 0;
     return kern_search_survey(s);
 }
 
@@ -2806,6 +2708,24 @@ KERN_API int kern_touch(const kern_block *block, int blocks, int b,
 
 /* ---- contacts that are given ---- */
 
+static kern_status kern_given_check(int a, int b, kern_vec normal, kern_vec p,
+                                    kern_vec q, kern_real mu)
+{
+    if (a < 0 || b < 0)
+        return KERN_BAD_BLOCK;
+    if (a == b)
+        return KERN_SAME_BLOCK;
+    if (!kern_vec_is_finite(normal) || !kern_is_finite(mu) ||
+        !kern_vec_is_moderate(p) || !kern_vec_is_moderate(q))
+        return KERN_BAD_NUMBER;
+    if (mu < 0)
+        return KERN_BAD_FRICTION;
+    if (!(kern_vec_largest(normal) > 0) ||
+        !kern_is_finite(1 / kern_vec_largest(normal)))
+        return KERN_BAD_NORMAL;
+    return KERN_STANDS;
+}
+
 KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
                                kern_vec q, kern_real mu,
                                const kern_options *options, kern_contact *out)
@@ -2817,20 +2737,10 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
     if (!options || !out)
         return (int)KERN_BAD_POINTER;
     status = kern_options_check(options);
+    if (status >= 0)
+        status = kern_given_check(a, b, normal, p, q, mu);
     if (status < 0)
         return (int)status;
-    if (a < 0 || b < 0)
-        return (int)KERN_BAD_BLOCK;
-    if (a == b)
-        return (int)KERN_SAME_BLOCK;
-    if (!kern_vec_is_finite(normal) || !kern_is_finite(mu) ||
-        !kern_vec_is_moderate(p) || !kern_vec_is_moderate(q))
-        return (int)KERN_BAD_NUMBER;
-    if (mu < 0)
-        return (int)KERN_BAD_FRICTION;
-    if (!(kern_vec_largest(normal) > 0) ||
-        !kern_is_finite(1 / kern_vec_largest(normal)))
-        return (int)KERN_BAD_NORMAL;
     /* first made about 1 long: its square may be no number */
     normal = kern_vec_scale(normal, 1 / kern_vec_largest(normal));
     normal = kern_vec_unit(normal);
