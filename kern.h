@@ -199,7 +199,8 @@
    Contacts of two polygons that are not both fixed. `gap` and `angle` are those
    of the options; no tolerance is below 64 roundings of the largest coordinate.
    "Size" is that of the pair's smaller free block. Vertices where the outline
-   turns by less than 1e-6 rad do not count, nor do steps lower than the gap.
+   turns by less than 1e-6 rad do not count. Where an outline has steps lower
+   than the gap, contacts lie on its Douglas-Peucker simplification.
      line      An edge of each run antiparallel within `angle`, and are within
                the gap over a length of more than the gap or 1e-3 of the size,
                whichever is less. The contact points are the ends of that
