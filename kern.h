@@ -54,18 +54,22 @@
        int index[KERN_INTS(2, 8)];
        kern_work work = kern_work_of(real, KERN_REALS(2, 8),
                                      index, KERN_INTS(2, 8));
-       kern_options options = kern_defaults();
-       kern_structure s = {block, 2, contact, 0, {0, -9.81}};
+       kern_task task = kern_task_of(block, 2, contact, 0, &work);
        kern_margin m;
 
-       kern_block_init(&block[0], ground, 4, 0, NULL);       fixed
+       kern_ground_init(&block[0], ground, 4, NULL);
        kern_block_init(&block[1], stone, 4, 2400, NULL);     2400 kg/m^2
-       s.contacts = kern_contacts(block, 2, &options, contact, 8, &work);
-       if (kern_measure(&s, &options, &work, &m, NULL) == KERN_STANDS)
+       task.s.contacts = kern_contacts(block, 2, &task.options, contact, 8,
+                                       &work);
+       if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Check what each call returns: examples/one_block.c is the same program with
-   the checks, examples/kern.c the program for the command line.
+   Compare a verdict with == KERN_STANDS: both verdicts are true as a condition.
+   A negative count of contacts is the status of the search, and every call that
+   takes the task returns it. The forces of kern_measure() are those at
+   m.holds, with every contact shrunk; those of the structure as it stands come
+   from kern_verdict(&task, 0, &proof). examples/one_block.c is the same program
+   with all checks, examples/kern.c the program for the command line.
 
    multiple definition of kern_...: KERN_IMPLEMENTATION is in more than one
    file. undefined reference to kern_...: it is in none, or that file was
@@ -301,9 +305,9 @@
    (weaker half: 0.56). To
    predict collapse under shaking:
 
-       options = kern_near(&options, kern_mean_size(block, blocks));
+       task.options = kern_near(&task.options, kern_mean_size(block, blocks));
        find the contacts with these, then
-       kern_profile(&s, side, &options, &work, value, &c) for side 1 and -1,
+       kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop: larger is worse
 
    The load factors of single stones also tell which of them move first: in
@@ -413,22 +417,25 @@ typedef float kern_real;
 #define kern_contacts        kern_contacts_f32
 #define kern_defaults        kern_defaults_f32
 #define kern_deficit         kern_deficit_f32
+#define kern_ground_init     kern_ground_init_f32
+#define kern_known_of        kern_known_of_f32
 #define kern_load_factor     kern_load_factor_f32
+#define kern_load_factor_of  kern_load_factor_of_f32
 #define kern_lp_solve        kern_lp_solve_f32
 #define kern_mean_size       kern_mean_size_f32
 #define kern_measure         kern_measure_f32
 #define kern_near            kern_near_f32
 #define kern_plan_add        kern_plan_add_f32
 #define kern_plan_bears      kern_plan_bears_f32
-#define kern_plan_measure    kern_plan_measure_f32
 #define kern_plan_of         kern_plan_of_f32
 #define kern_plan_remove     kern_plan_remove_f32
 #define kern_plan_try        kern_plan_try_f32
 #define kern_profile         kern_profile_f32
-#define kern_stands          kern_stands_f32
 #define kern_status_text     kern_status_text_f32
+#define kern_task_of         kern_task_of_f32
 #define kern_tilt            kern_tilt_f32
 #define kern_touch           kern_touch_f32
+#define kern_verdict         kern_verdict_f32
 #define kern_work_need       kern_work_need_f32
 #define kern_work_of         kern_work_of_f32
 #else
@@ -457,14 +464,18 @@ typedef struct kern_vec { kern_real x, y; } kern_vec;
 /* Upright rectangle: its lower left and its upper right corner [m]. */
 typedef struct kern_box { kern_vec low, high; } kern_box;
 
-/* What a call says. Zero and above is a verdict: its proof was found and
-   checked. Below zero there is none, and of what the caller handed in only the
-   counters and the fault of the work memory have changed; with KERN_LIMIT also
-   what the call says it writes then. */
+/* What a call returns. Above zero is a verdict, or the result of a linear
+   program: its proof was found and verified. Zero is the success of a call that
+   gives no verdict. Below zero the call failed, and of the caller's data only
+   the counters and the fault of the work memory have changed; with KERN_LIMIT
+   also what the call says it writes then. */
 #define KERN_STATUS_LIST(X)                                                   \
-    X(KERN_STANDS, 0, "stands: forces were found that hold every block")      \
-    X(KERN_FALLS, 1, "falls: a motion was found that no forces can stop")     \
-    X(KERN_UNBOUNDED, 2, "unbounded: the cost falls without end")             \
+    X(KERN_OK, 0, "done")                                                     \
+    X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
+    X(KERN_FALLS, 2, "falls: a motion was found that no forces can stop")     \
+    X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost was found")      \
+    X(KERN_LP_INFEASIBLE, 4, "infeasible: no solution exists")                \
+    X(KERN_LP_UNBOUNDED, 5, "unbounded: the cost falls without end")          \
     X(KERN_UNDECIDED, -1, "undecided: neither proof could be completed")      \
     X(KERN_NO_SPACE, -2, "an array is too short for the result or the work")  \
     X(KERN_BAD_POINTER, -3, "a pointer is null where an array is expected")   \
@@ -609,7 +620,10 @@ typedef struct kern_work {
     kern_fault fault;     /* of the last call that returned less than 0       */
 } kern_work;
 
-/* What a measure leaves to the next one of nearly the same structure. */
+/* Warm start: what kern_measure() remembers for the next call on nearly the
+   same structure. Two arrays of the caller, both or none. What they hold, even
+   what is out of date or was never set, changes the time of a call, never its
+   answer. */
 typedef struct kern_known {
     kern_motion *motion;  /* one a block: of the mechanism, at fails          */
     kern_force *force;    /* one a contact point: at holds                    */
@@ -617,20 +631,36 @@ typedef struct kern_known {
                                        was none                               */
 } kern_known;
 
-/* A structure that a planner changes by one block at a time. kern_plan_of()
-   makes an empty one; options and gravity may then be set, before blocks are
-   added. Everything may be read at any time; contacts that are given rather
-   than found may be appended to contact[s.contacts]. */
-typedef struct kern_plan {
-    kern_structure s;     /* as it is now                                     */
+/* What a call needs: a structure, how to look at it, memory to work in, and
+   what is known already. kern_task_of() fills it; each field may be changed
+   between calls. */
+typedef struct kern_task {
+    kern_structure s;
     kern_options options; /* kern_defaults()                                  */
-    kern_block *block;    /* arrays of the caller, which s looks at           */
+    kern_work *work;      /* not NULL                                         */
+    kern_known known;     /* arrays NULL: nothing is remembered               */
+} kern_task;
+
+/* A structure that a planner changes by one block at a time. kern_plan_of()
+   makes an empty one; task.options and task.s.gravity may then be set, before
+   blocks are added. Everything may be read at any time; contacts that are given
+   rather than found may be appended to contact[task.s.contacts]. */
+typedef struct kern_plan {
+    kern_task task;       /* the structure as it is now                       */
+    kern_block *block;    /* arrays of the caller, which task.s reads         */
     int block_room;
     kern_contact *contact;
     int contact_room;
-    kern_known known;
-    kern_work *work;
 } kern_plan;
+
+/* Directions of a horizontal load and of a tilt; kern_profile() takes all
+   three. Right is where gravity points when turned by +90 degrees: +x, where
+   gravity is (0, -9.81). */
+typedef enum kern_side {
+    KERN_LEFT = -1,
+    KERN_SHRINK = 0,      /* no load: kerns shrink                            */
+    KERN_RIGHT = 1
+} kern_side;
 
 /* A linear program:  minimise cost . x  where  A x = rhs  and  x >= 0. */
 typedef struct kern_lp {
@@ -721,20 +751,26 @@ KERN_API void kern_work_need(int blocks, int contacts,
 /* -- blocks -- */
 
 /* Fills a block from a simple polygon, convex or not, turning either way:
-   area, box, centroid, mass = density * |area|, no load. density 0 [kg/m^2]
-   makes it fixed. The vertices stay the caller's and must live as long as the
-   block; whoever moves them calls this again.
+   area, box, centroid, mass = density * |area| with the density in kg/m^2, no
+   load. The vertices stay the caller's and must live as long as the block;
+   after they have moved, call this again.
    fault may be NULL; its index is the vertex.
    KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
    above 1e100, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
    [m^2]), KERN_CROSSING (also for repeated vertices), KERN_BAD_MASS (density
-   < 0, or a mass below 1e-100 or above 1e100 [kg]; float: 1e-15 and 1e15).
+   not above 0, or a mass below 1e-100 or above 1e100 [kg]; float: 1e-15 and
+   1e15).
    Time: O(n) for n vertices of a convex polygon; in another each edge is held
    against 24 boxes and the edges in one or two of them: some 4 ms for 10,000
    vertices, 0.3 s for 100,000. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
+
+/* The same for a fixed block, which has no mass: ground, a wall, a support. */
+KERN_API kern_status kern_ground_init(kern_block *block,
+                                      const kern_vec *vertex, int vertices,
+                                      kern_fault *fault);
 
 /* Adds a force [N] that acts at a point and a torque [N m] to the block's
    load, which acts at the centre: set the centre first. */
@@ -766,26 +802,25 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
 
-/* The contacts of block b alone with all others, ascending; contact.a is the
-   smaller index of the two. Contacts found so for b = 1, 2, ..., each among
-   b + 1 blocks, are those of kern_contacts(), but where a later block lies so
-   far out that the rounding of its coordinates counts. Returns the same, or
-   KERN_BAD_BLOCK (no such b).
-   Work memory: none but for the fault. Time: O(B), and the edges as above. */
-KERN_API int kern_touch(const kern_block *block, int blocks, int b,
+/* The contacts of block b with the blocks before it, ascending. Contacts found
+   so for b = 1, 2, ... are those of kern_contacts(), but where a later block
+   lies so far out that the rounding of its coordinates counts. Returns the
+   same.
+   Work memory: none but for the fault. Time: O(b), and the edges as above. */
+KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
 
-/* Makes a contact that is given rather than found: from p to q, or at one
-   point where p equals q; normal from a into b, of any length. Writes one or
-   two contact points to out and returns how many, or KERN_SAME_BLOCK,
-   KERN_BAD_BLOCK (an index below 0), KERN_BAD_NUMBER, KERN_BAD_FRICTION,
-   KERN_BAD_NORMAL (zero, or so short that its inverse is no number),
-   KERN_BAD_LINE (p to q leaves the tangent by more than options->angle),
-   KERN_BAD_OPTION. At the end: kern_contact_travels(). */
-KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
-                               kern_vec q, kern_real mu,
-                               const kern_options *options, kern_contact *out);
+/* Makes a contact that is given rather than found. *out has a, b, p, mu and the
+   normal n, from a into b and of any length; the contact goes from p to q, or
+   is the point p where q equals p. Fills in one or two contact points from out
+   on and returns how many, or KERN_SAME_BLOCK, KERN_BAD_BLOCK (an index below
+   0), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (zero, or so short
+   that its inverse is no number), KERN_BAD_LINE (p to q leaves the tangent by
+   more than options->angle), KERN_BAD_OPTION. At the end:
+   kern_contact_travels(). */
+KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
+                               const kern_options *options);
 
 /* Sets the travel of every point contact from the others of its interface (the
    same two blocks, in either order): toward the middle of the two that are
@@ -802,18 +837,30 @@ KERN_API kern_vec kern_contact_at(const kern_contact *contact,
 
 /* -- verdicts and measures -- */
 
+/* A task: the structure of so many blocks and contact points under gravity
+   (0, -9.81), kern_defaults(), nothing known. */
+KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
+                                const kern_contact *contact, int contacts,
+                                kern_work *work);
+
+/* Two arrays to remember in, for task.known: as many motions as the structure
+   will have blocks, as many forces as it will have contact points. Their
+   contents need not be set. */
+KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
+
 /* Whether the structure stands with its kerns shrunk by `shrink` (grown, if
-   negative). KERN_STANDS, KERN_FALLS or KERN_UNDECIDED. proof may be NULL.
+   negative): compare the result with KERN_STANDS. KERN_STANDS, KERN_FALLS or
+   KERN_UNDECIDED. proof may be NULL.
    Time: O(B + C) where forces can be passed on from the top down, as in most
    walls; else about C + B k for each pivot of the simplex method. */
-KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
-                                 const kern_options *options, kern_work *work,
-                                 const kern_proof *proof);
+KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
+                                  const kern_proof *proof);
 
 /* Margin and level. KERN_STANDS: all of *out; proof->force holds the structure
-   at out->holds and proof->motion (unless saturated) moves it at out->fails.
-   KERN_FALLS: it does not stand as it is; level, margin, holds, fails are 0,
-   most and epsilon are set, and proof->motion says how it falls.
+   at out->holds, so with its kerns shrunk, and proof->motion (unless saturated)
+   moves it at out->fails; for the forces as it stands call kern_verdict() with
+   shrink 0. KERN_FALLS: it does not stand as it is; level, margin, holds, fails
+   are 0, most and epsilon are set, and proof->motion says how it falls.
    KERN_LIMIT: level -1, saturated 0; holds and margin are the largest shrinkage
    that is proven to stand, -1 if none is yet; fails is the smallest that is
    proven to fall, `most` if none is; the proof's contents mean nothing.
@@ -823,98 +870,94 @@ KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
    line contacts are nested, and the margin is then the only place where the
    verdict changes. Points of one interface with different normals are not:
    then the path is searched in steps of most/1001, and the level is the
-   literal scan. */
-KERN_API kern_status kern_measure(const kern_structure *s,
-                                  const kern_options *options, kern_work *work,
-                                  kern_margin *out, const kern_proof *proof);
+   literal scan. The proof is that of the margin: a level is proven by it where
+   kerns are nested, elsewhere each step by a proof of its own that is verified
+   and not handed out.
+   Warm start: from task->known, and the result is remembered there; after
+   KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
+KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
+                                  const kern_proof *proof);
 
 /* How far kerns must grow [m] (relative: a share) until the structure stands.
    KERN_STANDS: it does already, 0. KERN_FALLS: *deficit is written, and is
    KERN_INFINITY where growing to 1000 times the structure does not help.
    KERN_LIMIT: *deficit is how far they must grow at least, -1 where the
    structure is not proven to fall yet. */
-KERN_API kern_status kern_deficit(const kern_structure *s,
-                                  const kern_options *options, kern_work *work,
-                                  kern_real *deficit);
+KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
-/* The largest factor of a load pattern (one wrench a block, about its centre;
-   those of fixed blocks are not read) that stands on top of weights and loads,
-   with kerns shrunk by `shrink`. pattern NULL: m |g| at every centre, to the
-   right (side 1: gravity turned by +90 degrees) or left (-1). KERN_STANDS:
-   *factor, KERN_INFINITY where it stands at 1,000,000; proof as in
+/* The largest factor of a horizontal load, m |g| at every centre of mass, that
+   stands on top of weights and loads, with kerns shrunk by `shrink`.
+   KERN_STANDS: *factor, KERN_INFINITY where it stands at 1,000,000; proof as in
    kern_measure(), for the loads at the factor. KERN_FALLS: it falls at 0.
+   KERN_BAD_OPTION: no gravity, or neither KERN_LEFT nor KERN_RIGHT.
    KERN_LIMIT: *factor is the largest that is proven to stand, -1 if none is. */
-KERN_API kern_status kern_load_factor(const kern_structure *s,
-                                      kern_real shrink,
-                                      const kern_wrench *pattern, int side,
-                                      const kern_options *options,
-                                      kern_work *work, kern_real *factor,
+KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
+                                      kern_side side, kern_real *factor,
                                       const kern_proof *proof);
 
-/* The first angle [rad] at which it falls when gravity turns toward the right
-   (side 1) or left (-1) and loads stay; pi where it stands at every angle.
-   With loads, gaps between angles that stand are seen if wider than 1/100.
-   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or no such side.
-   KERN_LIMIT: *angle is the largest that is proven to stand, negative if none
-   is. */
-KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
-                               int side, const kern_options *options,
-                               kern_work *work, kern_real *angle,
+/* The same for any load: one wrench a block, about its centre; those of fixed
+   blocks are not read. */
+KERN_API kern_status kern_load_factor_of(const kern_task *task,
+                                         kern_real shrink,
+                                         const kern_wrench *pattern,
+                                         kern_real *factor,
+                                         const kern_proof *proof);
+
+/* The first angle [rad] at which it falls when gravity turns toward a side and
+   loads stay; pi where it stands at every angle. With loads, gaps between
+   angles that stand are seen if wider than 1/100.
+   KERN_FALLS: it falls at 0. KERN_BAD_OPTION as above. KERN_LIMIT: *angle is
+   the largest that is proven to stand, negative if none is. */
+KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
+                               kern_side side, kern_real *angle,
                                const kern_proof *proof);
 
 /* The profile: how far each block is from falling in a progressive collapse,
-   in value[0..blocks). Kerns shrink (side 0), or a horizontal load grows to the
-   right (1) or left (-1) as in kern_load_factor(). Where the structure falls,
+   in value[0..blocks). Kerns shrink (KERN_SHRINK), or a horizontal load grows
+   to the right or left as in kern_load_factor(). Where the structure falls,
    the blocks that move in the mechanism get the shrinkage [m] or the factor of
    that place and are taken away with their contacts; what is left goes on from
    there. A block that never falls gets d_max (relative: 1) or the factor 10,
    one that does not stand as it is 0, a fixed one KERN_INFINITY. A structure
-   that falls as it is has a profile too. KERN_STANDS: all was written; below
+   that falls as it is has a profile too. KERN_OK: all was written; below
    0: *out is as it was, and value means nothing. KERN_BAD_OPTION: no such side,
-   or no gravity. KERN_UNDECIDED: a verdict it needs is. KERN_LIMIT: value of
-   the blocks that have been taken away by then is as it will be, of others -1;
-   *out is as it was. Every verdict on the way is proven. Time: for each mechanism a few solutions, with fewer and fewer
+   or a load and no gravity. KERN_UNDECIDED: a verdict it depends on is
+   undecided. KERN_LIMIT: value of the blocks that have been taken away by then
+   is as it will be, of others -1; *out is as it was. Every verdict on the way
+   is proven. Time: for each mechanism a few solutions, with fewer and fewer
    blocks; altogether 3 to 5 times that of the margin. */
-KERN_API kern_status kern_profile(const kern_structure *s, int side,
-                                  const kern_options *options,
-                                  kern_work *work, kern_real *value,
-                                  kern_collapse *out);
+KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
+                                  kern_real *value, kern_collapse *out);
 
 /* -- planning -- */
 /* A planner asks the same of many structures that differ by a stone. No contact
-   is searched twice, and what was found out about a structure is where the
-   question about the next one begins: at the shrinkage where it was critical,
-   with the mechanism that it had there. Answers are those of kern_measure(),
-   and as well proven. */
+   is searched twice, and every measure starts from the last one: at the
+   shrinkage where the structure was critical, with the mechanism that it had
+   there. kern_measure(&plan.task, ...) measures the plan. Answers are those
+   without a warm start, and as well proven. */
 
-/* An empty plan: arrays for so many blocks and contact points, `motion` and
-   `force` for as many of them, and work memory for a structure of that size.
+/* An empty plan: arrays for so many blocks and contact points, kern_known_of()
+   arrays as long as these, and work memory for a structure of that size.
    Gravity is (0, -9.81). */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
-                                kern_motion *motion, kern_force *force,
-                                kern_work *work);
+                                kern_known known, kern_work *work);
 
 /* Adds a block behind the others and finds its contacts. Returns how many
    contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
    also where there is no room for it; the plan is then as it was. The block is
-   copied, its vertices are not. Time: O(B). */
+   copied, its vertices are NOT: they must outlive the plan. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
-/* Takes block i away; those behind it move up, in contacts too. KERN_STANDS:
-   done. KERN_BAD_BLOCK: there is none. Time: O(B + C). */
+/* Takes block i away; those behind it move up, in contacts too. KERN_OK: done.
+   KERN_BAD_BLOCK: there is none. Time: O(B + C). */
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
-/* kern_measure() of the plan; remembers what it learns. After
-   KERN_UNDECIDED and KERN_LIMIT it knows nothing any longer. */
-KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
-                                       const kern_proof *proof);
-
-/* What kern_plan_measure() would say with the block added; the plan stays as
-   it is. Below 0 also as kern_plan_add(). The proof is of the structure with
-   the block: one motion more, and the forces of the block's contacts, which
-   then lie behind plan->s.contacts, last. If the plan has not been measured
-   since it was changed, do that first: every try then starts from it.
+/* What kern_measure() would say with the block added; the plan stays as it is.
+   Below 0 also as kern_plan_add(). The proof is of the structure with the
+   block: one motion more, and the forces of the block's contacts, which then
+   lie behind the plan's, last. If the plan has not been measured since it was
+   changed, do that first: every try then starts from it.
    Time: that of one verdict, where the block does not change which stones are
    the weakest. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
@@ -923,9 +966,9 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
    Where kerns are not nested it is kern_plan_try() that tells, with its proof.
-   KERN_BAD_NUMBER also for a margin below 0. The plan stays as it is. Time:
-   that of one verdict at the most, and for a block that cannot be held there by
-   its neighbours much less. */
+   KERN_BAD_NUMBER also for a margin below 0. The plan stays as it is.
+   Time: that of one verdict at the most, and for a block that cannot be held
+   there by its neighbours much less. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
@@ -934,23 +977,22 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
 
 /* The error of a proof as a share of what is allowed: up to 1 it holds.
    KERN_INFINITY where it proves nothing, and for bad input: NULL, what is not
-   a number. Time: O(B + C), work memory: 4 B reals. Allowed is: for forces,
-   1e-9 (float: 1e-4) of what acts on a block in each of its equilibrium
-   equations; for a motion, that forces up to 1e6 (1e3) times the weight could
-   not stop it, whatever rounding does to the sums of the check. */
-KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
-                                     const kern_options *options,
-                                     const kern_force *force, kern_work *work);
-KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
-                                     const kern_options *options,
+   a number. Time: O(B + C), work memory: 4 B reals for forces, none for a
+   motion. Allowed is: for forces, 1e-9 (float: 1e-4) of what acts on a block in
+   each of its equilibrium equations; for a motion, that forces up to 1e6 (1e3)
+   times the weight could not stop it, whatever rounding does to the sums of the
+   check. */
+KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
+                                     const kern_force *force);
+KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion);
 
 /* -- the linear program alone -- */
 
 /* Solves a small dense program. x has cols, y rows numbers.
-   KERN_STANDS: x is a solution, of least cost if there are costs, and then y
-   are its prices: cost - y.A >= 0. KERN_FALLS: no x exists: y.A >= 0 and
-   y.rhs < 0. KERN_UNBOUNDED: along x the cost falls: A x = 0, x >= 0,
+   KERN_LP_OPTIMAL: x is a solution, of least cost if there are costs, and then
+   y are its prices: cost - y.A >= 0. KERN_LP_INFEASIBLE: no x exists: y.A >= 0
+   and y.rhs < 0. KERN_LP_UNBOUNDED: along x the cost falls: A x = 0, x >= 0,
    cost.x < 0. Each is checked against A, every row and column by its own
    terms, so that units do not matter. KERN_UNDECIDED: the method does not end,
    or the check failed, as it may where units differ by more than 1e4.
@@ -1546,7 +1588,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
     }
     fault->index = -1;
     if (!(left && right) && lowest < 2)
-        return KERN_STANDS;
+        return KERN_OK;
     kern_parts_set(&parts, block);
     for (i = 0; i < n; i++) {
         fault->index = i;
@@ -1556,7 +1598,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
             return KERN_CROSSING;
     }
     fault->index = -1;
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* Fills in area, box and centre if the polygon is a good one. The area is added
@@ -1595,12 +1637,13 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
         return status;
     block->area = area;
     block->centre = kern_vec_step(o, 1 / area, moment);
-    return kern_abs(area) > least ? KERN_STANDS : KERN_NO_AREA;
+    return kern_abs(area) > least ? KERN_OK : KERN_NO_AREA;
 }
 
-KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
-                                     int vertices, kern_real density,
-                                     kern_fault *fault)
+/* Fills a block from a polygon. The density of ground is not read. */
+static kern_status kern_block_fill(kern_block *block, const kern_vec *vertex,
+                                   int vertices, kern_real density, int fixed,
+                                   kern_fault *fault)
 {
     kern_fault ignored;
     kern_block made;
@@ -1614,21 +1657,31 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
         return KERN_FEW_VERTICES;
     if (!block || !vertex)
         return KERN_BAD_POINTER;
-    if (!(density >= 0))
+    if (!fixed && !(density > 0))
         return KERN_BAD_MASS;
     made.vertex = vertex;
     made.vertices = vertices;
     status = kern_polygon_measure(&made, fault);
     if (status < 0)
         return status;
-    made.fixed = !(density > 0);
-    made.mass = density * kern_abs(made.area);
-    if (!made.fixed && (!(made.mass >= KERN_LIGHT) || made.mass > KERN_HEAVY))
+    made.fixed = fixed;
+    made.mass = fixed ? 0 : density * kern_abs(made.area);
+    if (!fixed && (!(made.mass >= KERN_LIGHT) || made.mass > KERN_HEAVY))
         return KERN_BAD_MASS;
     made.load.fx = made.load.fy = made.load.torque = 0;
     *block = made;
-    return KERN_STANDS;
+    return KERN_OK;
 }
+
+KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
+                                     int vertices, kern_real density,
+                                     kern_fault *fault)
+{ return kern_block_fill(block, vertex, vertices, density, 0, fault); }
+
+KERN_API kern_status kern_ground_init(kern_block *block,
+                                      const kern_vec *vertex, int vertices,
+                                      kern_fault *fault)
+{ return kern_block_fill(block, vertex, vertices, KERN_R(0), 1, fault); }
 
 KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
                               kern_real torque)
@@ -2424,7 +2477,7 @@ static kern_status kern_pair_touch(kern_pair *pair)
     for (i = pair->first; i < found->count; i++)
         kern_pair_face(pair, i);
     kern_point_travels(found->at + pair->first, found->count - pair->first);
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* Opens the pair of blocks i and j; 0: they touch nowhere, or both are fixed. */
@@ -2463,7 +2516,7 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair *pair = &s->pair;
     kern_real depth;
     if (!kern_pair_open(s, i, j))
-        return KERN_STANDS;
+        return KERN_OK;
     depth = kern_overlap(&pair->of_a.parts, &pair->of_b.parts, pair->gap);
     if (depth > 0) {
         s->fault->block = pair->a;
@@ -2533,7 +2586,7 @@ static void kern_search_sort(const kern_search *s, int *blocks, int n)
 static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
 {
     int *order = work->index, *open;
-    kern_status status = KERN_STANDS;
+    kern_status status = KERN_OK;
     int i, k, kept, n = 0, opened = 0;
     if (!order || work->indices / 2 < s->blocks)
         return KERN_NO_SPACE;
@@ -2557,7 +2610,7 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
     for (i = 0; i < s->found.count; i++) /* a pair's contacts keep their order */
         s->found.at[i].mu = KERN_R(i);
     kern_search_sort(s, NULL, s->found.count);
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* Gives every line the two places of its ends, from the last to the first.
@@ -2598,7 +2651,7 @@ static kern_status kern_options_check(const kern_options *o)
     if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
         || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* Checks what the search reads of a block. */
@@ -2607,7 +2660,7 @@ static kern_status kern_search_check(const kern_block *block)
     if (block->vertices < 0 || block->vertices > KERN_VERTICES_MOST)
         return KERN_BAD_COUNT;
     if (!block->vertices)
-        return KERN_STANDS;
+        return KERN_OK;
     if (block->vertices < 3)
         return KERN_FEW_VERTICES;
     if (!block->vertex)
@@ -2617,7 +2670,7 @@ static kern_status kern_search_check(const kern_block *block)
         !(block->box.low.y <= block->box.high.y) ||
         kern_box_largest(&block->box) > KERN_FAR)
         return KERN_BAD_NUMBER;
-    return kern_abs(block->area) > 0 ? KERN_STANDS : KERN_NO_AREA;
+    return kern_abs(block->area) > 0 ? KERN_OK : KERN_NO_AREA;
 }
 
 /* Checks every block, and finds how far they reach and how large they are. */
@@ -2646,7 +2699,7 @@ static kern_status kern_search_survey(kern_search *s)
     s->reach = s->options->gap > 0 ? s->options->gap
                                    : KERN_GAP * KERN_SQRT(area);
     s->reach = kern_max(s->reach, s->floor);
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 static kern_status kern_search_open(kern_search *s, const kern_block *block,
@@ -2691,47 +2744,42 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
     return status < 0 ? (int)status : kern_search_close(&s);
 }
 
-KERN_API int kern_touch(const kern_block *block, int blocks, int b,
+KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work)
 {
     kern_search s;
-    kern_status status =
-        kern_search_open(&s, block, blocks, options, out, room, work);
+    kern_status status = b < 0 ? KERN_BAD_COUNT
+        : kern_search_open(&s, block, b + 1, options, out, room, work);
     int a;
-    if (status >= 0 && (b < 0 || b >= blocks))
-        status = KERN_BAD_BLOCK;
-    for (a = 0; a < blocks && status >= 0; a++)
-        if (a != b)
-            status = kern_search_pair(&s, a, b);
+    for (a = 0; a < b && status >= 0; a++)
+        status = kern_search_pair(&s, a, b);
     return status < 0 ? (int)status : kern_search_close(&s);
 }
 
 /* ---- contacts that are given ---- */
 
-static kern_status kern_given_check(int a, int b, kern_vec normal, kern_vec p,
-                                    kern_vec q, kern_real mu)
+static kern_status kern_given_check(const kern_contact *c, kern_vec q)
 {
-    if (a < 0 || b < 0)
+    if (c->a < 0 || c->b < 0)
         return KERN_BAD_BLOCK;
-    if (a == b)
+    if (c->a == c->b)
         return KERN_SAME_BLOCK;
-    if (!kern_vec_is_finite(normal) || !kern_is_finite(mu) ||
-        !kern_vec_is_moderate(p) || !kern_vec_is_moderate(q))
+    if (!kern_vec_is_finite(c->n) || !kern_is_finite(c->mu) ||
+        !kern_vec_is_moderate(c->p) || !kern_vec_is_moderate(q))
         return KERN_BAD_NUMBER;
-    if (mu < 0)
+    if (c->mu < 0)
         return KERN_BAD_FRICTION;
-    if (!(kern_vec_largest(normal) > 0) ||
-        !kern_is_finite(1 / kern_vec_largest(normal)))
+    if (!(kern_vec_largest(c->n) > 0) ||
+        !kern_is_finite(1 / kern_vec_largest(c->n)))
         return KERN_BAD_NORMAL;
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
-KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
-                               kern_vec q, kern_real mu,
-                               const kern_options *options, kern_contact *out)
+KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
+                               const kern_options *options)
 {
-    const kern_vec d = kern_vec_sub(q, p);
+    kern_vec d, normal;
     kern_status status;
     kern_real length;
     int line;
@@ -2739,24 +2787,21 @@ KERN_API int kern_contact_make(int a, int b, kern_vec normal, kern_vec p,
         return (int)KERN_BAD_POINTER;
     status = kern_options_check(options);
     if (status >= 0)
-        status = kern_given_check(a, b, normal, p, q, mu);
+        status = kern_given_check(out, q);
     if (status < 0)
         return (int)status;
     /* first made about 1 long: its square may be no number */
-    normal = kern_vec_scale(normal, 1 / kern_vec_largest(normal));
+    normal = kern_vec_scale(out->n, 1 / kern_vec_largest(out->n));
     normal = kern_vec_unit(normal);
+    d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
-    line = length > KERN_FLOOR * kern_max(kern_vec_largest(p),
+    line = length > KERN_FLOOR * kern_max(kern_vec_largest(out->p),
                                           kern_vec_largest(q));
     if (line && kern_abs(kern_vec_dot(d, normal)) >
                 kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
-    out->a = a;
-    out->b = b;
-    out->line = line;
-    out->p = p;
     out->n = normal;
-    out->mu = mu;
+    out->line = line;
     out->travel = line ? kern_vec_cross(normal, d) / 2 : 0;
     if (line) {
         out[1] = *out;
@@ -4019,8 +4064,8 @@ static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 /* Lowers the sum of violations until it is zero or no column lowers it. The
    sum falls with every step that is not of length zero; when the budget is
    used up the smallest indices are taken (Bland), which cannot cycle. The
-   limit ends what rounding might keep going. Returns KERN_STANDS with a
-   feasible basis, KERN_FALLS with y in sx->row, or KERN_UNDECIDED. */
+   limit ends what rounding might keep going. Returns KERN_LP_OPTIMAL with a
+   feasible basis, KERN_LP_INFEASIBLE with y in sx->row, or KERN_UNDECIDED. */
 static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
                                   int limit)
 {
@@ -4040,7 +4085,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         if (q == KERN_OUT && sx->settled) {
             for (i = 0; i < lp->rows; i++)
                 sx->row[i] = -sx->row[i];
-            return sum > 0 ? KERN_FALLS : KERN_STANDS;
+            return sum > 0 ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         }
         if (q != KERN_OUT) {
             kern_basis_column(sx, q);
@@ -4128,7 +4173,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         kern_real step = KERN_R(0);
         int position;
         if (q == KERN_OUT && sx->settled)
-            return KERN_STANDS;
+            return KERN_LP_OPTIMAL;
         if (q == KERN_OUT) {
             if (!kern_basis_values(sx))
                 kern_basis_renew(sx);
@@ -4138,7 +4183,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         position = kern_primal_leaving(sx, first, &step);
         if (position == KERN_OUT) {
             sx->ray = q;
-            return KERN_UNBOUNDED;
+            return KERN_LP_UNBOUNDED;
         }
         if (sx->extras == sx->room && position < sx->lp->rows
             && sx->place[q] == KERN_OUT)
@@ -4357,8 +4402,9 @@ static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 /* The door of the room: everything outside asks here. Starts from the last
    basis, or from the crash basis. x is written for every verdict: one that
    falls leaves A x = rhs in it, with what is negative about it, which tells
-   how the verdict changes with the matrix. y is written for KERN_FALLS, and
-   with costs for KERN_STANDS. `own` keeps the question from the backend. */
+   how the verdict changes with the matrix. y is written for KERN_LP_INFEASIBLE,
+   and with costs for KERN_LP_OPTIMAL. `own` keeps the question from the
+   backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
@@ -4383,22 +4429,23 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
         kern_basis_values(sx);
     for (i = 0; i <= sx->extras / 4; i++) /* as much as so many pivots */
         kern_pivot_spend(sx, work);
-    status = kern_spent(work, lp->limit, KERN_STANDS);
-    if (status == KERN_STANDS)
+    status = kern_spent(work, lp->limit, KERN_LP_OPTIMAL);
+    if (status == KERN_LP_OPTIMAL)
         status = kern_phase_one(sx, work, limit);
-    if (status == KERN_STANDS && lp->cost)
+    if (status == KERN_LP_OPTIMAL && lp->cost)
         status = kern_simplex_primal(sx, work, limit);
     if (status < 0)
         return status;
-    if (status == KERN_UNBOUNDED) {
+    if (status == KERN_LP_UNBOUNDED) {
         for (i = 0; i < kern_extra(sx, sx->extras); i++)
             sx->value[i] = -sx->alpha[i];
     }
     kern_simplex_read(sx, x);
-    if (status == KERN_UNBOUNDED)
+    if (status == KERN_LP_UNBOUNDED)
         x[sx->ray] = KERN_R(1);
     for (i = 0; i < lp->rows; i++)
-        y[i] = status == KERN_FALLS || (status == KERN_STANDS && lp->cost)
+        y[i] = status == KERN_LP_INFEASIBLE
+               || (status == KERN_LP_OPTIMAL && lp->cost)
                ? sx->row[i] : KERN_R(0);
     return status;
 }
@@ -4472,9 +4519,9 @@ static kern_real kern_lp_sum(const kern_real *u, const kern_real *v, int n,
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
-    const int ray = status == KERN_UNBOUNDED;
+    const int ray = status == KERN_LP_UNBOUNDED;
     kern_real gain, value, paid, spent;
-    if (status == KERN_FALLS) {
+    if (status == KERN_LP_INFEASIBLE) {
         if (!kern_lp_columns(lp, y, NULL)) {
             kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
             if (!kern_lp_columns(lp, y, NULL))
@@ -4526,7 +4573,7 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
             return KERN_BAD_NUMBER;
         }
     }
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
@@ -4540,7 +4587,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
         return KERN_BAD_POINTER;
     kern_work_begin(work);
     status = x && y ? kern_lp_check(lp, &work->fault) : KERN_BAD_POINTER;
-    if (status != KERN_STANDS)
+    if (status != KERN_OK)
         return status;
     p.rows = lp->rows;
     p.cols = lp->cols;
@@ -4574,13 +4621,13 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
     if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
         return KERN_BAD_NUMBER;
     if (b->fixed)
-        return KERN_STANDS;
+        return KERN_OK;
     if (!(size >= KERN_LEAST_SIZE))
         return KERN_NO_AREA;
     if (!(b->mass >= KERN_LIGHT) || b->mass > KERN_HEAVY)
         return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
     return acts <= KERN_HEAVY && (acts >= KERN_LIGHT || !(acts > 0))
-           ? KERN_STANDS : KERN_BAD_NUMBER;
+           ? KERN_OK : KERN_BAD_NUMBER;
 }
 
 static kern_status kern_contact_check(const kern_contact *c, int blocks)
@@ -4597,20 +4644,14 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_BAD_FRICTION;
     if (kern_abs(n - 1) > KERN_R(64) * KERN_EPS)
         return KERN_BAD_NORMAL;
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 static kern_status kern_structure_check(const kern_structure *s,
-                                        const kern_options *o,
                                         kern_fault *fault, int *free_blocks)
 {
     kern_status status;
     int i, n = 0;
-    if (!s || !o)
-        return KERN_BAD_POINTER;
-    status = kern_options_check(o);
-    if (status != KERN_STANDS)
-        return status;
     if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
         || s->contacts > KERN_CONTACTS_MOST)
         return KERN_BAD_COUNT;
@@ -4620,7 +4661,7 @@ static kern_status kern_structure_check(const kern_structure *s,
         return KERN_BAD_NUMBER;
     for (i = 0; i < s->blocks; i++) {
         status = kern_block_check(s->block + i, s->gravity);
-        if (status != KERN_STANDS) {
+        if (status != KERN_OK) {
             fault->block = i;
             return status;
         }
@@ -4630,13 +4671,32 @@ static kern_status kern_structure_check(const kern_structure *s,
         return KERN_NO_FREE;
     for (i = 0; i < s->contacts; i++) {
         status = kern_contact_check(s->contact + i, s->blocks);
-        if (status != KERN_STANDS) {
+        if (status != KERN_OK) {
             fault->index = i;
             return status;
         }
     }
     *free_blocks = n;
-    return KERN_STANDS;
+    return KERN_OK;
+}
+
+/* The task, and where the answer goes; counts the free blocks. */
+static kern_status kern_task_check(const kern_task *task, const void *out,
+                                   int *free_blocks)
+{
+    kern_status status;
+    if (!task || !task->work)
+        return KERN_BAD_POINTER;
+    /* what kern_contacts() returned, and the fault that it left */
+    if (task->s.contacts <= (int)KERN_NO_SPACE
+        && task->s.contacts >= (int)KERN_STATUS_LEAST)
+        return (kern_status)task->s.contacts;
+    kern_work_begin(task->work);
+    status = kern_options_check(&task->options);
+    if (status == KERN_OK)
+        status = kern_structure_check(&task->s, &task->work->fault,
+                                      free_blocks);
+    return status == KERN_OK && !out ? KERN_BAD_POINTER : status;
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
@@ -4944,39 +5004,34 @@ static kern_real kern_prove_motion(const kern_structure *s,
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
-KERN_API kern_real kern_check_forces(const kern_structure *s, kern_real shrink,
-                                     const kern_options *o,
-                                     const kern_force *force, kern_work *work)
+KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
+                                     const kern_force *force)
 {
     kern_take take;
     kern_question q;
     kern_real *sum;
     int n = 0;
-    if (!work || !force || !kern_is_finite(shrink))
+    if (!force || !kern_is_finite(shrink)
+        || kern_task_check(task, force, &n) != KERN_OK)
         return KERN_INFINITY;
-    kern_fault_clear(&work->fault);
-    if (kern_structure_check(s, o, &work->fault, &n) != KERN_STANDS)
-        return KERN_INFINITY;
-    kern_take_open(&take, work);
-    sum = kern_take_reals(&take, 4 * s->blocks);
+    kern_take_open(&take, task->work);
+    sum = kern_take_reals(&take, 4 * task->s.blocks);
     if (!kern_take_fits(&take))
         return KERN_INFINITY;
-    q = kern_question_of(s, o, shrink);
-    return kern_prove_forces(s, &q, force, sum);
+    q = kern_question_of(&task->s, &task->options, shrink);
+    return kern_prove_forces(&task->s, &q, force, sum);
 }
 
-KERN_API kern_real kern_check_motion(const kern_structure *s, kern_real shrink,
-                                     const kern_options *o,
+KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion)
 {
     kern_question q;
-    kern_fault fault;
     int n = 0;
     if (!motion || !kern_is_finite(shrink)
-        || kern_structure_check(s, o, &fault, &n) != KERN_STANDS)
+        || kern_task_check(task, motion, &n) != KERN_OK)
         return KERN_INFINITY;
-    q = kern_question_of(s, o, shrink);
-    return kern_prove_motion(s, &q, motion);
+    q = kern_question_of(&task->s, &task->options, shrink);
+    return kern_prove_motion(&task->s, &q, motion);
 }
 
 /* ---- The model ------------------------------------------------- >>model */
@@ -5076,6 +5131,31 @@ KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
     return w;
 }
 
+KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
+                                const kern_contact *contact, int contacts,
+                                kern_work *work)
+{
+    kern_task task;
+    task.s.block = block;
+    task.s.blocks = blocks;
+    task.s.contact = contact;
+    task.s.contacts = contacts;
+    task.s.gravity = kern_vec_make(0, KERN_R(-9.81));
+    task.options = kern_defaults();
+    task.work = work;
+    task.known = kern_known_of(NULL, NULL);
+    return task;
+}
+
+KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
+{
+    kern_known known;
+    known.motion = motion;
+    known.force = force;
+    known.holds = known.margin = known.fails = KERN_R(0);
+    return known;
+}
+
 /* Whether block i comes before block j in the order of carrying. */
 static int kern_model_above(const kern_model *m, int i, int j)
 {
@@ -5164,7 +5244,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     m->from = last_only ? s->blocks - 1 : 0;
     m->prior = NULL;
     kern_model_group(m, NULL);
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* A block of its own group: neither ground, nor taken away. */
@@ -6245,7 +6325,7 @@ static kern_status kern_part_least(kern_part *p, int own)
     p->lp.cost = one;
     status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
     p->lp.cost = NULL;
-    if (status != KERN_STANDS)
+    if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
     for (i = 0; i < p->lp.rows; i++)
         p->y[i] = -p->y[i];
@@ -6263,8 +6343,10 @@ static kern_status kern_part_ask(kern_part *p, const kern_question *q)
     kern_part_set(p, q);
     for (own = 0; own < 2 && status != KERN_LIMIT; own++) {
         status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
-        if (status == KERN_STANDS)
+        if (status == KERN_LP_OPTIMAL)
             status = kern_part_least(p, own);
+        else if (status == KERN_LP_INFEASIBLE)
+            status = KERN_FALLS;
         p->found = status;
         if (status >= 0)
             status = kern_part_prove(p, q, status);
@@ -7045,7 +7127,7 @@ static kern_status kern_steps(const kern_margin *out, int *last)
         return KERN_BAD_STEP;
     *last = (int)steps;
     *last += KERN_R(*last) < steps;
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* Algorithm 1: the first k at which kerns shrunk by k steps hold no longer;
@@ -7101,47 +7183,39 @@ static kern_status kern_path_begin(kern_path *path, kern_path_kind kind,
     return kern_model_open(m, s, o, work, free_blocks, last_only);
 }
 
-/* The same, or what is wrong with what was handed in; `out` is where the answer
+/* The same for a task, or what is wrong with it; `out` is where the answer
    goes. */
 static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
                                   kern_model *m, kern_part *part,
-                                  const kern_structure *s, kern_real shrink,
-                                  const kern_options *o, kern_work *work,
+                                  const kern_task *task, kern_real shrink,
                                   const void *out, const kern_proof *proof)
 {
-    kern_status status;
     int free_blocks = 0;
-    if (!work)
-        return KERN_BAD_POINTER;
-    kern_work_begin(work);
-    status = kern_structure_check(s, o, &work->fault, &free_blocks);
-    if (status != KERN_STANDS)
+    kern_status status = kern_task_check(task, out, &free_blocks);
+    if (status != KERN_OK)
         return status;
-    if (!out)
-        return KERN_BAD_POINTER;
     if (!kern_is_finite(shrink))
         return KERN_BAD_NUMBER;
-    status = kern_path_begin(path, kind, m, s, shrink, o, work, free_blocks,
-                             0);
+    status = kern_path_begin(path, kind, m, &task->s, shrink, &task->options,
+                             task->work, free_blocks, 0);
     path->part = part;
     path->proof = proof;
     return status;
 }
 
-KERN_API kern_status kern_stands(const kern_structure *s, kern_real shrink,
-                                 const kern_options *o, kern_work *work,
-                                 const kern_proof *proof)
+KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
+                                  const kern_proof *proof)
 {
     kern_model m;
     kern_part part;
     kern_path path;
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s,
-                                        shrink, o, work, work, proof);
-    if (status != KERN_STANDS)
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
+                                        task, shrink, task, proof);
+    if (status != KERN_OK)
         return status;
     status = kern_model_ask(&m, &part, &path.q);
     kern_proof_out(&m, proof, status);
-    return kern_spent(work, o->limit, status);
+    return kern_spent(task->work, task->options.limit, status);
 }
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
@@ -7194,7 +7268,7 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     kern_margin r;
     int last = 0;
     kern_status status = kern_measure_none(m, o, &r, &last);
-    if (status != KERN_STANDS)
+    if (status != KERN_OK)
         return status;
     path->end = r.most;
     status = kern_spent(m->work, m->limit, kern_measure_path(
@@ -7210,18 +7284,69 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     return status;
 }
 
-KERN_API kern_status kern_measure(const kern_structure *s,
-                                  const kern_options *o, kern_work *work,
-                                  kern_margin *out, const kern_proof *proof)
+/* What is known of a task; its last block may have been added since. */
+static kern_seed kern_known_seed(const kern_task *task)
+{
+    kern_seed seed;
+    seed.holds = task->known.holds;
+    seed.edge = task->known.margin;
+    seed.fails = task->known.fails;
+    seed.motion = task->known.motion;
+    seed.last = task->known.motion[task->s.blocks - 1];
+    return seed;
+}
+
+/* Remembers a measure, whose proof is in the arrays of what is known, and
+   copies the proof to where it is wanted. */
+static void kern_known_set(kern_task *task, kern_status status,
+                           const kern_margin *out, const kern_proof *proof)
+{
+    kern_known *known = &task->known;
+    int i;
+    known->fails = KERN_R(0);
+    for (i = 0; i < task->s.contacts && proof && proof->force; i++)
+        proof->force[i] = known->force[i];
+    for (i = 0; i < task->s.blocks; i++) {
+        kern_motion *v = known->motion + i;
+        if (status == KERN_STANDS && out->saturated)
+            v->vx = v->vy = v->spin = KERN_R(0);
+        else if (proof && proof->motion)
+            proof->motion[i] = *v;
+    }
+    if (status == KERN_STANDS) {
+        known->holds = out->holds;
+        known->margin = out->margin;
+        known->fails = out->fails;
+    }
+}
+
+KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
+                                  const kern_proof *proof)
 {
     kern_model m;
     kern_part part;
     kern_path path;
-    const kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m,
-                                              &part, s, KERN_R(0), o, work,
-                                              out, proof);
-    return status == KERN_STANDS ? kern_measure_along(&m, &path, o, out)
-                                 : status;
+    kern_seed seed;
+    kern_proof kept;
+    const int warm = task && task->known.motion && task->known.force;
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
+                                        task, KERN_R(0), out, proof);
+    if (status != KERN_OK)
+        return status;
+    if (warm) {
+        kept.force = task->known.force;
+        kept.motion = task->known.motion;
+        path.proof = &kept;
+        seed = kern_known_seed(task);
+        path.seed = &seed;
+    }
+    status = kern_measure_along(&m, &path, &task->options, out);
+    if (warm && status >= 0)
+        kern_known_set(task, status, out, proof);
+    else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
+        /* its proof has been written over */
+        task->known.fails = KERN_R(0);
+    return status;
 }
 
 /* The extent: the longest side of the box around the free blocks. */
@@ -7278,22 +7403,20 @@ static kern_status kern_grow(kern_model *m, kern_path *path,
     return status == KERN_STANDS ? KERN_FALLS : status;
 }
 
-KERN_API kern_status kern_deficit(const kern_structure *s,
-                                  const kern_options *o, kern_work *work,
-                                  kern_real *deficit)
+KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 {
     kern_model m;
     kern_part part;
     kern_path path;
     kern_real grown = KERN_R(0);
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, s,
-                                        KERN_R(0), o, work, deficit, NULL);
-    if (status != KERN_STANDS)
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
+                                        task, KERN_R(0), deficit, NULL);
+    if (status != KERN_OK)
         return status;
     status = kern_path_ask(&m, &path, KERN_R(0));
     if (status == KERN_FALLS)
         status = kern_grow(&m, &path, &grown);
-    status = kern_spent(work, o->limit, status);
+    status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
         grown = path.fell <= 0 ? -path.fell : KERN_R(-1);
     if (status >= 0 || status == KERN_LIMIT)
@@ -7302,9 +7425,9 @@ KERN_API kern_status kern_deficit(const kern_structure *s,
 }
 
 /* Gravity and a side to turn it to. */
-static int kern_has_side(const kern_structure *s, int side)
+static int kern_has_side(const kern_structure *s, kern_side side)
 {
-    return (side == 1 || side == -1)
+    return (side == KERN_RIGHT || side == KERN_LEFT)
            && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
 }
 
@@ -7324,21 +7447,23 @@ static kern_real kern_angle_of(kern_real s)
 /* How a load grows or gravity turns: a verdict where the path begins, the
    climb, the proofs. Under loads that stay a tilt may stand again after it
    fell: then in even steps. */
-static kern_status kern_push(const kern_structure *s, kern_real shrink,
+static kern_status kern_push(const kern_task *task, kern_real shrink,
                              kern_path_kind kind, const kern_wrench *pattern,
-                             int side, const kern_options *o, kern_work *work,
-                             kern_real *out, const kern_proof *proof)
+                             kern_side side, kern_real *out,
+                             const kern_proof *proof)
 {
     const int tilt = kind == KERN_PATH_TILT;
+    const kern_structure *s;
     kern_real step = KERN_R(0.05);
     kern_model m;
     kern_part part;
     kern_path path;
     int i, loaded = 0;
-    kern_status status = kern_path_open(&path, kind, &m, &part, s, shrink, o,
-                                        work, out, proof);
-    if (status != KERN_STANDS)
+    kern_status status = kern_path_open(&path, kind, &m, &part, task, shrink,
+                                        out, proof);
+    if (status != KERN_OK)
         return status;
+    s = &task->s;
     if (!pattern && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
     for (i = 0; i < s->blocks; i++) {
@@ -7346,7 +7471,7 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
             continue;
         loaded |= tilt && kern_wrench_sum(&s->block[i].load) > 0;
         if (pattern && !kern_is_finite(kern_wrench_sum(pattern + i))) {
-            work->fault.block = i;
+            task->work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
     }
@@ -7360,7 +7485,7 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
     if (status == KERN_STANDS)
         status = loaded ? kern_path_climb(&m, &path, step, 1)
                         : kern_path_search(&m, &path, step, step);
-    status = kern_spent(work, o->limit, status);
+    status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
         path.edge = path.stood;
     if (status == KERN_STANDS || status == KERN_LIMIT)
@@ -7369,24 +7494,29 @@ static kern_status kern_push(const kern_structure *s, kern_real shrink,
     return status;
 }
 
-KERN_API kern_status kern_load_factor(const kern_structure *s,
-                                      kern_real shrink,
-                                      const kern_wrench *pattern, int side,
-                                      const kern_options *o, kern_work *work,
-                                      kern_real *factor,
+KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
+                                      kern_side side, kern_real *factor,
                                       const kern_proof *proof)
 {
-    return kern_push(s, shrink, KERN_PATH_LOAD, pattern, side, o, work, factor,
-                     proof);
+    return kern_push(task, shrink, KERN_PATH_LOAD, NULL, side, factor, proof);
 }
 
-KERN_API kern_status kern_tilt(const kern_structure *s, kern_real shrink,
-                               int side, const kern_options *o,
-                               kern_work *work, kern_real *angle,
+KERN_API kern_status kern_load_factor_of(const kern_task *task,
+                                         kern_real shrink,
+                                         const kern_wrench *pattern,
+                                         kern_real *factor,
+                                         const kern_proof *proof)
+{
+    return pattern ? kern_push(task, shrink, KERN_PATH_LOAD, pattern,
+                               KERN_SHRINK, factor, proof)
+                   : KERN_BAD_POINTER;
+}
+
+KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
+                               kern_side side, kern_real *angle,
                                const kern_proof *proof)
 {
-    return kern_push(s, shrink, KERN_PATH_TILT, NULL, side, o, work, angle,
-                     proof);
+    return kern_push(task, shrink, KERN_PATH_TILT, NULL, side, angle, proof);
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
@@ -7543,21 +7673,22 @@ static kern_real kern_expected_drop(const kern_model *m,
     return sum / KERN_R(n);
 }
 
-KERN_API kern_status kern_profile(const kern_structure *s, int side,
-                                  const kern_options *o, kern_work *work,
+KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out)
 {
+    const kern_structure *s;
     kern_model m;
     kern_part part;
     kern_path path;
     kern_fall fall;
     int i, free_blocks, half;
     kern_status status = kern_path_open(
-        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, &part, s,
-        KERN_R(0), o, work, value ? out : NULL, NULL);
-    if (status != KERN_STANDS)
+        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, &part, task,
+        KERN_R(0), value ? out : NULL, NULL);
+    if (status != KERN_OK)
         return status;
-    if (side != 0 && !kern_has_side(s, side))
+    s = &task->s;
+    if (side != KERN_SHRINK && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
     path.q.side = side;
     path.q.fallen = value;
@@ -7569,7 +7700,8 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     fall.value = value;
     for (i = 0; i < s->blocks; i++)
         value[i] = KERN_R(-1);
-    status = kern_spent(work, o->limit, kern_fall_follow(&m, &path, &fall));
+    status = kern_spent(task->work, task->options.limit,
+                        kern_fall_follow(&m, &path, &fall));
     for (i = 0; i < s->blocks; i++)
         if (s->block[i].fixed)
             value[i] = KERN_INFINITY;
@@ -7581,7 +7713,7 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
     out->drop = side ? kern_expected_drop(&m, value) : KERN_R(0);
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* ---- Planning ---------------------------------------------------- >>plan */
@@ -7592,29 +7724,23 @@ KERN_API kern_status kern_profile(const kern_structure *s, int side,
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
-                                kern_motion *motion, kern_force *force,
-                                kern_work *work)
+                                kern_known known, kern_work *work)
 {
     kern_plan plan;
-    plan.options = kern_defaults();
-    plan.s.block = plan.block = block;
-    plan.s.contact = plan.contact = contact;
-    plan.s.blocks = plan.s.contacts = 0;
-    plan.s.gravity = kern_vec_make(0, KERN_R(-9.81));
+    plan.task = kern_task_of(block, 0, contact, 0, work);
+    plan.task.known = known;
+    plan.block = block;
     plan.block_room = blocks;
+    plan.contact = contact;
     plan.contact_room = contacts;
-    plan.known.motion = motion;
-    plan.known.force = force;
-    plan.known.holds = plan.known.margin = plan.known.fails = KERN_R(0);
-    plan.work = work;
     return plan;
 }
 
 /* Whether all that a plan needs was given. */
 static int kern_plan_is_whole(const kern_plan *plan)
 {
-    return plan && plan->block && plan->contact && plan->known.motion
-           && plan->known.force && plan->work;
+    return plan && plan->block && plan->contact && plan->task.known.motion
+           && plan->task.known.force && plan->task.work;
 }
 
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
@@ -7624,21 +7750,22 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     int found, k;
     if (!kern_plan_is_whole(plan) || !block)
         return (int)KERN_BAD_POINTER;
-    s = &plan->s;
-    kern_work_begin(plan->work);
+    s = &plan->task.s;
+    kern_work_begin(plan->task.work);
     if (s->blocks >= plan->block_room)
         return (int)KERN_NO_SPACE;
     plan->block[s->blocks] = *block;
-    found = kern_touch(s->block, s->blocks + 1, s->blocks, &plan->options,
+    found = kern_touch(s->block, s->blocks, &plan->task.options,
                        plan->contact + s->contacts,
-                       plan->contact_room - s->contacts, plan->work);
+                       plan->contact_room - s->contacts, plan->task.work);
     if (found < 0)
         return found;
-    rest = plan->known.motion + s->blocks;
+    rest = plan->task.known.motion + s->blocks;
     rest->vx = rest->vy = rest->spin = KERN_R(0);
-    for (k = s->contacts; k < s->contacts + found; k++)
-        plan->known.force[k].normal = plan->known.force[k].tangential =
-            KERN_R(0);
+    for (k = s->contacts; k < s->contacts + found; k++) {
+        kern_force *force = plan->task.known.force + k;
+        force->normal = force->tangential = KERN_R(0);
+    }
     s->blocks++;
     s->contacts += found;
     return found;
@@ -7650,8 +7777,8 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     int k, n = 0;
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
-    s = &plan->s;
-    kern_fault_clear(&plan->work->fault);
+    s = &plan->task.s;
+    kern_fault_clear(&plan->task.work->fault);
     if (i < 0 || i >= s->blocks)
         return KERN_BAD_BLOCK;
     for (k = 0; k < s->contacts; k++) {
@@ -7660,70 +7787,16 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
             continue;
         c->a -= c->a > i;
         c->b -= c->b > i;
-        plan->known.force[n] = plan->known.force[k];
+        plan->task.known.force[n] = plan->task.known.force[k];
         plan->contact[n++] = *c;
     }
     for (k = i; k + 1 < s->blocks; k++) {
         plan->block[k] = plan->block[k + 1];
-        plan->known.motion[k] = plan->known.motion[k + 1];
+        plan->task.known.motion[k] = plan->task.known.motion[k + 1];
     }
     s->contacts = n;
     s->blocks--;
-    return KERN_STANDS;
-}
-
-/* What is known of the plan as it is. */
-static kern_seed kern_plan_seed(const kern_plan *plan)
-{
-    kern_seed seed;
-    seed.holds = plan->known.holds;
-    seed.edge = plan->known.margin;
-    seed.fails = plan->known.fails;
-    seed.motion = plan->known.motion;
-    seed.last = plan->known.motion[plan->s.blocks - 1];
-    return seed;
-}
-
-KERN_API kern_status kern_plan_measure(kern_plan *plan, kern_margin *out,
-                                       const kern_proof *proof)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_seed seed;
-    kern_proof kept;
-    kern_status status;
-    int i;
-    if (!kern_plan_is_whole(plan))
-        return KERN_BAD_POINTER;
-    kept.force = plan->known.force;
-    kept.motion = plan->known.motion;
-    status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part, &plan->s,
-                            KERN_R(0), &plan->options, plan->work, out, &kept);
-    if (status != KERN_STANDS)
-        return status;
-    seed = kern_plan_seed(plan);
-    path.seed = &seed;
-    status = kern_measure_along(&m, &path, &plan->options, out);
-    if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
-        plan->known.fails = KERN_R(0); /* its proof has been written over */
-    if (status < 0)
-        return status;
-    for (i = 0; i < plan->s.contacts && proof && proof->force; i++)
-        proof->force[i] = plan->known.force[i];
-    for (i = 0; i < plan->s.blocks; i++) {
-        kern_motion *v = plan->known.motion + i;
-        if (status == KERN_STANDS && out->saturated)
-            v->vx = v->vy = v->spin = KERN_R(0);
-        else if (proof && proof->motion)
-            proof->motion[i] = *v;
-    }
-    if (status == KERN_STANDS) {
-        plan->known.holds = out->holds;
-        plan->known.margin = out->margin;
-        plan->known.fails = out->fails;
-    }
-    return status;
+    return KERN_OK;
 }
 
 /* Opens the model of the plan's last block alone, with its contacts as the last
@@ -7733,12 +7806,12 @@ static kern_status kern_plan_alone(const kern_plan *plan, int found,
                                    kern_path *path, kern_model *m,
                                    kern_part *part, kern_structure *s)
 {
-    *s = plan->s;
+    *s = plan->task.s;
     s->contacts = found;
-    s->contact += plan->s.contacts - found;
+    s->contact += plan->task.s.contacts - found;
     path->part = part;
     return kern_path_begin(path, KERN_PATH_SHRINK, m, s, KERN_R(0),
-                           &plan->options, plan->work, 1, 1);
+                           &plan->task.options, plan->task.work, 1, 1);
 }
 
 /* Where the last block falls alone: what is known of it to *seed, if that is
@@ -7753,7 +7826,7 @@ static kern_status kern_plan_nearer(const kern_plan *plan, int found,
     kern_travels travels;
     kern_question q;
     kern_status status = kern_plan_alone(plan, found, &path, &m, &part, &s);
-    if (status != KERN_STANDS)
+    if (status != KERN_OK)
         return status;
     travels = kern_travels_of(&m);
     if (!travels.nested)
@@ -7769,7 +7842,7 @@ static kern_status kern_plan_nearer(const kern_plan *plan, int found,
         seed->edge = path.edge;
         seed->fails = path.fails;
         seed->motion = NULL;
-        seed->last = m.motion[plan->s.blocks - 1];
+        seed->last = m.motion[plan->task.s.blocks - 1];
     }
     return status == KERN_FALLS ? status : KERN_STANDS;
 }
@@ -7777,22 +7850,13 @@ static kern_status kern_plan_nearer(const kern_plan *plan, int found,
 /* Takes the last block of the plan away again. */
 static void kern_plan_undo(kern_plan *plan, int found)
 {
-    plan->s.blocks--;
-    plan->s.contacts -= found;
+    plan->task.s.blocks--;
+    plan->task.s.contacts -= found;
 }
 
-/* Checks a plan with a block that has just been added. */
-static kern_status kern_plan_check(const kern_plan *plan, const void *out,
-                                   int *free_blocks)
-{
-    const kern_status status = kern_structure_check(
-        &plan->s, &plan->options, &plan->work->fault, free_blocks);
-    return status == KERN_STANDS && !out ? KERN_BAD_POINTER : status;
-}
-
-/* The measure of the plan from what is known of it; `falls`: it is known to fall
+/* The measure of a task from what is known of it; `falls`: it is known to fall
    at once. */
-static kern_status kern_plan_whole(const kern_plan *plan, int free_blocks,
+static kern_status kern_plan_whole(const kern_task *task, int free_blocks,
                                    const kern_seed *seed, int falls,
                                    kern_margin *out, const kern_proof *proof)
 {
@@ -7800,19 +7864,19 @@ static kern_status kern_plan_whole(const kern_plan *plan, int free_blocks,
     kern_part part;
     kern_path path;
     int last;
-    kern_status status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
-                                         KERN_R(0), &plan->options, plan->work,
+    kern_status status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &task->s,
+                                         KERN_R(0), &task->options, task->work,
                                          free_blocks, 0);
-    if (status != KERN_STANDS)
+    if (status != KERN_OK)
         return status;
-    m.prior = plan->known.fails > 0 ? plan->known.force : NULL;
+    m.prior = task->known.fails > 0 ? task->known.force : NULL;
     path.part = &part;
     path.proof = proof;
     path.seed = seed;
     if (!falls)
-        return kern_measure_along(&m, &path, &plan->options, out);
-    status = kern_measure_none(&m, &plan->options, out, &last);
-    return status == KERN_STANDS ? KERN_FALLS : status;
+        return kern_measure_along(&m, &path, &task->options, out);
+    status = kern_measure_none(&m, &task->options, out, &last);
+    return status == KERN_OK ? KERN_FALLS : status;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
@@ -7824,14 +7888,15 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
     const int found = kern_plan_add(plan, block);
     if (found < 0)
         return (kern_status)found;
-    status = kern_plan_check(plan, out, &free_blocks);
-    seed = kern_plan_seed(plan);
-    if (status == KERN_STANDS && !block->fixed && seed.fails > 0)
+    status = kern_task_check(&plan->task, out, &free_blocks);
+    seed = kern_known_seed(&plan->task);
+    if (status == KERN_OK && !block->fixed && seed.fails > 0)
         falls = kern_plan_nearer(plan, found, proof, &seed) == KERN_FALLS;
-    if (status == KERN_STANDS)
-        status = kern_plan_whole(plan, free_blocks, &seed, falls, out, proof);
+    if (status == KERN_OK)
+        status = kern_plan_whole(&plan->task, free_blocks, &seed, falls, out,
+                                 proof);
     kern_plan_undo(plan, found);
-    return kern_spent(plan->work, plan->options.limit, status);
+    return kern_spent(plan->task.work, plan->task.options.limit, status);
 }
 
 /* The verdict of the plan at a shrinkage, or of its last block alone on
@@ -7848,16 +7913,16 @@ static kern_status kern_plan_stands(const kern_plan *plan, int found,
     kern_question q;
     kern_status status =
         alone ? kern_plan_alone(plan, found, &path, &m, &part, &s)
-              : kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->s,
-                                KERN_R(0), &plan->options, plan->work,
+              : kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->task.s,
+                                KERN_R(0), &plan->task.options, plan->task.work,
                                 free_blocks, 0);
-    if (status != KERN_STANDS)
+    if (status != KERN_OK)
         return status;
     *nested = kern_travels_of(&m).nested;
     if (!*nested)
         return KERN_STANDS;
-    if (!alone && plan->known.fails > 0)
-        m.prior = plan->known.force;
+    if (!alone && plan->task.known.fails > 0)
+        m.prior = plan->task.known.force;
     q = kern_path_at(&path, shrink);
     status = kern_model_ask(&m, &part, &q);
     if (!alone || status == KERN_FALLS)
@@ -7874,17 +7939,18 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
     const int found = kern_plan_add(plan, block);
     if (found < 0)
         return (kern_status)found;
-    status = kern_plan_check(plan, plan, &free_blocks);
-    if (status == KERN_STANDS && !(margin >= 0 && kern_is_finite(margin)))
+    status = kern_task_check(&plan->task, plan, &free_blocks);
+    if (status == KERN_OK && !(margin >= 0 && kern_is_finite(margin)))
         status = KERN_BAD_NUMBER;
-    if (status == KERN_STANDS && !block->fixed)
+    if (status == KERN_OK && !block->fixed)
         status = kern_plan_stands(plan, found, free_blocks, 1, margin, &nested,
                                   proof);
-    if (nested && (status == KERN_STANDS || status == KERN_UNDECIDED))
+    if (nested && (status == KERN_OK || status == KERN_STANDS
+                   || status == KERN_UNDECIDED))
         status = kern_plan_stands(plan, found, free_blocks, 0, margin, &nested,
                                   proof);
     kern_plan_undo(plan, found);
-    status = kern_spent(plan->work, plan->options.limit, status);
+    status = kern_spent(plan->task.work, plan->task.options.limit, status);
     if (nested || status < 0)
         return status;
     status = kern_plan_try(plan, block, &r, proof);

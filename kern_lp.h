@@ -164,8 +164,9 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
         size = size > (double)kern_abs(lp->rhs[i])
                ? size : (double)kern_abs(lp->rhs[i]);
     if (code == GLP_OPT)
-        status = glp_get_obj_val(p) > 1e-11 * size ? KERN_FALLS : KERN_STANDS;
-    if (status == KERN_STANDS && lp->cost) {
+        status = glp_get_obj_val(p) > 1e-11 * size ? KERN_LP_INFEASIBLE
+                                                   : KERN_LP_OPTIMAL;
+    if (status == KERN_LP_OPTIMAL && lp->cost) {
         for (i = 1; i <= 2 * lp->rows; i++) {
             glp_set_col_bnds(p, lp->cols + i, GLP_FX, 0.0, 0.0);
             glp_set_obj_coef(p, lp->cols + i, 0.0);
@@ -173,15 +174,15 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
         for (i = 1; i <= lp->cols; i++)
             glp_set_obj_coef(p, i, (double)lp->cost[i - 1]);
         code = kern_glpk_run(p, lp, work);
-        status = code == GLP_OPT ? KERN_STANDS
-                 : code == GLP_UNBND ? KERN_UNBOUNDED : KERN_UNDECIDED;
+        status = code == GLP_OPT ? KERN_LP_OPTIMAL
+                 : code == GLP_UNBND ? KERN_LP_UNBOUNDED : KERN_UNDECIDED;
         sign = 1;
     }
     for (i = 0; i < lp->cols; i++)
         x[i] = (kern_real)glp_get_col_prim(p, i + 1);
     for (i = 0; i < lp->rows; i++)
         y[i] = (kern_real)(sign * glp_get_row_dual(p, i + 1));
-    if (status == KERN_UNBOUNDED && !kern_glpk_ray(p, lp, x))
+    if (status == KERN_LP_UNBOUNDED && !kern_glpk_ray(p, lp, x))
         status = KERN_UNDECIDED;
     work->pivots += glp_get_it_cnt(p);
     glp_delete_prob(p);

@@ -81,7 +81,7 @@ static const double at_rest = 1e-4;
 
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit;
-    int relative, forces, mechanism, profile, near, json;
+    int relative, forces, mechanism, profile, touching, json;
     const char *svg;
     char **file;
     int files;
@@ -96,9 +96,8 @@ struct analysis {
     int line;               /* of the error, 0: the whole file   */
     char error[600];        /* "" where there is none            */
 
-    kern_structure s;
-    kern_options options;
-    kern_contact *contact;  /* s.contact                         */
+    kern_task task;
+    kern_contact *contact;  /* task.s.contact                    */
     kern_work work;
 
     kern_status verdict;    /* at the shrinkage asked for        */
@@ -129,10 +128,13 @@ static int fail(struct analysis *a, int line, const char *format, ...)
     return -1;
 }
 
+static double mean_size(const struct analysis *a)
+{ return (double)kern_mean_size(a->task.s.block, a->task.s.blocks); }
+
 static int fail_memory(struct analysis *a)
 {
     return fail(a, 0, "not enough memory for %d blocks and %d contact points",
-                a->s.blocks, a->s.contacts);
+                a->task.s.blocks, a->task.s.contacts);
 }
 
 /* Does the collapse motion belong to the verdict, or to the margin? */
@@ -174,9 +176,9 @@ static int find_contacts(struct analysis *a)
     struct text_file *t = &a->text;
     if (t->given) {
         a->contact = t->contact;
-        a->s.contacts = t->contacts;
+        a->task.s.contacts = t->contacts;
         for (int k = 0; k < t->contacts; k++)
-            if (!t->own_mu[k]) t->contact[k].mu = a->options.mu;
+            if (!t->own_mu[k]) t->contact[k].mu = a->task.options.mu;
         return 0;
     }
     int found = KERN_NO_SPACE, ints = 2 * t->blocks;
@@ -187,7 +189,7 @@ static int find_contacts(struct analysis *a)
         kern_contact *more = realloc(a->contact, (size_t)room * sizeof *more);
         if (!more) break;
         a->contact = more;
-        found = kern_contacts(t->block, t->blocks, &a->options, a->contact,
+        found = kern_contacts(t->block, t->blocks, &a->task.options, a->contact,
                               room, &work);
     }
     free(index);
@@ -195,7 +197,7 @@ static int find_contacts(struct analysis *a)
         return fail(a, 0, "not enough memory for the contacts of %d blocks",
                     t->blocks);
     if (found < 0) return fail_blocks(a, (kern_status)found, &work.fault);
-    a->s.contacts = found;
+    a->task.s.contacts = found;
     return 0;
 }
 
@@ -207,7 +209,8 @@ static void *array(int count, size_t size)
 
 static int take_memory(struct analysis *a)
 {
-    int reals = 0, ints = 0, blocks = a->s.blocks, contacts = a->s.contacts;
+    int reals = 0, ints = 0;
+    int blocks = a->task.s.blocks, contacts = a->task.s.contacts;
     if (blocks > MOST_BLOCKS || contacts > MOST_CONTACTS) return fail_memory(a);
     kern_work_need(blocks, contacts, &reals, &ints);
     if (reals < 0 || ints < 0) return fail_memory(a);
@@ -246,12 +249,12 @@ static void free_analysis(struct analysis *a)
 static kern_motion relative_motion(const struct analysis *a, int k,
                                    kern_real shrink, const kern_motion *motion)
 {
-    const kern_contact *c = &a->s.contact[k];
+    const kern_contact *c = &a->task.s.contact[k];
     kern_vec p = kern_contact_at(c, shrink, a->set->relative);
     kern_motion v[2];
     for (int i = 0; i < 2; i++) {
         int block = i ? c->b : c->a;
-        kern_vec centre = a->s.block[block].centre;
+        kern_vec centre = a->task.s.block[block].centre;
         v[i] = motion[block];
         v[i].vx -= v[i].spin * (p.y - centre.y);
         v[i].vy += v[i].spin * (p.x - centre.x);
@@ -267,13 +270,13 @@ enum meeting { RESTS, HINGES, SLIDES, OPENS };
 static enum meeting meeting_of(const struct analysis *a, int k,
                                kern_real shrink, const kern_motion *motion)
 {
-    const kern_contact *c = &a->s.contact[k];
+    const kern_contact *c = &a->task.s.contact[k];
     kern_motion v = relative_motion(a, k, shrink, motion);
     double apart = v.vx * c->n.x + v.vy * c->n.y;
     double along = fabs(v.vy * c->n.x - v.vx * c->n.y);
     if (apart > c->mu * along + at_rest) return OPENS;
     if (along > at_rest) return SLIDES;
-    double size = (double)kern_mean_size(a->s.block, a->s.blocks);
+    double size = mean_size(a);
     return fabs(v.spin) * size > at_rest ? HINGES : RESTS;
 }
 
@@ -288,7 +291,7 @@ static double limit_of(const struct analysis *a, int k, enum limit_by by)
 {
     enum meeting how = meeting_of(a, k, a->m.margin, a->collapse);
     kern_motion v = relative_motion(a, k, a->m.margin, a->collapse);
-    double travel = (double)a->s.contact[k].travel;
+    double travel = (double)a->task.s.contact[k].travel;
     if (by == BY_SLIDING) return how == SLIDES ? hypot(v.vx, v.vy) : 0;
     if (by == BY_TURNING) return how == HINGES ? fabs(v.spin) : 0;
     if (how == OPENS) return 0;
@@ -306,7 +309,7 @@ static void find_limit(struct analysis *a)
     for (int by = stands ? BY_FORCE : BY_TURNING;
          by <= BY_SLIDING && a->limiting < 0; by++) {
         double most = 0;
-        for (int k = 0; k < a->s.contacts; k++) {
+        for (int k = 0; k < a->task.s.contacts; k++) {
             a->limit[k] = limit_of(a, k, (enum limit_by)by);
             if (!(a->limit[k] > most * (1 + at_rest))) continue;
             most = a->limit[k];
@@ -326,15 +329,13 @@ static void find_loads(struct analysis *a)
     for (int side = LEFT; side <= RIGHT; side++) {
         a->load[side] = a->tilt[side] = (double)NAN;
         if (a->verdict != KERN_STANDS) continue;
-        if (!(hypot(a->s.gravity.x, a->s.gravity.y) > 0)) continue;
+        if (!(hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0)) continue;
         kern_real value = 0;
-        int sign = side == LEFT ? -1 : 1;
+        kern_side sign = side == LEFT ? KERN_LEFT : KERN_RIGHT;
         kern_status status;
-        status = kern_load_factor(&a->s, shrinkage(a), NULL, sign, &a->options,
-                                  &a->work, &value, NULL);
+        status = kern_load_factor(&a->task, shrinkage(a), sign, &value, NULL);
         a->load[side] = value_or_nan(status, value);
-        status = kern_tilt(&a->s, shrinkage(a), sign, &a->options, &a->work,
-                           &value, NULL);
+        status = kern_tilt(&a->task, shrinkage(a), sign, &value, NULL);
         a->tilt[side] = value_or_nan(status, value);
     }
 }
@@ -342,17 +343,19 @@ static void find_loads(struct analysis *a)
 /* Margins first, then loads; without gravity there are none of those. */
 static void find_profile(struct analysis *a)
 {
-    static const int side[PROFILES] = { 0, -1, 1 };
-    int falls = hypot(a->s.gravity.x, a->s.gravity.y) > 0;
-    a->profiled = KERN_STANDS;
+    static const kern_side side[PROFILES] = {
+        KERN_SHRINK, KERN_LEFT, KERN_RIGHT
+    };
+    int falls = hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0;
+    a->profiled = KERN_OK;
     for (int k = 0; k < (falls ? PROFILES : 1); k++) {
         kern_status status;
-        status = kern_profile(&a->s, side[k], &a->options, &a->work,
-                              a->fate[k], &a->all[k]);
+        status = kern_profile(&a->task, side[k], a->fate[k], &a->all[k]);
         if (status < 0) a->profiled = status;
     }
     for (int k = falls ? PROFILES : 1; k < PROFILES; k++) {
-        for (int i = 0; i < a->s.blocks; i++) a->fate[k][i] = (kern_real)NAN;
+        for (int i = 0; i < a->task.s.blocks; i++)
+            a->fate[k][i] = (kern_real)NAN;
         a->all[k].least = a->all[k].mean = a->all[k].weak =
             a->all[k].drop = (kern_real)NAN;
     }
@@ -385,22 +388,21 @@ static int measure(struct analysis *a)
 {
     kern_proof proof = { a->force, a->motion };
     kern_proof limit = { a->last_force, a->collapse };
-    a->verdict = kern_stands(&a->s, shrinkage(a), &a->options, &a->work,
-                             &proof);
+    a->verdict = kern_verdict(&a->task, shrinkage(a), &proof);
     if (a->verdict < 0 && !is_open(a->verdict))
         return fail_blocks(a, a->verdict, &a->work.fault);
-    a->measured = kern_measure(&a->s, &a->options, &a->work, &a->m, &limit);
+    a->measured = kern_measure(&a->task, &a->m, &limit);
     if (a->measured == KERN_BAD_STEP)
         return fail(a, a->set->epsilon < 0 ? a->text.epsilon_line : 0,
                     "%s, the step is %.9g", kern_status_text(a->measured),
-                    (double)a->options.epsilon);
+                    (double)a->task.options.epsilon);
     if (a->measured < 0 && !is_open(a->measured))
         return fail_blocks(a, a->measured, &a->work.fault);
     a->deficit = (double)NAN;
     if (a->measured == KERN_FALLS) {
         kern_real deficit = 0;
         kern_status status;
-        status = kern_deficit(&a->s, &a->options, &a->work, &deficit);
+        status = kern_deficit(&a->task, &deficit);
         a->deficit = status < 0 ? (double)NAN : (double)deficit;
     }
     find_limit(a);
@@ -414,20 +416,18 @@ static int analyse(struct analysis *a)
     const struct settings *set = a->set;
     if (text_load(&a->text, a->file))
         return fail(a, a->text.line, "%s", a->text.message);
-    a->options = a->text.options;
-    a->options.relative = set->relative;
-    if (set->epsilon > 0) a->options.epsilon = set->epsilon;
-    if (set->gap > 0) a->options.gap = set->gap;
-    if (!(set->mu < 0)) a->options.mu = set->mu;
-    if (set->limit > 0) a->options.limit = (int)set->limit;
-    a->s.block = a->text.block;
-    a->s.blocks = a->text.blocks;
-    a->s.gravity = a->text.gravity;
-    if (set->near)
-        a->options = kern_near(&a->options,
-                               kern_mean_size(a->s.block, a->s.blocks));
+    a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
+    a->task.s.gravity = a->text.gravity;
+    a->task.options = a->text.options;
+    a->task.options.relative = set->relative;
+    if (set->epsilon > 0) a->task.options.epsilon = set->epsilon;
+    if (set->gap > 0) a->task.options.gap = set->gap;
+    if (!(set->mu < 0)) a->task.options.mu = set->mu;
+    if (set->limit > 0) a->task.options.limit = (int)set->limit;
+    if (set->touching)
+        a->task.options = kern_near(&a->task.options, (kern_real)mean_size(a));
     if (find_contacts(a)) return -1;
-    a->s.contact = a->contact;
+    a->task.s.contact = a->contact;
     if (take_memory(a)) return -1;
     return measure(a);
 }
@@ -451,7 +451,7 @@ enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 static unsigned open_questions(const struct analysis *a)
 {
     int loaded = a->verdict == KERN_STANDS
-                 && hypot(a->s.gravity.x, a->s.gravity.y) > 0;
+                 && hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0;
     int open[OPENS_MOST] = {
         a->measured < 0 || a->m.level < 0, a->measured < 0,
         a->measured == KERN_FALLS && isnan(a->deficit),
@@ -467,7 +467,8 @@ static unsigned open_questions(const struct analysis *a)
 static int line_points(const struct analysis *a)
 {
     int points = 0;
-    for (int k = 0; k < a->s.contacts; k++) points += a->s.contact[k].line != 0;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        points += a->task.s.contact[k].line != 0;
     return points;
 }
 
@@ -483,14 +484,14 @@ static const char *plural(int count) { return count == 1 ? "" : "s"; }
 /* A coordinate without what rounding left where it should be 0. */
 static double tidy(const struct analysis *a, double x)
 {
-    double size = (double)kern_mean_size(a->s.block, a->s.blocks);
+    double size = mean_size(a);
     return fabs(x) < 1e-9 * size ? 0 : x;
 }
 
 static void report_structure(const struct analysis *a)
 {
-    int blocks = a->s.blocks - a->text.fixed, ends = line_points(a);
-    int lines = ends / 2, points = a->s.contacts - ends;
+    int blocks = a->task.s.blocks - a->text.fixed, ends = line_points(a);
+    int lines = ends / 2, points = a->task.s.contacts - ends;
     printf("  structure   %d block%s on %d fixed; ", blocks, plural(blocks),
            a->text.fixed);
     printf("%d line contact%s and %d point%s%s\n", lines, plural(lines), points,
@@ -541,7 +542,7 @@ static void report_margin(const struct analysis *a)
            falls ? "would need more" : "can lose");
     if (!a->set->relative)
         printf(", %.3g %% of the mean block size",
-               100 * value / (double)kern_mean_size(a->s.block, a->s.blocks));
+               100 * value / mean_size(a));
     printf("\n");
 }
 
@@ -554,12 +555,12 @@ static void report_limit(const struct analysis *a)
     double least = 0.1 * a->limit[a->limiting];
     for (int shown = 0; shown < 4; shown++) {
         int best = 0;
-        for (int k = 1; k < a->s.contacts; k++)
+        for (int k = 1; k < a->task.s.contacts; k++)
             if (a->limit[k] > a->limit[best]) best = k;
         if (!(a->limit[best] > least)) return;
         a->limit[best] = 0; /* each once */
 
-        const kern_contact *c = &a->s.contact[best];
+        const kern_contact *c = &a->task.s.contact[best];
         kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
         char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
         printf("  %-10s  %s and %s at (%.6g, %.6g), which %s\n", head,
@@ -575,10 +576,10 @@ static void print_move(const struct analysis *a, const kern_motion *motion,
                        int i)
 {
     kern_motion v = motion[i];
-    const kern_block *b = &a->s.block[i];
-    double g = hypot(a->s.gravity.x, a->s.gravity.y);
-    double downx = g > 0 ? a->s.gravity.x / g : 0;
-    double downy = g > 0 ? a->s.gravity.y / g : -1;
+    const kern_block *b = &a->task.s.block[i];
+    double g = hypot(a->task.s.gravity.x, a->task.s.gravity.y);
+    double downx = g > 0 ? a->task.s.gravity.x / g : 0;
+    double downy = g > 0 ? a->task.s.gravity.y / g : -1;
     double right = -v.vx * downy + v.vy * downx;
     double down = v.vx * downx + v.vy * downy;
     double size = sqrt(fabs((double)b->area)), speed = hypot(v.vx, v.vy);
@@ -600,7 +601,7 @@ static void print_move(const struct analysis *a, const kern_motion *motion,
 static double speed_of(const struct analysis *a, const kern_motion *motion,
                        int i)
 {
-    double size = sqrt(fabs((double)a->s.block[i].area));
+    double size = sqrt(fabs((double)a->task.s.block[i].area));
     double turning = fabs((double)motion[i].spin) * size;
     double speed = hypot(motion[i].vx, motion[i].vy);
     return turning > speed ? turning : speed;
@@ -610,7 +611,7 @@ static double speed_of(const struct analysis *a, const kern_motion *motion,
 static int as_one(const struct analysis *a, const kern_motion *motion, int i,
                   int j)
 {
-    kern_vec p = a->s.block[i].centre, q = a->s.block[j].centre;
+    kern_vec p = a->task.s.block[i].centre, q = a->task.s.block[j].centre;
     kern_motion v = motion[i], w = motion[j];
     double x = v.vx - v.spin * (q.y - p.y) - w.vx;
     double y = v.vy + v.spin * (q.x - p.x) - w.vy;
@@ -624,12 +625,13 @@ static void report_collapse(const struct analysis *a)
     enum { GROUPS = 5, NAMES = 6 };
     const kern_motion *motion = shown_motion(a);
     const char *head = a->verdict == KERN_FALLS ? "falls by" : "would fall";
-    char *listed = motion ? array(a->s.blocks, 1) : NULL, shown[TEXT_SHOW_ROOM];
+    char *listed = motion ? array(a->task.s.blocks, 1) : NULL;
+    char shown[TEXT_SHOW_ROOM];
     int rest = 0;
     for (int group = 0; listed && group <= GROUPS; group++) {
         int lead = -1, names = 0;
         rest = 0;
-        for (int i = 0; i < a->s.blocks; i++) {
+        for (int i = 0; i < a->task.s.blocks; i++) {
             if (listed[i] || speed_of(a, motion, i) < at_rest) continue;
             rest++;
             if (lead < 0 || speed_of(a, motion, i) >
@@ -638,7 +640,7 @@ static void report_collapse(const struct analysis *a)
         if (lead < 0 || group == GROUPS) break;
         printf("  %-10s  ", head);
         head = "";
-        for (int i = 0; i < a->s.blocks; i++) {
+        for (int i = 0; i < a->task.s.blocks; i++) {
             if (listed[i] || speed_of(a, motion, i) < at_rest) continue;
             if (i != lead && !as_one(a, motion, lead, i)) continue;
             listed[i] = 1;
@@ -668,7 +670,7 @@ static void report_loads(const struct analysis *a)
     static const double degrees = 57.295779513082321;
     char left[32], right[32];
     if (a->verdict != KERN_STANDS) return;
-    if (!(hypot(a->s.gravity.x, a->s.gravity.y) > 0)) return;
+    if (!(hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0)) return;
     printf("  push        %s left, %s right, times the weight of every block\n",
            factor_text(a->load[LEFT], 1, "", left),
            factor_text(a->load[RIGHT], 1, "", right));
@@ -686,8 +688,8 @@ static void report_forces(const struct analysis *a)
     }
     printf("  forces      %-10s %-10s %11s %11s %11s %11s %8s\n", "from", "on",
            "x", "y", "normal", "tangential", "of mu");
-    for (int k = 0; k < a->s.contacts; k++) {
-        const kern_contact *c = &a->s.contact[k];
+    for (int k = 0; k < a->task.s.contacts; k++) {
+        const kern_contact *c = &a->task.s.contact[k];
         kern_vec p = kern_contact_at(c, shrinkage(a), a->set->relative);
         printf("              %-10s %-10s %11.5g %11.5g", name_of(a, c->a, one),
                name_of(a, c->b, two), tidy(a, p.x), tidy(a, p.y));
@@ -710,8 +712,8 @@ static void report_motion(const struct analysis *a)
         return;
     }
     printf("  motion      %-10s %11s %11s %11s\n", "block", "vx", "vy", "spin");
-    for (int i = 0; i < a->s.blocks; i++) {
-        if (a->s.block[i].fixed) continue;
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
         printf("              %-10s %11.5f %11.5f %11.5f\n",
                name_of(a, i, shown), (double)motion[i].vx,
                (double)motion[i].vy, (double)motion[i].spin);
@@ -733,8 +735,8 @@ static void report_profile(const struct analysis *a)
     }
     printf("  profile     %-10s %11s %11s %11s\n", "block", "margin",
            "push left", "push right");
-    for (int i = 0; i < a->s.blocks; i++) {
-        if (a->s.block[i].fixed) continue;
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
         printf("              %-10s %11.5f %11.5f %11.5f\n",
                name_of(a, i, shown), (double)a->fate[MARGIN][i],
                (double)a->fate[LOAD_LEFT][i], (double)a->fate[LOAD_RIGHT][i]);
@@ -814,8 +816,8 @@ static void json_contacts(const struct analysis *a)
     double none = (double)NAN;
     int stands = a->verdict == KERN_STANDS;
     printf(", \"contacts\": [");
-    for (int k = 0; k < a->s.contacts; k++) {
-        const kern_contact *c = &a->s.contact[k];
+    for (int k = 0; k < a->task.s.contacts; k++) {
+        const kern_contact *c = &a->task.s.contact[k];
         kern_vec p = kern_contact_at(c, shrinkage(a), a->set->relative);
         printf("%s{", k > 0 ? ", " : "");
         json_string("a", a->text.name[c->a]);
@@ -844,8 +846,8 @@ static void json_motion(const struct analysis *a)
     }
     printf(", \"motion\": [");
     int first = 1;
-    for (int i = 0; i < a->s.blocks; i++) {
-        if (a->s.block[i].fixed) continue;
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
         printf("%s{", first ? "" : ", ");
         json_string("block", a->text.name[i]);
         json_number("vx", (double)motion[i].vx);
@@ -869,8 +871,8 @@ static void json_profile(const struct analysis *a, int good)
     json_number("weak_load", known ? weak_load(a) : none);
     json_number("expected_drop", known ? expected_drop(a) : none);
     printf(", \"profile\": [");
-    for (int i = 0; known && i < a->s.blocks; i++) {
-        if (a->s.block[i].fixed) continue;
+    for (int i = 0; known && i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
         printf("%s{", first ? "" : ", ");
         json_string("block", a->text.name[i]);
         json_number("margin", (double)a->fate[MARGIN][i]);
@@ -922,11 +924,11 @@ static void report_json(const struct analysis *a)
     json_string("file", a->file);
     printf(", ");
     json_string("status", status_word(a));
-    json_count("blocks", a->s.blocks - a->text.fixed, good);
+    json_count("blocks", a->task.s.blocks - a->text.fixed, good);
     json_count("fixed", a->text.fixed, good);
-    json_count("contact_points", a->s.contacts, good);
+    json_count("contact_points", a->task.s.contacts, good);
     json_count("line_contacts", lines / 2, good);
-    json_count("point_contacts", a->s.contacts - lines, good);
+    json_count("point_contacts", a->task.s.contacts - lines, good);
     json_number("epsilon", known ? (double)a->m.epsilon : none);
     printf(", \"relative\": %s", a->set->relative ? "true" : "false");
     json_count("level", a->m.level, known && a->m.level >= 0);
@@ -1024,7 +1026,7 @@ static int draw(const struct analysis *a)
     write_caption(a, caption, sizeof caption);
     int falls = a->verdict == KERN_FALLS;
     struct draw_scene scene = { 0 };
-    scene.s = &a->s;
+    scene.s = &a->task.s;
     scene.names = a->text.name;
     scene.relative = a->set->relative;
     scene.shrink = (double)shrinkage(a);
@@ -1035,8 +1037,8 @@ static int draw(const struct analysis *a)
     if (a->set->profile && a->profiled >= 0) {
         scene.value = a->fate[MARGIN];
         scene.value_name = "margin of a stone";
-        for (int i = 0; i < a->s.blocks; i++)
-            if (!a->s.block[i].fixed)
+        for (int i = 0; i < a->task.s.blocks; i++)
+            if (!a->task.s.block[i].fixed)
                 scene.most = fmax(scene.most, (double)a->fate[MARGIN][i]);
     }
 
@@ -1163,7 +1165,7 @@ static int read_option(struct settings *set, char **argv, int *i)
     struct { const char *name; int *out; } flag[] = {
         { "--relative", &set->relative }, { "-r", &set->relative },
         { "--forces", &set->forces }, { "--mechanism", &set->mechanism },
-        { "--profile", &set->profile }, { "--near", &set->near },
+        { "--profile", &set->profile }, { "--near", &set->touching },
         { "--json", &set->json }
     };
     const char *word = argv[*i], *value;

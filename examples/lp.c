@@ -35,12 +35,12 @@ int main(void)
     kern_lp lp = { ROWS, COLS, a, rhs, cost, 0 };
     kern_lp impossible = { ROWS, 2, b, difference, NULL, 0 };
 
-    if (kern_lp_solve(&lp, x, y, &work) == KERN_STANDS) {
+    if (kern_lp_solve(&lp, x, y, &work) == KERN_LP_OPTIMAL) {
         printf("rubble %g t, ashlar %g t, cost %g\n", x[0], x[1],
                3 * x[0] + 5 * x[1]);
         printf("prices: one ton more in all %g, of ashlar %g\n", y[0], y[1]);
     }
-    if (kern_lp_solve(&impossible, x, y, &work) == KERN_FALLS) {
+    if (kern_lp_solve(&impossible, x, y, &work) == KERN_LP_INFEASIBLE) {
         kern_real sum = -(y[0] * difference[0] + y[1] * difference[1]);
 
         y[0] /= sum; /* a proof may have any length */

@@ -29,31 +29,27 @@ static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 
 int main(void)
 {
-    kern_options options = kern_defaults();
     kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
                                   ints, KERN_INTS(BLOCKS, CONTACTS));
-    kern_structure s = { block, BLOCKS, contact, 0, { 0, -9.81 } };
+    kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_proof proof = { NULL, motion };
     kern_real deficit;
     kern_status status;
     int i;
 
-    for (i = 0; i < BLOCKS; i++)
-        kern_block_init(&block[i], corner[i], 4, i == 0 ? 0 : 2400, NULL);
-    s.contacts = kern_contacts(block, BLOCKS, &options, contact, CONTACTS,
-                               &work);
-    if (s.contacts < 0) {
-        printf("%s\n", kern_status_text((kern_status)s.contacts));
-        return 1;
-    }
-    status = kern_stands(&s, 0, &options, &work, &proof);
+    kern_ground_init(&block[0], corner[0], 4, NULL);
+    for (i = 1; i < BLOCKS; i++)
+        kern_block_init(&block[i], corner[i], 4, 2400, NULL);
+    task.s.contacts = kern_contacts(block, BLOCKS, &task.options, contact,
+                                    CONTACTS, &work);
+    status = kern_verdict(&task, 0, &proof);
     printf("%s\n", kern_status_text(status));
     if (status != KERN_FALLS)
         return 1;
     for (i = 1; i < BLOCKS; i++)
         printf("%-6s vx %6.3f  vy %6.3f  spin %6.3f\n", name[i], motion[i].vx,
                motion[i].vy, motion[i].spin);
-    if (kern_deficit(&s, &options, &work, &deficit) == KERN_FALLS)
+    if (kern_deficit(&task, &deficit) == KERN_FALLS)
         printf("contacts longer by %.3f m at each end would hold it\n",
                deficit);
     return 0;

@@ -23,25 +23,23 @@ static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 
 int main(void)
 {
-    kern_options options = kern_defaults();
     kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
                                   ints, KERN_INTS(BLOCKS, CONTACTS));
-    kern_structure s = { block, BLOCKS, contact, 0, { 0, -9.81 } };
+    kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_margin m;
     kern_status status;
 
-    status = kern_block_init(&block[0], ground, 4, 0, NULL); /* 0: fixed */
-    if (status == KERN_STANDS)
+    status = kern_ground_init(&block[0], ground, 4, NULL);
+    if (status == KERN_OK)
         status = kern_block_init(&block[1], stone, 4, 2400, NULL);
-    if (status == KERN_STANDS) {
-        s.contacts = kern_contacts(block, BLOCKS, &options, contact, CONTACTS,
-                                   &work);
-        status = s.contacts < 0 ? (kern_status)s.contacts
-                                : kern_measure(&s, &options, &work, &m, NULL);
+    if (status == KERN_OK) {
+        task.s.contacts = kern_contacts(block, BLOCKS, &task.options, contact,
+                                        CONTACTS, &work);
+        status = kern_measure(&task, &m, NULL); /* refuses a bad count */
     }
     printf("%s\n", kern_status_text(status));
     if (status == KERN_STANDS)
-        printf("%d contact points, level %d, margin %.3f m\n", s.contacts,
+        printf("%d contact points, level %d, margin %.3f m\n", task.s.contacts,
                m.level, m.margin);
     return status == KERN_STANDS ? 0 : 1;
 }

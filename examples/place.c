@@ -96,7 +96,7 @@ static void turn_stone(struct wall *w, double turn)
    it meets an edge, or an edge of it a corner. */
 static double rest_height(struct wall *w, double x, double turn)
 {
-    const kern_structure *s = &w->plan.s;
+    const kern_structure *s = &w->plan.task.s;
     double top = -HUGE_VAL;
     int b, i, k;
 
@@ -196,10 +196,11 @@ static int plan_wall(struct wall *w)
     w->plan = kern_plan_of(
         malloc((size_t)blocks * sizeof(kern_block)), blocks,
         malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        malloc((size_t)blocks * sizeof(kern_motion)),
-        malloc((size_t)contacts * sizeof(kern_force)), &w->work);
-    w->plan.options = w->file.options;
-    w->plan.s.gravity = w->file.gravity;
+        kern_known_of(malloc((size_t)blocks * sizeof(kern_motion)),
+                      malloc((size_t)contacts * sizeof(kern_force))),
+        &w->work);
+    w->plan.task.options = w->file.options;
+    w->plan.task.s.gravity = w->file.gravity;
     for (i = 0; i < w->file.blocks; i++) {
         int found = kern_plan_add(&w->plan, &w->file.block[i]);
 
@@ -223,7 +224,7 @@ static int open_wall(struct wall *w, const char *path)
     make_stone(w);
     if (plan_wall(w))
         return -1;
-    status = kern_plan_measure(&w->plan, &w->alone, NULL);
+    status = kern_measure(&w->plan.task, &w->alone, NULL);
     if (status != KERN_STANDS)
         return complain("the wall without the stone",
                         kern_status_text(status));
@@ -236,15 +237,15 @@ static void close_wall(struct wall *w)
     free(w->work.index);
     free(w->plan.block);
     free(w->plan.contact);
-    free(w->plan.known.motion);
-    free(w->plan.known.force);
+    free(w->plan.task.known.motion);
+    free(w->plan.task.known.force);
     text_free(&w->file);
 }
 
 /* What the picture shows: all that is free, and room for the stone. */
 static void view_wall(const struct wall *w, struct draw_view *v)
 {
-    const kern_structure *s = &w->plan.s;
+    const kern_structure *s = &w->plan.task.s;
     double size = sqrt(fabs(w->stone.area));
     int i;
 
@@ -399,7 +400,7 @@ static void draw_places(const struct wall *w, const struct draw_view *v,
 /* The wall, and the stone in the best place, which a line joins to its dot. */
 static void draw_wall(struct wall *w, const struct draw_view *v, double most)
 {
-    const kern_structure *s = &w->plan.s;
+    const kern_structure *s = &w->plan.task.s;
     int i;
 
     draw_open(v->out, "stroke=\"" DRAW_EDGE "\" stroke-width=\"0.9\" "

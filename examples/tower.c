@@ -22,7 +22,7 @@ static kern_contact contact[CONTACTS];
 static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
 static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 
-/* Makes block i a box; density 0 makes it fixed. */
+/* Makes block i a box: a stone, or with density 0 the ground. */
 static kern_status put(int i, double x, double y, double w, double h,
                        double density)
 {
@@ -32,15 +32,15 @@ static kern_status put(int i, double x, double y, double w, double h,
     c[1].x = c[2].x = x + w;
     c[0].y = c[1].y = y;
     c[2].y = c[3].y = y + h;
-    return kern_block_init(&block[i], c, 4, density, NULL);
+    return density > 0 ? kern_block_init(&block[i], c, 4, density, NULL)
+                       : kern_ground_init(&block[i], c, 4, NULL);
 }
 
 int main(void)
 {
-    kern_options options = kern_defaults();
     kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
                                   ints, KERN_INTS(BLOCKS, CONTACTS));
-    kern_structure s = { block, BLOCKS, contact, 0, { 0, -9.81 } };
+    kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_margin m;
     int i, step;
 
@@ -50,13 +50,13 @@ int main(void)
     printf("offset   level  margin\n");
     for (step = 0; step < 7; step++) {
         put(STONES, offset[step], STONES - 1, 1, 1, 2400);
-        s.contacts = kern_contacts(block, BLOCKS, &options, contact, CONTACTS,
-                                   &work);
-        if (s.contacts < 0) {
-            printf("%s\n", kern_status_text((kern_status)s.contacts));
+        task.s.contacts = kern_contacts(block, BLOCKS, &task.options, contact,
+                                        CONTACTS, &work);
+        if (task.s.contacts < 0) {
+            printf("%s\n", kern_status_text((kern_status)task.s.contacts));
             return 1;
         }
-        switch (kern_measure(&s, &options, &work, &m, NULL)) {
+        switch (kern_measure(&task, &m, NULL)) {
         case KERN_STANDS:
             printf("%4.2f m  %5d  %.3f m%s\n", offset[step], m.level, m.margin,
                    m.saturated ? ", every kern closed" : "");

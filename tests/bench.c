@@ -164,10 +164,11 @@ static void scene_block(struct scene *scene, const kern_vec *vertex, int n,
                         double density)
 {
     kern_vec *copy = scene->vertex + scene->vertices;
+    kern_block *b = &scene->block[scene->blocks++];
     memcpy(copy, vertex, (size_t)n * sizeof *vertex);
     scene->vertices += n;
-    if (kern_block_init(&scene->block[scene->blocks++], copy, n, density, NULL)
-        != KERN_STANDS)
+    if ((density > 0 ? kern_block_init(b, copy, n, density, NULL)
+                     : kern_ground_init(b, copy, n, NULL)) != KERN_OK)
         give_up("a bad block");
 }
 
@@ -491,10 +492,10 @@ static void program_open(struct program *lp, const struct scene *scene)
    by what. In rates, which come last, the least is the worst. */
 #define COLUMNS_OF(X)                                                         \
     X(NONE, "", 0, 0)                                                         \
-    X(VERDICT, "verdict, ms", 0, 0)     /* kern_stands at 0                 */\
+    X(VERDICT, "verdict, ms", 0, 0)     /* kern_verdict at 0                */\
     X(MEASURE, "measure, ms", 0, 0)     /* kern_measure with both proofs    */\
-    X(LEVEL, "scan, ms", 0, 0)          /* kern_stands at each of 20 levels */\
-    X(CLOSED, "kerns closed, ms", 0, 0) /* kern_stands, every kern a point  */\
+    X(LEVEL, "scan, ms", 0, 0)          /* kern_verdict at each level       */\
+    X(CLOSED, "kerns closed, ms", 0, 0) /* kern_verdict, kerns closed       */\
     X(LOAD, "load, ms", 0, 0)           /* kern_load_factor to the right    */\
     X(TILT, "tilt, ms", 0, 0)           /* kern_tilt to the right           */\
     X(FLOOR, "floor, ms", 0, 0)                                               \
@@ -664,6 +665,7 @@ struct ask {
     struct bench *bench;
     struct scene *scene;
     kern_work work;
+    kern_task task;
     kern_proof proof;
     double near;           /* shrinkages as good as the same to a peer [m]    */
     double shrink;
@@ -911,16 +913,24 @@ static const struct peer {
 
 /* ---- Ours ---------------------------------------------------------------- */
 
+/* The scene as it is now, and nothing known of it. */
+static kern_task *task_of(struct ask *ask)
+{
+    const struct scene *scene = ask->scene;
+    ask->task = kern_task_of(scene->block, scene->blocks, scene->contact,
+                             scene->contacts, &ask->work);
+    ask->task.options = scene->options;
+    return &ask->task;
+}
+
 static void run_verdict(struct ask *ask)
 {
-    ask->status = kern_stands(&ask->scene->s, ask->shrink,
-                              &ask->scene->options, &ask->work, NULL);
+    ask->status = kern_verdict(task_of(ask), ask->shrink, NULL);
 }
 
 static void run_measure(struct ask *ask)
 {
-    ask->status = kern_measure(&ask->scene->s, &ask->scene->options,
-                               &ask->work, &ask->margin, &ask->proof);
+    ask->status = kern_measure(task_of(ask), &ask->margin, &ask->proof);
 }
 
 static int ask_stands(struct ask *ask, double shrink)
@@ -937,27 +947,24 @@ static void run_level(struct ask *ask)
 
 static void run_load(struct ask *ask)
 {
-    ask->status = kern_load_factor(&ask->scene->s, 0, NULL, 1,
-                                   &ask->scene->options, &ask->work,
-                                   &ask->number, NULL);
+    ask->status = kern_load_factor(task_of(ask), 0, KERN_RIGHT, &ask->number,
+                                   NULL);
 }
 
 static void run_tilt(struct ask *ask)
 {
-    ask->status = kern_tilt(&ask->scene->s, 0, 1, &ask->scene->options,
-                            &ask->work, &ask->number, NULL);
+    ask->status = kern_tilt(task_of(ask), 0, KERN_RIGHT, &ask->number, NULL);
 }
 
 /* The proofs of the last measure. */
 static void run_floor(struct ask *ask)
 {
-    const struct scene *scene = ask->scene;
     const kern_margin *m = &ask->margin;
-    ask->number = kern_check_forces(&scene->s, m->holds, &scene->options,
-                                    ask->proof.force, &ask->work);
+    ask->number = kern_check_forces(task_of(ask), m->holds, ask->proof.force);
     if (!m->saturated)
-        ask->number = fmax(ask->number, kern_check_motion(
-            &scene->s, m->fails, &scene->options, ask->proof.motion));
+        ask->number = fmax(ask->number,
+                           kern_check_motion(task_of(ask), m->fails,
+                                             ask->proof.motion));
 }
 
 /* It finds what is there already. */
@@ -976,8 +983,7 @@ static kern_status settle(struct ask *ask)
     const kern_margin *m = &ask->margin;
     const double where = scene_random(scene, 0, 1);
     const int inside = scene_random(scene, 0, 8) < 1;
-    ask->status = kern_measure(&scene->s, &scene->options, &ask->work,
-                               &ask->margin, &ask->proof);
+    ask->status = kern_measure(task_of(ask), &ask->margin, &ask->proof);
     if (ask->status != KERN_STANDS || m->margin < 1e-4 * m->most)
         return ask->status; /* of a smaller step there may be too many */
     scene->options.epsilon = inside && !m->saturated
@@ -1070,10 +1076,11 @@ static kern_plan plan_open(struct ask *ask)
     kern_plan plan = kern_plan_of(
         room_for((size_t)blocks, sizeof(kern_block)), blocks,
         room_for((size_t)contacts, sizeof(kern_contact)), contacts,
-        room_for((size_t)blocks, sizeof(kern_motion)),
-        room_for((size_t)contacts, sizeof(kern_force)), &ask->work);
+        kern_known_of(room_for((size_t)blocks, sizeof(kern_motion)),
+                      room_for((size_t)contacts, sizeof(kern_force))),
+        &ask->work);
     int i;
-    plan.options = ask->scene->options;
+    plan.task.options = ask->scene->options;
     for (i = 0; i + 1 < blocks; i++)
         kern_plan_add(&plan, &ask->scene->block[i]);
     return plan;
@@ -1100,7 +1107,7 @@ static int site_open(struct ask *ask)
     ask->least = ask->margin.margin * scene_random(scene, 0.5, 1);
     ask->plan = plan_open(ask);
     ask->whole = plan_open(ask);
-    kern_plan_measure(&ask->plan, &ask->with, NULL);
+    kern_measure(&ask->plan.task, &ask->with, NULL);
     check(ask, is_same(ask, ask->with.margin, ask->margin.margin),
           "margin of the plan", ask->with.margin, ask->margin.margin);
     return ask->places;
@@ -1149,11 +1156,12 @@ static void run_bears(struct ask *ask)
     ask->status = kern_plan_bears(&ask->plan, &ask->stone, ask->least, NULL);
 }
 
-/* kern_measure() knows nothing of the plan. */
+/* kern_measure() without what is known of the plan. */
 static void run_fresh(struct ask *ask)
 {
-    ask->status = kern_measure(&ask->whole.s, &ask->whole.options, &ask->work,
-                               &ask->with, NULL);
+    kern_task task = ask->whole.task;
+    task.known = kern_known_of(NULL, NULL);
+    ask->status = kern_measure(&task, &ask->with, NULL);
 }
 
 /* Sums over the candidates of a structure. */
@@ -1197,7 +1205,7 @@ static void measure_place(struct ask *ask, struct tally *tally)
     }
     kern_plan_add(&ask->whole, &ask->stone);
     fresh = time_of(ask, run_fresh, NULL);
-    kern_plan_remove(&ask->whole, ask->whole.s.blocks - 1);
+    kern_plan_remove(&ask->whole, ask->whole.task.s.blocks - 1);
     check(ask, ask->status == status, "candidate, verdict", status,
           ask->status);
     if (tally->bears_time > 0)
@@ -1336,8 +1344,8 @@ static void ask_close(struct ask *ask)
 {
     void *const room[] = {
         ask->work.real, ask->work.index, ask->proof.force, ask->proof.motion,
-        ask->plan.block, ask->plan.contact, ask->plan.known.motion,
-        ask->whole.block, ask->whole.contact, ask->whole.known.motion,
+        ask->plan.block, ask->plan.contact, ask->plan.task.known.motion,
+        ask->whole.block, ask->whole.contact, ask->whole.task.known.motion,
         ask->lp.first, ask->lp.start, ask->lp.row, ask->lp.value, ask->lp.rhs};
     size_t i;
     for (i = 0; i < sizeof room / sizeof room[0]; i++)

@@ -452,11 +452,12 @@ static int question(kern_work *work, double *shrink, int *expect)
     kern_status got;
     *shrink = 0;
     *expect = KERN_UNDECIDED;
-    got = kern_measure(&s, &options, work, &m, NULL);
+    got = kern_measure(task_of(work), &m, NULL);
     if (got == KERN_STANDS && !m.saturated && m.margin > 2e-3 * unit)
         *shrink = m.margin;
-    else if (got == KERN_FALLS && kern_deficit(&s, &options, work, &deficit)
-                                      == KERN_FALLS && deficit < 100 * unit)
+    else if (got == KERN_FALLS &&
+             kern_deficit(task_of(work), &deficit) == KERN_FALLS &&
+             deficit < 100 * unit)
         *shrink = -deficit;
     else
         return DISTANCES - 1;
@@ -499,7 +500,7 @@ static void ask(int seed, int most)
     which = question(&work, &shrink, &expect);
     proof.force = force;
     proof.motion = motion;
-    got = kern_stands(&s, shrink, &options, &work, &proof);
+    got = kern_verdict(task_of(&work), shrink, &proof);
     exact_structure(shrink, 0);
     exact = exact_stands(got == KERN_STANDS) ? KERN_STANDS : KERN_FALLS;
     tally[which].asked++;

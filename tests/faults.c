@@ -55,7 +55,7 @@ static kern_status ask(kern_margin *m, kern_work *work)
     proof.force = force;
     proof.motion = motion;
     memset(m, 0, sizeof *m);
-    return kern_measure(&s, &options, work, m, &proof);
+    return kern_measure(task_of(work), m, &proof);
 }
 
 /* The same verdict as without the fault, or none. */
@@ -81,9 +81,9 @@ static void compare(kern_status got, const kern_margin *m, kern_status want,
     CHECK(m->level == right->level || m->level == -1 || right->level == -1);
     CHECK(kern_abs(m->margin - right->margin) <= close);
     if (got == KERN_STANDS)
-        CHECK(kern_check_forces(&s, m->holds, &options, force, &work) <= 1);
+        CHECK(kern_check_forces(task_of(&work), m->holds, force) <= 1);
     if (got == KERN_FALLS || !m->saturated)
-        CHECK(kern_check_motion(&s, m->fails, &options, motion) <= 1);
+        CHECK(kern_check_motion(task_of(&work), m->fails, motion) <= 1);
 }
 
 static void report(const char *what)
@@ -233,9 +233,9 @@ static void lie_about_program(int seed)
         CHECK(got == want);
         if (got != want || !p.lp.cost)
             continue;
-        gap = got == KERN_STANDS ? cost_of(&p, x) - cost_of(&p, right) : 0;
+        gap = got == KERN_LP_OPTIMAL ? cost_of(&p, x) - cost_of(&p, right) : 0;
         CHECK(gap < 1e-5 && gap > -1e-5);
-        if (got == KERN_UNBOUNDED)
+        if (got == KERN_LP_UNBOUNDED)
             CHECK(cost_of(&p, x) < 0);
     }
 }

@@ -120,37 +120,37 @@ static void check_work(const kern_work *work, int rows, int cols, int limit,
 }
 
 /* A verdict at a shrinkage has a proof that passes by itself. */
-static void check_proof(const kern_structure *s, const kern_options *o,
-                        kern_real shrink, kern_status verdict)
+static void check_proof(const kern_task *task, kern_real shrink,
+                        kern_status verdict)
 {
-    kern_work work = kern_work_of(proof_reals, 4 * BLOCKS, NULL, 0);
+    kern_work work = kern_work_of(proof_reals, 4 * BLOCKS, ints, 0);
+    kern_task own = *task;
+    own.work = &work;
     if (verdict == KERN_STANDS)
-        PROPERTY(kern_check_forces(s, shrink, o, force, &work) <= 1);
+        PROPERTY(kern_check_forces(&own, shrink, force) <= 1);
     if (verdict == KERN_FALLS)
-        PROPERTY(kern_check_motion(s, shrink, o, motion) <= 1);
+        PROPERTY(kern_check_motion(&own, shrink, motion) <= 1);
 }
 
-static void check_margin(const kern_structure *s, const kern_options *o,
-                         const kern_margin *m, kern_status status)
+static void check_margin(const kern_task *task, const kern_margin *m,
+                         kern_status status)
 {
     PROPERTY(m->margin >= 0 && m->margin <= m->most);
     PROPERTY(m->holds >= 0 && m->holds <= m->margin && m->most >= m->fails);
     PROPERTY(m->level >= -1);
     if (status == KERN_FALLS) {
         PROPERTY(m->level == 0 && !(m->margin > 0));
-        check_proof(s, o, 0, KERN_FALLS);
+        check_proof(task, 0, KERN_FALLS);
         return;
     }
     PROPERTY(m->level != 0);
-    check_proof(s, o, m->holds, KERN_STANDS);
+    check_proof(task, m->holds, KERN_STANDS);
     if (!m->saturated)
-        check_proof(s, o, m->fails, KERN_FALLS);
+        check_proof(task, m->fails, KERN_FALLS);
 }
 
 /* Asks question number `which`; returns its status. */
-static kern_status ask(int which, const kern_structure *s,
-                       const kern_options *o, kern_real shrink,
-                       kern_work *work)
+static kern_status ask(int which, kern_task *task, kern_real shrink)
 {
     kern_proof proof;
     kern_margin m;
@@ -161,24 +161,24 @@ static kern_status ask(int which, const kern_structure *s,
     proof.motion = motion;
     switch (which) {
     case 0:
-        status = kern_stands(s, shrink, o, work, &proof);
-        check_proof(s, o, shrink, status);
+        status = kern_verdict(task, shrink, &proof);
+        check_proof(task, shrink, status);
         return status;
     case 1:
-        status = kern_measure(s, o, work, &m, &proof);
+        status = kern_measure(task, &m, &proof);
         if (status >= 0)
-            check_margin(s, o, &m, status);
+            check_margin(task, &m, status);
         return status;
     case 2:
-        status = kern_deficit(s, o, work, &out);
+        status = kern_deficit(task, &out);
         PROPERTY(status < 0 || out >= 0);
         return status;
     case 3:
-        status = kern_load_factor(s, shrink, NULL, 1, o, work, &out, NULL);
+        status = kern_load_factor(task, shrink, KERN_RIGHT, &out, NULL);
         PROPERTY(status < 0 || out >= 0);
         return status;
     default:
-        status = kern_tilt(s, shrink, -1, o, work, &out, NULL);
+        status = kern_tilt(task, shrink, KERN_LEFT, &out, NULL);
         PROPERTY(status < 0 || (out >= 0 && out < KERN_R(3.15)));
         return status;
     }
@@ -190,8 +190,13 @@ static void check_structure(int which, const kern_structure *s,
                             int real_room, int int_room)
 {
     kern_work work = work_of(real_room, int_room);
-    const kern_status status = ask(which, s, o, shrink, &work);
+    kern_task task =
+        kern_task_of(s->block, s->blocks, s->contact, s->contacts, &work);
+    kern_status status;
     int i, free_blocks = 0;
+    task.s.gravity = s->gravity;
+    task.options = *o;
+    status = ask(which, &task, shrink);
     for (i = 0; i < s->blocks; i++)
         free_blocks += !s->block[i].fixed;
     PROPERTY(status >= KERN_STATUS_LEAST && status <= KERN_FALLS);
@@ -349,9 +354,14 @@ static int contacts_of(bytes *b, int blocks, const kern_options *o,
         const int a = byte_of(b) % (blocks + 1), other = byte_of(b) % blocks;
         const kern_vec normal = vec_of(b), p = vec_of(b);
         const kern_vec q = byte_of(b) % 2 ? p : vec_of(b);
-        const kern_real mu = number_of(b);
-        const int got = kern_contact_make(a % blocks, other, normal, p, q, mu,
-                                          o, contact + n);
+        kern_contact *c = contact + n;
+        int got;
+        c->a = a % blocks;
+        c->b = other;
+        c->n = normal;
+        c->p = p;
+        c->mu = number_of(b);
+        got = kern_contact_make(c, q, o);
         PROPERTY(got >= KERN_STATUS_LEAST && got != 0 && got <= 2);
         n += got > 0 ? got : 0;
     }
@@ -385,7 +395,7 @@ static void check_program(bytes *b)
     check_work(&work, lp.rows, lp.cols, lp.limit, status);
     PROPERTY(status != KERN_NO_SPACE && status != KERN_BAD_POINTER
              && status != KERN_BAD_COUNT);
-    if (status == KERN_STANDS || status == KERN_UNBOUNDED)
+    if (status == KERN_LP_OPTIMAL || status == KERN_LP_UNBOUNDED)
         for (i = 0; i < lp.cols; i++)
             PROPERTY(x[i] >= 0);
 }
@@ -425,10 +435,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
     blocks = 2 + byte_of(&b) % (BLOCKS - 1);
     for (i = s.blocks = 0; i < blocks; i++) {
         const int n = polygon_of(&b, vertex[s.blocks], i);
-        const kern_real density = i == 0 ? KERN_R(0)
-                                  : flags & 8 ? number_of(&b) : KERN_R(2);
-        if (kern_block_init(&block[s.blocks], vertex[s.blocks], n, density,
-                            &work.fault) == KERN_STANDS)
+        const kern_real density = flags & 8 && i ? number_of(&b) : KERN_R(2);
+        const kern_status made =
+            i == 0 ? kern_ground_init(&block[0], vertex[0], n, &work.fault)
+                   : kern_block_init(&block[s.blocks], vertex[s.blocks], n,
+                                     density, &work.fault);
+        if (made == KERN_OK)
             s.blocks++;
     }
     if (!b.tame && o.limit == 0)

@@ -131,6 +131,10 @@ static void hash_geometry(void)
     }
 }
 
+/* Verdicts as numbers of their own: those of kern_status may change. */
+static void hash_verdict(kern_status got)
+{ hash_int(got == KERN_STANDS ? 0 : got == KERN_FALLS ? 1 : (int)got); }
+
 static void hash_proof(int forces, int motions)
 {
     int i;
@@ -150,8 +154,8 @@ static void hash_measure(kern_work *work, const kern_proof *proof)
     kern_margin m;
     kern_status got;
     memset(&m, 0, sizeof m);
-    got = kern_measure(&s, &options, work, &m, proof);
-    hash_int(got);
+    got = kern_measure(task_of(work), &m, proof);
+    hash_verdict(got);
     if (got < 0)
         return;
     hash_int(m.level);
@@ -163,9 +167,8 @@ static void hash_measure(kern_work *work, const kern_proof *proof)
     hash_real(m.epsilon);
     hash_proof(got == KERN_STANDS, got == KERN_FALLS || !m.saturated);
     if (got == KERN_STANDS) {
-        const kern_status at = kern_stands(&s, m.margin / 2, &options, work,
-                                           proof);
-        hash_int(at);
+        const kern_status at = kern_verdict(task_of(work), m.margin / 2, proof);
+        hash_verdict(at);
         hash_proof(at == KERN_STANDS, at == KERN_FALLS);
     }
 }
@@ -185,19 +188,19 @@ static void hash_structure(int seed)
     if (s.contacts < 0)
         return;
     hash_measure(&work, &proof);
-    got = kern_deficit(&s, &options, &work, &out);
-    hash_int(got);
+    got = kern_deficit(task_of(&work), &out);
+    hash_verdict(got);
     if (got >= 0)
         hash_real(out);
     for (side = -1; side < 2; side += 2) {
-        got = kern_load_factor(&s, 0, NULL, side, &options, &work, &out, NULL);
-        hash_int(got);
+        got = kern_load_factor(task_of(&work), 0, side, &out, NULL);
+        hash_verdict(got);
         if (got == KERN_STANDS)
             hash_real(out);
     }
     if (seed % 4 == 0) {
-        got = kern_tilt(&s, 0, 1, &options, &work, &out, NULL);
-        hash_int(got);
+        got = kern_tilt(task_of(&work), 0, KERN_RIGHT, &out, NULL);
+        hash_verdict(got);
         if (got == KERN_STANDS)
             hash_real(out);
     }

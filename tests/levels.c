@@ -41,7 +41,7 @@ int main(int argc, char **argv)
         memset(&m, 0, sizeof m);
         random_structure(seed, 14, &work);
         got = s.contacts < 0 ? (kern_status)s.contacts
-                             : kern_measure(&s, &options, &work, &m, NULL);
+                             : kern_measure(task_of(&work), &m, NULL);
         printf("%d %d %d %d %d\n", seed, (int)got, m.level, s.contacts,
                closes(&m));
     }

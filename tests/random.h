@@ -20,6 +20,16 @@ static kern_options options;
 static kern_structure s;
 static uint64_t state;
 
+/* The structure, its options and this work memory. */
+static kern_task *task_of(kern_work *work)
+{
+    static kern_task task;
+    task = kern_task_of(s.block, s.blocks, s.contact, s.contacts, work);
+    task.s.gravity = s.gravity;
+    task.options = options;
+    return &task;
+}
+
 static uint32_t random_bits(void) /* xorshift */
 {
     state ^= state << 13;
@@ -41,7 +51,10 @@ static void add(const kern_vec *corner, int corners, kern_real density)
 {
     const int i = s.blocks++;
     memcpy(vertex[i], corner, sizeof *corner * (size_t)corners);
-    kern_block_init(&block[i], vertex[i], corners, density, NULL);
+    if (density > 0)
+        kern_block_init(&block[i], vertex[i], corners, density, NULL);
+    else
+        kern_ground_init(&block[i], vertex[i], corners, NULL);
 }
 
 static void add_box(kern_real x0, kern_real y0, kern_real x1, kern_real y1,
@@ -170,9 +183,14 @@ static void make_points(int blocks)
             const kern_real at = block[i].centre.x + uniform(-0.5, 0.5);
             const kern_vec p = kern_vec_make(at, vertex[i][0].y);
             const kern_vec n = kern_vec_make(uniform(-0.8, 0.8), 1);
-            const int got = kern_contact_make(i - 1, i, n, p, p,
-                                              uniform(0.1, 0.9), &options,
-                                              contact + s.contacts);
+            kern_contact *c = contact + s.contacts;
+            int got;
+            c->a = i - 1;
+            c->b = i;
+            c->p = p;
+            c->n = n;
+            c->mu = uniform(0.1, 0.9);
+            got = kern_contact_make(c, p, &options);
             s.contacts += got > 0 ? got : 0;
         }
     }

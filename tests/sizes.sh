@@ -133,10 +133,10 @@ echo '| a program that calls (Cortex-M4F, float, -Os) | text |'
 echo '|---|---|'
 # shellcheck disable=SC2086
 compile -Os -DKERN_SINGLE $m4f -ffunction-sections -fdata-sections || exit 1
-linked 'kern_stands, contacts given' stands contact_make
+linked 'kern_verdict, contacts given' verdict contact_make
 linked 'kern_measure, contacts given' measure contact_make
 linked 'kern_measure and kern_contacts' measure contacts block_init
-linked 'kern_plan_try' plan_try plan_add plan_remove plan_measure block_init
+linked 'kern_plan_try' plan_try plan_add plan_remove measure block_init
 linked 'kern_lp_solve' lp_solve
 
 [ ! -s "$out/failed" ] || { cat "$out/failed"; exit 1; }

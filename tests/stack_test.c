@@ -274,10 +274,10 @@ static void test_limit(void)
     struct stones stock;
     struct stack_wall w;
     if (two_boxes(&w, &stock)) return;
-    near_to("boxes slide", stack_limit(&w.plan.s, w.plan.contact, &w.work),
+    near_to("boxes slide", stack_limit(&w.plan.task, w.plan.contact),
             0.58, 1e-5);
     put(&w, 1.75, 1, 2.25, 3);
-    near_to("a post tips", stack_limit(&w.plan.s, w.plan.contact, &w.work),
+    near_to("a post tips", stack_limit(&w.plan.task, w.plan.contact),
             0.25, 1e-5);
     stack_free(&w);
     stones_free(&stock);
@@ -296,8 +296,9 @@ static void replay(struct stack_wall *w, const struct stack_wall *built)
             check(0, "a wall stands at every step", i, built->laid);
             return;
         }
-        check(kern_contacts(w->plan.block, w->plan.s.blocks, &w->plan.options,
-                            contact, 4000, &w->work) >= 0,
+        check(kern_contacts(w->plan.block, w->plan.task.s.blocks,
+                            &w->plan.task.options, contact, 4000, &w->work) >=
+                  0,
               "nothing overlaps", i, built->laid);
         check(stack_sway(w, NULL, seconds, far) <= far, "a wall stays", i, far);
     }

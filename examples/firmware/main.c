@@ -70,12 +70,13 @@ static void print_measure(kern_status status, const kern_margin *m,
 static int build_wall(kern_plan *plan)
 {
     kern_block stone;
-    int i, status = kern_block_init(&stone, ground, 4, 0, &plan->work->fault);
+    kern_fault *fault = &plan->task.work->fault;
+    int i, status = kern_ground_init(&stone, ground, 4, fault);
     if (status >= 0)
         status = kern_plan_add(plan, &stone);
     for (i = 0; i < WALL_STONES && status >= 0; i++) {
         status = kern_block_init(&stone, wall[i].vertex, wall[i].vertices,
-                                 DENSITY, &plan->work->fault);
+                                 DENSITY, fault);
         if (status >= 0)
             status = kern_plan_add(plan, &stone);
     }
@@ -93,7 +94,7 @@ static kern_status try_candidate(kern_plan *plan, float along, kern_margin *m)
         placed[i].y = candidate[i].y + along * CANDIDATE_SLOPE;
     }
     status = kern_block_init(&stone, placed, CANDIDATE_VERTICES, DENSITY,
-                             &plan->work->fault);
+                             &plan->task.work->fault);
     return status < 0 ? status : kern_plan_try(plan, &stone, m, 0);
 }
 
@@ -121,18 +122,18 @@ int main(void)
     static const float place[] = { 0, 0.2f, 0.4f, -0.3f };
     kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
                                   ints, KERN_INTS(BLOCKS, CONTACTS));
-    kern_plan plan = kern_plan_of(block, BLOCKS, contact, CONTACTS, motion,
-                                  force, &work);
+    kern_plan plan = kern_plan_of(block, BLOCKS, contact, CONTACTS,
+                                  kern_known_of(motion, force), &work);
     kern_margin m;
     float most = -1;
     uint32_t start = board_ticks();
     kern_status status;
     int i, best = -1;
 
-    plan.options.epsilon = 0.005f; /* one step for all that the wall may be */
+    plan.task.options.epsilon = 0.005f; /* one step for every wall */
     status = (kern_status)build_wall(&plan);
     if (status >= 0)
-        status = kern_plan_measure(&plan, &m, 0);
+        status = kern_measure(&plan.task, &m, 0);
     board_print("wall of 30 stones:    ");
     print_measure(status, &m, start, &work);
     if (status != KERN_STANDS)

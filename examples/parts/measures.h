@@ -28,8 +28,7 @@
 
 struct measures_of {
     struct text_file text;
-    kern_options options;
-    kern_structure s;
+    kern_task task;
     kern_contact *contact;
     kern_work work;
     kern_real *fate[3];     /* of each block: its margin, and its load
@@ -53,19 +52,19 @@ MEASURES_API int measures_contacts(struct measures_of *m)
     int room = 16 * m->text.blocks + 64, reals, ints, found;
     do {
         measures_drop(m);
-        kern_work_need(m->s.blocks, room, &reals, &ints);
+        kern_work_need(m->task.s.blocks, room, &reals, &ints);
         m->contact = malloc((size_t)room * sizeof *m->contact);
         m->work = kern_work_of(malloc((size_t)reals * sizeof *m->work.real),
                                reals,
                                malloc((size_t)ints * sizeof *m->work.index),
                                ints);
         if (!m->contact || !m->work.real || !m->work.index) return -1;
-        found = kern_contacts(m->text.block, m->text.blocks, &m->options,
+        found = kern_contacts(m->text.block, m->text.blocks, &m->task.options,
                               m->contact, room, &m->work);
         room *= 2;
     } while (found == KERN_NO_SPACE);
-    m->s.contact = m->contact;
-    m->s.contacts = found;
+    m->task.s.contact = m->contact;
+    m->task.s.contacts = found;
     return found < 0 ? -1 : 0;
 }
 
@@ -83,12 +82,11 @@ MEASURES_API int measures_load(struct measures_of *m, const char *path)
     int k, bad = 0;
     *m = empty;
     if (text_load(&m->text, path)) return -1;
-    m->options = m->text.options;
-    m->s.block = m->text.block;
-    m->s.blocks = m->text.blocks;
-    m->s.gravity = m->text.gravity;
+    m->task = kern_task_of(m->text.block, m->text.blocks, NULL, 0, &m->work);
+    m->task.options = m->text.options;
+    m->task.s.gravity = m->text.gravity;
     for (k = 0; k < 3; k++) {
-        m->fate[k] = calloc((size_t)m->s.blocks, sizeof *m->fate[k]);
+        m->fate[k] = calloc((size_t)m->task.s.blocks, sizeof *m->fate[k]);
         bad |= !m->fate[k];
     }
     return bad || measures_contacts(m) ? -1 : 0;
@@ -146,12 +144,11 @@ enum {
 
 MEASURES_API int measures_profiles(struct measures_of *m, double out[ASKS])
 {
-    static const int side[3] = { 0, -1, 1 };
+    static const kern_side side[3] = { KERN_SHRINK, KERN_LEFT, KERN_RIGHT };
     kern_collapse all[3];
     int k;
     for (k = 0; k < 3; k++)
-        if (kern_profile(&m->s, side[k], &m->options, &m->work, m->fate[k],
-                         &all[k]) != KERN_STANDS)
+        if (kern_profile(&m->task, side[k], m->fate[k], &all[k]) != KERN_OK)
             return -1;
     out[ASK_MARGIN] = (double)all[0].least;
     out[ASK_LOAD] = fmin((double)all[1].least, (double)all[2].least);
@@ -184,54 +181,52 @@ static int measures_low_friction(struct measures_of *m, double *out)
     kern_collapse all;
     kern_status status;
     int k;
-    for (k = 0; k < m->s.contacts; k++) m->contact[k].mu /= 2;
-    status = kern_profile(&m->s, 0, &m->options, &m->work, m->fate[0], &all);
-    for (k = 0; k < m->s.contacts; k++) m->contact[k].mu *= 2;
+    for (k = 0; k < m->task.s.contacts; k++) m->contact[k].mu /= 2;
+    status = kern_profile(&m->task, KERN_SHRINK, m->fate[0], &all);
+    for (k = 0; k < m->task.s.contacts; k++) m->contact[k].mu *= 2;
     *out = (double)all.mean;
-    return status == KERN_STANDS ? 0 : -1;
+    return status == KERN_OK ? 0 : -1;
 }
 
 /* Fills out[0..MEASURES). At the end contacts and `fate` are those of near
    contacts. Returns 0, or -1 where something is undecided or falls. */
 MEASURES_API int measures_all(struct measures_of *m, double *out)
 {
-    const kern_options tight = m->options;
-    double ask[ASKS], near[ASKS];
+    const kern_options tight = m->task.options;
+    double ask[ASKS], beside[ASKS];
     kern_margin margin;
     kern_real tilt[2];
-    int i, k, side;
-    if (kern_measure(&m->s, &m->options, &m->work, &margin, NULL) !=
-        KERN_STANDS)
+    int i, k;
+    if (kern_measure(&m->task, &margin, NULL) != KERN_STANDS ||
+        kern_tilt(&m->task, 0, KERN_LEFT, &tilt[0], NULL) != KERN_STANDS ||
+        kern_tilt(&m->task, 0, KERN_RIGHT, &tilt[1], NULL) != KERN_STANDS)
         return -1;
-    for (side = -1; side < 2; side += 2)
-        if (kern_tilt(&m->s, 0, side, &m->options, &m->work, &tilt[side > 0],
-                      NULL) != KERN_STANDS)
-            return -1;
     if (measures_profiles(m, ask)) return -1;
     if (measures_low_friction(m, &out[MEASURE_FRICTION])) return -1;
-    m->options = kern_near(&tight, kern_mean_size(m->s.block, m->s.blocks));
-    if (measures_contacts(m) || measures_profiles(m, near)) return -1;
-    m->options = tight;
+    m->task.options = kern_near(&tight, kern_mean_size(m->task.s.block,
+                                                       m->task.s.blocks));
+    if (measures_contacts(m) || measures_profiles(m, beside)) return -1;
+    m->task.options = tight;
     out[MEASURE_LEVEL] = margin.level;
     out[MEASURE_TILT] = fmin((double)tilt[0], (double)tilt[1]);
-    out[MEASURE_NEAR_DROP] = near[ASK_DROP];
+    out[MEASURE_NEAR_DROP] = beside[ASK_DROP];
     for (k = 0; k < ASK_DROP; k++) {
         static const int place[ASK_DROP] = {
             MEASURE_MARGIN, MEASURE_LOAD, MEASURE_PROGRESSIVE_MARGIN,
             MEASURE_PROGRESSIVE_LOAD, MEASURE_WEAK_MARGIN, MEASURE_WEAK_LOAD
         };
-        static const int beside[ASK_DROP] = {
+        static const int place_beside[ASK_DROP] = {
             MEASURE_NEAR_MARGIN, MEASURE_NEAR_LOAD,
             MEASURE_NEAR_PROGRESSIVE_MARGIN, MEASURE_NEAR_PROGRESSIVE_LOAD,
             MEASURE_NEAR_WEAK_MARGIN, MEASURE_NEAR_WEAK_LOAD
         };
         out[place[k]] = ask[k];
-        out[beside[k]] = near[k];
+        out[place_beside[k]] = beside[k];
     }
-    out[MEASURE_SLENDERNESS] = measures_slenderness(&m->s);
+    out[MEASURE_SLENDERNESS] = measures_slenderness(&m->task.s);
     out[MEASURE_STONES] = 0;
-    for (i = 0; i < m->s.blocks; i++)
-        out[MEASURE_STONES] += !m->s.block[i].fixed;
+    for (i = 0; i < m->task.s.blocks; i++)
+        out[MEASURE_STONES] += !m->task.s.block[i].fixed;
     return 0;
 }
 

@@ -373,8 +373,9 @@ static int text_body(struct text_reader *r, int fixed)
 
     kern_fault fault = { -1, -1, -1, 0 };
     const kern_vec *v = t->vertex + r->vertices;
-    kern_status status = kern_block_init(b, v, vertices,
-                                         fixed ? 0 : r->density, &fault);
+    kern_status status =
+        fixed ? kern_ground_init(b, v, vertices, &fault)
+              : kern_block_init(b, v, vertices, r->density, &fault);
     b->vertex = v;
     b->vertices = vertices;
     if (status < 0) return text_polygon_fault(r, name, b, status, &fault);
@@ -563,9 +564,13 @@ static int text_contacts(struct text_reader *r)
         const struct text_contact *c = &r->contact[i];
         char a[TEXT_SHOW_ROOM], b[TEXT_SHOW_ROOM];
         kern_contact *out = t->contact + t->contacts;
-        int made = kern_contact_make(c->a, c->b, c->n, c->p, c->q,
-                                     c->mu < 0 ? t->options.mu : c->mu,
-                                     &t->options, out);
+        int made;
+        out->a = c->a;
+        out->b = c->b;
+        out->n = c->n;
+        out->p = c->p;
+        out->mu = c->mu < 0 ? t->options.mu : c->mu;
+        made = kern_contact_make(out, c->q, &t->options);
         if (made > 0 && !text_is_unit(out->n)) made = KERN_BAD_NORMAL;
         if (made < 0) {
             t->line = c->line;

@@ -163,7 +163,7 @@ static int time_measure(struct measures_of *m, int which, double *seconds)
         int bad = measures_contacts(m);
         if (!bad && which == COST_PROFILE) bad = measures_profiles(m, ask);
         if (!bad && which == COST_MARGIN)
-            bad = kern_measure(&m->s, &m->options, &m->work, &out, NULL) < 0;
+            bad = kern_measure(&m->task, &out, NULL) < 0;
         if (bad) return -1;
         calls++;
     } while (seconds_since(start) < 0.05);
@@ -235,11 +235,10 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
     kern_proof proof = { NULL, NULL };
     FILE *out = plot_open(f->folder, name);
     int bad;
-    proof.force = calloc((size_t)m->s.contacts, sizeof *proof.force);
+    proof.force = calloc((size_t)m->task.s.contacts, sizeof *proof.force);
     bad = !out || !proof.force ||
-          kern_stands(&m->s, (kern_real)shrink, &m->options, &m->work,
-                      &proof) != KERN_STANDS;
-    scene.s = &m->s;
+          kern_verdict(&m->task, (kern_real)shrink, &proof) != KERN_STANDS;
+    scene.s = &m->task.s;
     scene.names = m->text.name;
     scene.shrink = shrink;
     scene.force = proof.force;
@@ -258,8 +257,7 @@ static int figure_three(const struct figures *f)
     kern_margin out;
     char caption[160];
     int bad = measures_load(&m, f->sample[0].path) ||
-              kern_measure(&m.s, &m.options, &m.work, &out, NULL) !=
-                  KERN_STANDS;
+              kern_measure(&m.task, &out, NULL) != KERN_STANDS;
     if (!bad) {
         double last = (out.level - 1) * (double)out.epsilon;
         bad = draw_shrunk(f, &m, "fig3-first.svg", 0,
@@ -350,11 +348,11 @@ static int draw_wall(const struct figures *f, const char *path,
     char caption[120];
     FILE *out = plot_open(f->folder, name);
     int bad = !out || measures_load(&w, path) ||
-              kern_measure(&w.s, &w.options, &w.work, m, NULL) != KERN_STANDS;
+              kern_measure(&w.task, m, NULL) != KERN_STANDS;
     if (!bad) {
         snprintf(caption, sizeof caption, "level %d, margin %.3g", m->level,
                  (double)m->margin);
-        scene.s = &w.s;
+        scene.s = &w.task.s;
         scene.limiting = -1;
         scene.caption = caption;
         bad = draw_svg(out, &scene);

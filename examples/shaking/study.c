@@ -145,12 +145,12 @@ static int measure_entry(const struct study *y, struct entry *e)
     int bad = structure_load(y, e, &m);
     e->value = calloc(MEASURES, sizeof *e->value);
     bad = bad || !e->value || measures_all(&m, e->value);
-    e->stone = calloc((size_t)m.s.blocks + 1, sizeof *e->stone);
-    e->fate = calloc((size_t)m.s.blocks + 1, sizeof *e->fate);
-    e->moved = calloc((size_t)m.s.blocks + 1, sizeof *e->moved);
+    e->stone = calloc((size_t)m.task.s.blocks + 1, sizeof *e->stone);
+    e->fate = calloc((size_t)m.task.s.blocks + 1, sizeof *e->fate);
+    e->moved = calloc((size_t)m.task.s.blocks + 1, sizeof *e->moved);
     bad = bad || !e->stone || !e->fate || !e->moved;
-    for (int i = 0; i < m.s.blocks && !bad; i++) {
-        if (m.s.block[i].fixed) continue;
+    for (int i = 0; i < m.task.s.blocks && !bad; i++) {
+        if (m.task.s.block[i].fixed) continue;
         snprintf(e->stone[e->stones], WORD, "%s", m.text.name[i]);
         e->moved[e->stones] = NAN;
         e->fate[e->stones++] = ((double)m.fate[1][i] + (double)m.fate[2][i])
@@ -336,9 +336,9 @@ static int tune_one(const struct study *y, double gap, double angle,
         struct measures_of m;
         double ask[ASKS];
         int bad = structure_load(y, &y->entry[i], &m);
-        double size = (double)kern_mean_size(m.s.block, m.s.blocks);
-        if (gap > 0) m.options.gap = (kern_real)(gap * size);
-        if (angle > 0) m.options.angle = (kern_real)angle;
+        double size = (double)kern_mean_size(m.task.s.block, m.task.s.blocks);
+        if (gap > 0) m.task.options.gap = (kern_real)(gap * size);
+        if (angle > 0) m.task.options.angle = (kern_real)angle;
         bad = bad || measures_contacts(&m) || measures_profiles(&m, ask);
         measures_free(&m);
         if (bad) return -1;

@@ -241,7 +241,7 @@ static int draw_wall(const struct stack_wall *w, const char *path)
     snprintf(caption, sizeof caption, "%s: %d stones, filling %.3f, level %d, "
              "margin %.3g", stack_planner_name[w->options.planner], w->laid,
              stack_fill(w), w->m.level, w->m.margin);
-    scene.s = &w->plan.s;
+    scene.s = &w->plan.task.s;
     scene.limiting = -1;
     scene.caption = caption;
     bad = draw_svg(out, &scene);
@@ -319,20 +319,19 @@ static double fill_of(const struct measures_of *m, double width, double height)
 {
     enum { PLACES = 400 };
     double low = HUGE_VAL, high = -HUGE_VAL, most = 0;
-    for (int i = 0; i < m->s.blocks; i++) {
-        if (m->s.block[i].fixed) continue;
-        low = fmin(low, m->s.block[i].box.low.x);
-        high = fmax(high, m->s.block[i].box.high.x);
+    for (int i = 0; i < m->task.s.blocks; i++) {
+        const kern_block *b = &m->task.s.block[i];
+        if (b->fixed) continue;
+        low = fmin(low, b->box.low.x);
+        high = fmax(high, b->box.high.x);
     }
     for (int k = 0; k <= PLACES; k++) {
         double x = low + (high - low - width) * k / PLACES, sum = 0;
-        for (int i = 0; i < m->s.blocks; i++) {
+        for (int i = 0; i < m->task.s.blocks; i++) {
+            const kern_block *b = &m->task.s.block[i];
             struct stone s;
-            if (m->s.block[i].fixed ||
-                stone_of(&s, m->s.block[i].vertex, m->s.block[i].vertices))
-                continue;
-            stone_move(&s, stones_vec(m->s.block[i].centre.x - x,
-                                      m->s.block[i].centre.y));
+            if (b->fixed || stone_of(&s, b->vertex, b->vertices)) continue;
+            stone_move(&s, stones_vec(b->centre.x - x, b->centre.y));
             sum += stone_area_in(&s, width, height);
         }
         most = fmax(most, sum / (width * height));
@@ -346,16 +345,16 @@ static int print_other(const struct settings *o, const char *path, double size)
     kern_margin out = { 0, 0, 0, 0, 0, 0, 0 };
     double collapse = 0;
     int stones = 0;
-    if (measures_load(&m, path) ||
-        kern_measure(&m.s, &m.options, &m.work, &out, NULL) < 0) {
+    if (measures_load(&m, path) || kern_measure(&m.task, &out, NULL) < 0) {
         fail(path, m.text.message[0] ? m.text.message : "cannot be measured");
         measures_free(&m);
         return -1;
     }
-    for (int i = 0; i < m.s.blocks; i++) stones += !m.s.block[i].fixed;
+    for (int i = 0; i < m.task.s.blocks; i++)
+        stones += !m.task.s.block[i].fixed;
     if (o->shaking && table_once("stack", path, size, &collapse)) collapse = 0;
     print_row(path, stones, fill_of(&m, o->plan.width, o->plan.height), &out,
-              size, stack_limit(&m.s, m.contact, &m.work), collapse);
+              size, stack_limit(&m.task, m.contact), collapse);
     measures_free(&m);
     return 0;
 }
@@ -366,7 +365,7 @@ static int print_table(const struct settings *o, struct stack_wall *w)
     if (o->shaking && table_once("stack", o->out, size, &collapse)) return -1;
     print_head();
     print_row(stack_planner_name[o->plan.planner], w->laid, stack_fill(w),
-              &w->m, size, stack_limit(&w->plan.s, w->plan.contact, &w->work),
+              &w->m, size, stack_limit(&w->plan.task, w->plan.contact),
               collapse);
     return o->against ? print_other(o, o->against, size) : 0;
 }

@@ -155,8 +155,8 @@ STACK_API void stack_free(struct stack_wall *w)
     free(w->used);
     free(w->plan.block);
     free(w->plan.contact);
-    free(w->plan.known.motion);
-    free(w->plan.known.force);
+    free(w->plan.task.known.motion);
+    free(w->plan.task.known.force);
     free(w->motion);
     free(w->force);
     free(w->work.real);
@@ -178,9 +178,9 @@ static void stack_clear_sky(struct stack_wall *w)
 static int stack_begin(struct stack_wall *w)
 {
     kern_block ground;
-    kern_block_init(&ground, w->ground, 4, 0, NULL);
-    w->plan.s.blocks = w->plan.s.contacts = 0;
-    w->plan.known.fails = 0;
+    kern_ground_init(&ground, w->ground, 4, NULL);
+    w->plan.task.s.blocks = w->plan.task.s.contacts = 0;
+    w->plan.task.known.fails = 0;
     w->laid = 0;
     w->filled = 0;
     memset(w->used, 0, (size_t)w->stock->stones);
@@ -206,13 +206,14 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->plan = kern_plan_of(
         malloc((size_t)blocks * sizeof(kern_block)), blocks,
         malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        malloc((size_t)blocks * sizeof(kern_motion)),
-        malloc((size_t)contacts * sizeof(kern_force)), &w->work);
+        kern_known_of(malloc((size_t)blocks * sizeof(kern_motion)),
+                      malloc((size_t)contacts * sizeof(kern_force))),
+        &w->work);
     w->motion = malloc((size_t)blocks * sizeof(kern_motion));
     w->force = malloc((size_t)contacts * sizeof(kern_force));
-    w->plan.options.mu = options->friction;
-    w->plan.options.epsilon = 0.02 * stock->size;
-    w->plan.s.gravity = stones_vec(0, -9.81);
+    w->plan.task.options.mu = options->friction;
+    w->plan.task.options.epsilon = 0.02 * stock->size;
+    w->plan.task.s.gravity = stones_vec(0, -9.81);
     w->stone = malloc(stones * sizeof *w->stone);
     w->place = malloc(stones * sizeof *w->place);
     w->used = malloc(stones);
@@ -221,9 +222,8 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
     if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
-        !w->plan.contact || !w->plan.known.motion || !w->motion || !w->place ||
-        !w->plan.known.force || !w->force ||
-        !w->used ||
+        !w->plan.contact || !w->plan.task.known.motion || !w->motion ||
+        !w->place || !w->plan.task.known.force || !w->force || !w->used ||
         !w->sky || !w->owner || !w->near.edge)
         return -1;
     w->ground[0] = stones_vec(-1, -0.5);
@@ -292,8 +292,8 @@ static int stack_is_joint(const kern_contact *c)
 /* Adds a block to the plan, with the friction of head joints. */
 static int stack_add(struct stack_wall *w, const kern_block *block)
 {
-    int from = w->plan.s.contacts, found = kern_plan_add(&w->plan, block);
-    for (int i = from; i < w->plan.s.contacts && w->options.joints >= 0; i++)
+    int i = w->plan.task.s.contacts, found = kern_plan_add(&w->plan, block);
+    for (; i < w->plan.task.s.contacts && w->options.joints >= 0; i++)
         if (stack_is_joint(&w->plan.contact[i]))
             w->plan.contact[i].mu = w->options.joints;
     return found;
@@ -305,10 +305,10 @@ STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
     struct stone *s = &w->stone[w->laid];
     kern_block block;
     *s = stack_placed(w, place);
-    if (kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_STANDS ||
+    if (kern_block_init(&block, s->v, s->n, 1, NULL) != KERN_OK ||
         stack_add(w, &block) < 0)
         return -1;
-    if (kern_plan_measure(&w->plan, &w->m, NULL) != KERN_STANDS) {
+    if (kern_measure(&w->plan.task, &w->m, NULL) != KERN_STANDS) {
         kern_plan_remove(&w->plan, w->laid + 1);
         return -1;
     }
@@ -347,24 +347,22 @@ STACK_API double stack_quality(double stability, double fill)
    to the weaker side, with a friction of 0.58 and none in head joints;
    -1 where it does not stand at all so.
    Frictions of the contacts are as before afterwards. */
-STACK_API double stack_limit(const kern_structure *s, kern_contact *contact,
-                             kern_work *work)
+STACK_API double stack_limit(const kern_task *as_it_is, kern_contact *contact)
 {
     const double friction = 0.58;
-    const int contacts = s->contacts;
-    const kern_options options = kern_defaults();
-    kern_structure joint = *s;
+    const int contacts = as_it_is->s.contacts;
+    kern_task task = *as_it_is;
     kern_real factor[2] = { 0, 0 };
     kern_real *mu = calloc((size_t)contacts + 1, sizeof *mu);
     int falls = 0;
     if (!mu) return -1;
-    joint.contact = contact;
+    task.options = kern_defaults();
     for (int i = 0; i < contacts; i++) {
         mu[i] = contact[i].mu;
         contact[i].mu = stack_is_joint(&contact[i]) ? 0 : friction;
     }
     for (int k = 0; k < 2; k++)
-        falls |= kern_load_factor(&joint, 0, NULL, k ? 1 : -1, &options, work,
+        falls |= kern_load_factor(&task, 0, k ? KERN_RIGHT : KERN_LEFT,
                                   &factor[k], NULL) != KERN_STANDS;
     for (int i = 0; i < contacts; i++) contact[i].mu = mu[i];
     free(mu);
@@ -378,7 +376,7 @@ STACK_API int stack_write(const struct stack_wall *w, const char *path)
     FILE *out = fopen(path, "w");
     if (!out) return -1;
     fprintf(out, "friction %g\ngravity 0 -9.81\nepsilon %.9g\nfixed base",
-            w->options.friction, w->plan.options.epsilon);
+            w->options.friction, w->plan.task.options.epsilon);
     for (int i = 0; i < 4; i++)
         fprintf(out, "  %.9g %.9g", w->ground[i].x, w->ground[i].y);
     for (int i = 0; i < w->laid; i++) {
@@ -425,7 +423,7 @@ STACK_API void stack_draw_stone(const struct stack_wall *w,
     snprintf(style, sizeof style, "fill=\"%s\" stroke=\"" DRAW_EDGE "\" "
              "stroke-width=\"0.9\" stroke-linejoin=\"round\"",
              draw_stone[i % fills]);
-    draw_block(v, &w->plan.s.block[i + 1], NULL, 0, style);
+    draw_block(v, &w->plan.task.s.block[i + 1], NULL, 0, style);
 }
 
 /* ---- Features ------------------------------------------------------------ */
@@ -435,7 +433,7 @@ STACK_API void stack_draw_stone(const struct stack_wall *w,
 STACK_API void stack_look(struct stack_wall *w, double left, double right,
                           double low)
 {
-    const kern_structure *s = &w->plan.s;
+    const kern_structure *s = &w->plan.task.s;
     w->near.edges = 0;
     for (int b = 0; b < s->blocks; b++) {
         const kern_block *block = &s->block[b];
@@ -631,7 +629,7 @@ static int stack_anchors(const struct stack_wall *w, double step,
     const double size = w->stock->size;
     const int grid = (int)ceil(w->options.width / step);
     int n = 0;
-    for (int b = 1; b < w->plan.s.blocks; b++)
+    for (int b = 1; b < w->plan.task.s.blocks; b++)
         for (int i = 0; i < w->stone[b - 1].n; i++) {
             struct rest_edge e = rest_edge_at(&w->stone[b - 1], i);
             double x = (e.a.x + e.b.x) / 2;
@@ -731,8 +729,8 @@ static double stack_load(struct stack_wall *w)
 {
     kern_real factor[2] = { 0, 0 };
     for (int k = 0; k < 2; k++)
-        if (kern_load_factor(&w->plan.s, 0, NULL, k ? 1 : -1, &w->plan.options,
-                             &w->work, &factor[k], NULL) != KERN_STANDS)
+        if (kern_load_factor(&w->plan.task, 0, k ? KERN_RIGHT : KERN_LEFT,
+                             &factor[k], NULL) != KERN_STANDS)
             return 0;
     return fmin(factor[0], factor[1]);
 }
@@ -744,31 +742,30 @@ static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
     const int special = w->options.load || w->options.joints >= 0;
-    const struct kern_known known = w->plan.known;
+    const struct kern_known known = w->plan.task.known;
     kern_block block;
     clock_t start = clock();
     kern_status status = kern_block_init(&block, s.v, s.n, 1, NULL);
     w->asked++;
     c->known = 1;
-    if (status == KERN_STANDS && !special)
-        status = kern_plan_try(&w->plan, &block, &c->m, NULL);
-    if (status == KERN_STANDS && special) {
+    if (status == KERN_OK && special) {
         memcpy(w->motion, known.motion,
-               (size_t)w->plan.s.blocks * sizeof(kern_motion));
+               (size_t)w->plan.task.s.blocks * sizeof(kern_motion));
         memcpy(w->force, known.force,
-               (size_t)w->plan.s.contacts * sizeof(kern_force));
+               (size_t)w->plan.task.s.contacts * sizeof(kern_force));
         status = stack_add(w, &block) < 0 ? KERN_OVERLAP
-               : kern_plan_measure(&w->plan, &c->m, NULL);
+               : kern_measure(&w->plan.task, &c->m, NULL);
         c->stable = w->options.load && status == KERN_STANDS ? stack_load(w)
                                                              : 0;
-        if (w->plan.s.blocks > w->laid + 1)
+        if (w->plan.task.s.blocks > w->laid + 1)
             kern_plan_remove(&w->plan, w->laid + 1);
         memcpy(known.motion, w->motion,
-               (size_t)w->plan.s.blocks * sizeof(kern_motion));
+               (size_t)w->plan.task.s.blocks * sizeof(kern_motion));
         memcpy(known.force, w->force,
-               (size_t)w->plan.s.contacts * sizeof(kern_force));
-        w->plan.known = known;
-    }
+               (size_t)w->plan.task.s.contacts * sizeof(kern_force));
+        w->plan.task.known = known;
+    } else if (status == KERN_OK)
+        status = kern_plan_try(&w->plan, &block, &c->m, NULL);
     if (!w->options.load) c->stable = c->m.margin / w->stock->size;
     w->asking += (double)(clock() - start) / CLOCKS_PER_SEC;
     return status == KERN_STANDS;
@@ -1194,7 +1191,7 @@ static double stack_value(struct stack_wall *w)
     if (w->options.most <= w->stock->stones && w->laid < w->options.most)
         return w->laid - w->options.most;
     if (!w->options.load) return stable * stack_worth(fill);
-    double limit = stack_limit(&w->plan.s, w->plan.contact, &w->work);
+    double limit = stack_limit(&w->plan.task, w->plan.contact);
     if (limit < 0) limit = 1e-3 * stable;
     if (beat[0] > 0 && fill > beat[0] && limit > beat[1])
         return 1 + fmin(fill / beat[0], limit / beat[1]);

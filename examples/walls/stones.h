@@ -163,7 +163,7 @@ static void stone_find_beds(struct stone *s)
 STONES_API int stone_of(struct stone *s, const kern_vec *v, int n)
 {
     kern_block b;
-    if (n > STONES_CORNERS || kern_block_init(&b, v, n, 1, NULL) != KERN_STANDS)
+    if (n > STONES_CORNERS || kern_block_init(&b, v, n, 1, NULL) != KERN_OK)
         return -1;
     s->n = n;
     s->area = fabs(b.area);
