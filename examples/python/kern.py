@@ -1,0 +1,1021 @@
+"""kern.h for Python: how safely does a dry-stacked structure stand?
+
+    >>> ground = Block("ground", [(-5, -1), (5, -1), (5, 0), (-5, 0)], fixed=True)
+    >>> stone = Block("stone", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2400)
+    >>> wall = Structure([ground, stone])
+    >>> wall.measure()
+    Margin(stands=True, margin=1.0, level=37, saturated=True)
+
+One file and the standard library; numpy is used where it is installed. The
+first import compiles kern.h with `cc` (or $CC) into the user's cache; later
+imports load the library from there. This file may be linked to from elsewhere,
+since it looks for the headers beside where it really is. A copy of it needs a
+library: KERN_LIBRARY names one that `python3 kern.py --build FILE` made.
+
+Units, conventions and the meaning of every number are those of kern.h. A
+`Structure` and a `Plan` have work memory of their own: use each in one thread
+at a time. Bad input raises `KernError`, which names the blocks.
+
+SPDX-License-Identifier: MIT
+"""
+
+from __future__ import annotations
+
+import ctypes
+import enum
+import hashlib
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+from ctypes import POINTER, addressof, byref, c_char_p, c_double, c_int, c_void_p
+from dataclasses import dataclass, field, replace
+from typing import Any, Iterable, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Union
+
+try:
+    import numpy
+except ImportError:
+    numpy = None  # type: ignore
+
+Point = Tuple[float, float]
+
+LEFT, SHRINK, RIGHT = -1, 0, 1  # sides of load_factor(), tilt(), profile()
+
+# ---- Structures of the headers ----------------------------------------------
+
+
+class _Vec(ctypes.Structure):
+    _fields_ = [("x", c_double), ("y", c_double)]
+
+
+class _Box(ctypes.Structure):
+    _fields_ = [("low", _Vec), ("high", _Vec)]
+
+
+class _Fault(ctypes.Structure):
+    _fields_ = [("block", c_int), ("other", c_int), ("index", c_int),
+                ("value", c_double)]
+
+
+class _Wrench(ctypes.Structure):
+    _fields_ = [("fx", c_double), ("fy", c_double), ("torque", c_double)]
+
+
+class _Block(ctypes.Structure):
+    _fields_ = [("vertex", c_void_p), ("vertices", c_int), ("fixed", c_int),
+                ("area", c_double), ("box", _Box), ("mass", c_double),
+                ("centre", _Vec), ("load", _Wrench)]
+
+
+class _Contact(ctypes.Structure):
+    _fields_ = [("a", c_int), ("b", c_int), ("line", c_int), ("p", _Vec),
+                ("n", _Vec), ("mu", c_double), ("travel", c_double)]
+
+
+class _Structure(ctypes.Structure):
+    _fields_ = [("block", c_void_p), ("blocks", c_int), ("contact", c_void_p),
+                ("contacts", c_int), ("gravity", _Vec)]
+
+
+class _Options(ctypes.Structure):
+    _fields_ = [("mu", c_double), ("gap", c_double), ("angle", c_double),
+                ("epsilon", c_double), ("relative", c_int), ("limit", c_int)]
+
+
+class _Force(ctypes.Structure):
+    _fields_ = [("normal", c_double), ("tangential", c_double)]
+
+
+class _Motion(ctypes.Structure):
+    _fields_ = [("vx", c_double), ("vy", c_double), ("spin", c_double)]
+
+
+class _Proof(ctypes.Structure):
+    _fields_ = [("force", c_void_p), ("motion", c_void_p)]
+
+
+class _Margin(ctypes.Structure):
+    _fields_ = [("margin", c_double), ("holds", c_double), ("fails", c_double),
+                ("most", c_double), ("epsilon", c_double), ("level", c_int),
+                ("saturated", c_int)]
+
+
+class _Collapse(ctypes.Structure):
+    _fields_ = [("least", c_double), ("mean", c_double), ("weak", c_double),
+                ("drop", c_double)]
+
+
+class _Work(ctypes.Structure):
+    _fields_ = [("real", c_void_p), ("reals", c_int), ("index", c_void_p),
+                ("indices", c_int), ("pivots", c_int), ("solves", c_int),
+                ("units", c_int), ("error", c_double), ("fault", _Fault)]
+
+
+class _Known(ctypes.Structure):
+    _fields_ = [("motion", c_void_p), ("force", c_void_p), ("holds", c_double),
+                ("margin", c_double), ("fails", c_double)]
+
+
+class _Task(ctypes.Structure):
+    _fields_ = [("s", _Structure), ("options", _Options), ("work", c_void_p),
+                ("known", _Known)]
+
+
+class _Plan(ctypes.Structure):
+    _fields_ = [("task", _Task), ("block", c_void_p), ("block_room", c_int),
+                ("contact", c_void_p), ("contact_room", c_int)]
+
+
+class _Lp(ctypes.Structure):
+    _fields_ = [("rows", c_int), ("cols", c_int), ("a", c_void_p),
+                ("rhs", c_void_p), ("cost", c_void_p), ("limit", c_int)]
+
+
+class _Text(ctypes.Structure):
+    _fields_ = [("block", POINTER(_Block)), ("name", POINTER(c_char_p)),
+                ("block_line", c_void_p), ("blocks", c_int), ("fixed", c_int),
+                ("given", c_int), ("contact", POINTER(_Contact)),
+                ("own_mu", c_void_p), ("contacts", c_int), ("gravity", _Vec),
+                ("options", _Options), ("epsilon_line", c_int),
+                ("line", c_int), ("message", ctypes.c_char * 512),
+                ("text", c_void_p), ("vertex", c_void_p)]
+
+
+class _Scene(ctypes.Structure):
+    _fields_ = [("s", c_void_p), ("names", c_void_p), ("relative", c_int),
+                ("shrink", c_double), ("force", c_void_p),
+                ("motion", c_void_p), ("limiting", c_int),
+                ("value", c_void_p), ("most", c_double),
+                ("value_name", c_char_p), ("caption", c_char_p)]
+
+
+_LAYOUTS = {
+    "kern_vec": _Vec, "kern_box": _Box, "kern_fault": _Fault,
+    "kern_wrench": _Wrench, "kern_block": _Block, "kern_contact": _Contact,
+    "kern_structure": _Structure, "kern_options": _Options,
+    "kern_force": _Force, "kern_motion": _Motion, "kern_proof": _Proof,
+    "kern_margin": _Margin, "kern_collapse": _Collapse, "kern_work": _Work,
+    "kern_known": _Known, "kern_task": _Task, "kern_plan": _Plan,
+    "kern_lp": _Lp, "struct text_file": _Text, "struct draw_scene": _Scene,
+}
+
+# ---- The library ------------------------------------------------------------
+
+_ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+_HEADERS = ("kern.h", "kern_lp.h", "examples/parts/draw.h",
+            "examples/parts/text.h")
+_FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
+
+
+def _source() -> str:
+    """The C file of the library: the headers, what they keep static, and
+    tables of their statuses, sizes and offsets."""
+    layout = []
+    for name, mirror in _LAYOUTS.items():
+        layout.append("SIZE(%s)" % name)
+        for part, _ in mirror._fields_:  # type: ignore
+            layout.append("FIELD(%s, %s)" % (name, part))
+    return """
+#define KERN_IMPLEMENTATION
+#include "kern.h"
+#include "examples/parts/draw.h"
+#include "examples/parts/text.h"
+#include <stddef.h>
+#define ROW(name, value, text) #name " " #value " "
+#define SIZE(type) (int)sizeof(type),
+#define FIELD(type, f) (int)offsetof(type, f), (int)sizeof(((type *)0)->f),
+const char *kern_py_statuses(void) { return KERN_STATUS_LIST(ROW); }
+const int kern_py_layout[] = {
+%s
+};
+const int kern_py_layouts = sizeof kern_py_layout / sizeof(int);
+int kern_py_read(struct text_file *t, const char *data, size_t length)
+{ return text_read(t, data, length); }
+void kern_py_free(struct text_file *t) { text_free(t); }
+int kern_py_draw(const char *path, const struct draw_scene *scene)
+{
+    FILE *out = fopen(path, "wb");
+    int bad = !out || draw_svg(out, scene);
+    return (out && fclose(out)) || bad;
+}
+""" % "\n".join(layout)
+
+
+def build(path: Union[str, os.PathLike]) -> None:
+    """Compiles the library into a file, which appears there as a whole."""
+    target = pathlib.Path(path).resolve()
+    with tempfile.TemporaryDirectory(dir=target.parent) as folder:
+        source, made = (pathlib.Path(folder, name) for name in ("k.c", "k.so"))
+        source.write_text(_source())
+        command = [*os.environ.get("CC", "cc").split(), *_FLAGS, str(source),
+                   "-o", str(made), "-lm"]
+        try:
+            subprocess.run(command, check=True, capture_output=True, text=True)
+        except (OSError, subprocess.CalledProcessError) as error:
+            raise ImportError("kern.h could not be compiled: %s\n%s" % (
+                " ".join(command), getattr(error, "stderr", error))) from None
+        os.replace(made, target)
+
+
+def _cached() -> pathlib.Path:
+    """The library of these headers and flags, built where it is missing."""
+    key = hashlib.sha256(repr((_source(), _FLAGS, os.environ.get("CC"),
+                               sys.platform, os.uname().machine)).encode())
+    try:
+        for name in _HEADERS:
+            key.update((_ROOT / name).read_bytes())
+    except OSError as error:
+        raise ImportError("%s, and KERN_LIBRARY names no library"
+                          % error) from None
+    cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    folder = pathlib.Path(cache, "kern").expanduser()
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / ("kern-%s.so" % key.hexdigest()[:16])
+    if not path.exists():
+        build(path)
+    return path
+
+
+def _load() -> ctypes.CDLL:
+    """Loads the library and compares its layouts with the classes above."""
+    path = os.environ.get("KERN_LIBRARY") or str(_cached())
+    lib = ctypes.CDLL(path)
+    try:
+        entries = c_int.in_dll(lib, "kern_py_layouts").value
+    except ValueError:
+        raise ImportError("%s was not built by kern.py --build" % path) from None
+    table = list((c_int * entries).in_dll(lib, "kern_py_layout"))
+    for name, mirror in _LAYOUTS.items():
+        want = [ctypes.sizeof(mirror)]
+        for part, kind in mirror._fields_:  # type: ignore
+            want += [getattr(mirror, part).offset, ctypes.sizeof(kind)]
+        if table[:len(want)] != want:
+            raise ImportError("%s: %s has another layout than in kern.py"
+                              % (path, name))
+        del table[:len(want)]
+    return lib
+
+
+def _declare(name: str, result: Any, *arguments: Any) -> Any:
+    function = getattr(_lib, name)
+    function.restype, function.argtypes = result, arguments
+    return function
+
+
+_lib = _load()
+_p, _r, _i = c_void_p, c_double, c_int
+_status_text = _declare("kern_status_text", c_char_p, _i)
+_defaults = _declare("kern_defaults", _Options)
+_near = _declare("kern_near", _Options, _p, _r)
+_work_need = _declare("kern_work_need", None, _i, _i, _p, _p)
+_block_init = _declare("kern_block_init", _i, _p, _p, _i, _r, _p)
+_ground_init = _declare("kern_ground_init", _i, _p, _p, _i, _p)
+_block_load = _declare("kern_block_load", None, _p, _Vec, _Vec, _r)
+_mean_size = _declare("kern_mean_size", _r, _p, _i)
+_contacts = _declare("kern_contacts", _i, _p, _i, _p, _p, _i, _p)
+_touch = _declare("kern_touch", _i, _p, _i, _p, _p, _i, _p)
+_contact_make = _declare("kern_contact_make", _i, _p, _Vec, _p)
+_contact_travels = _declare("kern_contact_travels", None, _p, _i)
+_contact_at = _declare("kern_contact_at", _Vec, _p, _r, _i)
+_task_of = _declare("kern_task_of", _Task, _p, _i, _p, _i, _p)
+_verdict = _declare("kern_verdict", _i, _p, _r, _p)
+_measure = _declare("kern_measure", _i, _p, _p, _p)
+_deficit = _declare("kern_deficit", _i, _p, _p)
+_load_factor = _declare("kern_load_factor", _i, _p, _r, _i, _p, _p)
+_load_factor_of = _declare("kern_load_factor_of", _i, _p, _r, _p, _p, _p)
+_tilt = _declare("kern_tilt", _i, _p, _r, _i, _p, _p)
+_profile = _declare("kern_profile", _i, _p, _i, _p, _p)
+_known_of = _declare("kern_known_of", _Known, _p, _p)
+_plan_of = _declare("kern_plan_of", _Plan, _p, _i, _p, _i, _Known, _p)
+_plan_add = _declare("kern_plan_add", _i, _p, _p)
+_plan_remove = _declare("kern_plan_remove", _i, _p, _i)
+_plan_try = _declare("kern_plan_try", _i, _p, _p, _p, _p)
+_plan_bears = _declare("kern_plan_bears", _i, _p, _p, _r, _p)
+_check_forces = _declare("kern_check_forces", _r, _p, _r, _p)
+_check_motion = _declare("kern_check_motion", _r, _p, _r, _p)
+_lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
+_read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
+_free = _declare("kern_py_free", None, _p)
+_draw = _declare("kern_py_draw", _i, c_char_p, _p)
+
+_words = _declare("kern_py_statuses", c_char_p)().decode().split()
+Status = enum.IntEnum("Status", {  # type: ignore
+    name.replace("KERN_", "", 1): int(value)
+    for name, value in zip(_words[::2], _words[1::2])})
+_STANDS, _FALLS = int(Status.STANDS), int(Status.FALLS)
+
+
+def status_text(status: int) -> str:
+    """What a status means.
+
+    >>> status_text(Status.FALLS)
+    'falls: a motion was found that no forces can stop'
+    """
+    return _status_text(status).decode()
+
+
+class KernError(ValueError):
+    """A status below zero: the library refused its input, or was undecided.
+
+    status: the Status; blocks: names of the blocks at fault; index: of the
+    vertex or contact point, or -1; value: the depth that was found of an
+    overlap, or 0.
+
+    >>> Structure([Block("bow tie", [(0, 0), (1, 1), (2, 0), (0, 1)])])
+    Traceback (most recent call last):
+        ...
+    kern.KernError: 'bow tie': a polygon crosses or touches itself (vertex 0)
+    """
+
+    def __init__(self, status: int, names: Sequence[str], fault: _Fault):
+        self.status = Status(status)
+        self.blocks = tuple(names[i] for i in (fault.block, fault.other)
+                            if 0 <= i < len(names))
+        self.index, self.value = fault.index, fault.value
+        place = ""
+        if self.status == Status.OVERLAP:
+            place = " (%.4g deep)" % self.value
+        elif self.index >= 0:
+            point = self.status in (Status.BAD_BLOCK, Status.SAME_BLOCK,
+                                    Status.BAD_NORMAL, Status.BAD_FRICTION)
+            place = " (%s %d)" % ("contact point" if point else "vertex",
+                                  self.index)
+        who = " and ".join("'%s'" % name for name in self.blocks)
+        super().__init__((who + ": " if who else "") + status_text(status)
+                         + place)
+
+
+# ---- Arrays -----------------------------------------------------------------
+
+
+def _view(array: Any, columns: int) -> Any:
+    """A ctypes array of doubles as an array of rows, in the same memory."""
+    if numpy is not None:
+        return numpy.frombuffer(array).reshape(-1, columns)
+    rows = ctypes.sizeof(array) // (8 * columns)
+    return memoryview(array).cast("B").cast("d", (rows, columns))
+
+
+def _numbers(values: Iterable[float]) -> Any:
+    """Numbers, or rows of them, as a ctypes array of doubles."""
+    flat: List[float] = []
+    for value in values.tolist() if hasattr(values, "tolist") else values:
+        if isinstance(value, (int, float)):
+            flat.append(value)
+        else:
+            flat.extend(value)  # type: ignore
+    return (c_double * len(flat))(*flat)
+
+
+# ---- Options, blocks, contacts ----------------------------------------------
+
+_D = _defaults()
+
+
+@dataclass
+class Options:
+    """kern_options: what each means stands in kern.h.
+
+    >>> Options(mu=0.6).near(1.0).gap
+    0.04
+    """
+    mu: float = _D.mu
+    gap: float = _D.gap
+    angle: float = _D.angle
+    epsilon: float = _D.epsilon
+    relative: bool = bool(_D.relative)
+    limit: int = _D.limit
+
+    def _c(self) -> _Options:
+        return _Options(self.mu, self.gap, self.angle, self.epsilon,
+                        self.relative, self.limit)
+
+    @staticmethod
+    def _of(c: _Options) -> Options:
+        return Options(c.mu, c.gap, c.angle, c.epsilon, bool(c.relative),
+                       c.limit)
+
+    def near(self, mean_size: float) -> Options:
+        """kern_near(): also finds contacts that a first rocking closes."""
+        return Options._of(_near(byref(self._c()), mean_size))
+
+
+class Body(NamedTuple):
+    """Area, mass and centre of mass of a block."""
+    area: float
+    mass: float
+    centre: Point
+
+
+@dataclass
+class Block:
+    """A stone, or with `fixed` a piece of ground.
+
+    vertices becomes an (n, 2) array: of numpy, or a memoryview, which also has
+    [i, j], shape and tolist(). A numpy array of float64 in C order is not
+    copied: what is written there later counts at the next update(). mass and
+    centre None: those of a homogeneous polygon of this density; a centre that is
+    given stays where it is unless move() moves it. load: force and torque (fx,
+    fy, torque) that act at the centre besides the weight.
+
+    >>> b = Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2)
+    >>> b.body()
+    Body(area=2.0, mass=4.0, centre=(1.0, 0.5))
+    >>> b.move(1, 0, turn=math.pi / 2).body().centre
+    (2.0, 0.5)
+    """
+    name: str
+    vertices: Any
+    density: float = 1.0
+    fixed: bool = False
+    mass: Optional[float] = None
+    centre: Optional[Point] = None
+    load: Tuple[float, float, float] = (0.0, 0.0, 0.0)
+    _taken: Any = field(default=None, init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._take()
+
+    def _take(self) -> None:
+        """Makes an array of the vertices, and remembers where it lies."""
+        if numpy is not None:
+            array = numpy.ascontiguousarray(self.vertices, numpy.float64)
+            if array.ndim != 2 or array.shape[1] != 2:
+                raise ValueError("'%s': vertices of shape %s, not (n, 2)"
+                                 % (self.name, array.shape))
+            self._address = array.ctypes.data
+        else:
+            memory = _numbers(self.vertices)
+            if len(memory) != 2 * len(self.vertices):
+                raise ValueError("'%s': a vertex is no pair" % self.name)
+            self._address = addressof(memory)
+            array = _view(memory, 2)
+        self.vertices = self._taken = array
+
+    def _fill(self, c: Any) -> None:
+        """Fills a kern_block from the vertices where they are now."""
+        if self.vertices is not self._taken:
+            self._take()
+        fault = _Fault()
+        n = len(self.vertices)
+        status = (_ground_init(byref(c), self._address, n, byref(fault))
+                  if self.fixed else
+                  _block_init(byref(c), self._address, n, self.density,
+                              byref(fault)))
+        if status < 0:
+            fault.block = 0
+            raise KernError(status, (self.name,), fault)
+        if self.mass is not None:
+            c.mass = self.mass
+        if self.centre is not None:
+            c.centre = _Vec(*self.centre)
+        if any(self.load):
+            c.load = _Wrench(*self.load)
+
+    def body(self) -> Body:
+        """Area, mass and centre of mass, as the library sees them."""
+        c = _Block()
+        self._fill(c)
+        return Body(abs(c.area), c.mass, (c.centre.x, c.centre.y))
+
+    def push(self, force: Point, at: Point, torque: float = 0.0) -> Block:
+        """kern_block_load(): adds a force that acts at a point, and a torque,
+        about the centre that the block has now."""
+        c = _Block()
+        self._fill(c)
+        _block_load(byref(c), _Vec(*force), _Vec(*at), torque)
+        self.load = (c.load.fx, c.load.fy, c.load.torque)
+        return self
+
+    def move(self, x: float, y: float, turn: float = 0.0) -> Block:
+        """Turns the block about its centre of mass, then shifts it; in place.
+        Structures that hold it are told by their update()."""
+        cx, cy = self.body().centre
+        cos, sin = math.cos(turn), math.sin(turn)
+        v = self.vertices
+        for i in range(len(v)):
+            px, py = v[i, 0], v[i, 1]
+            if turn:
+                px, py = (cx + cos * (px - cx) - sin * (py - cy),
+                          cy + sin * (px - cx) + cos * (py - cy))
+            v[i, 0], v[i, 1] = px + x, py + y
+        if self.centre is not None:
+            self.centre = (cx + x, cy + y)
+        return self
+
+
+@dataclass
+class Contact:
+    """kern_contact: a contact point between blocks a and b."""
+    a: int
+    b: int
+    line: bool
+    p: Point
+    n: Point
+    mu: float
+    travel: float
+
+    def _c(self) -> _Contact:
+        return _Contact(self.a, self.b, self.line, self.p, self.n, self.mu,
+                        self.travel)
+
+    @staticmethod
+    def _of(c: _Contact) -> Contact:
+        return Contact(c.a, c.b, bool(c.line), (c.p.x, c.p.y), (c.n.x, c.n.y),
+                       c.mu, c.travel)
+
+    def at(self, shrink: float, relative: bool = False) -> Point:
+        """kern_contact_at(): where the point acts at a shrinkage."""
+        v = _contact_at(byref(self._c()), shrink, relative)
+        return v.x, v.y
+
+
+def contact_make(a: int, b: int, normal: Point, p: Point,
+                 q: Optional[Point] = None, mu: float = _D.mu,
+                 options: Optional[Options] = None) -> List[Contact]:
+    """kern_contact_make(): a contact from p to q, or at p alone; give all of
+    them to contact_travels() before a Structure gets them.
+
+    >>> [c.travel for c in contact_make(0, 1, (0, 2), (0, 0), (3, 0))]
+    [-1.5, 1.5]
+    """
+    out = (_Contact * 2)()
+    out[0] = Contact(a, b, False, p, normal, mu, 0)._c()
+    made = _contact_make(out, _Vec(*(q or p)),
+                         byref((options or Options())._c()))
+    if made < 0:
+        raise KernError(made, (), _Fault(-1, -1, -1, 0))
+    return [Contact._of(c) for c in out[:made]]
+
+
+def contact_travels(contacts: Sequence[Contact]) -> List[Contact]:
+    """kern_contact_travels(): the contacts, with the travels of points."""
+    array = (_Contact * len(contacts))(*(c._c() for c in contacts))
+    _contact_travels(array, len(contacts))
+    return [Contact._of(c) for c in array[:len(contacts)]]
+
+
+def work_need(blocks: int, contacts: int) -> Tuple[int, int]:
+    """kern_work_need(): reals and ints of work memory."""
+    reals, ints = c_int(), c_int()
+    _work_need(blocks, contacts, byref(reals), byref(ints))
+    return reals.value, ints.value
+
+
+# ---- Answers ----------------------------------------------------------------
+
+
+@dataclass
+class Verdict:
+    """Whether it stands: true where it does. forces: normal and tangential of
+    every contact point, (n, 2), where it stands; motion: vx, vy and spin of
+    every block, (n, 3), where it falls; else None."""
+    stands: bool
+    _force: Any = field(repr=False, compare=False)
+    _motion: Any = field(repr=False, compare=False)
+
+    def __bool__(self) -> bool:
+        return self.stands
+
+    @property
+    def forces(self) -> Any:
+        return _view(self._force, 2) if self.stands and self._force else None
+
+    @property
+    def motion(self) -> Any:
+        return None if self.stands else _view(self._motion, 3)
+
+
+@dataclass
+class Margin(Verdict):
+    """kern_margin. forces hold the structure at `holds`; motion moves it at
+    `fails`, or as it is where it falls; None where it is saturated."""
+    margin: float
+    holds: float = field(repr=False)
+    fails: float = field(repr=False)
+    most: float = field(repr=False)
+    epsilon: float = field(repr=False)
+    level: int
+    saturated: bool
+
+    @property
+    def motion(self) -> Any:
+        return None if self.saturated else _view(self._motion, 3)
+
+
+@dataclass
+class Profile:
+    """kern_profile(): a value a block, and kern_collapse."""
+    values: List[float]
+    least: float
+    mean: float
+    weak: float
+    drop: float
+
+
+@dataclass
+class Solution:
+    """Of lp_solve(): x and y as kern_lp_solve() documents them."""
+    status: Any
+    x: List[float]
+    y: List[float]
+
+
+# ---- Structures -------------------------------------------------------------
+
+
+class Structure:
+    """Blocks, their contacts, options and gravity.
+
+    contacts None: those that are found between the polygons. After a change of
+    blocks, options, gravity or given contacts, call update().
+
+    >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+    ...                         fixed=True),
+    ...                   Block("low", box), Block("top", box).move(0.25, 1)])
+    >>> bool(wall.verdict()), wall.measure().level, len(wall.contacts)
+    (True, 13, 4)
+    >>> round(wall.load_factor(RIGHT), 6), round(math.degrees(wall.tilt(LEFT)))
+    (0.375, 22)
+    >>> wall.blocks[2].move(0.5, 0) and wall.update()
+    >>> wall.verdict()
+    Verdict(stands=False)
+    >>> round(wall.deficit(), 6)
+    0.25
+    >>> wall.blocks[2].move(0, -0.5) and wall.update()
+    Traceback (most recent call last):
+        ...
+    kern.KernError: 'low' and 'top': two blocks overlap deeper than the gap \
+tolerance (0.25 deep)
+    """
+
+    def __init__(self, blocks: Iterable[Block],
+                 contacts: Optional[Sequence[Contact]] = None,
+                 options: Optional[Options] = None,
+                 gravity: Point = (0.0, -9.81), name: str = "structure"):
+        self.blocks = list(blocks)
+        self.given = contacts
+        self.options = options or Options()
+        self.gravity = gravity
+        self.name = name
+        self._work = _Work()
+        self.update()
+
+    def _allocate(self, blocks: int, contacts: int) -> None:
+        """Arrays for so many, and work memory."""
+        reals, ints = work_need(blocks, contacts)
+        self._block = (_Block * blocks)()
+        self._contact = (_Contact * contacts)()
+        self._real, self._int = (c_double * reals)(), (c_int * ints)()
+        w = self._work
+        w.real, w.reals = addressof(self._real), reals
+        w.index, w.indices = addressof(self._int), ints
+
+    def _check(self, status: int) -> int:
+        if status < 0:
+            raise KernError(status, [b.name for b in self.blocks],
+                            self._work.fault)
+        return status
+
+    def update(self) -> None:
+        """Reads blocks, options, gravity and given contacts again, and finds
+        the contacts where none are given."""
+        given, blocks, found = self.given, len(self.blocks), Status.NO_SPACE
+        options = self.options._c()
+        room = 16 * blocks if given is None else len(given)
+        while found == Status.NO_SPACE and room <= 1000000:
+            self._allocate(blocks, room)
+            for block, c in zip(self.blocks, self._block):
+                block._fill(c)
+            if given is None:
+                found = _contacts(self._block, blocks, byref(options),
+                                  self._contact, room, byref(self._work))
+                room *= 2
+            else:
+                found = room
+                self._contact[:] = [contact._c() for contact in given]
+        self._check(found)
+        self._task = _task_of(self._block, blocks, self._contact, found,
+                              byref(self._work))
+        self._task.options = options
+        self._task.s.gravity = _Vec(*self.gravity)
+        self._at_task = byref(self._task)
+        self._shape()
+
+    def _shape(self) -> None:
+        """Types of the arrays of a proof, for this many."""
+        self._forces = c_double * (2 * self._task.s.contacts)
+        self._motions = c_double * (3 * self._task.s.blocks)
+
+    def _index(self, block: Union[int, str]) -> int:
+        if isinstance(block, int):
+            return block
+        for i, b in enumerate(self.blocks):
+            if b.name == block:
+                return i
+        raise KeyError(block)
+
+    @property
+    def contacts(self) -> List[Contact]:
+        """The contact points that the structure has."""
+        return [Contact._of(c) for c in self._contact[:self._task.s.contacts]]
+
+    @property
+    def mean_size(self) -> float:
+        """kern_mean_size() of the blocks."""
+        return _mean_size(self._block, self._task.s.blocks)
+
+    def touch(self, block: Union[int, str]) -> List[Contact]:
+        """kern_touch(): the contacts of a block with those before it."""
+        i, room, found = self._index(block), 64, Status.NO_SPACE
+        while found == Status.NO_SPACE and room <= 1000000:
+            room *= 2
+            out = (_Contact * room)()
+            found = _touch(self._block, i, byref(self._task.options), out, room,
+                           byref(self._work))
+        return [Contact._of(c) for c in out[:self._check(found)]]
+
+    def verdict(self, shrink: float = 0.0) -> Verdict:
+        """kern_verdict(): does it stand with its kerns shrunk?"""
+        force, motion = self._forces(), self._motions()
+        status = _verdict(self._at_task, shrink,
+                          byref(_Proof(addressof(force), addressof(motion))))
+        if status < 0:
+            self._check(status)
+        return Verdict(status == _STANDS, force, motion)
+
+    def measure(self) -> Margin:
+        """kern_measure(): margin and level."""
+        force, motion, m = self._forces(), self._motions(), _Margin()
+        status = _measure(self._at_task, byref(m), byref(
+            _Proof(addressof(force), addressof(motion))))
+        if status < 0:
+            self._check(status)
+        return Margin(status == _STANDS, force, motion, m.margin, m.holds,
+                      m.fails, m.most, m.epsilon, m.level, bool(m.saturated))
+
+    def deficit(self) -> float:
+        """kern_deficit(): 0 where it stands, inf where nothing helps."""
+        out = c_double()
+        status = self._check(_deficit(self._at_task, byref(out)))
+        return out.value if status == _FALLS else 0.0
+
+    def load_factor(self, side: int, shrink: float = 0.0,
+                    pattern: Optional[Sequence[Sequence[float]]] = None
+                    ) -> Optional[float]:
+        """kern_load_factor() to the LEFT or RIGHT, or kern_load_factor_of() a
+        pattern (fx, fy, torque) a block, whatever the side. None: it falls
+        without that load."""
+        out = c_double()
+        if pattern is None:
+            status = _load_factor(self._at_task, shrink, side, byref(out), None)
+        elif len(pattern) != len(self.blocks):
+            raise ValueError("%d rows of a load pattern for %d blocks"
+                             % (len(pattern), len(self.blocks)))
+        else:
+            status = _load_factor_of(self._at_task, shrink, _numbers(pattern),
+                                     byref(out), None)
+        return out.value if self._check(status) == _STANDS else None
+
+    def tilt(self, side: int, shrink: float = 0.0) -> Optional[float]:
+        """kern_tilt() [rad] to the LEFT or RIGHT. None: it falls at 0."""
+        out = c_double()
+        status = self._check(_tilt(self._at_task, shrink, side, byref(out),
+                                   None))
+        return out.value if status == _STANDS else None
+
+    def profile(self, side: int = SHRINK) -> Profile:
+        """kern_profile(): how far every block is from falling."""
+        value, c = (c_double * len(self.blocks))(), _Collapse()
+        self._check(_profile(self._at_task, side, value, byref(c)))
+        return Profile(value[:len(self.blocks)], c.least, c.mean, c.weak,
+                       c.drop)
+
+    def check_forces(self, forces: Sequence[Sequence[float]],
+                     shrink: float = 0.0) -> float:
+        """kern_check_forces(): up to 1 they prove that it stands."""
+        return _check_forces(self._at_task, shrink, _numbers(forces))
+
+    def check_motion(self, motion: Sequence[Sequence[float]],
+                     shrink: float = 0.0) -> float:
+        """kern_check_motion(): up to 1 it proves that it falls."""
+        return _check_motion(self._at_task, shrink, _numbers(motion))
+
+    def svg(self, shrink: float = 0.0, mechanism: bool = False,
+            profile: bool = False, caption: Optional[str] = None) -> str:
+        """The picture of draw.h: stones, contacts, forces where it stands, the
+        motion where it falls or `mechanism` wants it; `profile` colours the
+        stones by their margins."""
+        verdict, m = self.verdict(shrink), self.measure()
+        moves = (None if verdict.stands and (not mechanism or m.saturated)
+                 else m._motion if verdict.stands else verdict._motion)
+        values = self.profile() if profile else None
+        shown = _numbers(values.values) if values else None
+        names = (c_char_p * len(self.blocks))(
+            *(b.name.encode() for b in self.blocks))
+        if caption is None:
+            caption = "%s: %s%s; level %d, %s" % (
+                self.name, "stands" if verdict.stands else "falls",
+                " when shrunk by %.4g" % shrink if shrink > 0 else "", m.level,
+                "margin %.4g" % m.margin if m.stands
+                else "deficit %.4g" % self.deficit())
+        scene = _Scene(
+            addressof(self._task.s), addressof(names), self.options.relative,
+            shrink, addressof(verdict._force) if verdict.stands else None,
+            addressof(moves) if moves else None, -1,
+            addressof(shown) if shown else None,
+            max((v for v in values.values if v < math.inf), default=0)
+            if values else 0, b"margin of a stone", caption.encode())
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "picture.svg")
+            if _draw(os.fsencode(path), byref(scene)):
+                raise OSError("cannot write %s" % path)
+            return pathlib.Path(path).read_text(encoding="utf-8")
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+
+class Plan(Structure):
+    """kern_plan: a structure that changes by one block at a time.
+
+    Its blocks are copies; change them by add() and remove() alone. try_() and
+    bears() ask what one more block would do, and leave the plan as it is.
+
+    >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+    ...                    fixed=True), Block("low", box)])
+    >>> plan.measure().margin
+    0.5
+    >>> stone = Block("top", box).move(0, 1)
+    >>> for step in range(5):
+    ...     print(round(plan.try_(stone.move(0.1, 0)).margin, 4),
+    ...           bool(plan.bears(stone, 0.25)))
+    0.4 True
+    0.3 True
+    0.2 False
+    0.1 False
+    0.0 False
+    >>> plan.add(stone.move(-0.4, 0)), round(plan.measure().margin, 4)
+    (2, 0.4)
+    >>> plan.remove("top")
+    >>> [block.name for block in plan.blocks]
+    ['ground', 'low']
+    """
+
+    def __init__(self, blocks: Iterable[Block] = (),
+                 options: Optional[Options] = None,
+                 gravity: Point = (0.0, -9.81), name: str = "plan"):
+        super().__init__(blocks, None, options, gravity, name)
+
+    def update(self) -> None:
+        """Starts anew, as after a change of the options or of gravity."""
+        blocks, self.blocks = self.blocks, []
+        self._candidate = _Block()
+        self._grow(16, 256)
+        for block in blocks:
+            self.add(block)
+
+    def _grow(self, blocks: int, contacts: int) -> None:
+        """Moves the plan to arrays for so many."""
+        old = self._plan.task.s if self.blocks else None
+        held = (self._block, self._contact) if old else ()
+        self._allocate(blocks, contacts)
+        self._memory = (c_double * (3 * blocks))(), (c_double * (2 * contacts))()
+        self._plan = _plan_of(self._block, blocks, self._contact, contacts,
+                              _known_of(*self._memory), byref(self._work))
+        self._task = self._plan.task
+        self._task.options = self.options._c()
+        self._task.s.gravity = _Vec(*self.gravity)
+        if old:
+            self._block[:old.blocks] = held[0][:old.blocks]
+            self._contact[:old.contacts] = held[1][:old.contacts]
+            self._task.s.blocks = old.blocks
+            self._task.s.contacts = old.contacts
+        self._at_task, self._at_plan = byref(self._task), byref(self._plan)
+        self._shape()
+
+    def _ask(self, function: Any, block: Block, *arguments: Any) -> int:
+        """Asks about one more block, in larger arrays where these are full."""
+        block._fill(self._candidate)
+        while True:
+            status = function(self._at_plan, byref(self._candidate), *arguments)
+            room = self._plan.block_room, self._plan.contact_room
+            if status >= 0:
+                return status
+            if status != Status.NO_SPACE or room[0] > 20000:
+                raise KernError(status, [b.name for b in (*self.blocks, block)],
+                                self._work.fault)
+            self._grow(2 * room[0], 2 * room[1])
+
+    def add(self, block: Block) -> int:
+        """kern_plan_add(): how many contact points the block has."""
+        own = replace(block, vertices=block.vertices.tolist())
+        contacts = self._ask(_plan_add, own)
+        self.blocks.append(own)
+        self._shape()
+        return contacts
+
+    def remove(self, block: Union[int, str]) -> None:
+        """kern_plan_remove(): takes a block away; those behind it move up."""
+        i = self._index(block)
+        self._check(_plan_remove(self._at_plan, i))
+        del self.blocks[i]
+        self._shape()
+
+    def try_(self, block: Block) -> Margin:
+        """kern_plan_try(): what measure() would say with the block added; the
+        answer comes without its proof."""
+        m = _Margin()
+        status = self._ask(_plan_try, block, byref(m), None)
+        return Margin(status == _STANDS, None, None, m.margin, m.holds, m.fails,
+                      m.most, m.epsilon, m.level, bool(m.saturated))
+
+    def bears(self, block: Block, margin: float) -> bool:
+        """kern_plan_bears(): is the margin with the block at least so much?"""
+        return self._ask(_plan_bears, block, margin, None) == _STANDS
+
+
+# ---- Text files, linear programs --------------------------------------------
+
+
+def parse(text: Union[str, bytes], name: str = "structure") -> Structure:
+    """A structure from text in the format of text.h.
+
+    >>> wall = parse("fixed ground -3 -1  4 -1  4 0  -3 0\\n"
+    ...              "block stone *  0 0  1 0  1 1  0 1\\n")
+    >>> wall.measure().margin
+    0.5
+    >>> parse("friction much")
+    Traceback (most recent call last):
+        ...
+    ValueError: structure:1: friction: a number not below zero is expected, read 'much'
+    """
+    data, t = text.encode() if isinstance(text, str) else text, _Text()
+    try:
+        if _read(byref(t), data, len(data)):
+            raise ValueError("%s:%d: %s" % (
+                name, t.line, t.message.decode(errors="replace")))
+        blocks = []
+        for i in range(t.blocks):
+            c = t.block[i]
+            points = (_Vec * c.vertices).from_address(c.vertex)
+            block = Block(
+                t.name[i].decode(errors="replace"), [(p.x, p.y) for p in points],
+                fixed=bool(c.fixed), load=(c.load.fx, c.load.fy, c.load.torque))
+            own, centre = block.body(), (c.centre.x, c.centre.y)
+            if own.mass != c.mass and not block.fixed:
+                block.mass = c.mass
+            if own.centre != centre:
+                block.centre = centre
+            blocks.append(block)
+        given = [Contact._of(c) for c in t.contact[:t.contacts]]
+        return Structure(blocks, given if t.given else None,
+                         Options._of(t.options), (t.gravity.x, t.gravity.y),
+                         name)
+    finally:
+        _free(byref(t))
+
+
+def read(path: Union[str, os.PathLike]) -> Structure:
+    """A structure from a file in the format of text.h."""
+    file = pathlib.Path(path)
+    return parse(file.read_bytes(), file.stem)
+
+
+def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
+             cost: Optional[Sequence[float]] = None,
+             limit: int = 0) -> Solution:
+    """kern_lp_solve(): minimises cost . x where a x = rhs and x >= 0; a is a
+    list of rows.
+
+    >>> lp_solve([[1, 1, 1, 0], [1, 3, 0, 1]], [4, 6], [-3, -5, 0, 0]).x
+    [3.0, 1.0, 0.0, 0.0]
+    """
+    rows, cols = len(rhs), len(a[0]) if len(a) else 0
+    if len(a) != rows or any(len(row) != cols for row in a) or (
+            cost is not None and len(cost) != cols):
+        raise ValueError("%d rows of a for %d of rhs, or rows of unequal length"
+                         % (len(a), rows))
+    columns, right = _numbers(zip(*a)), _numbers(rhs)
+    prices = _numbers(cost) if cost is not None else None
+    real = (c_double * (rows * rows + 9 * rows + 12))()  # KERN_LP_REALS
+    index = (c_int * (6 * rows + cols + 4))()            # KERN_LP_INTS
+    work = _Work(addressof(real), len(real), addressof(index), len(index))
+    x, y = (c_double * cols)(), (c_double * rows)()
+    lp = _Lp(rows, cols, addressof(columns), addressof(right),
+             addressof(prices) if prices else None, limit)
+    status = _lp_solve(byref(lp), x, y, byref(work))
+    if status < 0:
+        raise KernError(status, (), work.fault)
+    return Solution(Status(status), list(x), list(y))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3 or sys.argv[1] != "--build":
+        sys.exit("usage: kern.py --build FILE")
+    build(sys.argv[2])
