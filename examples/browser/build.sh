@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# bash examples/browser/build.sh [FILE]
+#
+# Makes the page kern.html, or FILE: page.html with page.c as WebAssembly and
+# with structures in it. Needs clang, lld (wasm-ld), gzip and base64; the same
+# versions of them make the same page.
+set -eu
+cd "$(dirname "$0")"
+page=${1:-kern.html}
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+exports=""
+for name in vertex force motion centre point fault answer constant; do
+    exports="$exports -Wl,--export=$name"
+done
+# shellcheck disable=SC2086
+clang --target=wasm32 -std=c99 -O2 -mbulk-memory -ffp-contract=off -nostdlib \
+    -Wall -Wextra -Werror -Wl,--no-entry -Wl,--strip-all $exports \
+    -o "$out/page.wasm" page.c
+
+{
+    while IFS= read -r line; do
+        case $line in
+        "<!-- structures -->")
+            for name in wall-30 irregular-wall arch tower falls; do
+                echo "<script type=\"text/plain\" data-structure id=\"$name\">"
+                cat "../structures/$name.kern"
+                echo "</script>"
+            done
+            ;;
+        *"<!-- wasm -->"*)
+            printf '%s' "${line%%<!-- wasm -->*}"
+            gzip -9n <"$out/page.wasm" | base64 -w 76
+            printf '%s\n' "${line#*<!-- wasm -->}"
+            ;;
+        *) printf '%s\n' "$line" ;;
+        esac
+    done <page.html
+} >"$out/page"
+mv "$out/page" "$page"

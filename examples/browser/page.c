@@ -1,0 +1,202 @@
+/* page.c - what page.html calls of kern.h, as WebAssembly: build.sh compiles it
+   without a C library.
+
+   One structure lies in static arrays, which the page reads and writes as
+   arrays of double. A status is that of kern.h, and where it is below zero
+   `fault` holds block, other, index and value.
+
+   SPDX-License-Identifier: MIT */
+
+#define KERN_STATIC
+#define KERN_IMPLEMENTATION
+#define KERN_SQRT(x) __builtin_sqrt(x) /* an instruction */
+#include "../../kern.h"
+
+#define PAGE(name) __attribute__((export_name(#name)))
+
+enum { BLOCKS = 400, CONTACTS = 6000, VERTICES = 40000 };
+
+/* Exported by build.sh: the page finds them by name. */
+kern_vec vertex[VERTICES];     /* of all blocks, written by the page         */
+kern_force force[CONTACTS];    /* of the last call that found KERN_STANDS    */
+kern_motion motion[BLOCKS];    /* of the last one that found KERN_FALLS, and
+                                  of measure()                               */
+double centre[BLOCKS][2];
+double point[CONTACTS][8];     /* a, b, line, x, y, normal, travel           */
+double fault[4], answer[6];    /* answer: of the last call                   */
+const int constant[5] = { BLOCKS, VERTICES, KERN_STANDS, KERN_FALLS,
+                          KERN_OVERLAP };
+
+static kern_block block[BLOCKS];
+static kern_contact contact[CONTACTS];
+static kern_real real[KERN_REALS(BLOCKS, CONTACTS)];
+static int index[KERN_INTS(BLOCKS, CONTACTS)];
+static kern_work work;
+static kern_task task;
+
+static int report(int status, const kern_fault *f)
+{
+    fault[0] = f->block;
+    fault[1] = f->other;
+    fault[2] = f->index;
+    fault[3] = f->value;
+    return status;
+}
+
+PAGE(text) const char *page_text(int status)
+{
+    return kern_status_text((kern_status)status);
+}
+
+/* A new structure without blocks. */
+PAGE(begin) void page_begin(double gravity_x, double gravity_y)
+{
+    work = kern_work_of(real, KERN_REALS(BLOCKS, CONTACTS), index,
+                        KERN_INTS(BLOCKS, CONTACTS));
+    task = kern_task_of(block, 0, contact, 0, &work);
+    task.s.gravity.x = gravity_x;
+    task.s.gravity.y = gravity_y;
+}
+
+PAGE(options) void page_options(double mu, double gap, double angle,
+                                double epsilon)
+{
+    task.options.mu = mu;
+    task.options.gap = gap;
+    task.options.angle = angle;
+    task.options.epsilon = epsilon;
+}
+
+static void put_centre(int i)
+{
+    centre[i][0] = block[i].centre.x;
+    centre[i][1] = block[i].centre.y;
+}
+
+/* Block i, the next or one that was there, from vertices of the array; density
+   0: fixed. */
+PAGE(block) int page_block(int i, int first, int vertices, double density)
+{
+    kern_fault f = { i, -1, -1, 0 };
+    int status = density > 0
+        ? kern_block_init(&block[i], vertex + first, vertices, density, &f)
+        : kern_ground_init(&block[i], vertex + first, vertices, &f);
+    f.block = i;
+    put_centre(i);
+    if (i >= task.s.blocks) task.s.blocks = i + 1;
+    return report(status, &f);
+}
+
+PAGE(mass) void page_mass(int i, double mass) { block[i].mass = mass; }
+
+PAGE(move_centre) void page_move_centre(int i, double x, double y)
+{
+    block[i].centre.x = x;
+    block[i].centre.y = y;
+    put_centre(i);
+}
+
+PAGE(load) void page_load(int i, double fx, double fy, double x, double y,
+                          double torque)
+{
+    kern_vec f = { fx, fy }, at = { x, y };
+    kern_block_load(&block[i], f, at, torque);
+}
+
+/* Shows the page the contacts that there are. */
+static int put_contacts(int contacts)
+{
+    int i;
+    for (i = 0; i < contacts; i++) {
+        const kern_contact *c = &contact[i];
+        double *out = point[i];
+        out[0] = c->a;
+        out[1] = c->b;
+        out[2] = c->line;
+        out[3] = c->p.x;
+        out[4] = c->p.y;
+        out[5] = c->n.x;
+        out[6] = c->n.y;
+        out[7] = c->travel;
+    }
+    task.s.contacts = contacts;
+    return contacts;
+}
+
+/* Finds the contacts: how many points, or a status below zero. */
+PAGE(find) int page_find(void)
+{
+    int found = kern_contacts(block, task.s.blocks, &task.options, contact,
+                              CONTACTS, &work);
+    return report(found < 0 ? found : put_contacts(found), &work.fault);
+}
+
+/* How block i lies against the others: how many contact points it has with a
+   normal that is more upright than not, or a status below zero. */
+PAGE(rests) int page_rests(int i)
+{
+    int other, k, upright = 0;
+    for (other = 0; other < task.s.blocks; other++) {
+        const kern_block pair[2] = { block[other], block[i] };
+        int found = other == i ? 0
+            : kern_touch(pair, 1, &task.options, contact, CONTACTS, &work);
+        if (found < 0) return found;
+        for (k = 0; k < found; k++)
+            upright += contact[k].n.y * contact[k].n.y > 0.5;
+    }
+    return upright;
+}
+
+/* A contact that is given, from p to q; after the last one, given(). */
+PAGE(contact) int page_contact(int a, int b, double nx, double ny, double px,
+                               double py, double qx, double qy, double mu)
+{
+    kern_contact c = { a, b, 0, { px, py }, { nx, ny }, mu, 0 };
+    kern_vec q = { qx, qy };
+    int made;
+    if (task.s.contacts + 2 > CONTACTS) return KERN_NO_SPACE;
+    contact[task.s.contacts] = c;
+    made = kern_contact_make(&contact[task.s.contacts], q, &task.options);
+    if (made > 0) task.s.contacts += made;
+    return made;
+}
+
+PAGE(given) int page_given(void)
+{
+    kern_contact_travels(contact, task.s.contacts);
+    return put_contacts(task.s.contacts);
+}
+
+PAGE(verdict) int page_verdict(double shrink)
+{
+    kern_proof proof = { force, motion };
+    return report(kern_verdict(&task, shrink, &proof), &work.fault);
+}
+
+/* Answer: margin, level, saturated, most, fails, mean block size. */
+PAGE(measure) int page_measure(void)
+{
+    kern_proof proof = { NULL, motion };
+    kern_margin m = { 0, 0, 0, 0, 0, 0, 0 };
+    int status = kern_measure(&task, &m, &proof);
+    answer[0] = m.margin;
+    answer[1] = m.level;
+    answer[2] = m.saturated;
+    answer[3] = m.most;
+    answer[4] = m.fails;
+    answer[5] = kern_mean_size(block, task.s.blocks);
+    return report(status, &work.fault);
+}
+
+/* Answer: the load factor to the right (side 1) or left (-1). */
+PAGE(load_factor) int page_load_factor(int side)
+{
+    return report(kern_load_factor(&task, 0, (kern_side)side, &answer[0], NULL),
+                  &work.fault);
+}
+
+/* Answer: the deficit. */
+PAGE(deficit) int page_deficit(void)
+{
+    return report(kern_deficit(&task, &answer[0]), &work.fault);
+}

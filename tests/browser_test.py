@@ -1,0 +1,345 @@
+"""Drives examples/browser/kern.html in headless Chromium.
+
+    python3 tests/browser_test.py                   the test
+    python3 tests/browser_test.py --shots FOLDER    and pictures of the page
+
+Chromium is spoken to over a pipe (DevTools protocol). A stone of the wall is
+dragged with the mouse over 200 places: every answer on the page must be that of
+examples/python/kern.py, to the last bit.
+"""
+
+import base64
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "examples" / "python"))
+import kern  # noqa: E402
+
+PAGE = ROOT / "examples" / "browser" / "kern.html"
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
+         "--no-first-run", "--disable-background-networking",
+         "--disable-component-update", "--disable-sync", "--hide-scrollbars",
+         "--remote-debugging-pipe", "--window-size=1280,800"]
+
+
+class Browser:
+    """One page of a Chromium with a profile of its own."""
+
+    def __init__(self, folder):
+        here, self.commands = os.pipe()
+        self.answers, there = os.pipe()
+
+        def pipes():  # Chromium reads commands from 3 and answers on 4
+            os.dup2(here, 13)
+            os.dup2(there, 14)
+            os.dup2(13, 3)
+            os.dup2(14, 4)
+
+        self.process = subprocess.Popen(
+            ["chromium", *FLAGS, "--user-data-dir=" + folder, "about:blank"],
+            preexec_fn=pipes, close_fds=False, stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL)
+        os.close(here)
+        os.close(there)
+        self.buffer, self.events, self.number = b"", [], 0
+        self.session = None
+        pages = self.send("Target.getTargets")["targetInfos"]
+        page = next(p for p in pages if p["type"] == "page")
+        self.session = self.send("Target.attachToTarget", flatten=True,
+                                 targetId=page["targetId"])["sessionId"]
+        for domain in ("Page", "Runtime", "Network", "DOM"):
+            self.send(domain + ".enable")
+
+    def read(self):
+        while b"\0" not in self.buffer:
+            data = os.read(self.answers, 1 << 16)
+            if not data:
+                raise EOFError("chromium ended")
+            self.buffer += data
+        message, self.buffer = self.buffer.split(b"\0", 1)
+        return json.loads(message)
+
+    def send(self, method, **params):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": params}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.commands, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.read()
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise RuntimeError(method + ": " + str(answer["error"]))
+                return answer["result"]
+            self.events.append(answer)
+
+    def ask(self, expression):
+        """The value of an expression in the page; promises are awaited."""
+        out = self.send("Runtime.evaluate", expression=expression,
+                        returnByValue=True, awaitPromise=True)
+        if "exceptionDetails" in out:
+            raise RuntimeError(json.dumps(out["exceptionDetails"]))
+        return out["result"].get("value")
+
+    def wait(self, expression):
+        for _ in range(300):
+            if self.ask(expression):
+                return
+            time.sleep(0.05)
+        raise TimeoutError(expression)
+
+    def frame(self):
+        """Waits until the page has drawn what it was told."""
+        self.ask("new Promise(r => requestAnimationFrame(() => "
+                 "requestAnimationFrame(r)))")
+
+    def mouse(self, kind, x, y, **more):
+        self.send("Input.dispatchMouseEvent", type=kind, x=x, y=y,
+                  button="left", **more)
+
+    def key(self, key, modifiers=0):
+        for kind in ("keyDown", "keyUp"):
+            self.send("Input.dispatchKeyEvent", type=kind, key=key, code=key,
+                      modifiers=modifiers)
+
+    def shot(self, path):
+        data = self.send("Page.captureScreenshot", format="png")["data"]
+        pathlib.Path(path).write_bytes(base64.b64decode(data))
+
+    def end(self):
+        try:
+            self.send("Browser.close")
+        except (EOFError, OSError, RuntimeError):
+            pass
+        self.process.wait(20)
+
+
+STATE = """(() => { const t = s.stones[%d]; return JSON.stringify({
+    x: t.x, y: t.y, turn: t.turn, margin: shown.margin, level: shown.level,
+    stands: shown.stands, overlap: shown.overlap && shown.overlap.depth,
+    loads: shown.loads, word: $("verdict").textContent }) })()"""
+
+
+def native(wall, home, state):
+    """What the library says of the wall with its stone in that place."""
+    for k, (x, y) in enumerate(home):
+        wall.blocks[state["stone"]].vertices[k, 0] = x + state["x"]
+        wall.blocks[state["stone"]].vertices[k, 1] = y + state["y"]
+    try:
+        wall.update()
+    except kern.KernError as error:
+        return error.status
+    return wall
+
+
+def centre_of(browser, i):
+    return json.loads(browser.ask(
+        "(() => { const b = s.stones[%d].path.getBoundingClientRect();"
+        "return JSON.stringify([b.x + b.width / 2, b.y + b.height / 2]) })()"
+        % i))
+
+
+def drag(browser, i, places):
+    """Drags stone i over places, in pixels from its own; yields the state at
+    each of them."""
+    x, y = centre_of(browser, i)
+    browser.mouse("mousePressed", x, y, clickCount=1)
+    for dx, dy in places:
+        browser.mouse("mouseMoved", x + dx, y + dy, buttons=1)
+        browser.frame()
+        state = json.loads(browser.ask(STATE % i))
+        state["stone"] = i
+        yield state
+    browser.mouse("mouseReleased", x, y, clickCount=1)
+    browser.frame()
+
+
+def same(wall, home, state):
+    """Compares one state of the page with the library; names its kind."""
+    said = native(wall, home, state)
+    assert state["turn"] == 0
+    if said is kern.Status.OVERLAP:
+        assert state["overlap"] > 0 and state["word"] == "overlap", state
+        assert state.get("margin") is None, state
+        return "overlaps"
+    assert isinstance(said, kern.Structure), said
+    m = said.measure()
+    assert (m.stands, m.margin, m.level) == (
+        state["stands"], state["margin"], state["level"]), (m, state)
+    if m.stands:
+        assert state["loads"] == [said.load_factor(side)
+                                  for side in (kern.LEFT, kern.RIGHT)], state
+    return "stands" if m.stands else "falls"
+
+
+def test_drag(browser):
+    wall = kern.read(ROOT / "examples" / "structures" / "wall-30.kern")
+    counts = {"stands": 0, "falls": 0, "overlaps": 0}
+    aside = [(2 * k, 0) for k in range(80)]
+    about = [(k % 11 * 9 - 45, k // 11 * 12 - 60) for k in range(120)]
+    for i, places in ((30, aside), (27, about)):
+        assert wall.blocks[i].name == "s%d" % i
+        home = wall.blocks[i].vertices.tolist()
+        for state in drag(browser, i, places):
+            counts[same(wall, home, state)] += 1
+        browser.ask("choose(%d), press('Home')" % i)
+        browser.frame()
+        for k, (x, y) in enumerate(home):
+            wall.blocks[i].vertices[k, 0] = x
+            wall.blocks[i].vertices[k, 1] = y
+    print("200 places, all as native:", counts)
+    assert sum(counts.values()) == 200 and min(counts.values()) >= 20
+
+
+def test_keys(browser):
+    """Arrow keys move the stone that has the focus, Q turns it."""
+    browser.ask("s.stones[30].path.focus()")
+    for _ in range(3):
+        browser.key("ArrowRight")
+    browser.key("q")
+    browser.key("ArrowUp", 8)
+    browser.frame()
+    state = json.loads(browser.ask(STATE % 30))
+    size = browser.ask("s.stones[30].size")
+    assert abs(state["x"] - 0.03 * size) < 1e-9, state
+    assert abs(state["turn"] - 0.017453292519943295) < 1e-9, state
+    assert browser.ask("document.activeElement === s.stones[30].path")
+    browser.key("Home")
+    browser.frame()
+    state = json.loads(browser.ask(STATE % 30))
+    assert (state["x"], state["y"], state["turn"]) == (0, 0, 0), state
+
+
+def test_touch(browser):
+    x, y = centre_of(browser, 30)
+    for kind, points in (("touchStart", [{"x": x, "y": y}]),
+                         ("touchMove", [{"x": x + 30, "y": y}]),
+                         ("touchEnd", [])):
+        browser.send("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+        browser.frame()
+    assert json.loads(browser.ask(STATE % 30))["x"] > 0
+    browser.ask("choose(30), press('Home')")
+    browser.frame()
+
+
+def test_files(browser, folder):
+    """What is saved reads back the same, here and in the library; files with
+    errors are refused and change nothing; all example structures are read."""
+    node = browser.send("DOM.getDocument")["root"]["nodeId"]
+    node = browser.send("DOM.querySelector", nodeId=node,
+                        selector="#file")["nodeId"]
+
+    def give(path):
+        browser.send("DOM.setFileInputFiles", nodeId=node, files=[str(path)])
+
+    for path in sorted((ROOT / "examples" / "structures").glob("*.kern")):
+        give(path)
+        browser.wait("title === %s" % json.dumps(path.stem))
+        want = kern.read(path)
+        m = want.measure()
+        assert browser.ask("[shown.stands, shown.margin, shown.level]") == [
+            m.stands, m.margin, m.level], path
+        again = kern.parse(browser.ask("format(s)"), path.stem)
+        assert abs(again.measure().margin - m.margin) <= 1e-12, path
+        assert browser.ask("""new DOMParser().parseFromString(pictureText(),
+            "image/svg+xml").querySelector("parsererror") === null""")
+    bad = pathlib.Path(folder, "bad.kern")
+    bad.write_text("block a * 0 0 1 0 1 1\nblock b * 0 0 1\n")
+    before = browser.ask("format(s)")
+    give(bad)
+    browser.wait("$('error').textContent !== ''")
+    assert browser.ask("$('error').textContent") == (
+        "bad.kern: line 2: the number of coordinates is odd")
+    assert browser.ask("format(s)") == before
+    give(ROOT / "examples" / "structures" / "wall-30.kern")
+    browser.wait("title === 'wall-30'")
+
+
+def test_frames(browser):
+    """Prints what frames cost while a stone is dragged; times are not judged
+    beyond the point where nobody would call it fluent."""
+    browser.events.clear()
+    browser.send("Tracing.start", transferMode="ReportEvents",
+                 categories="devtools.timeline,disabled-by-default-devtools"
+                 ".timeline,toplevel")
+    for _ in drag(browser, 30, [(k % 75 * 2, 0) for k in range(150)]):
+        pass
+    browser.send("Tracing.end")
+    events = []
+    while not any(e.get("method") == "Tracing.tracingComplete"
+                  for e in browser.events):
+        browser.events.append(browser.read())
+    for event in browser.events:
+        if event.get("method") == "Tracing.dataCollected":
+            events += event["params"]["value"]
+    scripts = [e["dur"] / 1000 for e in events
+               if e.get("name") == "FireAnimationFrame" and "dur" in e]
+    thread = max((e for e in events if e.get("name") == "FireAnimationFrame"),
+                 key=lambda e: e["ts"])
+    whole = sorted(e["dur"] / 1000 for e in events
+                   if e.get("name") in ("RunTask", "ThreadControllerImpl::"
+                                        "RunTask") and "dur" in e
+                   and (e["pid"], e["tid"]) == (thread["pid"], thread["tid"]))
+    scripts = sorted(scripts)
+    print("frames: script median %.2f ms, worst %.2f; whole task worst %.2f"
+          % (scripts[len(scripts) // 2], scripts[-1], whole[-1]))
+    assert scripts[len(scripts) // 2] < 16
+    browser.ask("choose(30), press('Home')")
+    browser.frame()
+
+
+def shots(browser, folder):
+    """Pictures of what a person would see, to look at."""
+    folder.mkdir(parents=True, exist_ok=True)
+    browser.frame()
+    browser.shot(folder / "stands.png")
+    list(drag(browser, 30, [(40, 0), (70, 0)]))
+    browser.shot(folder / "dragged.png")
+    list(drag(browser, 30, [(60, 0)]))
+    browser.frame()
+    time.sleep(0.8)
+    browser.shot(folder / "falls.png")
+    browser.ask("choose(30), press('Home')")
+    list(drag(browser, 27, [(20, 30)]))
+    browser.shot(folder / "overlap.png")
+    for name in ("arch", "irregular-wall"):
+        browser.ask("show(texts.get('%s'), '%s')" % (name, name))
+        browser.frame()
+        browser.shot(folder / (name + ".png"))
+    browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
+                 deviceScaleFactor=2, mobile=True)
+    browser.frame()
+    browser.shot(folder / "phone.png")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        browser = Browser(os.path.join(folder, "profile"))
+        try:
+            browser.send("Page.navigate", url=PAGE.as_uri())
+            browser.wait("typeof shown === 'object' && !!shown")
+            if sys.argv[1:2] == ["--shots"]:
+                shots(browser, pathlib.Path(sys.argv[2]))
+                return
+            test_drag(browser)
+            test_keys(browser)
+            test_touch(browser)
+            test_files(browser, folder)
+            test_frames(browser)
+            for event in browser.events:
+                if event.get("method") == "Network.requestWillBeSent":
+                    url = event["params"]["request"]["url"]
+                    assert url.startswith(("file:", "data:", "blob:")), url
+                assert event.get("method") != "Runtime.exceptionThrown", event
+        finally:
+            browser.end()
+    print("the page passed")
+
+
+main()
