@@ -1016,7 +1016,7 @@ static void write_caption(const struct analysis *a, char *out, size_t room)
     if (shrinkage(a) > 0)
         snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
                  (double)shrinkage(a));
-    snprintf(out, room, "%.*s: %s%s; %s", stem > 100 ? 100 : stem, name,
+    snprintf(out, room, "%.*s %s%s; %s", stem > 100 ? 100 : stem, name,
              status_word(a), shrunk, level);
 }
 
@@ -1032,6 +1032,9 @@ static int draw(const struct analysis *a)
     scene.shrink = (double)shrinkage(a);
     scene.force = a->verdict == KERN_STANDS ? a->force : NULL;
     scene.motion = falls || a->set->mechanism ? shown_motion(a) : NULL;
+    scene.motion_name = falls ? NULL : "collapse mechanism just past the margin";
+    scene.hinges = shown_motion(a);
+    scene.hinged = falls ? scene.shrink : (double)a->m.fails;
     scene.limiting = a->limiting;
     scene.caption = caption;
     if (a->set->profile && a->profiled >= 0) {

@@ -1,8 +1,10 @@
 /* draw.h - pictures of structures as SVG, for the example programs.
 
    draw_svg() writes one self-contained picture: stones, hatched ground,
-   contacts whole and shrunk, contact forces, the limiting contact, the collapse
-   motion, a key with scales, a caption. The functions above it write single
+   contacts whole and shrunk, the resultant force of each interface, the thrust
+   line, the limiting contact, the collapse mechanism with its hinges, a key with
+   scales, a caption. A viewer that plays SMIL (browsers do) shows the mechanism
+   moving. The functions above it write single
    shapes and serve other pictures too.
 
    Lengths on the page are in pixels, y downwards; the model has y upwards, and
@@ -18,6 +20,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A program may leave some of these functions unused. */
@@ -34,6 +37,10 @@ struct draw_scene {
     double shrink;             /* shrinkage at which the kerns are shown      */
     const kern_force *force;   /* one a contact point; NULL: none             */
     const kern_motion *motion; /* one a block; NULL: none                     */
+    const char *motion_name;   /* what it is; NULL: collapse mechanism        */
+    const kern_motion *hinges; /* one a block: a motion whose hinges are
+                                  ringed; NULL: none                          */
+    double hinged;             /* shrinkage at which that motion turns        */
     int limiting;              /* contact point to point out, -1: none        */
     const kern_real *value;    /* one a block, shown by its colour; NULL: none;
                                   those of fixed blocks are not read          */
@@ -481,27 +488,75 @@ static int draw_is_line(const kern_structure *s, int c)
         && k[1].b == k->b;
 }
 
-/* The force of a contact point as an arrow: it starts where the contact acts
-   and goes into the block which feels it. Of the two blocks that is the one
-   which the force lifts, so that arrows read as the way of the load. */
+/* The number of neighbours in the array, from c on, with the same two blocks:
+   an interface. 0 where c is not its first. */
+static int draw_interface(const kern_structure *s, int c)
+{
+    const kern_contact *k = &s->contact[c];
+    int n = 1;
+
+    if (c > 0 && k[-1].a == k->a && k[-1].b == k->b)
+        return 0;
+    while (c + n < s->contacts && k[n].a == k->a && k[n].b == k->b)
+        n++;
+    return n;
+}
+
+/* The resultant of the forces of the interface that begins with c, on its block
+   b, at the place on its line of action nearest to where the contacts press.
+   Returns 0 where there is none. */
+static int draw_resultant(const struct draw_scene *d, int c,
+                          struct draw_pt *at, struct draw_pt *force)
+{
+    const kern_contact *k = &d->s->contact[c];
+    const int n = draw_interface(d->s, c);
+    double pressed = 0, moment = 0, square;
+    int i;
+
+    *at = *force = draw_vec(0, 0);
+    for (i = 0; i < n; i++) {
+        const double f = d->force[c + i].normal, r = d->force[c + i].tangential;
+        const kern_vec p = kern_contact_at(&k[i], (kern_real)d->shrink,
+                                           d->relative);
+        const double fx = f * k[i].n.x - r * k[i].n.y;
+        const double fy = f * k[i].n.y + r * k[i].n.x;
+
+        pressed += f;
+        *at = draw_vec(at->x + f * p.x, at->y + f * p.y);
+        *force = draw_vec(force->x + fx, force->y + fy);
+        moment += p.x * fy - p.y * fx;
+    }
+    square = force->x * force->x + force->y * force->y;
+    if (!(pressed > 0) || !(square > 1e-18 * pressed * pressed))
+        return 0;
+    *at = draw_vec(at->x / pressed, at->y / pressed);
+    moment -= at->x * force->y - at->y * force->x;
+    *at = draw_vec(at->x + moment * force->y / square,
+                   at->y - moment * force->x / square);
+    return 1;
+}
+
+/* The resultant as an arrow: it starts where it acts and goes into the block
+   which feels it. Of the two blocks that is the one which the force lifts, so
+   that arrows read as the way of the load. */
 static int draw_force_ends(const struct draw_scene *d, double unit, int c,
                            struct draw_pt *from, struct draw_pt *to)
 {
     const kern_contact *k = &d->s->contact[c];
-    kern_vec p = kern_contact_at(k, (kern_real)d->shrink, d->relative);
-    double f = d->force[c].normal, r = d->force[c].tangential;
-    double fx = f * k->n.x - r * k->n.y, fy = f * k->n.y + r * k->n.x;
-    double lift = -(fx * d->s->gravity.x + fy * d->s->gravity.y);
-    double least = 1e-3 * (fabs(fx) + fabs(fy))
-        * (fabs((double)d->s->gravity.x) + fabs((double)d->s->gravity.y));
-    int on_a = d->s->block[k->b].fixed || (lift < -least
-        && !d->s->block[k->a].fixed);
+    const kern_vec g = d->s->gravity;
+    struct draw_pt f;
+    double lift, least;
 
-    *from = draw_vec(p.x, p.y);
-    if (on_a)
+    if (!draw_resultant(d, c, from, &f))
+        return 0;
+    lift = -(f.x * g.x + f.y * g.y);
+    least = 1e-3 * (fabs(f.x) + fabs(f.y))
+        * (fabs((double)g.x) + fabs((double)g.y));
+    if (d->s->block[k->b].fixed || (lift < -least
+                                    && !d->s->block[k->a].fixed))
         unit = -unit;
-    *to = draw_vec(p.x + fx * unit, p.y + fy * unit);
-    return fabs(f) + fabs(r) > 0;
+    *to = draw_vec(from->x + f.x * unit, from->y + f.y * unit);
+    return 1;
 }
 
 /* The load of a block as an arrow that pushes on its outline from outside,
@@ -572,9 +627,8 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
     }
     for (c = 0; c < s->contacts; c++) {
         draw_widen(v, s->contact[c].p.x, s->contact[c].p.y);
-        if (d->force)
-            z->longest = fmax(z->longest, draw_hypot(d->force[c].normal,
-                                                     d->force[c].tangential));
+        if (d->force && draw_force_ends(d, 1, c, &a, &b))
+            z->longest = fmax(z->longest, draw_hypot(b.x - a.x, b.y - a.y));
     }
     if (free_blocks > 0) {
         z->stone /= free_blocks;
@@ -696,6 +750,40 @@ static void draw_blocks(const struct draw_scene *d, const struct draw_view *v,
     draw_close(v->out);
 }
 
+/* Lets what follows, up to draw_close(), move from rest to where it is drawn,
+   again and again: a turn about the point that rests, or a straight way. */
+static void draw_open_moving(const struct draw_view *v, const kern_block *block,
+                             const kern_motion *rate, double time)
+{
+    const double turn = rate->spin * time;
+    struct draw_pt c = draw_place(v, block->centre.x, block->centre.y);
+
+    fputs("<g><animateTransform attributeName=\"transform\" dur=\"4s\" "
+          "keyTimes=\"0;0.15;0.7;0.85;1\" repeatCount=\"indefinite\" ",
+          v->out);
+    if (fabs(turn) < 1e-4) {
+        const double x = -rate->vx * time * v->scale;
+        const double y = rate->vy * time * v->scale;
+
+        fprintf(v->out, "type=\"translate\" values=\"%.2f %.2f;%.2f %.2f;0 0;"
+                "0 0;%.2f %.2f\"/>\n", draw_px(x), draw_px(y), draw_px(x),
+                draw_px(y), draw_px(x), draw_px(y));
+        return;
+    }
+    c.x -= rate->vy / rate->spin * v->scale;
+    c.y -= rate->vx / rate->spin * v->scale;
+    fputs("type=\"rotate\" values=\"", v->out);
+    {
+        const double degrees = turn * 180 / 3.14159265358979323846;
+        const double at[5] = { degrees, degrees, 0, 0, degrees };
+        int i;
+
+        for (i = 0; i < 5; i++)
+            fprintf(v->out, "%s%.4f %.2f %.2f", i ? ";" : "", at[i], c.x, c.y);
+    }
+    fputs("\"/>\n", v->out);
+}
+
 static void draw_ghosts(const struct draw_scene *d, const struct draw_view *v,
                         const struct draw_sizes *z)
 {
@@ -718,8 +806,11 @@ static void draw_ghosts(const struct draw_scene *d, const struct draw_view *v,
             way = fmax(way, draw_hypot(p.x - k->vertex[j].x,
                                        p.y - k->vertex[j].y));
         }
-        if (!k->fixed && way * v->scale > 1) /* else it is seen to rest */
-            draw_block(v, k, &d->motion[i], z->time, "");
+        if (k->fixed || !(way * v->scale > 1)) /* it is seen to rest */
+            continue;
+        draw_open_moving(v, k, &d->motion[i], z->time);
+        draw_block(v, k, &d->motion[i], z->time, "");
+        draw_close(v->out);
     }
     draw_close(v->out);
 }
@@ -804,6 +895,81 @@ static void draw_forces(const struct draw_scene *d, const struct draw_view *v,
         if (draw_force_ends(d, z->force, c, &a, &b))
             draw_arrow(v->out, draw_place(v, a.x, a.y), draw_place(v, b.x, b.y),
                        z->arrow, DRAW_FORCE);
+}
+
+/* The thrust line: through each free block on which two interfaces act, from
+   one resultant to the other. */
+static void draw_thrust(const struct draw_scene *d, const struct draw_view *v,
+                        const struct draw_sizes *z)
+{
+    const size_t blocks = (size_t)d->s->blocks;
+    int *loaded = calloc(blocks, sizeof *loaded);
+    struct draw_pt *first = malloc(blocks * sizeof *first), at, f;
+    char style[120];
+    int c, side, pass;
+
+    snprintf(style, sizeof style, "stroke=\"" DRAW_FORCE "\" stroke-width="
+             "\"%.2f\" stroke-opacity=\"0.6\" stroke-dasharray=\"%.1f %.1f\"",
+             0.8 * z->arrow, 5 * z->arrow, 3 * z->arrow);
+    for (pass = 0; loaded && first && pass < 2; pass++)
+        for (c = 0; c < d->s->contacts; c++) {
+            if (!draw_resultant(d, c, &at, &f))
+                continue;
+            for (side = 0; side < 2; side++) {
+                const int i = side ? d->s->contact[c].b : d->s->contact[c].a;
+
+                if (pass == 0)
+                    loaded[i]++;
+                if (pass == 0 || loaded[i] < 0)
+                    continue;
+                if (loaded[i] == 2 && !d->s->block[i].fixed) {
+                    first[i] = draw_place(v, at.x, at.y);
+                    loaded[i] = 0;
+                } else if (loaded[i] == 0) {
+                    draw_line(v->out, first[i], draw_place(v, at.x, at.y),
+                              style);
+                    loaded[i] = -1;
+                }
+            }
+        }
+    free(loaded);
+    free(first);
+}
+
+/* Do the blocks of a contact turn about it in a motion? */
+static int draw_is_hinge(const struct draw_scene *d, int c)
+{
+    const kern_contact *k = &d->s->contact[c];
+    const kern_block *a = &d->s->block[k->a], *b = &d->s->block[k->b];
+    const kern_motion *u = &d->hinges[k->a], *w = &d->hinges[k->b];
+    const kern_vec p = kern_contact_at(k, (kern_real)d->hinged, d->relative);
+    const double spin = w->spin - u->spin, size = sqrt(fabs((double)(
+        b->fixed ? a->area : b->area)));
+    const double x = w->vx - w->spin * (p.y - b->centre.y)
+                   - u->vx + u->spin * (p.y - a->centre.y);
+    const double y = w->vy + w->spin * (p.x - b->centre.x)
+                   - u->vy - u->spin * (p.x - a->centre.x);
+
+    return fabs(spin) * size > 1e-3
+        && draw_hypot(x, y) < 1e-3 * fabs(spin) * size;
+}
+
+static void draw_hinges(const struct draw_scene *d, const struct draw_view *v,
+                        const struct draw_sizes *z)
+{
+    char style[120];
+    int c;
+
+    snprintf(style, sizeof style, "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
+             "stroke-width=\"%.2f\"", 0.3 * z->bar + 0.4);
+    for (c = 0; c < d->s->contacts; c++)
+        if (draw_is_hinge(d, c)) {
+            kern_vec p = kern_contact_at(&d->s->contact[c],
+                                         (kern_real)d->shrink, d->relative);
+
+            draw_circle(v->out, draw_place(v, p.x, p.y), 0.8 * z->bar + 0.6,
+                        style);
+        }
 }
 
 /* A torque: three quarters of a turn around the centre of mass. */
@@ -1020,8 +1186,8 @@ static struct draw_pt draw_key_entry(struct draw_key *key, double sign,
                                      const char *text)
 {
     const double size = 10.5;
-    double w = sign + 6 + draw_text_width(text, strlen(text), size);
-    struct draw_pt p;
+    double w = sign + 6 + 1.1 * draw_text_width(text, strlen(text), size);
+    struct draw_pt p; /* a tenth more: fonts differ */
 
     if (key->x > DRAW_PAD && key->x + w > key->right) {
         key->x = DRAW_PAD;
@@ -1055,7 +1221,8 @@ static void draw_key_force(struct draw_key *key, const struct draw_view *v,
     double unit = z->weight > 0 ? z->weight : 1;
     double pixels = unit * z->force * v->scale; /* of one unit */
     double count = draw_round(48 / pixels), w = count * pixels;
-    const char *what = force ? "force" : "load";
+    const char *what = force ? "resultant, one admissible set of forces:"
+                             : "load";
     struct draw_pt p;
     char text[80];
 
@@ -1136,10 +1303,16 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
     if (d->s->contacts > 0)
         draw_key_bar(&key, DRAW_KERN, d->shrink > 0 ? text : "contact");
     if (d->limiting >= 0) {
-        p = draw_key_entry(&key, 12, "limiting");
+        p = draw_key_entry(&key, 12, "limits the margin");
         if (out)
             draw_circle(out, draw_vec(p.x + 6, p.y), 5, "fill=\"none\" stroke="
                         "\"" DRAW_LIMIT "\" stroke-width=\"2.4\"");
+    }
+    if (d->hinges) {
+        p = draw_key_entry(&key, 12, "hinge of the mechanism");
+        if (out)
+            draw_circle(out, draw_vec(p.x + 6, p.y), 4, "fill=\"#ffffff\" "
+                        "stroke=\"" DRAW_GHOST "\" stroke-width=\"1.8\"");
     }
     if (d->force && z->force > 0)
         draw_key_force(&key, v, z, 1);
@@ -1154,7 +1327,8 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
         }
     }
     if (z->time > 0) {
-        p = draw_key_entry(&key, 22, "motion");
+        p = draw_key_entry(&key, 22, d->motion_name ? d->motion_name
+                                                    : "collapse mechanism");
         if (out)
             draw_rect(out, p.x, p.y - 5, 22, 10, "fill=\"" DRAW_GHOST "\" "
                       "fill-opacity=\"0.08\" stroke=\"" DRAW_GHOST "\" "
@@ -1208,8 +1382,12 @@ DRAW_API int draw_svg(FILE *out, const struct draw_scene *scene)
         draw_ghosts(scene, &v, &z);
     if (scene->limiting >= 0)
         draw_limiting(scene, &v, &z, 1);
-    if (scene->force && z.force > 0)
+    if (scene->hinges)
+        draw_hinges(scene, &v, &z);
+    if (scene->force && z.force > 0) {
+        draw_thrust(scene, &v, &z);
         draw_forces(scene, &v, &z);
+    }
     draw_loads(scene, &v, &z);
     draw_close(out);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
