@@ -1016,6 +1016,7 @@ static void write_caption(const struct analysis *a, char *out, size_t room)
     if (shrinkage(a) > 0)
         snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
                  (double)shrinkage(a));
+    stem = (int)strlen(name);
     snprintf(out, room, "%.*s %s%s; %s", stem > 100 ? 100 : stem, name,
              status_word(a), shrunk, level);
 }

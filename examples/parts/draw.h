@@ -1303,7 +1303,7 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
     if (d->s->contacts > 0)
         draw_key_bar(&key, DRAW_KERN, d->shrink > 0 ? text : "contact");
     if (d->limiting >= 0) {
-        p = draw_key_entry(&key, 12, "limits the margin");
+        p = draw_key_entry(&key, 12, "critical contact");
         if (out)
             draw_circle(out, draw_vec(p.x + 6, p.y), 5, "fill=\"none\" stroke="
                         "\"" DRAW_LIMIT "\" stroke-width=\"2.4\"");
