@@ -38,34 +38,62 @@
 
 static const char help[] =
 "usage: kern [options] FILE...\n"
-"Says of every structure whether it can stand, and how far its contacts can\n"
-"shrink before it cannot. FILE holds one statement a line; - is stdin.\n"
+"For each structure: does it stand, and with what margin? FILE - is stdin.\n"
 "\n"
+"      --verdict    the verdict alone, at once even for thousands of blocks\n"
 "  -e, --epsilon E  step of the level, a length (-r: share of each contact);\n"
 "                   default: the file's, else 2 % of the mean block (-r: 5 %)\n"
 "  -r, --relative   shrink every contact by a share of itself, not a length\n"
-"      --mu MU      coefficient of friction where a contact has no own one\n"
+"      --mu MU      friction of contacts without a value of their own (overrides\n"
+"                   the file's)\n"
 "      --gap G      widest gap that is still a contact, a length\n"
-"      --at D       verdict, forces, collapse, loads and tilts with contacts\n"
-"                   shrunk by D; level, margin, profile always count from 0\n"
-"      --forces     list the contacts and one set of forces that holds it\n"
+"      --at D       verdict, forces, mechanism, loads and tilts with contacts\n"
+"                   shrunk by D; level, margin and profile count from 0\n"
+"      --forces     list the contacts and one admissible set of forces\n"
 "      --mechanism  list how every block moves as it falls; where it stands,\n"
 "                   just past the margin\n"
 "      --profile    how far each block is from falling in a progressive\n"
-"                   collapse: contacts shrink, or a load pushes, and what falls\n"
-"                   is taken away\n"
-"      --near       count contacts that a first rocking would close as well:\n"
-"                   gaps to 4 % of the mean block, angles to 0.15; foretells best\n"
-"                   what shaking does\n"
-"      --limit N    most work of each question, in units of some 0.1 us; what\n"
-"                   takes more is undecided, and said as far as it is proven\n"
+"                   collapse: contacts shrink, or a horizontal load grows;\n"
+"                   collapsed blocks are removed and the analysis goes on\n"
+"      --near       all numbers also count near contacts (gaps up to 4 % of the\n"
+"                   mean block, angles up to 0.15 rad): best predictor of\n"
+"                   shaking; the verdict still comes from real contacts\n"
+"      --limit N    most work of each query, in units of some 0.1 us; what\n"
+"                   takes more is undecided, and reported as far as proven\n"
 "      --json       one JSON object a file, one line each\n"
 "      --svg OUT.svg  draw it, with --profile coloured by the margins of the\n"
 "                   blocks; of several files each NAME.* in OUT-NAME.svg\n"
-"      --help, --version\n"
+"  -h, --help, --version\n";
+
+static const char help_format[] =
 "\n"
-"Lengths, masses and times are in the units of the file. Stands means: forces\n"
-"exist that hold every block, without tension and within friction.\n"
+"File: one statement a line; # begins a comment. Units are yours (SI: m, kg, N).\n"
+"  fixed    NAME  X1 Y1  X2 Y2  X3 Y3 ...        ground, any simple polygon\n"
+"  block    NAME  MASS  X1 Y1  X2 Y2  X3 Y3 ...  MASS *: area x density\n"
+"  friction MU         default 0.4               gravity GX GY   default 0 -9.81\n"
+"  density  D          of later blocks, 1        epsilon E       as above\n"
+"  tolerance GAP [ANGLE]  widest gap and angle (rad) of a contact; 1e-3 of the\n"
+"                      smaller block, 0.0175\n"
+"  com NAME X Y        centre of mass, where it is not the centroid\n"
+"  load NAME FX FY X Y   a force at a point      torque NAME T   counter-clockwise\n"
+"  contact A B  NX NY  X1 Y1 [X2 Y2] [mu MU]  a contact that is given, normal from\n"
+"                      A into B; then none are searched for\n"
+"\n"
+"JSON: status (stands, falls, undecided, limit, error); blocks, fixed,\n"
+"contact_points, line_contacts, point_contacts: counts; near, relative; level;\n"
+"epsilon, margin, holds, fails (proven bracket of the margin), deficit,\n"
+"signed_margin: lengths (-r: shares); load_left, load_right: horizontal load factor, in g;\n"
+"tilt_left, tilt_right: rad; saturated: stands with every contact a point;\n"
+"undecided: names of the keys that are null for that; proof_error: of the worst\n"
+"proof, as a share of what is allowed; pivots, solves: work. --profile:\n"
+"progressive_* and weak_*: mean and mean of the weakest half of the blocks'\n"
+"margins (lengths) and load factors (g); expected_drop: under shaking, larger is\n"
+"worse; profile: of each block margin, load. --forces: contacts with x, y, normal\n"
+"nx, ny from a into b, mu, travel (half the length), forces normal, tangential.\n"
+"--mechanism: motion with velocities vx, vy and spin (rad); the fastest is 1.\n"
+"Numbers that do not exist or have no bound are null.\n"
+"\n"
+"Stands means: admissible forces exist, without tension and within friction.\n"
 "Exit status: 0 all stand, 1 some fall, 2 bad use or input, 3 undecided.\n";
 
 enum { EXIT_STANDS, EXIT_FALLS, EXIT_BAD, EXIT_UNDECIDED };
@@ -81,7 +109,7 @@ static const double at_rest = 1e-4;
 
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit;
-    int relative, forces, mechanism, profile, touching, json;
+    int relative, forces, mechanism, profile, touching, json, verdict_only;
     const char *svg;
     char **file;
     int files;
@@ -100,7 +128,9 @@ struct analysis {
     kern_contact *contact;  /* task.s.contact                    */
     kern_work work;
 
-    kern_status verdict;    /* at the shrinkage asked for        */
+    kern_status verdict;    /* of real contacts, at the shrinkage asked for */
+    kern_status shown;      /* of the contacts that are shown: with --near
+                               near ones too                     */
     kern_force *force;      /* there, if it stands               */
     kern_motion *motion;    /* there, if it falls                */
 
@@ -140,7 +170,7 @@ static int fail_memory(struct analysis *a)
 /* Does the collapse motion belong to the verdict, or to the margin? */
 static const kern_motion *shown_motion(const struct analysis *a)
 {
-    if (a->verdict == KERN_FALLS) return a->motion;
+    if (a->shown == KERN_FALLS) return a->motion;
     if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
     return NULL;
 }
@@ -201,6 +231,14 @@ static int find_contacts(struct analysis *a)
     return 0;
 }
 
+/* What a large structure is busy with, under its verdict on a terminal. */
+static void show_stage(const struct analysis *a, const char *what)
+{
+    if (a->task.s.blocks < 200 || !IS_TERMINAL(2)) return;
+    fprintf(stderr, "\r%-20s%s", what, *what ? "" : "\r");
+    fflush(stderr);
+}
+
 /* Length 0 is asked for as 1, so that NULL always means failure. */
 static void *array(int count, size_t size)
 {
@@ -231,9 +269,8 @@ static int take_memory(struct analysis *a)
            a->motion && a->collapse && !bad ? 0 : fail_memory(a);
 }
 
-static void free_analysis(struct analysis *a)
+static void free_work(struct analysis *a)
 {
-    if (a->contact != a->text.contact) free(a->contact);
     free(a->work.real);
     free(a->work.index);
     free(a->force);
@@ -242,6 +279,12 @@ static void free_analysis(struct analysis *a)
     free(a->motion);
     free(a->collapse);
     for (int k = 0; k < PROFILES; k++) free(a->fate[k]);
+}
+
+static void free_analysis(struct analysis *a)
+{
+    if (a->contact != a->text.contact) free(a->contact);
+    free_work(a);
     text_free(&a->text);
 }
 
@@ -328,7 +371,7 @@ static void find_loads(struct analysis *a)
 {
     for (int side = LEFT; side <= RIGHT; side++) {
         a->load[side] = a->tilt[side] = (double)NAN;
-        if (a->verdict != KERN_STANDS) continue;
+        if (a->shown != KERN_STANDS) continue;
         if (!(hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0)) continue;
         kern_real value = 0;
         kern_side sign = side == LEFT ? KERN_LEFT : KERN_RIGHT;
@@ -384,13 +427,32 @@ static int is_open(kern_status status)
     return status == KERN_UNDECIDED || status == KERN_LIMIT;
 }
 
+/* The contacts with these options, and the verdict with them. */
+static int decide(struct analysis *a, const kern_options *options)
+{
+    kern_proof proof = { NULL, NULL };
+    a->task.options = *options;
+    if (find_contacts(a)) return -1;
+    a->task.s.contact = a->contact;
+    free_work(a);
+    if (take_memory(a)) return -1;
+    proof.force = a->force;
+    proof.motion = a->motion;
+    a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
+    return a->shown < 0 && !is_open(a->shown)
+         ? fail_blocks(a, a->shown, &a->work.fault) : 0;
+}
+
+/* What follows the verdict. */
 static int measure(struct analysis *a)
 {
-    kern_proof proof = { a->force, a->motion };
     kern_proof limit = { a->last_force, a->collapse };
-    a->verdict = kern_verdict(&a->task, shrinkage(a), &proof);
-    if (a->verdict < 0 && !is_open(a->verdict))
-        return fail_blocks(a, a->verdict, &a->work.fault);
+    const kern_options near_too = kern_near(&a->task.options,
+                                            (kern_real)mean_size(a));
+    if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
+    limit.force = a->last_force;
+    limit.motion = a->collapse;
+    show_stage(a, "  margin ...");
     a->measured = kern_measure(&a->task, &a->m, &limit);
     if (a->measured == KERN_BAD_STEP)
         return fail(a, a->set->epsilon < 0 ? a->text.epsilon_line : 0,
@@ -406,30 +468,31 @@ static int measure(struct analysis *a)
         a->deficit = status < 0 ? (double)NAN : (double)deficit;
     }
     find_limit(a);
+    show_stage(a, "  load factors ...");
     find_loads(a);
+    show_stage(a, "  profile ...");
     if (a->set->profile) find_profile(a);
     return 0;
 }
 
+/* Reads the file and finds the verdict. */
 static int analyse(struct analysis *a)
 {
     const struct settings *set = a->set;
+    kern_options options;
     if (text_load(&a->text, a->file))
         return fail(a, a->text.line, "%s", a->text.message);
     a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
     a->task.s.gravity = a->text.gravity;
-    a->task.options = a->text.options;
-    a->task.options.relative = set->relative;
-    if (set->epsilon > 0) a->task.options.epsilon = set->epsilon;
-    if (set->gap > 0) a->task.options.gap = set->gap;
-    if (!(set->mu < 0)) a->task.options.mu = set->mu;
-    if (set->limit > 0) a->task.options.limit = (int)set->limit;
-    if (set->touching)
-        a->task.options = kern_near(&a->task.options, (kern_real)mean_size(a));
-    if (find_contacts(a)) return -1;
-    a->task.s.contact = a->contact;
-    if (take_memory(a)) return -1;
-    return measure(a);
+    options = a->text.options;
+    options.relative = set->relative;
+    if (set->epsilon > 0) options.epsilon = set->epsilon;
+    if (set->gap > 0) options.gap = set->gap;
+    if (!(set->mu < 0)) options.mu = set->mu;
+    if (set->limit > 0) options.limit = (int)set->limit;
+    if (decide(a, &options)) return -1;
+    a->verdict = a->shown;
+    return 0;
 }
 
 static const char *status_word(const struct analysis *a)
@@ -450,7 +513,7 @@ enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 
 static unsigned open_questions(const struct analysis *a)
 {
-    int loaded = a->verdict == KERN_STANDS
+    int loaded = a->shown == KERN_STANDS
                  && hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0;
     int open[OPENS_MOST] = {
         a->measured < 0 || a->m.level < 0, a->measured < 0,
@@ -537,9 +600,14 @@ static void report_margin(const struct analysis *a)
         printf("none      no longer contact would hold it\n");
         return;
     }
-    printf("%-8.4g  %s every contact %s at each end", value,
-           a->set->relative ? "share of its half that" : "length",
-           falls ? "would need more" : "can lose");
+    if (!falls && !(value > 1e-9 * mean_size(a))) {
+        printf("0         critical: it stands, but with any smaller contact it "
+               "falls\n");
+        return;
+    }
+    printf("%-8.4g  %s each contact %s at both ends", value,
+           a->set->relative ? "by which share of its half" : "how far",
+           falls ? "must grow" : "can shrink");
     if (!a->set->relative)
         printf(", %.3g %% of the mean block size",
                100 * value / mean_size(a));
@@ -624,7 +692,7 @@ static void report_collapse(const struct analysis *a)
 {
     enum { GROUPS = 5, NAMES = 6 };
     const kern_motion *motion = shown_motion(a);
-    const char *head = a->verdict == KERN_FALLS ? "falls by" : "would fall";
+    const char *head = a->shown == KERN_FALLS ? "falls by" : "would fall";
     char *listed = motion ? array(a->task.s.blocks, 1) : NULL;
     char shown[TEXT_SHOW_ROOM];
     int rest = 0;
@@ -661,7 +729,7 @@ static const char *factor_text(double value, double scale, const char *unit,
 {
     if (isnan(value)) return "undecided";
     if (isinf(value)) return "any";
-    snprintf(out, 32, "%.4g%s", scale * value, unit);
+    snprintf(out, 32, "%.4g%s", fabs(value) < 1e-9 ? 0 : scale * value, unit);
     return out;
 }
 
@@ -669,12 +737,15 @@ static void report_loads(const struct analysis *a)
 {
     static const double degrees = 57.295779513082321;
     char left[32], right[32];
-    if (a->verdict != KERN_STANDS) return;
+    if (a->shown != KERN_STANDS) return;
     if (!(hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0)) return;
-    printf("  push        %s left, %s right, times the weight of every block\n",
+    printf("  load        %s left, %s right: horizontal load factor, in g\n",
            factor_text(a->load[LEFT], 1, "", left),
            factor_text(a->load[RIGHT], 1, "", right));
-    printf("  tilt        %s left, %s right\n",
+    printf("  tilt        %s left, %s right, ",
+           factor_text(a->tilt[LEFT], 1, "", left),
+           factor_text(a->tilt[RIGHT], 1, "", right));
+    printf("in rad: %s and %s\n",
            factor_text(a->tilt[LEFT], degrees, " deg", left),
            factor_text(a->tilt[RIGHT], degrees, " deg", right));
 }
@@ -682,7 +753,7 @@ static void report_loads(const struct analysis *a)
 static void report_forces(const struct analysis *a)
 {
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
-    if (a->verdict != KERN_STANDS) {
+    if (a->shown != KERN_STANDS) {
         printf("  forces      none that hold every block\n");
         return;
     }
@@ -734,7 +805,7 @@ static void report_profile(const struct analysis *a)
         return;
     }
     printf("  profile     %-10s %11s %11s %11s\n", "block", "margin",
-           "push left", "push right");
+           "load left", "load right");
     for (int i = 0; i < a->task.s.blocks; i++) {
         if (a->task.s.block[i].fixed) continue;
         printf("              %-10s %11.5f %11.5f %11.5f\n",
@@ -751,14 +822,74 @@ static void report_profile(const struct analysis *a)
            "is worse\n", expected_drop(a));
 }
 
-static void report(const struct analysis *a)
+/* Distance between two outlines that do not cross: of a corner from an edge. */
+static double gap_between(const kern_block *a, const kern_block *b)
+{
+    double least = HUGE_VAL;
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < a->vertices; i++)
+            for (int j = 0; j < b->vertices; j++) {
+                kern_vec p = a->vertex[i], q = b->vertex[j];
+                kern_vec r = b->vertex[j + 1 < b->vertices ? j + 1 : 0];
+                double ex = r.x - q.x, ey = r.y - q.y;
+                double x = p.x - q.x, y = p.y - q.y;
+                double at = (x * ex + y * ey) / (ex * ex + ey * ey);
+                at = at > 0 ? at < 1 ? at : 1 : 0;
+                least = fmin(least, hypot(x - at * ex, y - at * ey));
+            }
+        const kern_block *other = a;
+        a = b;
+        b = other;
+    }
+    return least;
+}
+
+/* What a structure that falls may lack: ground, or contacts. */
+static void report_lack(const struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    int shown = 0;
+    if (a->verdict != KERN_FALLS) return;
+    if (a->text.fixed == 0)
+        printf("  no block is fixed: name the ground with 'fixed'\n");
+    for (int i = 0; i < s->blocks && shown < 5; i++) {
+        int touches = s->block[i].fixed || a->text.given, nearest = -1;
+        double least = HUGE_VAL;
+        for (int k = 0; k < s->contacts && !touches; k++)
+            touches = s->contact[k].a == i || s->contact[k].b == i;
+        for (int j = 0; j < s->blocks && !touches; j++) {
+            double gap = j == i ? HUGE_VAL : gap_between(&s->block[i],
+                                                         &s->block[j]);
+            if (!(gap < least)) continue;
+            least = gap;
+            nearest = j;
+        }
+        if (touches || nearest < 0) continue;
+        printf("  %s touches nothing; nearest gap %.4g, to %s (--gap)\n",
+               name_of(a, i, one), least, name_of(a, nearest, two));
+        shown++;
+    }
+}
+
+/* The verdict, as soon as it is known. */
+static void report_verdict(const struct analysis *a)
 {
     printf("%s: %s", a->file, status_word(a));
     if (shrinkage(a) > 0)
         printf(" when shrunk by %.6g%s", (double)shrinkage(a),
                a->set->relative ? " of each contact" : "");
     printf("\n");
+    report_lack(a);
+    fflush(stdout);
+}
+
+static void report(const struct analysis *a)
+{
     report_structure(a);
+    if (a->set->touching)
+        printf("  near contacts count in what follows, but not in the verdict "
+               "above\n");
     report_level(a);
     report_margin(a);
     report_limit(a);
@@ -814,7 +945,7 @@ static void json_count(const char *key, int value, int exists)
 static void json_contacts(const struct analysis *a)
 {
     double none = (double)NAN;
-    int stands = a->verdict == KERN_STANDS;
+    int stands = a->shown == KERN_STANDS;
     printf(", \"contacts\": [");
     for (int k = 0; k < a->task.s.contacts; k++) {
         const kern_contact *c = &a->task.s.contact[k];
@@ -915,7 +1046,8 @@ static void json_open(unsigned open)
 /* A file with an error has the same keys as any other. */
 static void report_json(const struct analysis *a)
 {
-    int good = !a->error[0], known = good && a->measured >= 0;
+    int good = !a->error[0];
+    int known = good && !a->set->verdict_only && a->measured >= 0;
     int falls = known && a->measured == KERN_FALLS;
     int lines = good ? line_points(a) : 0;
     int proven = known || (good && a->measured == KERN_LIMIT);
@@ -930,7 +1062,9 @@ static void report_json(const struct analysis *a)
     json_count("line_contacts", lines / 2, good);
     json_count("point_contacts", a->task.s.contacts - lines, good);
     json_number("epsilon", known ? (double)a->m.epsilon : none);
-    printf(", \"relative\": %s", a->set->relative ? "true" : "false");
+    printf(", \"relative\": %s, \"near\": %s",
+           a->set->relative ? "true" : "false",
+           a->set->touching ? "true" : "false");
     json_count("level", a->m.level, known && a->m.level >= 0);
     printf(", \"saturated\": %s",
            !known ? "null" : a->m.saturated ? "true" : "false");
@@ -1003,7 +1137,9 @@ static void write_caption(const struct analysis *a, char *out, size_t room)
     int stem;
     const char *name = stem_of(a->file, &stem);
     char level[80] = "level undecided";
-    if (a->measured == KERN_FALLS)
+    if (a->set->verdict_only)
+        snprintf(level, sizeof level, "margin not asked for");
+    else if (a->measured == KERN_FALLS)
         snprintf(level, sizeof level,
                  isfinite(a->deficit) ? "level 0, deficit %.4g"
                                       : "level 0, wider contacts do not help",
@@ -1025,13 +1161,13 @@ static int draw(const struct analysis *a)
 {
     char caption[256];
     write_caption(a, caption, sizeof caption);
-    int falls = a->verdict == KERN_FALLS;
+    int falls = a->shown == KERN_FALLS;
     struct draw_scene scene = { 0 };
     scene.s = &a->task.s;
     scene.names = a->text.name;
     scene.relative = a->set->relative;
     scene.shrink = (double)shrinkage(a);
-    scene.force = a->verdict == KERN_STANDS ? a->force : NULL;
+    scene.force = a->shown == KERN_STANDS ? a->force : NULL;
     scene.motion = falls || a->set->mechanism ? shown_motion(a) : NULL;
     scene.motion_name = falls ? NULL : "collapse mechanism just past the margin";
     scene.hinges = shown_motion(a);
@@ -1088,7 +1224,16 @@ static int run_file(const struct settings *set, int number, int *shown)
     a.set = set;
     a.file = set->file[number];
     a.number = number;
-    analyse(&a);
+    a.limiting = -1;
+    a.deficit = a.load[LEFT] = a.load[RIGHT] = a.tilt[LEFT] = a.tilt[RIGHT] =
+        (double)NAN;
+    int bad = analyse(&a);
+    if (!bad && !set->json) {
+        if (IS_TERMINAL(1)) clear_progress(shown);
+        report_verdict(&a);
+    }
+    if (!bad && !set->verdict_only) measure(&a);
+    show_stage(&a, "");
     if (a.error[0] || IS_TERMINAL(1)) clear_progress(shown);
     int status = exit_status_of(&a);
     if (a.error[0]) {
@@ -1098,7 +1243,7 @@ static int run_file(const struct settings *set, int number, int *shown)
         fprintf(stderr, " %s\n", a.error);
     }
     if (set->json) report_json(&a);
-    else if (!a.error[0]) report(&a);
+    else if (!a.error[0] && !set->verdict_only) report(&a);
     if (set->svg && !a.error[0] && draw(&a)) status = EXIT_BAD;
     free_analysis(&a);
     return status;
@@ -1170,7 +1315,7 @@ static int read_option(struct settings *set, char **argv, int *i)
         { "--relative", &set->relative }, { "-r", &set->relative },
         { "--forces", &set->forces }, { "--mechanism", &set->mechanism },
         { "--profile", &set->profile }, { "--near", &set->touching },
-        { "--json", &set->json }
+        { "--json", &set->json }, { "--verdict", &set->verdict_only }
     };
     const char *word = argv[*i], *value;
     for (size_t k = 0; k < sizeof number / sizeof *number; k++)
@@ -1182,16 +1327,20 @@ static int read_option(struct settings *set, char **argv, int *i)
             *flag[k].out = 1;
             return 0;
         }
-    if (option_value(argv, i, "--svg", &set->svg))
-        return set->svg && *set->svg ? 0
-             : bad_use("a file name is missing after", "--svg");
+    if (option_value(argv, i, "--svg", &set->svg)) {
+        size_t n = set->svg ? strlen(set->svg) : 0;
+        if (n > 4 && strcmp(set->svg + n - 4, ".svg") == 0) return 0;
+        return n > 0 ? bad_use("--svg takes a name that ends in .svg, read",
+                               set->svg)
+                     : bad_use("a file name is missing after", "--svg");
+    }
     return bad_use("unknown option", word);
 }
 
 int main(int argc, char **argv)
 {
-    struct settings set = { -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, NULL, argv,
-                            0 };
+    struct settings set = { -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, NULL,
+                            argv, 0 };
     int options = 1;
     for (int i = 1; i < argc; i++) {
         const char *word = argv[i];
@@ -1199,8 +1348,10 @@ int main(int argc, char **argv)
             set.file[set.files++] = argv[i]; /* over arguments read already */
         } else if (strcmp(word, "--") == 0) {
             options = 0;
-        } else if (strcmp(word, "--help") == 0) {
-            return fputs(help, stdout) < 0 ? EXIT_BAD : EXIT_STANDS;
+        } else if (strcmp(word, "--help") == 0 ||
+                   strcmp(word, "-h") == 0) {
+            return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0
+                 ? EXIT_BAD : EXIT_STANDS;
         } else if (strcmp(word, "--version") == 0) {
             return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
         } else if (read_option(&set, argv, &i)) {

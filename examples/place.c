@@ -465,8 +465,17 @@ static int draw_margins(struct wall *w, const char *path)
 int main(int argc, char **argv)
 {
     static struct wall w;
-    int bad = open_wall(&w, argc > 2 ? argv[2] : NULL);
+    const size_t n = argc > 1 ? strlen(argv[1]) : 0;
+    int bad;
 
+    if (argc > 3 || (n > 0 && strcmp(argv[1], "-") != 0 &&
+                     (n < 5 || strcmp(argv[1] + n - 4, ".svg") != 0))) {
+        puts("usage: place [OUT.svg | - [WALL.kern]]\n"
+             "The margin of a wall over the place of one more stone.");
+        return strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0
+             ? 0 : 2;
+    }
+    bad = open_wall(&w, argc > 2 ? argv[2] : NULL);
     if (!bad) {
         try_places(&w);
         print_table(&w);

@@ -102,11 +102,14 @@ static int build_sample(const struct figures *f, int i, struct sample *s)
         build_structure(b, s->kind, s->irregularity,
                         (uint64_t)(1 + i + 1000 * tries));
         s->stones = b->stones;
-        if (build_write(b, s->path)) break;
+        if (build_write(b, s->path)) {
+            free(b);
+            return fail("cannot write, is there no such folder?", s->path);
+        }
         bad = measure_file(s->path, s->value);
     }
     free(b);
-    return bad ? fail("cannot build", s->path) : 0;
+    return bad ? fail("no structure that stands was found for", s->path) : 0;
 }
 
 static int write_labels(const struct figures *f)

@@ -460,6 +460,8 @@ static int run(struct study *y)
     bad = bad || !room || !chosen;
     if (!bad) {
         printf("%d structures\n\n", y->entries);
+        if (y->entries < 20)
+            printf("Fewer than 20: correlations mean little.\n\n");
         table_overall(y, room, chosen);
         printf("\n");
         table_by(y, 0, room, chosen);
