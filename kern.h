@@ -187,8 +187,9 @@
    that balance it, three equations at a time. Blocks that cannot do so alone
    are balanced together with those that rest on them. What cannot be balanced
    even where everything else could exert whatever is needed is a small part
-   that falls; the simplex method (>>lp) finds its motion, and the whole is its
-   problem only where no small part decides (arches, perfect brick walls).
+   that falls; the simplex method (>>lp) finds its motion. Where no small part
+   decides (arches, perfect brick walls, what slides as a whole) an
+   interior-point method (>>inner) finds forces, motion and margin together.
 
    Algorithm 1 moves the contact points inward step by step. Only the torques
    change. The margin is found from above (>>kern): no edge of the whole lies
@@ -379,6 +380,8 @@
    Livesley, Limit analysis of structures formed from rigid blocks, Int. J.
    Numer. Meth. Engng 12 (1978). Least squares with non-negative unknowns: C. L.
    Lawson and R. J. Hanson, Solving Least Squares Problems (1974), ch. 23;
+   Predictor and corrector: S. Mehrotra, On the implementation of a primal-dual
+   interior point method, SIAM J. Optim. 2 (1992).
    Newton's method on a dual of piecewise constant curvature: O. L. Mangasarian,
    A finite Newton method for classification, Optim. Methods Softw. 17 (2002).
    Bland's rule: R. G. Bland, New finite pivoting rules for the simplex method,
@@ -1123,6 +1126,10 @@ extern "C" {
 #define KERN_LEAST_MOST  KERN_R(50)
 /* Share of the largest velocity that is no approach. */
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
+#define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
+#define KERN_INNER_BEYOND  3       /* predictions beyond the end              */
+#define KERN_INNER_TRIES   6       /* and of its proofs                       */
+#define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
@@ -5494,19 +5501,18 @@ static inline void kern_model_carry(const kern_model *m, int i, int end,
 }
 
 /* Lays out what the least forces of the part need; 0 if there is no room. */
-static int kern_least_lay(kern_part *p)
+static int kern_least_lay(kern_part *p, kern_take *take)
 {
-    kern_take take = p->rest;
     const int n = 3 * p->groups + 3;
     int g, k, end = 0;
-    p->first = kern_take_ints(&take, p->groups);
-    p->offset = kern_take_ints(&take, p->groups);
-    p->u = kern_take_reals(&take, n);
-    p->step = kern_take_reals(&take, n);
-    p->left = kern_take_reals(&take, n);
-    p->b = kern_take_reals(&take, n);
-    p->way = kern_take_reals(&take, 4 * p->contacts);
-    if (!kern_take_fits(&take))
+    p->first = kern_take_ints(take, p->groups);
+    p->offset = kern_take_ints(take, p->groups);
+    p->u = kern_take_reals(take, n);
+    p->step = kern_take_reals(take, n);
+    p->left = kern_take_reals(take, n);
+    p->b = kern_take_reals(take, n);
+    p->way = kern_take_reals(take, 4 * p->contacts);
+    if (!kern_take_fits(take))
         return 0;
     for (g = 0; g < p->groups; g++)
         p->first[g] = g;
@@ -5523,8 +5529,8 @@ static int kern_least_lay(kern_part *p)
         end += 9 * width;
         p->cost += 14 * width * width;
     }
-    p->factor = kern_take_reals(&take, end);
-    return kern_take_fits(&take);
+    p->factor = kern_take_reals(take, end);
+    return kern_take_fits(take);
 }
 
 /* How v moves the contacts along n and t: to p->way from `to` on. */
@@ -5575,49 +5581,76 @@ static kern_real kern_least_left(kern_part *p, const kern_real *b,
     return value;
 }
 
-/* Adds to the factor's rows of the group at `end` and columns of that at
-   `other` what a contact's two ends have in common there. */
-static void kern_least_add(kern_part *p, int k, int end, int other,
-                           const kern_spring *s)
+static void kern_least_clear(kern_part *p)
 {
-    const int g = p->ends[2 * k + end], h = p->ends[2 * k + other];
+    const int last = p->groups - 1;
+    const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
+    int i;
+    for (i = 0; i < size; i++)
+        p->factor[i] = KERN_R(0);
+}
+
+/* Adds the 3 x 3 block a n' + b t' to the rows of group g in the columns of h;
+   of the diagonal block its lower half is enough. */
+static inline void kern_least_add(kern_part *p, int g, int h,
+                                  kern_real v[4][3], kern_real w[4][3])
+{
     const int length = 3 * (g - p->first[g] + 1);
     kern_real *to = p->factor + p->offset[g] + 3 * (h - p->first[g]);
-    kern_real n[3], t[3], on[3], ot[3];
-    int r, c;
-    kern_model_rows(p->m, p->contact[k], end, n, t);
-    kern_model_rows(p->m, p->contact[k], other, on, ot);
-    for (r = 0; r < 3; r++, to += length) {
-        const kern_real a = s->nn * n[r] + s->nt * t[r];
-        const kern_real b = s->nt * n[r] + s->tt * t[r];
-        for (c = 0; c < 3; c++)
-            to[c] += a * on[c] + b * ot[c];
+    kern_real *next = to + length, *last = next + length;
+    to[0] += v[2][0] * w[0][0] + v[3][0] * w[1][0];
+    next[0] += v[2][1] * w[0][0] + v[3][1] * w[1][0];
+    next[1] += v[2][1] * w[0][1] + v[3][1] * w[1][1];
+    last[0] += v[2][2] * w[0][0] + v[3][2] * w[1][0];
+    last[1] += v[2][2] * w[0][1] + v[3][2] * w[1][1];
+    last[2] += v[2][2] * w[0][2] + v[3][2] * w[1][2];
+    if (g == h)
+        return;
+    to[1] += v[2][0] * w[0][1] + v[3][0] * w[1][1];
+    to[2] += v[2][0] * w[0][2] + v[3][0] * w[1][2];
+    next[2] += v[2][1] * w[0][2] + v[3][1] * w[1][2];
+}
+
+/* Adds what the spring of contact k makes of the motions of its groups. Of an
+   end these are n, t, and what the spring makes of them. */
+static void kern_least_spring(kern_part *p, int k, const kern_spring *s)
+{
+    const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+    kern_real v[2][4][3];
+    int end, r;
+    for (end = 0; end < 2; end++) {
+        kern_model_rows(p->m, p->contact[k], end, v[end][0], v[end][1]);
+        for (r = 0; r < 3; r++) {
+            const kern_real n = v[end][0][r], u = v[end][1][r];
+            v[end][2][r] = s->nn * n + s->nt * u;
+            v[end][3][r] = s->nt * n + s->tt * u;
+        }
+    }
+    if (h < p->groups)
+        kern_least_add(p, h, h, v[0], v[0]);
+    if (t < p->groups)
+        kern_least_add(p, t, t, v[1], v[1]);
+    if (h < p->groups && t < p->groups) {
+        if (h > t)
+            kern_least_add(p, h, t, v[0], v[1]);
+        else
+            kern_least_add(p, t, h, v[1], v[0]);
     }
 }
 
 /* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
 static void kern_least_matrix(kern_part *p, int contacts, int all)
 {
-    const int last = p->groups - 1;
-    const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
     kern_real trace = KERN_R(0);
     int i, k, g;
-    for (i = 0; i < size; i++)
-        p->factor[i] = KERN_R(0);
+    kern_least_clear(p);
     for (k = 0; k < contacts; k++) {
-        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_spring_of(
             all ? KERN_R(1) : w[0], all ? KERN_R(0) : w[1],
             p->m->s->contact[p->contact[k]].mu);
-        if (!(s.nn > 0))
-            continue;
-        if (h < p->groups)
-            kern_least_add(p, k, 0, 0, &s);
-        if (t < p->groups)
-            kern_least_add(p, k, 1, 1, &s);
-        if (h < p->groups && t < p->groups)
-            kern_least_add(p, k, h > t ? 0 : 1, h > t ? 1 : 0, &s);
+        if (s.nn > 0)
+            kern_least_spring(p, k, &s);
     }
     for (i = 0; i < 2; i++) /* first its mean, then a share of it */
         for (g = 0; g < p->groups; g++) {
@@ -5656,9 +5689,8 @@ static kern_real *kern_least_row(const kern_part *p, int i, int *from)
     return p->factor + p->offset[g] + (i - 3 * g) * length;
 }
 
-/* Cholesky's L of the matrix where it stands, then p->step := its solution of
-   p->left. */
-static void kern_least_solve(kern_part *p)
+/* Cholesky's L of the matrix where it stands. */
+static void kern_least_factor(kern_part *p)
 {
     const int n = 3 * p->groups;
     int i, j, fi, fj;
@@ -5676,16 +5708,22 @@ static void kern_least_solve(kern_part *p)
         row[i - fi] = KERN_SQRT(kern_max(d, KERN_EPS * KERN_EPS
                                             + KERN_EPS * row[i - fi]));
     }
-    for (i = 0; i < n; i++) {
-        const kern_real *row = kern_least_row(p, i, &fi);
-        p->step[i] = (p->left[i] - kern_dot(row, p->step + fi, i - fi))
-                     / row[i - fi];
+}
+
+/* out := what the matrix makes of it is b. */
+static void kern_least_solve(const kern_part *p, const kern_real *b,
+                             kern_real *out)
+{
+    int i, j, from;
+    for (i = 0; i < 3 * p->groups; i++) {
+        const kern_real *row = kern_least_row(p, i, &from);
+        out[i] = (b[i] - kern_dot(row, out + from, i - from)) / row[i - from];
     }
-    for (i = n - 1; i >= 0; i--) {
-        const kern_real *row = kern_least_row(p, i, &fi);
-        p->step[i] /= row[i - fi];
-        for (j = fi; j < i; j++)
-            p->step[j] -= p->step[i] * row[j - fi];
+    for (i = 3 * p->groups - 1; i >= 0; i--) {
+        const kern_real *row = kern_least_row(p, i, &from);
+        out[i] /= row[i - from];
+        for (j = from; j < i; j++)
+            out[j] -= out[i] * row[j - from];
     }
 }
 
@@ -5764,7 +5802,8 @@ static kern_status kern_least_find(kern_part *p, const kern_real *b,
         if (!kern_model_spend(p->m, 1 + p->cost / 300))
             return KERN_LIMIT;
         kern_least_matrix(p, contacts, round == 0);
-        kern_least_solve(p);
+        kern_least_factor(p);
+        kern_least_solve(p, p->left, p->step);
         kern_least_ways(p, p->step, contacts, 2);
         *budget -= p->cost;
         share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
@@ -6100,9 +6139,10 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
     int groups = kern_pour_mark(m, last, 0), levels;
     for (levels = 1; ; levels *= 2) {
         kern_status status = KERN_NO_SPACE;
-        int added;
-        if (kern_part_open(p, m, groups, last) && kern_least_lay(p)
-            && p->cost <= *budget)
+        kern_take take;
+        int added, open = kern_part_open(p, m, groups, last);
+        take = p->rest;
+        if (open && kern_least_lay(p, &take) && p->cost <= *budget)
             status = failed && groups == 1
                      ? p->own < p->contacts ? KERN_UNDECIDED : KERN_FALLS
                      : kern_pour_part(p, budget);
@@ -6704,7 +6744,20 @@ static kern_real kern_shrink_reach(const kern_model *m, kern_real shrink)
     return reach;
 }
 
-/* y.rhs' where a load grows or gravity turns. */
+/* How the wrench on block i changes along a path on which a load grows or
+   gravity turns. */
+static void kern_path_rate(const kern_path *path, const kern_model *m,
+                           const kern_question *q, kern_real s, int i,
+                           kern_wrench *w)
+{
+    if (path->kind == KERN_PATH_LOAD)
+        kern_pattern_on(m->s, q, i, w);
+    else
+        kern_weigh(kern_vec_turn(q->gravity),
+                   4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), w);
+}
+
+/* y.rhs' there. */
 static kern_real kern_load_rate(const kern_path *path,
                                 const kern_question *q, kern_real s)
 {
@@ -6713,15 +6766,10 @@ static kern_real kern_load_rate(const kern_path *path,
     kern_real sum = KERN_R(0);
     int n;
     for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n], i = m->block[g];
-        const kern_block *b = m->s->block + i;
+        const int g = p->group[n];
         const kern_real *y = p->y + 3 * n;
         kern_wrench w;
-        if (path->kind == KERN_PATH_LOAD)
-            kern_pattern_on(m->s, q, i, &w);
-        else
-            kern_weigh(kern_vec_turn(q->gravity), 4 / (1 + s * s) * b->mass
-                                                  * KERN_R(q->side), &w);
+        kern_path_rate(path, m, q, s, m->block[g], &w);
         sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[g])
                / m->weight;
     }
@@ -6969,6 +7017,482 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
     return 1;
 }
 
+/* ---- Interior point -------------------------------------------- >>inner */
+/* The first place on a path where a large part falls, in some ten
+   factorisations. The place s is a variable of the program
+
+       max s,  A(s) x = b(s),  x >= 0,
+
+   which is linear in x and s together where a load grows, and nearly so where
+   kerns shrink or gravity turns. With g the derivative of A(s) x - b(s) along
+   the path it is at its end where
+
+       A x = b,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
+
+   y is the mechanism, and b.y the place where it falls less s. A primal-dual
+   interior-point method follows x z = mu > 0 to mu = 0. A step is Newton's,
+
+       M dy - g ds = A x~ - A x + b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
+
+   with x~ the forces that mu asks for. M has the pattern of the least forces
+   of the part and is factored as theirs is. Each step is solved twice with one
+   factor: mu and what is not linear are corrected by what the first solution,
+   with mu = 0, predicts. */
+
+typedef struct kern_inner {
+    kern_part *p;             /* all groups; its u is y                       */
+    const kern_path *path;
+    kern_real s;              /* the place                                    */
+    kern_real low, high;      /* it stays between these                       */
+    kern_real ahead;          /* where the prediction sees the edge           */
+    kern_real at;             /* the place of the matrix where that is held,
+                                 else s                                       */
+    int held;                 /* nonzero: matrix and g stay, s is linear      */
+    kern_real gap;            /* sum of x z: how far s can be from the edge   */
+    kern_real least;          /* gap that is small enough                     */
+    kern_real *x, *z;         /* of a ray: force and closing, both > 0        */
+    kern_real *dx, *dz;       /* their steps; before, dx is x~ - D A'y        */
+    kern_real *over;          /* of a row: A x - b                            */
+    kern_real *g;             /* of a row                                     */
+    kern_real *gain;          /* M^-1 g                                       */
+} kern_inner;
+
+/* out := A'v, two rays a contact */
+static void kern_inner_ways(const kern_part *p, const kern_real *v,
+                            kern_real *out)
+{
+    int k;
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real *h = v + 3 * p->ends[2 * k];
+        const kern_real *t = v + 3 * p->ends[2 * k + 1];
+        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
+        const kern_contact *c = p->m->s->contact + p->contact[k];
+        const kern_real x = h[0] - t[0], y = h[1] - t[1];
+        const kern_real wn = c->n.x * x + c->n.y * y + arm[0] * h[2]
+                             + arm[2] * t[2];
+        const kern_real wt = c->mu * (c->n.x * y - c->n.y * x + arm[1] * h[2]
+                                      + arm[3] * t[2]);
+        out[2 * k] = wn + wt;
+        out[2 * k + 1] = wn - wt;
+    }
+}
+
+/* out += A x */
+static void kern_inner_carry(const kern_part *p, const kern_real *x,
+                             kern_real *out)
+{
+    int k, end;
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
+        const kern_real f = x[2 * k] + x[2 * k + 1];
+        const kern_real r = p->m->s->contact[i].mu * (x[2 * k] - x[2 * k + 1]);
+        for (end = 0; end < 2; end++)
+            if (p->ends[2 * k + end] < p->groups)
+                kern_model_carry(p->m, i, end, -f, -r,
+                                 out + 3 * p->ends[2 * k + end]);
+    }
+}
+
+/* out += share times what the shrinking of kerns makes of forces x */
+static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
+                              kern_real share, kern_real *out)
+{
+    const kern_part *p = in->p;
+    const kern_model *m = p->m;
+    int k;
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
+        const kern_real f = share * (x[2 * k] + x[2 * k + 1]);
+        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+        kern_real rate;
+        kern_shift(kern_travel(m->s->contact + i, m->mean), in->s,
+                   m->relative, &rate);
+        if (h < p->groups) /* t x (f n + r t) = -f */
+            out[3 * h + 2] -= rate * f * m->unit[m->ends[2 * i]];
+        if (t < p->groups)
+            out[3 * t + 2] += rate * f * m->unit[m->ends[2 * i + 1]];
+    }
+}
+
+/* The derivative of A(s) x - b(s) along the path, to in->g. */
+static void kern_inner_rate(kern_inner *in)
+{
+    const kern_question q = kern_path_at(in->path, in->s);
+    const kern_part *p = in->p;
+    const kern_model *m = p->m;
+    const int shrink = in->path->kind == KERN_PATH_SHRINK;
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        kern_wrench w;
+        w.fx = w.fy = w.torque = KERN_R(0);
+        if (!shrink)
+            kern_path_rate(in->path, m, &q, in->s, m->block[p->group[n]], &w);
+        in->g[3 * n] = w.fx / m->weight;
+        in->g[3 * n + 1] = w.fy / m->weight;
+        in->g[3 * n + 2] = w.torque * m->unit[p->group[n]] / m->weight;
+    }
+    if (shrink)
+        kern_inner_shrink(in, in->x, KERN_R(1), in->g);
+}
+
+/* The matrix and the loads at a place. */
+static void kern_inner_place(kern_inner *in, kern_real place)
+{
+    kern_part *p = in->p;
+    kern_model *m = p->m;
+    const kern_question q = kern_path_at(in->path, place);
+    int n, k;
+    in->at = place;
+    for (n = 0; n < p->groups; n++) {
+        kern_model_unit(m, &q, p->group[n]);
+        kern_model_load(m, &q, p->group[n]);
+        kern_model_scale(m, p->group[n]);
+    }
+    for (k = 0; k < p->contacts; k++)
+        kern_model_arm(m, &q, p->contact[k],
+                       m->arm + 4 * (size_t)p->contact[k]);
+}
+
+/* A(s) x - b(s), and unless they are held the matrix and g. */
+static void kern_inner_set(kern_inner *in)
+{
+    kern_part *p = in->p;
+    int n, j;
+    if (!in->held) {
+        kern_inner_place(in, in->s);
+        kern_inner_rate(in);
+    }
+    for (n = 0; n < p->groups; n++)
+        for (j = 0; j < 3; j++)
+            in->over[3 * n + j] = (in->s - in->at) * in->g[3 * n + j]
+                                  - p->m->load[3 * p->group[n] + j];
+    kern_inner_carry(p, in->x, in->over);
+}
+
+/* M's factor, and M^-1 g; with D = 1 if `even`. */
+static void kern_inner_factor(kern_inner *in, int even)
+{
+    kern_part *p = in->p;
+    int k;
+    kern_least_clear(p);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real mu = p->m->s->contact[p->contact[k]].mu;
+        const kern_real plus = even ? KERN_R(1) : in->x[2 * k] / in->z[2 * k];
+        const kern_real minus = even ? KERN_R(1)
+            : in->x[2 * k + 1] / in->z[2 * k + 1];
+        kern_spring s;
+        s.f = s.r = KERN_R(0);
+        s.nn = plus + minus;
+        s.nt = mu * (plus - minus);
+        s.tt = mu * mu * s.nn;
+        kern_least_spring(p, k, &s);
+    }
+    kern_least_factor(p);
+    kern_least_solve(p, in->g, in->gain);
+    p->m->work->pivots++;
+}
+
+/* How much of a step keeps v above 0; at most all of it. */
+static kern_real kern_inner_share(const kern_real *v, const kern_real *step,
+                                  int n)
+{
+    kern_real share = KERN_R(1);
+    int i;
+    for (i = 0; i < n; i++)
+        if (v[i] < -share * step[i])
+            share = v[i] / -step[i];
+    return share;
+}
+
+/* Solves for dy = p->step, dx, and dz; returns ds. p->left has A x - b, dx has
+   x~ - D A'y, p->way has A'y. */
+static kern_real kern_inner_step(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real *turn = p->way + rays, ds;
+    int i;
+    kern_inner_carry(p, in->dx, p->left);
+    kern_least_solve(p, p->left, p->step);
+    ds = (1 - kern_dot(in->g, p->u, n) - kern_dot(in->g, p->step, n))
+         / kern_dot(in->g, in->gain, n);
+    if (in->held) /* s does not pass the place */
+        ds = kern_min(ds, in->at - in->s);
+    for (i = 0; i < n; i++)
+        p->step[i] += ds * in->gain[i];
+    kern_inner_ways(p, p->step, turn);
+    for (i = 0; i < rays; i++) {
+        in->dx[i] -= in->x[i] / in->z[i] * turn[i];
+        in->dz[i] = p->way[i] + turn[i] - in->z[i];
+    }
+    return ds;
+}
+
+/* Goes along the steps as far as x, z > 0 let it. Where the matrix is held s
+   does not pass its place. Else it goes only so far that A x comes nearer to b,
+   or stays as near as the gap wants it. */
+static void kern_inner_move(kern_inner *in, kern_real ds)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    const kern_real most = kern_max(KERN_R(0.7) * kern_largest(in->over, n),
+                                    in->gap * kern_largest(in->g, n));
+    const kern_real from = in->s;
+    kern_real of_x = KERN_INNER_SHARE
+                     * kern_inner_share(in->x, in->dx, rays);
+    kern_real of_z = KERN_INNER_SHARE
+                     * kern_inner_share(in->z, in->dz, rays);
+    int i, tries;
+    for (i = 0; i < rays; i++)
+        in->x[i] += of_x * in->dx[i];
+    for (tries = 0; ; tries++) {
+        in->s = from + of_x * ds;
+        if (!in->held)
+            in->s = kern_max(kern_min(in->s, (from + in->high) / 2),
+                             in->low + (from - in->low) / 10);
+        kern_inner_set(in);
+        if (in->held || tries == KERN_INNER_TRIES
+            || kern_largest(in->over, n) <= most)
+            break;
+        of_x /= 2;
+        of_z /= 2;
+        for (i = 0; i < rays; i++)
+            in->x[i] -= of_x * in->dx[i];
+    }
+    for (i = 0; i < rays; i++)
+        in->z[i] += of_z * in->dz[i];
+    for (i = 0; i < n; i++)
+        p->u[i] += of_z * p->step[i];
+    in->gap = kern_dot(in->x, in->z, rays);
+}
+
+/* One step of the method; 0 if the call has no more work for it. */
+static int kern_inner_advance(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    const int shrink = in->path->kind == KERN_PATH_SHRINK && !in->held;
+    kern_real of_x, of_z, ds, left = KERN_R(0), mu;
+    int i;
+    if (!kern_model_spend(p->m, 1 + p->cost / 150))
+        return 0;
+    kern_inner_factor(in, 0);
+    kern_inner_ways(p, p->u, p->way);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = -in->x[i] / in->z[i] * p->way[i];
+    for (i = 0; i < n; i++)
+        p->left[i] = in->over[i];
+    ds = kern_inner_step(in);
+    in->ahead = in->s + ds;
+    of_x = kern_inner_share(in->x, in->dx, rays);
+    of_z = kern_inner_share(in->z, in->dz, rays);
+    for (i = 0; i < rays; i++)
+        left += (in->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
+    left /= in->gap;
+    mu = kern_max(in->gap * left * left * left, kern_max(in->least / 2,
+        kern_largest(in->over, n) / kern_largest(in->g, n)));
+    mu = kern_min(mu, in->gap) / KERN_R(rays);
+    for (i = 0; i < n; i++)
+        p->left[i] = in->over[i];
+    if (shrink)
+        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->left);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->way[i])
+                    / in->z[i];
+    ds = kern_inner_step(in);
+    kern_inner_move(in, ds);
+    return 1;
+}
+
+/* v += what lifts its least entry to half of what it is below 0, and a little
+   of the largest */
+static void kern_inner_lift(kern_real *v, int n)
+{
+    kern_real lift = KERN_R(0);
+    int i;
+    for (i = 0; i < n; i++)
+        lift = kern_max(lift, KERN_R(-1.5) * v[i]);
+    lift += KERN_R(1e-3) * kern_largest(v, n);
+    for (i = 0; i < n; i++)
+        v[i] += lift;
+}
+
+/* Where the method begins: least forces of both signs, and least motions,
+   lifted above 0. Returns 0 where nothing depends on the place. */
+static int kern_inner_begin(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real power, x = KERN_R(0), z = KERN_R(0);
+    int i;
+    for (i = 0; i < n + 3; i++)
+        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = KERN_R(0);
+    for (i = 0; i < rays; i++)
+        in->x[i] = KERN_R(0);
+    kern_inner_set(in);
+    kern_inner_factor(in, 1);
+    for (i = 0; i < n; i++)
+        p->left[i] = -in->over[i];
+    kern_least_solve(p, p->left, p->u);
+    kern_inner_ways(p, p->u, in->x);
+    kern_inner_lift(in->x, rays);
+    kern_inner_set(in);
+    kern_least_solve(p, in->g, in->gain);
+    power = kern_dot(in->g, in->gain, n);
+    if (!(power > 0))
+        return 0;
+    for (i = 0; i < n; i++)
+        p->u[i] = in->gain[i] / power;
+    kern_inner_ways(p, p->u, in->z);
+    kern_inner_lift(in->z, rays);
+    in->gap = kern_dot(in->x, in->z, rays);
+    for (i = 0; i < rays; i++) {
+        x += in->x[i];
+        z += in->z[i];
+    }
+    for (i = 0; i < rays; i++) {
+        in->x[i] += in->gap / z / 2;
+        in->z[i] += in->gap / x / 2;
+    }
+    kern_inner_set(in);
+    in->gap = kern_dot(in->x, in->z, rays);
+    return 1;
+}
+
+/* Opens all groups for a search from path->holds on; 0 if there is no room, or
+   nothing to search. */
+static int kern_inner_open(kern_inner *in, kern_model *m,
+                           const kern_path *path)
+{
+    const kern_question q = kern_path_at(path, path->holds);
+    kern_part *p = path->part;
+    int g, rays;
+    if (m->plain)
+        kern_model_touch(m);
+    m->plain = 0;
+    kern_model_set(m, &q);
+    for (g = 0; g < m->groups; g++)
+        m->local[g] = 0;
+    if (!kern_part_open(p, m, m->groups, m->groups - 1) || p->contacts == 0
+        || !kern_least_lay(p, &p->rest))
+        return 0;
+    rays = 2 * p->contacts;
+    in->p = p;
+    in->path = path;
+    in->x = kern_take_reals(&p->rest, rays);
+    in->z = kern_take_reals(&p->rest, rays);
+    in->dx = kern_take_reals(&p->rest, rays);
+    in->dz = kern_take_reals(&p->rest, rays);
+    in->g = kern_take_reals(&p->rest, 3 * p->groups);
+    in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
+    in->over = p->b;
+    in->held = 0;
+    in->s = path->holds;
+    in->low = path->holds - KERN_R(0.1) * path->unit;
+    in->least = path->tolerance * KERN_R(0.45);
+    return kern_take_fits(&p->rest) && kern_inner_begin(in);
+}
+
+/* Whether the forces are a proof that it stands at s. */
+static int kern_inner_holds(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const kern_question q = kern_path_at(in->path, in->s);
+    kern_real error;
+    p->x = in->x;
+    kern_part_forces(p);
+    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum);
+    if (error <= 1)
+        p->m->work->error = kern_max(p->m->work->error, error);
+    return error <= 1;
+}
+
+/* Whether the motion is a proof that it falls at the place of the matrix. */
+static int kern_inner_falls(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const kern_question q = kern_path_at(in->path, in->at);
+    kern_real error;
+    p->y = p->u;
+    kern_part_motion(p);
+    error = kern_prove_motion(p->m->s, &q, p->m->motion);
+    if (error <= 1)
+        p->m->work->error = kern_max(p->m->work->error, error);
+    return error <= 1;
+}
+
+/* The verdict at a place, which is held from now on. */
+static kern_status kern_inner_verdict(kern_inner *in, kern_real place)
+{
+    int round;
+    kern_inner_place(in, place);
+    in->held = 1;
+    kern_inner_set(in);
+    for (round = 0; round < KERN_INNER_ROUNDS; round++) {
+        if (!kern_inner_advance(in))
+            return KERN_LIMIT;
+        if (in->s >= place ? kern_inner_holds(in) : kern_inner_falls(in))
+            return in->s >= place ? KERN_STANDS : KERN_FALLS;
+    }
+    return KERN_UNDECIDED;
+}
+
+/* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
+   where it is not found. It is known to lie before `high`. Where it is seen
+   beyond that again and again it is asked at `last`: if it stands there the
+   search is over. */
+static kern_status kern_inner_search(kern_model *m, kern_path *path,
+                                     kern_real last, kern_real high)
+{
+    const kern_real same = 4 * path->unit * KERN_SAME_EDGE;
+    kern_inner in;
+    kern_real edge, holds;
+    int round, beyond = 0;
+    if (m->from > 0 || !kern_inner_open(&in, m, path))
+        return KERN_UNDECIDED;
+    in.high = high;
+    for (round = 0; !(in.gap <= in.least) && beyond < KERN_INNER_BEYOND;
+         round++) {
+        if (round == KERN_INNER_ROUNDS || !(in.gap <= KERN_HUGE)
+            || !kern_inner_advance(&in))
+            return KERN_UNDECIDED;
+        beyond = in.ahead > high ? beyond + 1 : 0;
+    }
+    if (beyond == KERN_INNER_BEYOND) {
+        if (kern_inner_verdict(&in, last) != KERN_STANDS)
+            return KERN_UNDECIDED;
+        kern_path_note(m, path, KERN_STANDS, last);
+        path->holds = last;
+        path->never = high >= path->end;
+        if (path->never)
+            path->fails = high;
+        path->edge = path->never ? high : kern_max(path->edge, last);
+        return KERN_STANDS;
+    }
+    for (round = 0; !kern_inner_holds(&in); round++)
+        if (round == KERN_INNER_TRIES || !kern_inner_advance(&in))
+            return KERN_UNDECIDED;
+    if (in.s < path->start)
+        return KERN_UNDECIDED;
+    kern_path_note(m, path, KERN_STANDS, in.s);
+    holds = in.s;
+    edge = kern_min(kern_max(in.ahead, holds), holds + in.gap);
+    if (kern_inner_verdict(&in, kern_min(edge + in.least, path->end))
+        != KERN_FALLS)
+        return KERN_UNDECIDED;
+    kern_path_note(m, path, KERN_FALLS, in.at);
+    for (round = 0; round < KERN_INNER_TRIES
+                    && kern_abs(in.ahead - edge) > same; round++) {
+        edge = in.ahead;
+        if (!kern_inner_advance(&in))
+            break;
+    }
+    path->holds = holds;
+    path->fails = in.at;
+    path->edge = kern_min(kern_max(in.ahead, holds), in.at);
+    return KERN_STANDS;
+}
+
 /* As kern_path_search(), by the linear program of the whole. Where a part fell,
    or something is known, it begins at `at`, where that stands. Else, or if it
    is not decided there, it climbs from path->holds. */
@@ -6981,8 +7505,11 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
                               || m->groups <= KERN_PLAIN_SMALL);
     const int seeded = !fell && path->seed && path->seed->fails > at;
     const int closed = fell && path->closed;
-    kern_status status = m->plain ? KERN_STANDS
-                                  : kern_model_plain(m, path->part, &q);
+    kern_status status = kern_inner_search(m, path, closed ? at : path->end,
+                                           closed ? path->fails : path->end);
+    if (status == KERN_STANDS)
+        return status;
+    status = kern_model_plain(m, path->part, &q);
     if (status != KERN_STANDS)
         return status;
     if (at > holds && (near || seeded)) {

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xdc3a26a946826bd6u },
-    { 1000, 0x5cbf148fc5a3d1d5u },
-    { 5000, 0x4797fa4e2bbc3a53u },
+    { 200, 0x65244a0b82117be1u },
+    { 1000, 0x16a9ff9012e2aa9bu },
+    { 5000, 0x186ca2d9d124a3c9u },
 #else
-    { 200, 0xb5464731c19724a5u },
-    { 1000, 0xac36327b90a80944u },
-    { 5000, 0xe6b87e8c7bbdacb7u },
+    { 200, 0x5e80d5a4c203fcaau },
+    { 1000, 0xe4d31e97ed3b6cb5u },
+    { 5000, 0x1d8e4bde2c03b874u },
 #endif
 };
 
