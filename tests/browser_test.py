@@ -172,7 +172,7 @@ def same(wall, home, state):
     m = said.measure()
     assert (m.stands, m.margin, m.level) == (
         state["stands"], state["margin"], state["level"]), (m, state)
-    if m.stands:
+    if state["loads"]:  # left out where a machine is too slow for them
         assert state["loads"] == [said.load_factor(side)
                                   for side in (kern.LEFT, kern.RIGHT)], state
     return "stands" if m.stands else "falls"
@@ -308,7 +308,12 @@ def shots(browser, folder):
     browser.ask("choose(30), press('Home')")
     list(drag(browser, 27, [(20, 30)]))
     browser.shot(folder / "overlap.png")
-    for name in ("arch", "irregular-wall"):
+    browser.ask("choose(27), press('Home')")
+    browser.ask("$('shrink').value = 0.7, change()")
+    browser.frame()
+    browser.shot(folder / "shrunk.png")
+    (folder / "saved.svg").write_text(browser.ask("pictureText()"))
+    for name in ("arch", "falls", "irregular-wall"):
         browser.ask("show(texts.get('%s'), '%s')" % (name, name))
         browser.frame()
         browser.shot(folder / (name + ".png"))

@@ -52,4 +52,5 @@ done >"$out/native" 2>&1
 node "$out/run.js" "$out/golden.wasm" 6 >"$out/wasm"
 for run in wasm native; do
     sed -n 's/^seconds //p' "$out/$run" | sort -n | head -n 1
-done | paste -sd ' ' | awk '{ printf "200 structures: %.3f s of CPU, native %.3f s: %.2f times\n", $1, $2, $1 / $2 }'
+done | paste -sd ' ' | awk '{ printf "200 structures: %.3f s of CPU, ", $1
+    printf "native %.3f s: %.2f times\n", $2, $1 / $2 }'

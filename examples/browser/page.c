@@ -14,7 +14,8 @@
 
 #define PAGE(name) __attribute__((export_name(#name)))
 
-enum { BLOCKS = 400, CONTACTS = 6000, VERTICES = 40000 };
+enum { BLOCKS = 400, CONTACTS = 6000, VERTICES = 40000,
+       LIMIT = 1000000 }; /* units of work, before a page seems to hang */
 
 /* Exported by build.sh: the page finds them by name. */
 kern_vec vertex[VERTICES];     /* of all blocks, written by the page         */
@@ -65,6 +66,7 @@ PAGE(options) void page_options(double mu, double gap, double angle,
     task.options.gap = gap;
     task.options.angle = angle;
     task.options.epsilon = epsilon;
+    task.options.limit = LIMIT;
 }
 
 static void put_centre(int i)

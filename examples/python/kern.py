@@ -1,6 +1,7 @@
 """kern.h for Python: how safely does a dry-stacked structure stand?
 
-    >>> ground = Block("ground", [(-5, -1), (5, -1), (5, 0), (-5, 0)], fixed=True)
+    >>> ground = Block("ground", [(-5, -1), (5, -1), (5, 0), (-5, 0)],
+    ...                fixed=True)
     >>> stone = Block("stone", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2400)
     >>> wall = Structure([ground, stone])
     >>> wall.measure()
@@ -30,7 +31,8 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-from ctypes import POINTER, addressof, byref, c_char_p, c_double, c_int, c_void_p
+from ctypes import (POINTER, addressof, byref, c_char_p, c_double, c_int,
+                    c_void_p)
 from dataclasses import dataclass, field, replace
 from typing import Any, Iterable, List, NamedTuple, Optional, Sequence, Tuple
 from typing import Union
@@ -246,7 +248,8 @@ def _load() -> ctypes.CDLL:
     try:
         entries = c_int.in_dll(lib, "kern_py_layouts").value
     except ValueError:
-        raise ImportError("%s was not built by kern.py --build" % path) from None
+        raise ImportError("%s was not built by kern.py --build"
+                          % path) from None
     table = list((c_int * entries).in_dll(lib, "kern_py_layout"))
     for name, mirror in _LAYOUTS.items():
         want = [ctypes.sizeof(mirror)]
@@ -301,10 +304,16 @@ _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p)
 
-_words = _declare("kern_py_statuses", c_char_p)().decode().split()
-Status = enum.IntEnum("Status", {  # type: ignore
-    name.replace("KERN_", "", 1): int(value)
-    for name, value in zip(_words[::2], _words[1::2])})
+
+
+def _statuses() -> Any:
+    words = _declare("kern_py_statuses", c_char_p)().decode().split()
+    return enum.IntEnum("Status", {  # type: ignore
+        name.replace("KERN_", "", 1): int(value)
+        for name, value in zip(words[::2], words[1::2])})
+
+
+Status = _statuses()  # OK, STANDS, FALLS, ... as in kern.h
 _STANDS, _FALLS = int(Status.STANDS), int(Status.FALLS)
 
 
@@ -359,14 +368,14 @@ def _view(array: Any, columns: int) -> Any:
     return memoryview(array).cast("B").cast("d", (rows, columns))
 
 
-def _numbers(values: Iterable[float]) -> Any:
+def _numbers(values: Any) -> Any:
     """Numbers, or rows of them, as a ctypes array of doubles."""
     flat: List[float] = []
     for value in values.tolist() if hasattr(values, "tolist") else values:
         if isinstance(value, (int, float)):
             flat.append(value)
         else:
-            flat.extend(value)  # type: ignore
+            flat.extend(value)
     return (c_double * len(flat))(*flat)
 
 
@@ -417,9 +426,9 @@ class Block:
     vertices becomes an (n, 2) array: of numpy, or a memoryview, which also has
     [i, j], shape and tolist(). A numpy array of float64 in C order is not
     copied: what is written there later counts at the next update(). mass and
-    centre None: those of a homogeneous polygon of this density; a centre that is
-    given stays where it is unless move() moves it. load: force and torque (fx,
-    fy, torque) that act at the centre besides the weight.
+    centre None: those of a homogeneous polygon of this density; a centre that
+    is given stays where it is unless move() moves it. load: force and torque
+    (fx, fy, torque) that act at the centre besides the weight.
 
     >>> b = Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2)
     >>> b.body()
@@ -882,16 +891,18 @@ class Plan(Structure):
 
     def _grow(self, blocks: int, contacts: int) -> None:
         """Moves the plan to arrays for so many."""
-        old = self._plan.task.s if self.blocks else None
-        held = (self._block, self._contact) if old else ()
+        old: Any = self._plan.task.s if self.blocks else None
+        held = (self._block, self._contact) if old else None
         self._allocate(blocks, contacts)
-        self._memory = (c_double * (3 * blocks))(), (c_double * (2 * contacts))()
-        self._plan = _plan_of(self._block, blocks, self._contact, contacts,
-                              _known_of(*self._memory), byref(self._work))
+        self._motion = (c_double * (3 * blocks))()
+        self._force = (c_double * (2 * contacts))()
+        self._plan: Any = _plan_of(self._block, blocks, self._contact, contacts,
+                              _known_of(self._motion, self._force),
+                              byref(self._work))
         self._task = self._plan.task
         self._task.options = self.options._c()
         self._task.s.gravity = _Vec(*self.gravity)
-        if old:
+        if held:
             self._block[:old.blocks] = held[0][:old.blocks]
             self._contact[:old.contacts] = held[1][:old.contacts]
             self._task.s.blocks = old.blocks
@@ -953,7 +964,8 @@ def parse(text: Union[str, bytes], name: str = "structure") -> Structure:
     >>> parse("friction much")
     Traceback (most recent call last):
         ...
-    ValueError: structure:1: friction: a number not below zero is expected, read 'much'
+    ValueError: structure:1: friction: a number not below zero is expected, \
+read 'much'
     """
     data, t = text.encode() if isinstance(text, str) else text, _Text()
     try:
@@ -964,9 +976,9 @@ def parse(text: Union[str, bytes], name: str = "structure") -> Structure:
         for i in range(t.blocks):
             c = t.block[i]
             points = (_Vec * c.vertices).from_address(c.vertex)
-            block = Block(
-                t.name[i].decode(errors="replace"), [(p.x, p.y) for p in points],
-                fixed=bool(c.fixed), load=(c.load.fx, c.load.fy, c.load.torque))
+            block = Block(t.name[i].decode(errors="replace"),
+                          [(p.x, p.y) for p in points], fixed=bool(c.fixed),
+                          load=(c.load.fx, c.load.fy, c.load.torque))
             own, centre = block.body(), (c.centre.x, c.centre.y)
             if own.mass != c.mass and not block.fixed:
                 block.mass = c.mass
