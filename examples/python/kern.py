@@ -146,14 +146,6 @@ class _Text(ctypes.Structure):
                 ("text", c_void_p), ("vertex", c_void_p)]
 
 
-class _Scene(ctypes.Structure):
-    _fields_ = [("s", c_void_p), ("names", c_void_p), ("relative", c_int),
-                ("shrink", c_double), ("force", c_void_p),
-                ("motion", c_void_p), ("limiting", c_int),
-                ("value", c_void_p), ("most", c_double),
-                ("value_name", c_char_p), ("caption", c_char_p)]
-
-
 _LAYOUTS = {
     "kern_vec": _Vec, "kern_box": _Box, "kern_fault": _Fault,
     "kern_wrench": _Wrench, "kern_block": _Block, "kern_contact": _Contact,
@@ -161,7 +153,7 @@ _LAYOUTS = {
     "kern_force": _Force, "kern_motion": _Motion, "kern_proof": _Proof,
     "kern_margin": _Margin, "kern_collapse": _Collapse, "kern_work": _Work,
     "kern_known": _Known, "kern_task": _Task, "kern_plan": _Plan,
-    "kern_lp": _Lp, "struct text_file": _Text, "struct draw_scene": _Scene,
+    "kern_lp": _Lp, "struct text_file": _Text,
 }
 
 # ---- The library ------------------------------------------------------------
@@ -197,10 +189,30 @@ const int kern_py_layouts = sizeof kern_py_layout / sizeof(int);
 int kern_py_read(struct text_file *t, const char *data, size_t length)
 { return text_read(t, data, length); }
 void kern_py_free(struct text_file *t) { text_free(t); }
-int kern_py_draw(const char *path, const struct draw_scene *scene)
+int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
+                 int relative, double shrink, const kern_force *force,
+                 const kern_motion *motion, const kern_motion *hinges,
+                 double hinged, const char *motion_name,
+                 const kern_real *value, double most, const char *caption)
 {
     FILE *out = fopen(path, "wb");
-    int bad = !out || draw_svg(out, scene);
+    struct draw_scene scene = { 0 };
+    int bad;
+    scene.s = s;
+    scene.names = names;
+    scene.relative = relative;
+    scene.shrink = shrink;
+    scene.force = force;
+    scene.motion = motion;
+    scene.motion_name = motion_name;
+    scene.hinges = hinges;
+    scene.hinged = hinged;
+    scene.limiting = -1;
+    scene.value = value;
+    scene.most = most;
+    scene.value_name = "margin of a stone";
+    scene.caption = caption;
+    bad = !out || draw_svg(out, &scene);
     return (out && fclose(out)) || bad;
 }
 """ % "\n".join(layout)
@@ -302,8 +314,8 @@ _check_motion = _declare("kern_check_motion", _r, _p, _r, _p)
 _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
-_draw = _declare("kern_py_draw", _i, c_char_p, _p)
-
+_draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, _p, _p, _r,
+                 c_char_p, _p, _r, c_char_p)
 
 
 def _statuses() -> Any:
@@ -820,28 +832,28 @@ tolerance (0.25 deep)
         motion where it falls or `mechanism` wants it; `profile` colours the
         stones by their margins."""
         verdict, m = self.verdict(shrink), self.measure()
-        moves = (None if verdict.stands and (not mechanism or m.saturated)
-                 else m._motion if verdict.stands else verdict._motion)
-        values = self.profile() if profile else None
-        shown = _numbers(values.values) if values else None
+        force = verdict._force if verdict else None
+        moves = (verdict._motion if not verdict
+                 else None if m.saturated else m._motion)
+        values = self.profile().values if profile else None
         names = (c_char_p * len(self.blocks))(
             *(b.name.encode() for b in self.blocks))
         if caption is None:
             caption = "%s: %s%s; level %d, %s" % (
-                self.name, "stands" if verdict.stands else "falls",
+                self.name, "stands" if verdict else "falls",
                 " when shrunk by %.4g" % shrink if shrink > 0 else "", m.level,
                 "margin %.4g" % m.margin if m.stands
                 else "deficit %.4g" % self.deficit())
-        scene = _Scene(
-            addressof(self._task.s), addressof(names), self.options.relative,
-            shrink, addressof(verdict._force) if verdict.stands else None,
-            addressof(moves) if moves else None, -1,
-            addressof(shown) if shown else None,
-            max((v for v in values.values if v < math.inf), default=0)
-            if values else 0, b"margin of a stone", caption.encode())
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "picture.svg")
-            if _draw(os.fsencode(path), byref(scene)):
+            if _draw(os.fsencode(path), byref(self._task.s), names,
+                     self.options.relative, shrink, force,
+                     moves if mechanism or not verdict else None,
+                     moves, m.fails if verdict else shrink,
+                     b"collapse mechanism just past the margin" if verdict
+                     else None, _numbers(values) if values else None,
+                     max((v for v in values or () if v < math.inf), default=0),
+                     caption.encode()):
                 raise OSError("cannot write %s" % path)
             return pathlib.Path(path).read_text(encoding="utf-8")
 
