@@ -395,6 +395,7 @@
 #define KERN_H
 
 #define KERN_VERSION "0.1.0"
+#define KERN_VERSION_NUMBER 100 /* 10000 major + 100 minor + patch */
 
 #if defined(KERN_IMPL) || defined(KERN_IMPLEMENT)
 #error "kern.h: the implementation is asked for with KERN_IMPLEMENTATION"
@@ -497,13 +498,15 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
     X(KERN_NO_FREE, -17, "no block is free")                                  \
     X(KERN_BAD_STEP, -18, "the step needs more than 1,000,000 levels")        \
-    X(KERN_LIMIT, -19, "the limit of work of one call was reached")
+    X(KERN_LIMIT, -19, "the limit of work of one call was reached")          \
+    X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
+    X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-    KERN_STATUS_LEAST = -19 /* the same number */
+    KERN_STATUS_LEAST = -21 /* the same number */
 } kern_status;
 
 /* Where the fault lies of which a status below zero speaks. */
@@ -690,6 +693,10 @@ typedef struct kern_lp {
    by itself. KERN_EXTRAS is the room for the dense part of a basis, and
    KERN_LEAN_EXTRAS what a wall needs of it. */
 
+/* Contact points to have room for: walls with joints have twelve a block. If
+   kern_contacts() says KERN_NO_SPACE, as it may of stones with many short
+   edges, double it. */
+#define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : (blocks) + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -720,14 +727,16 @@ typedef struct kern_lp {
    function that takes work memory may return KERN_NO_SPACE, every one that
    takes a structure: KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000,
    contacts up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL,
-   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_LIMIT. Numbers that could not be
-   squared or multiplied safely are refused, with the block in the fault: a
-   centre, a place or a travel above 1e100 m (KERN_BAD_NUMBER), a mass as in
-   kern_block_init() (KERN_BAD_MASS), an area below that or above 1e200 m^2
-   (KERN_NO_AREA, KERN_BAD_NUMBER), and where weight and load of a free block
-   together are above 1e100 N, or below 1e-100 N and not 0 (KERN_BAD_NUMBER;
-   float: 1e15, 1e-15). B is the number of blocks, C of contact points, k the
-   size of the dense complement (see >>lp). */
+   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, and
+   where the number of contacts is below -1 that status of kern_contacts(), with
+   the fault as it left it. Numbers that could not be squared or multiplied
+   safely are refused, with the block in the fault: a centre, a place or a travel
+   above 1e100 m (KERN_BAD_NUMBER), a mass as in kern_block_init()
+   (KERN_BAD_MASS), an area below that or above 1e200 m^2 (KERN_NO_AREA,
+   KERN_BAD_NUMBER), and where weight and load of a free block together are above
+   1e100 N, or below 1e-100 N and not 0 (KERN_BAD_NUMBER; float: 1e15, 1e-15). B
+   is the number of blocks, C of contact points, k the size of the dense
+   complement (see >>lp). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -794,8 +803,9 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    for each step of its outlines: double it),
    KERN_OVERLAP (both blocks; value: the depth [m] that was found),
    KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
-   KERN_NO_AREA (the block), with the fault in the work memory. Of this it
-   takes 2 B ints: less than KERN_INTS(B, C).
+   KERN_NO_AREA (the block), KERN_STALE (the block: its vertices have moved, or
+   their array was used for another block), with the fault in the work memory.
+   Of this it takes 2 B ints: less than KERN_INTS(B, C).
    Time: O(B log B + C log C), and a test of boxes for each two blocks that
    stand above each other (beside, where the whole is higher than wide). For two
    blocks whose boxes meet: a few products for each two edges that are near, and
@@ -808,7 +818,8 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
 /* The contacts of block b with the blocks before it, ascending. Contacts found
    so for b = 1, 2, ... are those of kern_contacts(), but where a later block
    lies so far out that the rounding of its coordinates counts. Returns the
-   same.
+   same; KERN_STALE is found of block b, of blocks that it may touch, and where
+   one array of vertices serves two blocks.
    Work memory: none but for the fault. Time: O(b), and the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
@@ -1248,6 +1259,9 @@ static void kern_fault_clear(kern_fault *fault)
 /* Angle [rad] from which an option for the angle is refused: it would take a
    corner for a face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST KERN_R(0.5)
+/* Share by which the area of a polygon may differ from what the block says,
+   by rounding at large coordinates. */
+#define KERN_STALE_AREA KERN_R(1e-3)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL     KERN_R(1e-9)
 
@@ -2462,6 +2476,7 @@ static void kern_point_travels(kern_contact *contact, int contacts)
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
+    int from;               /* vertices of blocks before: see survey   */
     int upright;            /* the structure is higher than wide       */
     kern_real reach;        /* widest gap of any pair [m]              */
     kern_real floor;        /* places closer than that are the same [m] */
@@ -2517,6 +2532,31 @@ static int kern_pair_open(kern_search *s, int i, int j)
     return 1;
 }
 
+/* Whether the vertices are no longer those that kern_block_init() saw: box or
+   area differ. */
+static int kern_block_is_stale(const kern_block *block)
+{
+    const kern_vec o = block->vertices ? block->vertex[0] : block->centre;
+    const kern_vec low = block->box.low, high = block->box.high;
+    kern_real area = 0;
+    kern_box box;
+    int i;
+    kern_box_empty(&box);
+    for (i = 0; i < block->vertices; i++) {
+        const kern_vec p = block->vertex[i];
+        const kern_vec q = block->vertex[kern_polygon_next(block, i)];
+        if (!(p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y))
+            return 1;
+        kern_box_add(&box, p);
+        area += kern_vec_cross(kern_vec_sub(p, o), kern_vec_sub(q, o)) / 2;
+    }
+    return block->vertices > 0
+           && (box.low.x > low.x || box.low.y > low.y || box.high.x < high.x
+               || box.high.y < high.y
+               || !(kern_abs(area - block->area)
+                    <= KERN_STALE_AREA * kern_abs(block->area)));
+}
+
 /* Finds the contacts of blocks i and j, which must not overlap. */
 static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
@@ -2524,6 +2564,10 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_real depth;
     if (!kern_pair_open(s, i, j))
         return KERN_OK;
+    if (pair->a < s->from && kern_block_is_stale(&s->block[pair->a])) {
+        s->fault->block = pair->a;
+        return KERN_STALE;
+    }
     depth = kern_overlap(&pair->of_a.parts, &pair->of_b.parts, pair->gap);
     if (depth > 0) {
         s->fault->block = pair->a;
@@ -2680,7 +2724,8 @@ static kern_status kern_search_check(const kern_block *block)
     return kern_abs(block->area) > 0 ? KERN_OK : KERN_NO_AREA;
 }
 
-/* Checks every block, and finds how far they reach and how large they are. */
+/* Checks every block, and finds how far they reach and how large they are. The
+   vertices of blocks before s->from are checked when a pair reads them. */
 static kern_status kern_search_survey(kern_search *s)
 {
     kern_real area = 0;
@@ -2689,7 +2734,9 @@ static kern_status kern_search_survey(kern_search *s)
     kern_box_empty(&whole);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
-        const kern_status status = kern_search_check(block);
+        kern_status status = kern_search_check(block);
+        if (status >= 0 && i >= s->from && kern_block_is_stale(block))
+            status = KERN_STALE;
         if (status < 0) {
             s->fault->block = i;
             return status;
@@ -2744,10 +2791,11 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
                            int room, kern_work *work)
 {
     kern_search s;
-    kern_status status =
-        kern_search_open(&s, block, blocks, options, out, room, work);
+    kern_status status;
+    s.from = 0;
+    status = kern_search_open(&s, block, blocks, options, out, room, work);
     if (status >= 0)
-        status = kern_search_sweep(&s, work);
+        status = work->index ? kern_search_sweep(&s, work) : KERN_BAD_POINTER;
     return status < 0 ? (int)status : kern_search_close(&s);
 }
 
@@ -2756,11 +2804,20 @@ KERN_API int kern_touch(const kern_block *block, int b,
                         int room, kern_work *work)
 {
     kern_search s;
-    kern_status status = b < 0 ? KERN_BAD_COUNT
-        : kern_search_open(&s, block, b + 1, options, out, room, work);
+    kern_status status = KERN_BAD_COUNT;
     int a;
-    for (a = 0; a < b && status >= 0; a++)
+    s.from = b;
+    if (b >= 0)
+        status = kern_search_open(&s, block, b + 1, options, out, room, work);
+    for (a = 0; a < b && status >= 0; a++) {
         status = kern_search_pair(&s, a, b);
+        /* one buffer for two stones: the first has lost its vertices */
+        if (status >= 0 && block[a].vertices && !block[a].fixed
+            && block[a].vertex == block[b].vertex) {
+            s.fault->block = a;
+            status = KERN_STALE;
+        }
+    }
     return status < 0 ? (int)status : kern_search_close(&s);
 }
 
@@ -2965,7 +3022,7 @@ typedef struct kern_simplex {
     int *base;              /* position: its variable, a column, or cols + row
                                of a filler, a unit vector                     */
     int *spare;             /* slot: its row of S, or -1 where it is basic    */
-    int *far;               /* slot: the group that its column leads to       */
+    int *off;               /* slot: the group that its column leads to       */
     int *slot;              /* slot of a row of S                             */
     int *place;             /* column: its position, or KERN_OUT              */
     int *link;              /* scratch: groups + 1 + 2 rows                   */
@@ -3068,14 +3125,14 @@ static int kern_lp_first(const kern_program *lp, int j)
 static inline void kern_base_carry(const kern_simplex *sx, int g, kern_real *v)
 {
     const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
-    const int *far = sx->far + 3 * g;
+    const int *off = sx->off + 3 * g;
     kern_real *x = v + 3 * g;
     const kern_real b0 = x[0], b1 = x[1], b2 = x[2];
     int s;
     if (b0 >= 0 && b0 <= 0 && b1 >= 0 && b1 <= 0 && b2 >= 0 && b2 <= 0)
         return;
     for (s = 0; s < 3; s++, d += 3, f += 3) {
-        kern_real *w = v + 3 * far[s];
+        kern_real *w = v + 3 * off[s];
         const kern_real xs = d[0] * b0 + d[1] * b1 + d[2] * b2;
         w[0] -= xs * f[0]; w[1] -= xs * f[1]; w[2] -= xs * f[2];
         x[s] = xs;
@@ -3100,9 +3157,9 @@ static void kern_base_solve_t(const kern_simplex *sx, int from, kern_real *c)
     none[0] = none[1] = none[2] = KERN_R(0);
     for (g = from; g >= 0; g--) {
         const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
-        const int *far = sx->far + 3 * g;
-        const kern_real *p = c + 3 * far[0], *q = c + 3 * far[1];
-        const kern_real *r = c + 3 * far[2];
+        const int *off = sx->off + 3 * g;
+        const kern_real *p = c + 3 * off[0], *q = c + 3 * off[1];
+        const kern_real *r = c + 3 * off[2];
         kern_real *y = c + 3 * g;
         const kern_real b0 = y[0] - (f[0] * p[0] + f[1] * p[1] + f[2] * p[2]);
         const kern_real b1 = y[1] - (f[3] * q[0] + f[4] * q[1] + f[5] * q[2]);
@@ -3251,7 +3308,7 @@ static int kern_base_farthest(const kern_simplex *sx, int g, const int *list,
 static int kern_base_unit(kern_real q[3][3], int s, kern_real best[3])
 {
     kern_real most = KERN_R(0);
-    int i, k, r, far = 0;
+    int i, k, r, off = 0;
     for (i = 0; i < 3; i++) {
         kern_real unit[3], rest;
         for (r = 0; r < 3; r++)
@@ -3262,12 +3319,12 @@ static int kern_base_unit(kern_real q[3][3], int s, kern_real best[3])
         rest = unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2];
         if (rest > most) {
             most = rest;
-            far = i;
+            off = i;
             for (r = 0; r < 3; r++)
                 best[r] = unit[r];
         }
     }
-    return far;
+    return off;
 }
 
 /* Makes the block of group g from the variables in its slots: its inverse,
@@ -3280,18 +3337,18 @@ static kern_real kern_base_block(kern_simplex *sx, int g)
     int s, r;
     for (s = 0; s < 3; s++) {
         const int j = sx->base[3 * g + s];
-        int far = sx->groups;
+        int off = sx->groups;
         part[0] = part[1] = part[2] = KERN_R(0);
         if (j < lp->cols) {
-            far = kern_lp_head(lp, j) == g ? kern_lp_tail(lp, j)
+            off = kern_lp_head(lp, j) == g ? kern_lp_tail(lp, j)
                                            : kern_lp_head(lp, j);
-            kern_lp_part(lp, j, far, there + 3 * s);
+            kern_lp_part(lp, j, off, there + 3 * s);
             kern_lp_part(lp, j, g, part);
         } else {
             there[3 * s] = there[3 * s + 1] = there[3 * s + 2] = KERN_R(0);
             part[j - lp->cols - 3 * g] = KERN_R(1);
         }
-        sx->far[3 * g + s] = far;
+        sx->off[3 * g + s] = off;
         for (r = 0; r < 3; r++)
             d[3 * r + s] = part[r];
     }
@@ -4223,7 +4280,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->room = room;
     sx->base = kern_take_ints(take, m + 3 + room);
     sx->spare = kern_take_ints(take, m);
-    sx->far = kern_take_ints(take, 3 * sx->groups);
+    sx->off = kern_take_ints(take, 3 * sx->groups);
     sx->slot = kern_take_ints(take, room);
     sx->place = kern_take_ints(take, lp->cols);
     sx->link = kern_take_ints(take, sx->groups + 1 + 2 * m);
@@ -4590,7 +4647,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     kern_program p;
     kern_take take;
     kern_status status;
-    if (!work)
+    if (!work || !work->real || !work->index)
         return KERN_BAD_POINTER;
     kern_work_begin(work);
     status = x && y ? kern_lp_check(lp, &work->fault) : KERN_BAD_POINTER;
@@ -4618,6 +4675,10 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 /* Everything that the statics reads is looked at once, before any memory is
    used: numbers are finite and within bounds that the statics can reckon
    with, indices exist, normals have length 1. */
+
+/* 0 just for a wrench of nothing; a number just for one of numbers. */
+static kern_real kern_wrench_sum(const kern_wrench *w)
+{ return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
 
 static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
 {
@@ -4659,6 +4720,7 @@ static kern_status kern_structure_check(const kern_structure *s,
 {
     kern_status status;
     int i, n = 0;
+    int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
     if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
         || s->contacts > KERN_CONTACTS_MOST)
         return KERN_BAD_COUNT;
@@ -4672,10 +4734,15 @@ static kern_status kern_structure_check(const kern_structure *s,
             fault->block = i;
             return status;
         }
-        n += !s->block[i].fixed;
+        if (s->block[i].fixed)
+            continue;
+        loaded |= kern_wrench_sum(&s->block[i].load) > 0;
+        n++;
     }
     if (n == 0)
         return KERN_NO_FREE;
+    if (!loaded)
+        return KERN_NO_LOAD;
     for (i = 0; i < s->contacts; i++) {
         status = kern_contact_check(s->contact + i, s->blocks);
         if (status != KERN_OK) {
@@ -4692,7 +4759,7 @@ static kern_status kern_task_check(const kern_task *task, const void *out,
                                    int *free_blocks)
 {
     kern_status status;
-    if (!task || !task->work)
+    if (!task || !task->work || !task->work->real || !task->work->index)
         return KERN_BAD_POINTER;
     /* what kern_contacts() returned, and the fault that it left */
     if (task->s.contacts <= (int)KERN_NO_SPACE
@@ -4773,10 +4840,6 @@ static void kern_pattern_on(const kern_structure *s, const kern_question *q,
         kern_weigh(kern_vec_turn(s->gravity),
                    s->block[i].mass * KERN_R(q->side), w);
 }
-
-/* 0 just for a wrench of nothing; a number just for one of numbers. */
-static kern_real kern_wrench_sum(const kern_wrench *w)
-{ return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
 
 /* Without the torque. Not 0 where just the squares are. */
 static kern_real kern_force_size(const kern_wrench *w)
@@ -6853,8 +6916,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
         const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
         const int inside = r >= lo && r <= hi;
-        const int near = inside && hi - r <= aside * KERN_R(1.05);
-        const int closed = near && r - lo <= under * KERN_R(1.05)
+        const int close = inside && hi - r <= aside * KERN_R(1.05);
+        const int closed = close && r - lo <= under * KERN_R(1.05)
                            && (r - lo >= under / 2 || lo <= path->start);
         const int pivots = m->work->pivots;
         const int single = path->part->simplex.violated == 1;
@@ -6863,7 +6926,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
         if ((known && closed) || hi - lo <= half / 8
             || aside + under > path->tolerance * KERN_WIDEST)
             break;
-        if (near)
+        if (close)
             at = closed ? r : kern_max(r - under, path->start);
         else if (inside && r + kern_max(aside, error) < hi)
             at = r + kern_max(aside, error);
@@ -6871,7 +6934,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
             at = lo + kern_max((hi - lo) * share, half);
             share = kern_min(2 * share, KERN_R(0.5));
         }
-        if (!near && !(at > lo && at < hi))
+        if (!close && !(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
         path->proof = closed ? NULL : proof; /* only of the ends */
         status = kern_path_ask(m, path, at);
@@ -6890,7 +6953,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
             under *= 2;
             continue;
         } else if (status == KERN_UNDECIDED) {
-            if (near)
+            if (close)
                 under *= 2;
             else if (inside)
                 aside *= 2;
@@ -6899,11 +6962,11 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
             else
                 share *= KERN_R(0.7);
         }
-        if (!closed && !near && status == KERN_STANDS
+        if (!closed && !close && status == KERN_STANDS
             && rounds < KERN_EDGE_ROUNDS)
             return KERN_STANDS; /* the whole is asked there first */
         if (!closed && status == KERN_STANDS)
-            known = near && single && pivots == m->work->pivots;
+            known = close && single && pivots == m->work->pivots;
         if (!closed && status == KERN_FALLS)
             share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     }
@@ -7501,7 +7564,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
 {
     const kern_real holds = path->holds;
     const kern_question q = kern_path_at(path, holds);
-    const int near = fell && (4 * m->fallen >= m->groups
+    const int close = fell && (4 * m->fallen >= m->groups
                               || m->groups <= KERN_PLAIN_SMALL);
     const int seeded = !fell && path->seed && path->seed->fails > at;
     const int closed = fell && path->closed;
@@ -7512,7 +7575,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     status = kern_model_plain(m, path->part, &q);
     if (status != KERN_STANDS)
         return status;
-    if (at > holds && (near || seeded)) {
+    if (at > holds && (close || seeded)) {
         status = kern_path_ask(m, path, at);
         if (status == KERN_STANDS
             && (closed || (seeded && kern_path_still_falls(m, path))))

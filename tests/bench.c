@@ -667,7 +667,7 @@ struct ask {
     kern_work work;
     kern_task task;
     kern_proof proof;
-    double near;           /* shrinkages as good as the same to a peer [m]    */
+    double same;           /* shrinkages as good as the same to a peer [m]    */
     double shrink;
     kern_status status;
     kern_margin margin;
@@ -762,19 +762,19 @@ static void check(struct ask *ask, int agree, const char *what, double ours,
 
 static int is_same(const struct ask *ask, double a, double b)
 {
-    return fabs(a - b) <= SAME / NEAR * ask->near;
+    return fabs(a - b) <= SAME / NEAR * ask->same;
 }
 
 /* Whether somebody else's level is as good as that of the measure: where a step
    lies in the bracket of the margin, or within `near` of it, either answer may
    be given there, or none. */
-static int level_fits(const kern_margin *m, double near, int level)
+static int level_fits(const kern_margin *m, double same, int level)
 {
-    const double slack = near + SAME * m->epsilon;
+    const double slack = same + SAME * m->epsilon;
     int least, most;
     if (level == m->level)
         return 1;
-    if (m->saturated && near <= 0)
+    if (m->saturated && same <= 0)
         return 0;
     least = (int)floor(fmax(m->holds - slack, 0) / m->epsilon) + 1;
     most = m->saturated ? m->level
@@ -1024,7 +1024,7 @@ static void measure_margin(struct ask *ask)
     note(ask, MARGIN, m->margin / m->most);
     note(ask, FLOOR, time_of(ask, run_floor, NULL));
     check(ask, ask->number <= 1, "error of a proof", ask->number, 1);
-    check(ask, m->saturated || m->fails - m->holds <= ask->near / 5,
+    check(ask, m->saturated || m->fails - m->holds <= ask->same / 5,
           "bracket of the margin", m->holds, m->fails);
 }
 
@@ -1032,10 +1032,10 @@ static void measure_margin(struct ask *ask)
 static void measure_levels(struct ask *ask)
 {
     const kern_margin *m = &ask->margin;
-    check(ask, ask_stands(ask, fmax(m->margin - ask->near, 0)) == 1,
+    check(ask, ask_stands(ask, fmax(m->margin - ask->same, 0)) == 1,
           "status below the margin", ask->status, m->margin);
-    if (!m->saturated && m->margin + ask->near < m->most)
-        check(ask, ask_stands(ask, m->margin + ask->near) == 0,
+    if (!m->saturated && m->margin + ask->same < m->most)
+        check(ask, ask_stands(ask, m->margin + ask->same) == 0,
               "status above the margin", ask->status, m->margin);
     note(ask, LEVEL, time_of(ask, run_level, NULL));
     check(ask, level_fits(m, 0, (int)ask->number), "scan, level", m->level,
@@ -1305,20 +1305,20 @@ static void measure_peer(struct ask *ask)
     note(ask, peer->cold, cold);
     note(ask, LP, fmin(value[LP], cold)); /* of NAN and a number the number */
     check(ask, ask->answer < 0 || ask->answer == stands
-          || (stands && m->margin < ask->near), "verdict at 0, of a peer",
+          || (stands && m->margin < ask->same), "verdict at 0, of a peer",
           ask->status, ask->answer);
     if (!stands || !(m->margin > 0) || blocks > CLOSED_MOST)
         return;
     note(ask, LP_CLOSED, fmin(value[LP_CLOSED],
                               lp_time(ask, m->most, run_lp)));
     check(ask, ask->answer < 1 || m->saturated
-          || m->most - m->margin < ask->near, "peer stands with kerns closed",
+          || m->most - m->margin < ask->same, "peer stands with kerns closed",
           m->margin, m->most);
     if (blocks > DETAIL_MOST)
         return;
     note(ask, peer->warm, lp_time(ask, 0, run_lp_levels));
     note(ask, WARM, fmin(value[WARM], value[peer->warm]));
-    check(ask, ask->answer < 0 || level_fits(m, ask->near, ask->answer),
+    check(ask, ask->answer < 0 || level_fits(m, ask->same, ask->answer),
           peer->name, m->level, ask->answer);
 }
 
@@ -1330,7 +1330,7 @@ static void ask_open(struct ask *ask, struct bench *bench, struct scene *scene)
     memset(ask, 0, sizeof *ask);
     ask->bench = bench;
     ask->scene = scene;
-    ask->near = NEAR * kern_mean_size(scene->block, scene->blocks);
+    ask->same = NEAR * kern_mean_size(scene->block, scene->blocks);
     kern_work_need(scene->blocks + 1, scene->contacts + TOUCHES, &reals, &ints);
     ask->work = kern_work_of(room_for((size_t)reals, sizeof(kern_real)), reals,
                              room_for((size_t)ints, sizeof(int)), ints);

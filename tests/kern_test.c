@@ -2303,6 +2303,98 @@ static void contact_given(void)
     CHECK_INT(make_given(0, 1, makes[0].v, 0, NULL), KERN_BAD_POINTER);
 }
 
+/* Vertices that were moved, or an array that was used again, without
+   kern_block_init(): refused where the polygon is read. */
+static void contact_stale(void)
+{
+    static world w;
+    kern_contact out[8];
+    int index[6], k;
+    kern_work work = kern_work_of(NULL, 0, index, 6);
+    world_reset(&w);
+    world_box(&w, 0, -2, -1, 4, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_box(&w, 1, 0, 1, 1, 2);
+    CHECK_INT(world_touch(&w), 4);
+    for (k = 0; k < 5; k++) {
+        /* moved, smaller, larger, one corner, no number: by box and by area */
+        kern_vec *v = w.vertex + 4;
+        const kern_vec before = v[2];
+        v[2] = k == 0   ? vec(0.5, 0.5)
+               : k == 1 ? vec(1, 0.9)
+               : k == 2 ? vec(1.1, 1)
+               : k == 3 ? vec(1, 1.01)
+                        : vec(not_a_number(), 1);
+        CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work),
+                  KERN_STALE);
+        CHECK_INT(work.fault.block, 1);
+        CHECK_INT(kern_touch(w.block, 1, &w.options, out, 8, &work),
+                  KERN_STALE);
+        CHECK_INT(work.fault.block, 1);
+        CHECK_INT(kern_touch(w.block, 2, &w.options, out, 8, &work),
+                  KERN_STALE);
+        CHECK_INT(work.fault.block, 1);
+        v[2] = before;
+    }
+    CHECK_INT(kern_touch(w.block, 2, &w.options, out, 8, &work), 2);
+    /* the mirror image has the same box, and the other sign of area */
+    w.vertex[4] = vec(0, 1);
+    w.vertex[5] = vec(1, 1);
+    w.vertex[6] = vec(1, 0);
+    w.vertex[7] = vec(0, 0);
+    CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work),
+              KERN_STALE);
+    /* one array for two stones that do not touch */
+    for (k = 0; k < 4; k++)
+        w.vertex[4 + k] = vec(k % 3 ? 3 : 2, k / 2);
+    CHECK_INT(
+        kern_block_init(&w.block[2], w.vertex + 4, 4, R(1), NULL), KERN_OK);
+    CHECK_INT(kern_touch(w.block, 2, &w.options, out, 8, &work), KERN_STALE);
+    CHECK_INT(work.fault.block, 1);
+    CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work), KERN_STALE);
+    CHECK_INT(work.fault.block, 1);
+}
+
+/* What kern_contacts() returned in place of a count is returned again, and the
+   fault stays; work memory without arrays is a null pointer. */
+static void count_that_is_a_status(void)
+{
+    static world w;
+    kern_structure s;
+    kern_work work;
+    kern_margin m;
+    kern_real out;
+    kern_collapse all;
+    kern_real value[3];
+    int i;
+    world_reset(&w);
+    world_box(&w, 0, -2, -1, 4, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_box(&w, 1, 0, 0.5, 1, 2);
+    s = structure_of(&w);
+    work = work_for(3, 64);
+    s.contacts =
+        kern_contacts(w.block, 3, &w.options, w.contact, MAX_POINTS, &work);
+    for (i = 0; i < 2; i++) {
+        const int want = i ? KERN_BAD_POINTER : KERN_OVERLAP;
+        kern_task *task = task_of(&s, &w.options, &work);
+        CHECK_INT(kern_verdict(task, 0, NULL), want);
+        CHECK_INT(kern_measure(task, &m, NULL), want);
+        CHECK_INT(kern_deficit(task, &out), want);
+        CHECK_INT(kern_load_factor(task, 0, KERN_LEFT, &out, NULL), want);
+        CHECK_INT(kern_tilt(task, 0, KERN_LEFT, &out, NULL), want);
+        CHECK_INT(kern_profile(task, KERN_LEFT, value, &all), want);
+        CHECK_INT(work.fault.block, 1);
+        CHECK_INT(work.fault.other, 2);
+        work.real = NULL;
+        s.contacts = 0;
+    }
+    s.contacts = -1; /* no call returns KERN_UNDECIDED for a count */
+    work = work_for(3, 64);
+    CHECK_INT(kern_verdict(task_of(&s, &w.options, &work), 0, NULL),
+              KERN_BAD_COUNT);
+}
+
 static void contact_given_point_and_line(void)
 {
     const double point[7] = {0, 5, 2, 1, 2, 1, 0.3};
@@ -2442,7 +2534,7 @@ static void contact_work(void)
     {
         kern_work work = kern_work_of(NULL, 0, NULL, 8);
         CHECK_INT(kern_contacts(w.block, 4, &w.options, found, 8, &work),
-                  KERN_NO_SPACE);
+                  KERN_BAD_POINTER);
     }
     CHECK_INT(kern_contacts(w.block, 4, &w.options, found, 8, NULL),
               KERN_BAD_POINTER);
@@ -3893,9 +3985,9 @@ static void proof_free_fall(void)
     CHECK_INT(verdict(&w, 0), KERN_FALLS);
     CHECK_NEAR(motion_of[0].vy, -1, 100 * EPS);
     CHECK_NEAR(motion_of[0].vx, 0, 1e-6);
-    /* without gravity there is nothing to hold */
+    /* neither gravity nor a load: forgotten, most likely */
     w.gravity = vec(0, 0);
-    CHECK_INT(verdict(&w, 0), KERN_STANDS);
+    CHECK_INT(verdict(&w, 0), KERN_NO_LOAD);
     kern_block_load(&w.block[0], vec(0, 0), vec(0, 0), R(1));
     CHECK_INT(verdict(&w, 0), KERN_FALLS);
     CHECK(motion_of[0].spin > 0);
@@ -4441,13 +4533,13 @@ static void margin_ends(void)
     shifted_cube(&w, 0.75);
     CHECK_INT(measure(&w, &m), KERN_FALLS);
     CHECK_NEAR(m.most, 0.125, GEO);
-    /* no contacts, nothing to carry: saturated at d_max = 0 */
+    /* no contacts, loads that cancel: saturated at d_max = 0 */
     world_reset(&w);
     world_box(&w, 1, 0, 0, 1, 1);
     world_touch(&w);
     CHECK_INT(measure(&w, &m), KERN_FALLS);
     CHECK_NEAR(m.most, 0, 0);
-    w.gravity = vec(0, 0);
+    kern_block_load(&w.block[0], vec(0, 9.81), vec(0.5, 0.5), 0);
     CHECK_INT(measure(&w, &m), KERN_STANDS);
     CHECK(m.saturated);
     CHECK_NEAR(m.margin, 0, 0);
@@ -4639,6 +4731,8 @@ static void load_by_hand(void)
     /* no gravity, no horizontal load */
     shifted_cube(&w, 0);
     w.gravity = vec(0, 0);
+    CHECK_INT(load_factor(&w, NULL, 1, &factor), KERN_NO_LOAD);
+    w.block[1].load.fy = R(-9.81);
     CHECK_INT(load_factor(&w, NULL, 1, &factor), KERN_BAD_OPTION);
 }
 
@@ -4738,6 +4832,7 @@ static void tilt_in_a_slot(void)
         CHECK_INT(tilt(&w, side, &angle), KERN_FALLS);
         CHECK_NEAR(angle, -1, 0);
         w.gravity = vec(0, 0);
+        w.block[1].load.fy = R(-9.81);
         CHECK_INT(tilt(&w, side, &angle), KERN_BAD_OPTION);
     }
 }
@@ -7024,7 +7119,12 @@ static void statuses_of_measures(void)
     have(kern_verdict(task_of(NULL, &w.options, &work), 0, NULL));
     work = work_of(&w);
     have(kern_verdict(task_of(&s, &w.options, &work), R(not_a_number()), NULL));
+    s.gravity = vec(0, 0);
+    have(kern_verdict(task_of(&s, &w.options, &work), 0, NULL));
+    s.contacts = KERN_STALE;
+    have(kern_verdict(task_of(&s, &w.options, &work), 0, NULL));
     s.blocks = -1;
+    s.contacts = 0;
     have(kern_verdict(task_of(&s, &w.options, &work), 0, NULL));
     s.blocks = 1;
     s.contacts = 0;
@@ -7513,6 +7613,7 @@ static void profile_bad_input(void)
     CHECK_INT(kern_profile(task_of(&s, &w.options, &work), 2, value, &c),
               KERN_BAD_OPTION);
     w.gravity = vec(0, 0);
+    w.block[1].load.fy = R(-9.81);
     s = structure_of(&w);
     CHECK_INT(
         kern_profile(task_of(&s, &w.options, &work), KERN_RIGHT, value, &c),
@@ -7583,6 +7684,8 @@ static const test tests[] = {
     TEST(contact_narrow_seat),
     TEST(contact_overlap),
     TEST(contact_in_a_mouth),
+    TEST(contact_stale),
+    TEST(count_that_is_a_status),
     TEST(contact_given),
     TEST(contact_given_point_and_line),
     TEST(contact_travels),

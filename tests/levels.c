@@ -21,10 +21,10 @@ static int ints[KERN_INTS(BLOCKS, CONTACTS)];
    was left of it, within the tolerance or not. */
 static int closes(const kern_margin *m)
 {
-    const kern_real near = kern_mean_size(block, s.blocks) / 1000;
+    const kern_real same = kern_mean_size(block, s.blocks) / 1000;
     int k;
     for (k = 0; k < s.contacts; k++)
-        if (kern_abs(kern_abs(contact[k].travel) - m->margin) < near)
+        if (kern_abs(kern_abs(contact[k].travel) - m->margin) < same)
             return 1;
     return 0;
 }

@@ -130,11 +130,11 @@ static double creep(struct rigid_world *w, const double *size, double *late)
         run(w, 1);
         for (int i = 0; i < w->blocks; i++) {
             struct rigid_pt d = rigid_sub(w->block[i].at, at[i]);
-            double far = sqrt(rigid_dot(d, d)) +
+            double dist = sqrt(rigid_dot(d, d)) +
                          fabs(w->block[i].angle) * w->block[i].reach;
             if (!(w->block[i].inv_mass > 0)) continue;
-            most = fmax(most, far / size[i]);
-            if (part == 0) *late = fmax(*late, far / size[i]);
+            most = fmax(most, dist / size[i]);
+            if (part == 0) *late = fmax(*late, dist / size[i]);
         }
     }
     *late = most - *late;

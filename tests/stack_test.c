@@ -194,9 +194,9 @@ static void test_features(void)
     if (two_boxes(&w, &stock)) return;
     stone_of(&roof, gable, 5);
     /* the slab lies on 0.75 + 0.75 of its perimeter of 5 */
-    near_to("common edges of a slab", stack_edges(&w.near, &slab), 0.3, 1e-12);
+    near_to("common edges of a slab", stack_edges(&w.around, &slab), 0.3, 1e-12);
     /* a box in the gap: 0.5 below and 0.5 on either side of 2 */
-    near_to("common edges in a gap", stack_edges(&w.near, &low), 0.75, 1e-12);
+    near_to("common edges in a gap", stack_edges(&w.around, &low), 0.75, 1e-12);
     near_to("hole below a slab", stack_hole(&w, &slab), 0.5, 2 * column);
     near_to("no hole in the gap", stack_hole(&w, &low), 0, 1e-12);
     /* the gap's neighbours: 1 high over half a stone on both sides */
@@ -242,20 +242,20 @@ static void test_rest(void)
     stone_turn(&s, s.centre, stones_vec(sqrt(3) / 2, 0.5));
     t = s;
     stone_move(&t, stones_vec(3.4, 5));
-    check(rest_settle(&w.near, &t), "a square comes to rest", 0, 1);
+    check(rest_settle(&w.around, &t), "a square comes to rest", 0, 1);
     near_to("flat on the ground", t.low.y, 0, 1e-12);
     near_to("and as high as it is", t.high.y, 1, 1e-12);
     /* above the gap of 0.5 it turns until two corners of the boxes carry it */
     t = s;
     stone_move(&t, stones_vec(1.3, 5));
-    check(rest_settle(&w.near, &t), "a square rests in a gap", 0, 1);
+    check(rest_settle(&w.around, &t), "a square rests in a gap", 0, 1);
     check(t.low.y >= 1 - 1e-12 || t.low.y > 0.5, "it does not fall through",
           t.low.y, 1);
     /* slid against a box it stops there */
     t = box(2.6, 0, 3.6, 1);
-    near_to("way to a box", rest_way(&w.near, &t, stones_vec(-1, 0)), 0.1,
+    near_to("way to a box", rest_way(&w.around, &t, stones_vec(-1, 0)), 0.1,
             1e-12);
-    near_to("way down", rest_way(&w.near, &t, stones_vec(0, -1)), 0, 1e-12);
+    near_to("way down", rest_way(&w.around, &t, stones_vec(0, -1)), 0, 1e-12);
     stack_free(&w);
     stones_free(&stock);
 }
@@ -289,7 +289,7 @@ static void test_limit(void)
    stands, and it stays when it is let go. */
 static void replay(struct stack_wall *w, const struct stack_wall *built)
 {
-    const double far = 0.05, seconds = 2;
+    const double most = 0.05, seconds = 2;
     for (int i = 0; i < built->laid; i++) {
         kern_contact contact[4000];
         if (stack_lay(w, &built->place[i])) {
@@ -300,7 +300,8 @@ static void replay(struct stack_wall *w, const struct stack_wall *built)
                             &w->plan.task.options, contact, 4000, &w->work) >=
                   0,
               "nothing overlaps", i, built->laid);
-        check(stack_sway(w, NULL, seconds, far) <= far, "a wall stays", i, far);
+        check(stack_sway(w, NULL, seconds, most) <= most, "a wall stays", i,
+              most);
     }
 }
 

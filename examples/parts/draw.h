@@ -604,7 +604,7 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
                          struct draw_sizes *z)
 {
     const kern_structure *s = d->s;
-    double g = draw_hypot(s->gravity.x, s->gravity.y), far = 0, margin;
+    double g = draw_hypot(s->gravity.x, s->gravity.y), fastest = 0, margin;
     struct draw_view all;
     struct draw_pt a, b;
     int i, j, c, free_blocks = 0;
@@ -652,10 +652,10 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
             reach = fmax(reach, draw_hypot(k->vertex[j].x - k->centre.x,
                                            k->vertex[j].y - k->centre.y));
         if (!k->fixed && k->vertex) /* others have no outline to move */
-            far = fmax(far, speed + spin * reach);
+            fastest = fmax(fastest, speed + spin * reach);
     }
-    if (far > 0)
-        z->time = 0.3 * z->stone / far;
+    if (fastest > 0)
+        z->time = 0.3 * z->stone / fastest;
 
     all = *v;
     for (i = 0; i < s->blocks; i++) {
@@ -1099,7 +1099,7 @@ static int draw_name_place(const struct draw_scene *d,
     const kern_block *b = &d->s->block[block];
     struct draw_view box = *v;
     struct draw_pt c = draw_place(v, b->centre.x, b->centre.y), p;
-    double best = HUGE_VAL, far;
+    double best = HUGE_VAL, dist;
     int i, j, fits = 0;
 
     if (b->vertices < 3)
@@ -1121,9 +1121,9 @@ static int draw_name_place(const struct draw_scene *d,
         for (j = 1; j < RASTER; j++) {
             p = draw_place(v, box.low.x + (box.high.x - box.low.x) * i / RASTER,
                            box.low.y + (box.high.y - box.low.y) * j / RASTER);
-            far = draw_hypot(p.x - c.x, 2 * (p.y - c.y));
-            if (far < best && draw_box_free(d, v, z, block, p, w, h)) {
-                best = far;
+            dist = draw_hypot(p.x - c.x, 2 * (p.y - c.y));
+            if (dist < best && draw_box_free(d, v, z, block, p, w, h)) {
+                best = dist;
                 fits = 1;
                 *at = p;
             }

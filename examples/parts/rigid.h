@@ -484,9 +484,9 @@ static inline int rigid_strayed(const struct rigid_world *w)
         const struct rigid_block *b = &w->block[i];
         struct rigid_pt d = rigid_sub(b->at, b->seen_at);
         struct rigid_pt q = rigid_sub(b->turn, b->seen_turn);
-        double far = rigid_dot(d, d);
+        double dist = rigid_dot(d, d);
         double turn = b->reach * b->reach * rigid_dot(q, q);
-        if (4 * far > skin * skin || 4 * turn > skin * skin) return 1;
+        if (4 * dist > skin * skin || 4 * turn > skin * skin) return 1;
     }
     return 0;
 }
@@ -648,10 +648,10 @@ static inline void rigid_corners(const struct rigid_world *w,
                                  struct rigid_pt q, int id)
 {
     struct rigid_pt d = rigid_sub(q, p);
-    double far = sqrt(rigid_dot(d, d));
-    if (far > rigid_ahead(w)) return;
+    double dist = sqrt(rigid_dot(d, d));
+    if (dist > rigid_ahead(w)) return;
     if (!(rigid_dot(d, t->n) > rigid_near(w))) return;
-    t->n = rigid_vec(d.x / far, d.y / far);
+    t->n = rigid_vec(d.x / dist, d.y / dist);
     t->points = 1;
     t->at[0] = rigid_vec((p.x + q.x) / 2, (p.y + q.y) / 2);
     t->gap[0] = rigid_dot(d, t->n);
@@ -680,13 +680,13 @@ static inline void rigid_clip(const struct rigid_world *w,
     double length = rigid_cross(n, e), upper = rigid_cross(n, u);
     double lower = rigid_cross(n, l), low = rigid_dot(n, l);
     double up = rigid_dot(n, u), ahead = rigid_ahead(w), slope, x;
-    double near = rigid_near(w);
+    double close = rigid_near(w);
 
     t->n = n;
-    if (lower > length - near || upper < near || upper <= lower) {
-        if (lower > length - near)
+    if (lower > length - close || upper < close || upper <= lower) {
+        if (lower > length - close)
             rigid_corners(w, t, c[i2].at, d[j2].at, rigid_name(i2, j2, flip));
-        else if (upper < near)
+        else if (upper < close)
             rigid_corners(w, t, from, d[j].at, rigid_name(i, j, flip));
         return;
     }

@@ -164,7 +164,7 @@ static inline int table_add_box(struct table *t, double left, double bottom,
 static inline struct rigid_pt table_base_end(const struct table *t, int side)
 {
     struct rigid_pt end = { 0, 0 };
-    double far = -HUGE_VAL;
+    double most = -HUGE_VAL;
     for (int i = 0; i < t->text.blocks; i++) {
         const kern_block *b = &t->text.block[i];
         double reach = -HUGE_VAL, top = -HUGE_VAL;
@@ -174,8 +174,8 @@ static inline struct rigid_pt table_base_end(const struct table *t, int side)
             reach = fmax(reach, side * p.x);
             top = fmax(top, p.y);
         }
-        if (reach > far) {
-            far = reach;
+        if (reach > most) {
+            most = reach;
             end = rigid_vec(side * reach, top);
         }
     }

@@ -184,13 +184,13 @@ static void put_outline(const struct table *t, const struct draw_view *v,
                         int source, int pose)
 {
     const kern_block *b = &t->text.block[source];
-    const double far = 4 * (t->right - t->left + t->top - t->bottom);
+    const double most = 4 * (t->right - t->left + t->top - t->bottom);
     fputs("<path d=\"", v->out);
     for (int k = 0; k < b->vertices; k++) {
         struct rigid_pt p = table_scaled(t, b->vertex[k]);
         /* Renderers do not like a ground as wide as the world. */
-        double x = draw_clamp(p.x - t->home[pose].x, -far, far);
-        double y = draw_clamp(p.y - t->home[pose].y, -far, far);
+        double x = draw_clamp(p.x - t->home[pose].x, -most, most);
+        double y = draw_clamp(p.y - t->home[pose].y, -most, most);
         fprintf(v->out, "%s%.2f %.2f", k ? "L" : "M", draw_px(x * v->scale),
                 draw_px(-y * v->scale));
     }

@@ -136,7 +136,7 @@ struct stack_wall {
     double *sky;            /* height of what is highest, column by column */
     int *owner;             /* block which that is                       */
     int columns;
-    struct rest_near near;  /* room for the edges of all                 */
+    struct rest_near around;  /* room for the edges of all                 */
     int walls;              /* that `best` has built                     */
     int tried;              /* stones let down that came to rest         */
     int asked;              /* candidates that kern was asked about      */
@@ -163,7 +163,7 @@ STACK_API void stack_free(struct stack_wall *w)
     free(w->work.index);
     free(w->sky);
     free(w->owner);
-    free(w->near.edge);
+    free(w->around.edge);
 }
 
 static void stack_clear_sky(struct stack_wall *w)
@@ -220,11 +220,11 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->columns = (int)ceil(options->width / stock->size * STACK_COLUMNS);
     w->sky = malloc((size_t)w->columns * sizeof *w->sky);
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
-    w->near.edge = malloc((size_t)corners * sizeof *w->near.edge);
+    w->around.edge = malloc((size_t)corners * sizeof *w->around.edge);
     if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
         !w->plan.contact || !w->plan.task.known.motion || !w->motion ||
         !w->place || !w->plan.task.known.force || !w->force || !w->used ||
-        !w->sky || !w->owner || !w->near.edge)
+        !w->sky || !w->owner || !w->around.edge)
         return -1;
     w->ground[0] = stones_vec(-1, -0.5);
     w->ground[1] = stones_vec(options->width + 1, -0.5);
@@ -434,7 +434,7 @@ STACK_API void stack_look(struct stack_wall *w, double left, double right,
                           double low)
 {
     const kern_structure *s = &w->plan.task.s;
-    w->near.edges = 0;
+    w->around.edges = 0;
     for (int b = 0; b < s->blocks; b++) {
         const kern_block *block = &s->block[b];
         if (block->box.high.y < low || block->box.low.x > right ||
@@ -445,7 +445,7 @@ STACK_API void stack_look(struct stack_wall *w, double left, double right,
             kern_vec q = block->vertex[i + 1 < block->vertices ? i + 1 : 0];
             if (fmax(p.y, q.y) >= low && fmin(p.x, q.x) <= right &&
                 fmax(p.x, q.x) >= left)
-                w->near.edge[w->near.edges++] = rest_edge_of(p, q);
+                w->around.edge[w->around.edges++] = rest_edge_of(p, q);
         }
     }
 }
@@ -470,7 +470,7 @@ STACK_API double stack_common(const struct rest_edge *a,
 
 /* Length of all edges that a stone shares with what is near, over its
    perimeter. More is better: it is held, and fits. */
-STACK_API double stack_edges(const struct rest_near *near,
+STACK_API double stack_edges(const struct rest_near *around,
                              const struct stone *s)
 {
     double common = 0, perimeter = 0, gap = 1e-3 * sqrt(s->area);
@@ -478,8 +478,8 @@ STACK_API double stack_edges(const struct rest_near *near,
         struct rest_edge own = rest_edge_at(s, i);
         kern_vec t = stones_sub(own.b, own.a);
         perimeter += sqrt(stones_dot(t, t));
-        for (int k = 0; k < near->edges; k++)
-            common += stack_common(&own, &near->edge[k], gap);
+        for (int k = 0; k < around->edges; k++)
+            common += stack_common(&own, &around->edge[k], gap);
     }
     return common / perimeter;
 }
@@ -572,11 +572,12 @@ struct stack_list {
 };
 
 static int stack_same(const struct stack_place *a, const struct stack_place *b,
-                      double near)
+                      double within)
 {
-    return a->stone == b->stone && fabs(a->at.x - b->at.x) < near &&
-           fabs(a->at.y - b->at.y) < near && fabs(a->turn.x - b->turn.x) < near
-           && fabs(a->turn.y - b->turn.y) < near;
+    return a->stone == b->stone && fabs(a->at.x - b->at.x) < within &&
+           fabs(a->at.y - b->at.y) < within &&
+           fabs(a->turn.x - b->turn.x) < within &&
+           fabs(a->turn.y - b->turn.y) < within;
 }
 
 /* Notes a stone at rest, if it lies in the frame and is not known yet.
@@ -598,7 +599,7 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
          i--)
         if (stack_same(&list->one[i].place, &c.place, 1e-3 * w->stock->size))
             return 0;
-    c.feature[STACK_EDGES] = stack_edges(&w->near, s);
+    c.feature[STACK_EDGES] = stack_edges(&w->around, s);
     c.feature[STACK_HOLE] = -stack_hole(w, s);
     c.feature[STACK_NEIGHBOURS] = stack_neighbours(w, s);
     c.feature[STACK_SLOPE] = -stack_slope(s);
@@ -654,18 +655,18 @@ static int stack_slide_on(struct stack_wall *w, struct stack_list *list,
 {
     kern_vec left, right, d = { side, 0 };
     double way, room;
-    rest_holds(&w->near, &s, &left, &right);
+    rest_holds(&w->around, &s, &left, &right);
     if (right.x - left.x > 0.05 * w->stock->size)
         d = stones_unit(stones_sub(right, left));
     if (side * d.x < 0) d = stones_vec(-d.x, -d.y);
     if (fabs(d.x) < stack_steep) return 0;
     room = (side > 0 ? w->options.width - s.high.x : s.low.x) / fabs(d.x);
-    way = fmin(rest_way(&w->near, &s, d), room);
+    way = fmin(rest_way(&w->around, &s, d), room);
     if (!(way > 0.01 * w->stock->size &&
           way < stack_slide * w->stock->size))
         return 0;
     stone_move(&s, stones_vec(way * d.x, way * d.y));
-    return rest_settle(&w->near, &s) ? stack_note(w, list, stone, &s) : 0;
+    return rest_settle(&w->around, &s) ? stack_note(w, list, stone, &s) : 0;
 }
 
 /* One stone, one bed, one anchor: up to three candidates. */
@@ -678,10 +679,10 @@ static int stack_let_down(struct stack_wall *w, struct stack_list *list,
     stone_turn(&s, s.centre, stones_turned(a->along, stones_vec(b.x, -b.y)));
     if (s.high.x - s.low.x > w->options.width) return 0;
     x = fmin(fmax(a->x, -s.low.x), w->options.width - s.high.x);
-    for (int i = 0; i < w->near.edges; i++)
-        high = fmax(high, w->near.edge[i].a.y);
+    for (int i = 0; i < w->around.edges; i++)
+        high = fmax(high, w->around.edge[i].a.y);
     stone_move(&s, stones_vec(x, high - s.low.y + 1));
-    if (!rest_settle(&w->near, &s)) return 0;
+    if (!rest_settle(&w->around, &s)) return 0;
     w->tried++;
     return stack_note(w, list, stone, &s) ||
            stack_slide_on(w, list, stone, s, -1) ||
@@ -709,12 +710,13 @@ STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
         if (w->used[k]) continue;
         stones++;
         for (int i = 0; i < anchors && !bad; i++) {
-            const double far = 2 * s->reach + stack_slide * size;
+            const double most = 2 * s->reach + stack_slide * size;
             const double x = anchor[i].x;
             double low = HUGE_VAL;
-            int from = stack_column(w, x - far), to = stack_column(w, x + far);
+            int from = stack_column(w, x - most);
+            int to = stack_column(w, x + most);
             for (int c = from; c < to; c++) low = fmin(low, w->sky[c]);
-            stack_look(w, x - far, x + far, low - rest_touch);
+            stack_look(w, x - most, x + most, low - rest_touch);
             for (int bed = 0; bed < s->beds && !bad; bed++)
                 if (fine || share >= 1 || build_uniform(chance, 0, 1) < share)
                     bad = stack_let_down(w, list, k, bed, &anchor[i]);
@@ -806,28 +808,28 @@ STACK_API double stack_sway(const struct stack_wall *w,
     enum { LOOK = 24 }; /* steps: a tenth of a second */
     const double unit = w->stock->size, calm = 1e-4;
     struct rigid_world r;
-    double far = 0, fast = 1;
+    double sway = 0, fast = 1;
     int steps;
     rigid_init(&r);
     r.friction = w->options.friction;
     r.slop = 5e-4; /* stones sink in by this */
     steps = (int)(seconds / r.step);
-    if (stack_simulate(&r, w, last)) far = HUGE_VAL;
-    for (int i = 1; i <= steps && far <= most && fast > calm; i++) {
-        if (rigid_step(&r)) far = HUGE_VAL;
+    if (stack_simulate(&r, w, last)) sway = HUGE_VAL;
+    for (int i = 1; i <= steps && sway <= most && fast > calm; i++) {
+        if (rigid_step(&r)) sway = HUGE_VAL;
         if (i % LOOK > 0) continue;
         fast = 0;
         for (int k = 1; k < r.blocks; k++) {
             const struct rigid_block *b = &r.block[k];
             const struct stone *s = k <= w->laid ? &w->stone[k - 1] : last;
-            far = fmax(far, draw_hypot(b->at.x - s->centre.x / unit,
-                                       b->at.y - s->centre.y / unit));
+            sway = fmax(sway, draw_hypot(b->at.x - s->centre.x / unit,
+                                         b->at.y - s->centre.y / unit));
             fast = fmax(fast, draw_hypot(b->v.x, b->v.y)
                               + b->reach * fabs(b->spin));
         }
     }
     rigid_free(&r);
-    return far;
+    return sway;
 }
 
 /* Stays a candidate where it is? */
@@ -835,11 +837,11 @@ static int stack_stays(struct stack_wall *w, const struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
     clock_t start = clock();
-    double far = stack_sway(w, &s, stack_wait, stack_still);
+    double sway = stack_sway(w, &s, stack_wait, stack_still);
     w->swaying += (double)(clock() - start) / CLOCKS_PER_SEC;
     w->swayed++;
-    w->slipped += far > stack_still;
-    return far <= stack_still;
+    w->slipped += sway > stack_still;
+    return sway <= stack_still;
 }
 
 /* ---- Filters ------------------------------------------------------------- */

@@ -377,16 +377,16 @@ static double rest_way_one(const struct rest_edge *e, kern_vec p, kern_vec d)
 }
 
 /* How far a stone can go along d before it touches something. */
-STONES_API double rest_way(const struct rest_near *near, const struct stone *s,
-                           kern_vec d)
+STONES_API double rest_way(const struct rest_near *around,
+                           const struct stone *s, kern_vec d)
 {
     const kern_vec back = stones_vec(-d.x, -d.y);
     double way = HUGE_VAL;
     for (int i = 0; i < s->n; i++) {
         struct rest_edge own = rest_edge_at(s, i);
         int ahead = stones_dot(own.n, d) > 0;
-        for (int k = 0; k < near->edges; k++) {
-            const struct rest_edge *e = &near->edge[k];
+        for (int k = 0; k < around->edges; k++) {
+            const struct rest_edge *e = &around->edge[k];
             way = fmin(way, rest_way_one(e, own.a, d));
             if (ahead) way = fmin(way, rest_way_one(&own, e->a, back));
         }
@@ -420,17 +420,18 @@ static double rest_turn_one(const struct rest_edge *e, kern_vec c, kern_vec p,
 }
 
 /* How far a stone can turn about c before it touches something. */
-STONES_API double rest_turn(const struct rest_near *near, const struct stone *s,
-                            kern_vec c, double side, kern_vec *turn)
+STONES_API double rest_turn(const struct rest_near *around,
+                            const struct stone *s, kern_vec c, double side,
+                            kern_vec *turn)
 {
     double least = HUGE_VAL;
     for (int i = 0; i < s->n; i++) {
         struct rest_edge own = rest_edge_at(s, i);
-        for (int k = 0; k < near->edges; k++) {
+        for (int k = 0; k < around->edges; k++) {
             kern_vec t[2];
             double order[2];
-            order[0] = rest_turn_one(&near->edge[k], c, own.a, side, &t[0]);
-            order[1] = rest_turn_one(&own, c, near->edge[k].a, -side, &t[1]);
+            order[0] = rest_turn_one(&around->edge[k], c, own.a, side, &t[0]);
+            order[1] = rest_turn_one(&own, c, around->edge[k].a, -side, &t[1]);
             for (int j = 0; j < 2; j++)
                 if (order[j] < least) {
                     least = order[j];
@@ -454,15 +455,15 @@ static void rest_hold(kern_vec p, double up, kern_vec *left, kern_vec *right)
 
 /* The leftmost and the rightmost point that carries a stone; none: left is to
    the right of right. */
-static void rest_holds(const struct rest_near *near, const struct stone *s,
+static void rest_holds(const struct rest_near *around, const struct stone *s,
                        kern_vec *left, kern_vec *right)
 {
     *left = stones_vec(HUGE_VAL, 0);
     *right = stones_vec(-HUGE_VAL, 0);
     for (int i = 0; i < s->n; i++) {
         struct rest_edge own = rest_edge_at(s, i);
-        for (int k = 0; k < near->edges; k++) {
-            const struct rest_edge *e = &near->edge[k];
+        for (int k = 0; k < around->edges; k++) {
+            const struct rest_edge *e = &around->edge[k];
             if (fabs(stones_dot(e->n, stones_sub(own.a, e->a))) < rest_touch &&
                 rest_on(e, own.a))
                 rest_hold(own.a, e->n.y, left, right);
@@ -474,9 +475,9 @@ static void rest_holds(const struct rest_near *near, const struct stone *s,
 }
 
 /* Lets a stone down. Returns 0 where there is nothing below. */
-STONES_API int rest_drop(const struct rest_near *near, struct stone *s)
+STONES_API int rest_drop(const struct rest_near *around, struct stone *s)
 {
-    double way = rest_way(near, s, stones_vec(0, -1));
+    double way = rest_way(around, s, stones_vec(0, -1));
     if (way < HUGE_VAL) stone_move(s, stones_vec(0, -way));
     return way < HUGE_VAL;
 }
@@ -484,18 +485,18 @@ STONES_API int rest_drop(const struct rest_near *near, struct stone *s)
 /* Lets a stone down and turns it about the contact next to its centre until
    it is held on both sides, by less than a right angle in all. Returns 1 where
    it is, or where something beside it stops the turning. */
-STONES_API int rest_settle(const struct rest_near *near, struct stone *s)
+STONES_API int rest_settle(const struct rest_near *around, struct stone *s)
 {
     enum { ROUNDS = 12 };
     kern_vec left, right, turn = { 1, 0 }, whole = { 1, 0 };
-    if (!rest_drop(near, s)) return 0;
+    if (!rest_drop(around, s)) return 0;
     for (int i = 0; i < ROUNDS; i++) {
         double side;
-        rest_holds(near, s, &left, &right);
+        rest_holds(around, s, &left, &right);
         if (left.x > right.x) return 0;
         if (left.x < s->centre.x && s->centre.x < right.x) return 1;
         side = s->centre.x >= right.x ? -1 : 1;
-        if (!(rest_turn(near, s, side < 0 ? right : left, side, &turn) < 4))
+        if (!(rest_turn(around, s, side < 0 ? right : left, side, &turn) < 4))
             return 0;
         if (side * turn.y <= rest_touch) return i > 0 || turn.x > 0;
         whole = stones_turned(turn, whole);
