@@ -276,10 +276,18 @@
    tilt        the angle to which the ground may turn; without loads
                tan(tilt) is the load factor, below 90 degrees
    deficit     how much is missing, where it falls
+   bearing     the length of the shortest contact that it needs (kern_bearing)
    mechanism   which stones go first, and how
    profile     how much worse it gets after that: every stone's own margin or
                load factor, their mean, the mean of the weaker half, and the
                expected drop
+
+   A kern closes to its middle, but never lets go. So the margin does not see a
+   sliver that carries load: a stone whose one end rests on 2 micrometres has
+   the margin of the other end, or a saturated one. A saturated margin is half
+   the longest contact and says nothing about safety: do not compare it. The
+   bearing length sees the sliver: a robot that places stones less exactly than
+   that cannot count on it.
 
    All but the profile belong to the weakest place of a structure. Use them for
    what must not fall at all. Shaking moves every stone, and whether half of a
@@ -411,6 +419,7 @@
 typedef float kern_real;
 /* Symbols of their own: a file compiled in the other precision fails when it
    is linked, not when it runs, and one program may hold both. */
+#define kern_bearing         kern_bearing_f32
 #define kern_block_init      kern_block_init_f32
 #define kern_block_load      kern_block_load_f32
 #define kern_check_forces    kern_check_forces_f32
@@ -898,6 +907,19 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
    KERN_LIMIT: *deficit is how far they must grow at least, -1 where the
    structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
+
+/* The length [m] of the shortest contact that the structure needs: it stands on
+   its contacts of this length and longer ones alone, and not on longer ones
+   alone. A point of an interface of several counts with twice its travel; a
+   lone point has no length and is never left out. KERN_STANDS: *length,
+   KERN_INFINITY where it needs no contact that has a length; proof->force holds
+   the structure by those contacts, proof->motion moves it without the shortest
+   of them. KERN_FALLS: it falls with all contacts. KERN_LIMIT: *length is the
+   largest by which it is proven to stand, -1 if it is not yet. What is
+   undecided without a contact needs it. Time: C, and one verdict for each time
+   that the lengths in question are halved, as powers of ten. */
+KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
+                                  const kern_proof *proof);
 
 /* The largest factor of a horizontal load, m |g| at every centre of mass, that
    stands on top of weights and loads, with kerns shrunk by `shrink`.
@@ -4801,6 +4823,7 @@ typedef struct kern_question {
     int side;
     const kern_real *fallen;    /* a block with a value >= 0 has been taken
                                    away; NULL: all are there                  */
+    kern_real shortest;         /* a shorter contact carries nothing [m]      */
 } kern_question;
 
 static kern_question kern_question_of(const kern_structure *s,
@@ -4815,12 +4838,26 @@ static kern_question kern_question_of(const kern_structure *s,
     q.factor = KERN_R(0);
     q.side = 0;
     q.fallen = NULL;
+    q.shortest = KERN_R(0);
     return q;
 }
 
-/* Whether a block, or one of the two of a contact, has been taken away. */
-static int kern_is_gone(const kern_real *fallen, int a, int b)
-{ return fallen && (fallen[a] >= 0 || fallen[b] >= 0); }
+/* Whether one of two blocks has been taken away. */
+static int kern_is_gone(const kern_question *q, int a, int b)
+{ return q->fallen && (q->fallen[a] >= 0 || q->fallen[b] >= 0); }
+
+/* Of its line, or about of its group of points; 0 for a lone point. */
+static kern_real kern_contact_length(const kern_contact *c)
+{ return 2 * kern_abs(c->travel); }
+
+/* Whether a contact carries nothing: one of its blocks is gone, or it is too
+   short. */
+static int kern_is_out(const kern_question *q, const kern_contact *c)
+{
+    const kern_real length = kern_contact_length(c);
+    return kern_is_gone(q, c->a, c->b)
+           || (length > 0 && length < q->shortest);
+}
 
 /* What gravity does to a mass. */
 static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
@@ -4962,7 +4999,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         const kern_real fy = f * c->n.y + r * c->n.x;
         kern_vec arm[2];
         int end;
-        if (kern_is_gone(q->fallen, c->a, c->b))
+        if (kern_is_out(q, c))
             continue;
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
@@ -4978,7 +5015,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         }
     }
     for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed && !kern_is_gone(q->fallen, i, i)) {
+        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
             const kern_real x = kern_abs(sum[4 * i] + w.fx);
@@ -5060,7 +5097,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         kern_real speed;
-        if (kern_is_gone(q->fallen, c->a, c->b)
+        if (kern_is_out(q, c)
             || !(kern_speed(motion + c->a) + kern_speed(motion + c->b) > 0))
             continue;
         speed = kern_closing(s, c, q, motion);
@@ -5271,14 +5308,14 @@ static void kern_model_touch(kern_model *m)
             m->touch[at[m->ends[i]]++] = i >> 1;
 }
 
-/* Gives every block that is free, and not `fallen`, one of the groups. */
-static void kern_model_group(kern_model *m, const kern_real *fallen)
+/* Gives every block that is free and has not been taken away a group. */
+static void kern_model_group(kern_model *m, const kern_question *q)
 {
     const kern_structure *s = m->s;
     int i, g;
     m->groups = m->plain = 0;
     for (i = m->from; i < s->blocks; i++)
-        if (!s->block[i].fixed && !kern_is_gone(fallen, i, i))
+        if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->block[m->groups++] = i;
     kern_model_order(m);
     for (i = 0; i < s->blocks; i++)
@@ -5287,7 +5324,7 @@ static void kern_model_group(kern_model *m, const kern_real *fallen)
         m->group[m->block[g]] = g;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
-        const int gone = kern_is_gone(fallen, c->a, c->b);
+        const int gone = kern_is_out(q, c);
         m->ends[2 * i] = gone ? m->groups : m->group[c->b];
         m->ends[2 * i + 1] = gone ? m->groups : m->group[c->a];
     }
@@ -5297,6 +5334,7 @@ static void kern_model_group(kern_model *m, const kern_real *fallen)
 /* Opens the model of a structure that has been checked, with so many free
    blocks: of all, or of its last block with all others held. */
 static kern_status kern_model_open(kern_model *m, const kern_structure *s,
+                                   const kern_question *q,
                                    const kern_options *o, kern_work *work,
                                    int free_blocks, int last_only)
 {
@@ -5313,7 +5351,7 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     m->weight = KERN_R(1);
     m->from = last_only ? s->blocks - 1 : 0;
     m->prior = NULL;
-    kern_model_group(m, NULL);
+    kern_model_group(m, q);
     return KERN_OK;
 }
 
@@ -7770,7 +7808,7 @@ static kern_status kern_path_begin(kern_path *path, kern_path_kind kind,
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
     path->never = path->closed = 0;
-    return kern_model_open(m, s, o, work, free_blocks, last_only);
+    return kern_model_open(m, s, &path->q, o, work, free_blocks, last_only);
 }
 
 /* The same for a task, or what is wrong with it; `out` is where the answer
@@ -8014,6 +8052,66 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     return status;
 }
 
+/* The length of a contact between lo and hi, about in the middle of those that
+   there are, as powers of ten; 0: there is none. */
+static kern_real kern_length_between(const kern_structure *s, kern_real lo,
+                                     kern_real hi)
+{
+    kern_real least = hi, most = lo, middle, best;
+    int i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_real length = kern_contact_length(s->contact + i);
+        if (length > lo && length < hi) {
+            least = kern_min(least, length);
+            most = kern_max(most, length);
+        }
+    }
+    if (!(most > lo))
+        return KERN_R(0);
+    middle = KERN_SQRT(least) * KERN_SQRT(most);
+    best = most;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_real length = kern_contact_length(s->contact + i);
+        if (length > lo && length >= middle)
+            best = kern_min(best, length);
+    }
+    return best;
+}
+
+KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
+                                  const kern_proof *proof)
+{
+    kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    int round;
+    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
+                                        task, at, length, NULL);
+    if (status != KERN_OK)
+        return status;
+    status = KERN_STANDS;
+    for (round = 0; status == KERN_STANDS && (round < 2 || at > 0); round++) {
+        path.q.shortest = at;
+        kern_model_group(&m, &path.q);
+        status = kern_model_ask(&m, &part, &path.q);
+        kern_proof_out(&m, proof, status);
+        if (status == KERN_STANDS)
+            lo = at;
+        else if (round > 0
+                 && (status == KERN_FALLS || status == KERN_UNDECIDED)) {
+            hi = at;
+            status = KERN_STANDS;
+        }
+        at = round == 0 ? KERN_INFINITY
+                        : kern_length_between(&task->s, lo, hi);
+    }
+    status = kern_spent(task->work, task->options.limit, status);
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        *length = lo;
+    return status;
+}
+
 /* Gravity and a side to turn it to. */
 static int kern_has_side(const kern_structure *s, kern_side side)
 {
@@ -8139,13 +8237,14 @@ static int kern_moves(const kern_model *m, int i)
 }
 
 /* Takes away the blocks that move in the last mechanism. */
-static void kern_fall_take(kern_model *m, kern_fall *fall, kern_real at)
+static void kern_fall_take(kern_model *m, const kern_question *q,
+                           kern_fall *fall, kern_real at)
 {
     int i;
     for (i = 0; i < m->s->blocks; i++)
         if (kern_is_free(m, i) && kern_moves(m, i))
             kern_fall_add(fall, i, at);
-    kern_model_group(m, fall->value);
+    kern_model_group(m, q);
 }
 
 /* Evaluates where the structure fell last, and a little farther as long as
@@ -8170,7 +8269,7 @@ static kern_status kern_fall_at(kern_model *m, kern_path *path,
 {
     kern_status status = KERN_FALLS;
     while (status == KERN_FALLS) {
-        kern_fall_take(m, fall, at);
+        kern_fall_take(m, &path->q, fall, at);
         if (m->groups == 0)
             return KERN_STANDS;
         status = kern_fall_beyond(m, path);

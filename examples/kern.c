@@ -140,7 +140,7 @@ struct analysis {
     kern_motion *collapse;  /* just past the margin, or at 0     */
     double *limit;          /* how much each contact point limits */
     int limiting;           /* the one that does most, -1: none  */
-    double deficit, load[2], tilt[2];
+    double deficit, bearing, load[2], tilt[2];
 
     kern_status profiled;   /* both profiles, if asked for       */
     kern_real *fate[3];     /* of each block: its margin, and its load
@@ -467,6 +467,12 @@ static int measure(struct analysis *a)
         status = kern_deficit(&a->task, &deficit);
         a->deficit = status < 0 ? (double)NAN : (double)deficit;
     }
+    a->bearing = (double)NAN;
+    if (a->measured == KERN_STANDS) {
+        kern_real length = 0;
+        kern_status status = kern_bearing(&a->task, &length, NULL);
+        a->bearing = value_or_nan(status, length);
+    }
     find_limit(a);
     show_stage(a, "  load factors ...");
     find_loads(a);
@@ -506,7 +512,7 @@ static const char *status_word(const struct analysis *a)
 /* What is asked for, and neither found nor without limit: bits of the names
    below. */
 static const char *const open_name[] = {
-    "level", "margin", "deficit", "load_left", "load_right", "tilt_left",
+    "level", "margin", "deficit", "bearing", "load_left", "load_right", "tilt_left",
     "tilt_right", "profile"
 };
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
@@ -518,6 +524,7 @@ static unsigned open_questions(const struct analysis *a)
     int open[OPENS_MOST] = {
         a->measured < 0 || a->m.level < 0, a->measured < 0,
         a->measured == KERN_FALLS && isnan(a->deficit),
+        a->measured == KERN_STANDS && isnan(a->bearing),
         loaded && isnan(a->load[LEFT]), loaded && isnan(a->load[RIGHT]),
         loaded && isnan(a->tilt[LEFT]), loaded && isnan(a->tilt[RIGHT]),
         a->set->profile && a->profiled < 0
@@ -572,7 +579,8 @@ static void report_level(const struct analysis *a)
     if (a->measured == KERN_FALLS)
         printf("  falls as it is\n");
     else if (a->m.saturated)
-        printf("  stands even with every kern closed (steps of %.4g%s)\n",
+        printf("  stands even with every kern closed (steps of %.4g%s), so\n"
+               "                        level and margin do not compare\n",
                (double)a->m.epsilon, unit);
     else
         printf("  falls after %d step%s of %.4g%s\n", a->m.level,
@@ -612,6 +620,18 @@ static void report_margin(const struct analysis *a)
         printf(", %.3g %% of the mean block size",
                100 * value / mean_size(a));
     printf("\n");
+}
+
+static void report_bearing(const struct analysis *a)
+{
+    if (a->measured != KERN_STANDS) return;
+    printf("  bearing     ");
+    if (isnan(a->bearing)) printf("undecided\n");
+    else if (isinf(a->bearing)) printf("none      it needs points alone\n");
+    else printf("%-8.4g  length of the shortest contact that it needs, %.3g %% "
+                "of the mean block size\n", a->bearing,
+                100 * a->bearing / (double)kern_mean_size(a->task.s.block,
+                                                          a->task.s.blocks));
 }
 
 /* The contact points that limit most, the strongest first. */
@@ -892,6 +912,7 @@ static void report(const struct analysis *a)
                "above\n");
     report_level(a);
     report_margin(a);
+    report_bearing(a);
     report_limit(a);
     report_collapse(a);
     report_loads(a);
@@ -1076,6 +1097,7 @@ static void report_json(const struct analysis *a)
     json_number("deficit", falls ? a->deficit : none);
     json_number("signed_margin",
                 falls ? -a->deficit : known ? (double)a->m.margin : none);
+    json_number("bearing", good ? a->bearing : none);
     json_number("load_left", good ? a->load[LEFT] : none);
     json_number("load_right", good ? a->load[RIGHT] : none);
     json_number("tilt_left", good ? a->tilt[LEFT] : none);

@@ -12,8 +12,8 @@
      answers    >>verdict: calls of the library, each answer verified
                 >>random: structures from a seed
      chapters   >>polygon >>contact >>turned >>steps >>outlines >>lp >>bases
-                >>proof >>digits >>margin >>load >>plan >>jams >>limits
-                >>profile
+                >>proof >>digits >>margin >>load >>plan >>jams >>bearing
+                >>limits >>profile
      known      >>known: cases whose answer is known, each with its derivation
                 or source; t01 slope, t02 column, t03 offset, t04 box stack,
                 t05 lintel, t06 harmonic stack, t08 ladder, t09 A-frame, t11
@@ -5703,12 +5703,115 @@ static void profile_ends(void)
     CHECK(work.pivots < 1000);
 }
 
+/* ==== The bearing length ======================================== >>bearing */
+
+static double bearing(const world *w, int *status)
+{
+    const kern_structure s = structure_of(w);
+    const kern_proof proof = proof_here();
+    kern_work work = work_of(w), check = work_of(w);
+    kern_real length = R(-2);
+    *status = kern_bearing(task_of(&s, &w->options, &work), &length, &proof);
+    if (*status == KERN_STANDS)
+        CHECK(kern_check_forces(task_of(&s, &w->options, &check), 0,
+                                force_of) <= 1);
+    return (double)length;
+}
+
+/* By the definition: all lengths in turn, shorter contacts taken out by hand. */
+static double bearing_by_hand(const world *w)
+{
+    static world t;
+    double best = -1;
+    int i, k;
+    for (i = -1; i <= w->contacts; i++) {
+        const double length = i < 0              ? 0
+                              : i == w->contacts ? huge_value()
+                              : 2 * fabs((double)w->contact[i].travel);
+        if (!(length > best))
+            continue;
+        world_copy(&t, w);
+        for (k = t.contacts = 0; k < w->contacts; k++) {
+            const double own = 2 * fabs((double)w->contact[k].travel);
+            if (!(own > 0) || own >= length)
+                t.contact[t.contacts++] = w->contact[k];
+        }
+        if (verdict(&t, 0) == KERN_STANDS)
+            best = length;
+    }
+    return best;
+}
+
+/* A unit stone on two lips: `left` and `right` wide. */
+static void stone_on_lips(world *w, double left, double right)
+{
+    world_reset(w);
+    world_box(w, 0, -2, -1, left, 0);
+    world_box(w, 0, 1 - right, -1, 3, 0);
+    world_box(w, 1, 0, 0, 1, 1);
+    CHECK_INT(world_touch(w), 4);
+}
+
+static void bearing_of_lips(void)
+{
+    static const double lip[] = {0.3, 0.1, 2e-2, 1e-2};
+    static world w;
+    int i, got;
+    for (i = 0; i < 4; i++) {
+        stone_on_lips(&w, lip[i], 0.3);
+        CHECK_NEAR(bearing(&w, &got), lip[i], SINGLE ? 1e-6 : 1e-12);
+        CHECK_INT(got, KERN_STANDS);
+        stone_on_lips(&w, lip[i], 0.7); /* the lip is not needed */
+        CHECK_NEAR(bearing(&w, &got), 0.7, SINGLE ? 1e-6 : 1e-12);
+    }
+    if (!SINGLE) { /* the margin is that of a lip of 100 mm, and saturated */
+        kern_margin m;
+        stone_on_lips(&w, 2e-6, 0.3);
+        CHECK_NEAR(bearing(&w, &got), 2e-6, 1e-12);
+        CHECK_INT(measure(&w, &m), KERN_STANDS);
+        CHECK(m.saturated && m.margin > R(0.14));
+    }
+    stack_of_two(&w, 0.25);
+    CHECK_NEAR(bearing(&w, &got), 0.75, EXACT);
+    stack_of_two(&w, 0.75);
+    CHECK_NEAR(bearing(&w, &got), -2, 0);
+    CHECK_INT(got, KERN_FALLS);
+    world_reset(&w); /* on two points that have no length */
+    world_mass(&w, 0, 0, -1, 1);
+    world_mass(&w, 0, 1, -1, 1);
+    world_mass(&w, 1, 0.5, 0.5, 1);
+    world_point(&w, 0, 2, 0, 1, 0, 0);
+    world_point(&w, 1, 2, 0, 1, 1, 0);
+    world_touch(&w);
+    CHECK(bearing(&w, &got) > 1e30);
+}
+
+static void bearing_by_definition(void)
+{
+    static world w;
+    int seed, slivers = 0;
+    for (seed = 0; seed < 300; seed++) {
+        double here, by_hand;
+        int got;
+        random_world(&w, 780000u + (unsigned long long)seed, 10);
+        here = bearing(&w, &got);
+        by_hand = bearing_by_hand(&w);
+        if (got == KERN_STANDS)
+            CHECK_NEAR(here, by_hand, 1e-12 * here);
+        else
+            CHECK(got == KERN_FALLS ? by_hand < 0 : SINGLE);
+        slivers += here < 0.3 && here > 0;
+    }
+    context[0] = 0;
+    CHECK(slivers > 20);
+}
+
 /* ==== Limits of work ============================================= >>limits */
 
 enum limited_call {
     LIMIT_STANDS, LIMIT_SHRUNK, LIMIT_MEASURE, LIMIT_DEFICIT, LIMIT_LEFT,
-    LIMIT_RIGHT, LIMIT_TILT, LIMIT_MARGINS, LIMIT_LOADS, LIMIT_PLAN, LIMIT_TRY,
-    LIMIT_BEARS, LIMIT_CALLS
+    LIMIT_RIGHT, LIMIT_TILT, LIMIT_BEARING, LIMIT_MARGINS, LIMIT_LOADS,
+    LIMIT_PLAN, LIMIT_TRY, LIMIT_BEARS, LIMIT_CALLS
 };
 
 /* What a call says: 0 in all that it does not write. */
@@ -5761,6 +5864,9 @@ static limited ask_limited(enum limited_call call, const world *w, int limit)
         break;
     case LIMIT_TILT:
         r.status = kern_tilt(task_of(&s, &o, &work), 0, side, r.value, NULL);
+        break;
+    case LIMIT_BEARING:
+        r.status = kern_bearing(task_of(&s, &o, &work), r.value, NULL);
         break;
     case LIMIT_MARGINS:
     case LIMIT_LOADS:
@@ -5818,6 +5924,7 @@ static void check_known(enum limited_call call, const world *w,
     case LIMIT_LEFT:
     case LIMIT_RIGHT:
     case LIMIT_TILT:
+    case LIMIT_BEARING:
         CHECK(r->value[0] <= all->value[0] * inside + R(1e-6));
         break;
     case LIMIT_MARGINS:
@@ -7749,6 +7856,8 @@ static const test tests[] = {
     TEST(plan_saturated),
     TEST(plan_stale),
     TEST(jams_are_bounded),
+    TEST(bearing_of_lips),
+    TEST(bearing_by_definition),
     TEST(limits_of_work),
     TEST(profile_ends),
     TEST(plan_ground_only),
