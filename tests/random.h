@@ -1,12 +1,14 @@
 /* random.h - random structures for the tests, the same on every machine.
 
    They are made from whole numbers by + - * / alone, since sines and powers
-   differ from one libm to the next. Include kern.h first. random_structure()
-   fills the variables below; towers, walls, arches, concave stones and stones
-   on points come alike often, small ones more often than large ones. */
+   differ from one libm to the next. random_structure() fills the variables
+   below; towers, walls, arches, concave stones and stones on points come alike
+   often, small ones more often than large ones. */
 
 #ifndef RANDOM_H
 #define RANDOM_H
+
+#include "../kern.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -30,6 +32,14 @@ static kern_task *task_of(kern_work *work)
     return &task;
 }
 
+static kern_vec vec_of(kern_real x, kern_real y)
+{
+    kern_vec v;
+    v.x = x;
+    v.y = y;
+    return v;
+}
+
 static uint32_t random_bits(void) /* xorshift */
 {
     state ^= state << 13;
@@ -43,8 +53,8 @@ static int random_below(int end)
 
 static kern_real uniform(double low, double high)
 { /* 24 bits, which a float holds */
-    const kern_real part = KERN_R(random_bits() >> 8) / KERN_R(16777216);
-    return KERN_R(low) + (KERN_R(high) - KERN_R(low)) * part;
+    const kern_real part = (kern_real)(random_bits() >> 8) / (kern_real)(16777216);
+    return (kern_real)(low) + ((kern_real)(high) - (kern_real)(low)) * part;
 }
 
 static void add(const kern_vec *corner, int corners, kern_real density)
@@ -61,10 +71,10 @@ static void add_box(kern_real x0, kern_real y0, kern_real x1, kern_real y1,
                     kern_real density)
 {
     kern_vec c[4];
-    c[0] = kern_vec_make(x0, y0);
-    c[1] = kern_vec_make(x1, y0);
-    c[2] = kern_vec_make(x1, y1);
-    c[3] = kern_vec_make(x0, y1);
+    c[0] = vec_of(x0, y0);
+    c[1] = vec_of(x1, y0);
+    c[2] = vec_of(x1, y1);
+    c[3] = vec_of(x0, y1);
     add(c, 4, density);
 }
 
@@ -81,10 +91,10 @@ static void make_tower(int blocks, kern_real slope)
         kern_vec c[4];
         x += jitter * uniform(-1, 1);
         /* beds are lines through (0, y) */
-        c[0] = kern_vec_make(x - half, y + bed * (x - half));
-        c[1] = kern_vec_make(x + half, y + bed * (x + half));
-        c[2] = kern_vec_make(x + half, y + high + next * (x + half));
-        c[3] = kern_vec_make(x - half, y + high + next * (x - half));
+        c[0] = vec_of(x - half, y + bed * (x - half));
+        c[1] = vec_of(x + half, y + bed * (x + half));
+        c[2] = vec_of(x + half, y + high + next * (x + half));
+        c[3] = vec_of(x - half, y + high + next * (x - half));
         add(c, 4, uniform(1, 3));
         y += high;
         bed = next;
@@ -94,7 +104,7 @@ static void make_tower(int blocks, kern_real slope)
 static void make_wall(int blocks)
 {
     const int row = 2 + random_below(4);
-    const kern_real joint = random_below(2) ? KERN_R(0) : KERN_R(0.03);
+    const kern_real joint = random_below(2) ? (kern_real)(0) : (kern_real)(0.03);
     kern_real y = 0;
     add_box(-9, -1, 9, 0, 0);
     while (blocks > 0) {
@@ -117,7 +127,7 @@ static void make_wall(int blocks)
 static kern_vec on_circle(kern_real half_tangent, kern_real radius)
 {
     const kern_real q = half_tangent * half_tangent;
-    return kern_vec_make(radius * 2 * half_tangent / (1 + q),
+    return vec_of(radius * 2 * half_tangent / (1 + q),
                          radius * (1 - q) / (1 + q));
 }
 
@@ -125,17 +135,17 @@ static kern_vec on_circle(kern_real half_tangent, kern_real radius)
 static void make_arch(int blocks)
 {
     const kern_real end = uniform(0.3, 1), thick = uniform(0.03, 0.3);
-    const kern_real step = 2 * end / KERN_R(blocks);
+    const kern_real step = 2 * end / (kern_real)(blocks);
     int i;
     for (i = -1; i <= blocks; i++) {
-        const kern_real from = -end + KERN_R(i) * step;
-        const kern_real to = -end + KERN_R(i + 1) * step;
+        const kern_real from = -end + (kern_real)(i) * step;
+        const kern_real to = -end + (kern_real)(i + 1) * step;
         kern_vec c[4];
         c[0] = on_circle(from, 1);
         c[1] = on_circle(to, 1);
         c[2] = on_circle(to, 1 + thick);
         c[3] = on_circle(from, 1 + thick);
-        add(c, 4, KERN_R(i >= 0 && i < blocks));
+        add(c, 4, (kern_real)(i >= 0 && i < blocks));
     }
 }
 
@@ -151,21 +161,21 @@ static void make_concave(int blocks)
         kern_vec c[8];
         int n = 0;
         x += uniform(-0.12, 0.12);
-        c[n++] = kern_vec_make(x - KERN_R(0.5), y);
+        c[n++] = vec_of(x - (kern_real)(0.5), y);
         if (feet > 0) {
-            c[n++] = kern_vec_make(x - a, y);
-            c[n++] = kern_vec_make(x - a, y + h / 2);
+            c[n++] = vec_of(x - a, y);
+            c[n++] = vec_of(x - a, y + h / 2);
         }
         if (feet > 1) {
-            c[n++] = kern_vec_make(x + a, y + h / 2);
-            c[n++] = kern_vec_make(x + a, y);
+            c[n++] = vec_of(x + a, y + h / 2);
+            c[n++] = vec_of(x + a, y);
         }
         if (feet == 1)
-            c[n++] = kern_vec_make(x + KERN_R(0.5), y + h / 2);
+            c[n++] = vec_of(x + (kern_real)(0.5), y + h / 2);
         else
-            c[n++] = kern_vec_make(x + KERN_R(0.5), y);
-        c[n++] = kern_vec_make(x + KERN_R(0.5), y + h);
-        c[n++] = kern_vec_make(x - KERN_R(0.5), y + h);
+            c[n++] = vec_of(x + (kern_real)(0.5), y);
+        c[n++] = vec_of(x + (kern_real)(0.5), y + h);
+        c[n++] = vec_of(x - (kern_real)(0.5), y + h);
         add(c, n, uniform(1, 2));
         y += h;
     }
@@ -181,8 +191,8 @@ static void make_points(int blocks)
         const int points = 2 + random_below(3);
         for (k = 0; k < points; k++) {
             const kern_real at = block[i].centre.x + uniform(-0.5, 0.5);
-            const kern_vec p = kern_vec_make(at, vertex[i][0].y);
-            const kern_vec n = kern_vec_make(uniform(-0.8, 0.8), 1);
+            const kern_vec p = vec_of(at, vertex[i][0].y);
+            const kern_vec n = vec_of(uniform(-0.8, 0.8), 1);
             kern_contact *c = contact + s.contacts;
             int got;
             c->a = i - 1;
@@ -207,7 +217,7 @@ static void load_some(void)
             const kern_real fx = uniform(-0.2, 0.2) * weight;
             const kern_real fy = uniform(-0.4, 0.2) * weight;
             const kern_real torque = uniform(-0.04, 0.04) * weight;
-            kern_block_load(&block[i], kern_vec_make(fx, fy), block[i].centre,
+            kern_block_load(&block[i], vec_of(fx, fy), block[i].centre,
                             torque);
         }
 }
@@ -234,12 +244,12 @@ static void random_structure(int seed, int most, kern_work *work)
     s.blocks = s.contacts = 0;
     s.block = block;
     s.contact = contact;
-    s.gravity = kern_vec_make(random_below(3) ? KERN_R(0) : uniform(-2, 2),
-                              KERN_R(-9.8125));
+    s.gravity = vec_of(random_below(3) ? (kern_real)(0) : uniform(-2, 2),
+                              (kern_real)(-9.8125));
     i = random_below(6);
     switch (i) {
     case 0: make_tower(random_count(1, most), 0); break;
-    case 1: make_tower(random_count(1, most), KERN_R(0.2)); break;
+    case 1: make_tower(random_count(1, most), (kern_real)(0.2)); break;
     case 2: make_wall(random_count(1, most)); break;
     case 3: make_arch(random_count(3, most)); break;
     case 4: make_concave(random_count(1, most)); break;

@@ -1,0 +1,94 @@
+"""python3 tests/judge.py WHAT FILE...    what the example programs wrote
+
+structures, profiles: JSON of examples/kern.c; figures, walls: the folder that
+examples/shaking/figures.c and examples/walls/walls.c wrote into; svg: pictures.
+Fails with the first thing that is wrong.
+"""
+import csv
+import glob
+import json
+import os
+import sys
+import xml.dom.minidom
+
+
+def rows(folder, name):
+    with open(os.path.join(folder, name), encoding='utf-8') as file:
+        return list(csv.DictReader(file))
+
+
+def objects(name):
+    with open(name, encoding='utf-8') as file:
+        return [json.loads(line) for line in file]
+
+
+def svg(*names):
+    assert names
+    for name in names:
+        xml.dom.minidom.parse(name)
+
+
+def structures(name):
+    found = objects(name)
+    assert len(found) >= 10
+    assert all(r['status'] in ('stands', 'falls') for r in found), found
+    assert [r['file'] for r in found if r['status'] == 'falls'] == [
+        'examples/structures/falls.kern']
+
+
+def profiles(name):
+    """The least of a profile is the measure, and means are ordered."""
+    for r in objects(name):
+        least = min(b['margin'] for b in r['profile'])
+        assert len(r['profile']) == r['blocks']
+        assert abs(least - r['margin']) < 1e-5, r
+        assert least <= r['weak_margin'] + 1e-9
+        assert r['weak_margin'] <= r['progressive_margin'] + 1e-9
+        assert r['progressive_load'] >= min(r['load_left'] or 0,
+                                            r['load_right'] or 0) - 1e-5
+
+
+def figures(folder):
+    cost = rows(folder, 'table1.csv')
+    assert len(cost) == 4
+    for r in cost:  # times are not judged, but for their order
+        assert (0 < float(r['margin']) < float(r['profile'])
+                < float(r['shaking']))
+    curves = rows(folder, 'fig6.csv')
+    assert len(curves) == len(rows(folder, 'labels.csv')) == 6
+    assert all(0 < float(r['near_weak_load']) <= 0.401 for r in curves)
+    assert all(float(r['ads1']) < 0.05 < float(r['ads20']) for r in curves)
+    a, b = rows(folder, 'fig7.csv')
+    assert abs(float(a['margin']) - 0.5) < 1e-6, a
+    assert abs(float(b['margin']) - 0.15) < 1e-6, b
+    assert int(a['level']) > 3 * int(b['level'])
+    assert all(abs(float(a['ads%d' % l]) - float(b['ads%d' % l])) < 0.05
+               for l in range(1, 21))
+    for r in rows(folder, 'measures.csv'):
+        assert abs(float(r['load']) - min(float(r['load']), 0.4)) < 1e-3
+        assert float(r['margin']) <= float(r['weak_margin']) + 1e-6
+        assert (float(r['weak_margin'])
+                <= float(r['progressive_margin']) + 1e-6)
+        assert float(r['near_load']) >= float(r['load']) - 1e-3
+    pictures = (glob.glob(folder + '/*.svg')
+                + glob.glob(folder + '/scatter/*.svg'))
+    # fig. 3 twice, fig. 6, fig. 7 with its two walls, a plot a measure
+    measured = len(rows(folder, 'measures.csv')[0]) - 4
+    assert measured >= 17 and len(pictures) == 6 + measured, pictures
+    svg(*pictures)
+    with open(folder + '/study.md', encoding='utf-8') as file:
+        assert '| near: load factor, weaker half |' in file.read()
+
+
+def walls(folder):
+    found = rows(folder, 'walls.csv')
+    assert len(found) == 5 * 2 * 3
+    assert all(0.4 < float(r['filling']) < 1 and int(r['stones']) > 15
+               and int(r['level']) > 0 for r in found), found
+    assert len(rows(folder, 'fig9.csv')) == 15
+    svg(folder + '/fig8.svg', folder + '/fig9.svg')
+
+
+if __name__ == '__main__':
+    {f.__name__: f for f in (svg, structures, profiles, figures, walls)}[
+        sys.argv[1]](*sys.argv[2:])

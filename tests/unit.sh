@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# bash tests/unit.sh CHECK ...    kern_test.c and its kin, in many builds
+. "$(dirname "$0")/lib.sh"
+
+build() { # build COMPILER FLAGS...: kern_test with them
+    local cc=$1
+    shift
+    $cc $exact "$@" -o "$out/kern_test" tests/kern_test.c $libs -lm
+}
+
+tests() { # tests COMPILER FLAGS...
+    build "$@" && "$out/kern_test"
+}
+
+quick() { # quick COMPILER FLAGS...: where the code is slow, fewer structures
+    build "$@" && "$out/kern_test" --quick
+}
+
+sanitized() { # sanitized FLAGS...
+    # shellcheck disable=SC2086
+    quick clang $sanitize "$@"
+}
+
+audited() { # audited FLAGS...: asserts, and the engine's state after each pivot
+    tests gcc -O2 -include assert.h '-DKERN_ASSERT(x)=assert(x)' \
+        -DKERN_AUDIT=2000 "$@"
+}
+
+glpk() { # above 96 rows
+    libs=-lglpk
+    tests gcc -O2 -DKERN_USE_GLPK
+}
+
+glpk_always() { # the cases with known answers, and small plans
+    libs=-lglpk
+    build gcc -O2 -DKERN_USE_GLPK -DKERN_GLPK_ROWS=0 &&
+        "$out/kern_test" t1 plan_ca plan_p plan_s
+}
+
+random() { # random N: structures against the twin
+    build gcc -O2 && "$out/kern_test" --random "$1"
+}
+
+big_endian() { # what is quick in an emulator
+    build s390x-linux-gnu-gcc -O2 -static &&
+        qemu-s390x "$out/kern_test" polygon contact lp_ proof t0
+}
+
+# ---- what a proof is worth
+
+faults() { # faults FLAGS...: too little memory, too few pivots
+    # shellcheck disable=SC2086
+    gcc $plain "$@" -o "$out/faults" tests/faults.c $libs -lm && "$out/faults"
+}
+
+lies() { # a solver that lies
+    libs=-lglpk
+    faults -DKERN_USE_GLPK
+}
+
+rational() { # verdicts against exact arithmetic
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/exact" tests/exact.c -lgmp -lm &&
+        "$out/exact" 20000 && "$out/exact" 1000 1 14
+}
+
+bytes() { # bytes FLAGS...: without libFuzzer: files, and bytes from a seed
+    # shellcheck disable=SC2086
+    gcc $plain "$@" -DFUZZ_PLAIN -o "$out/plain" tests/fuzz.c -lm &&
+        case "$*" in
+        *TEXT*) "$out/plain" examples/structures/* ;;
+        *) "$out/plain" tests/corpus/structure-* ;;
+        esac && "$out/plain" --random 100000 7
+}
+
+fuzz_one() { # fuzz_one WHAT [SEEDS]: a minute of libFuzzer
+    mkdir -p "$out/$1" &&
+        clang -g -O1 $exact -fsanitize=fuzzer,address,undefined \
+            -fno-sanitize-recover=all -DFUZZ_$1 -o "$out/fuzz_$1" \
+            tests/fuzz.c -lm &&
+        "$out/fuzz_$1" -max_total_time=60 -timeout=100 -max_len=1000 \
+            -verbosity=0 -print_final_stats=1 -artifact_prefix="$out/" \
+            "$out/$1" ${2:+"$2"}
+}
+
+libs=""
+run_check "$@"
