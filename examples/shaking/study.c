@@ -1,4 +1,4 @@
-/* study - which number foretells what shaking does?
+/* study - which measure predicts collapse under shaking?
 
    Reads a set of structures that were shaken, measures each of them without
    shaking, and says how well each measure ranks the levels at which they
