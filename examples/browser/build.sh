@@ -15,8 +15,9 @@ for name in vertex force motion centre point fault answer constant; do
     exports="$exports -Wl,--export=$name"
 done
 # shellcheck disable=SC2086
-clang --target=wasm32 -std=c99 -O2 -mbulk-memory -ffp-contract=off -nostdlib \
-    -Wall -Wextra -Werror -Wl,--no-entry -Wl,--strip-all $exports \
+clang --target=wasm32 -std=c99 -O2 -fno-unroll-loops -mbulk-memory \
+    -ffp-contract=off -nostdlib -Wall -Wextra -Werror \
+    -Wl,--no-entry -Wl,--strip-all $exports \
     -o "$out/page.wasm" page.c
 
 {
