@@ -133,6 +133,8 @@ class Calls(unittest.TestCase):
         s = Structure(two(0.2))
         for i in range(4):
             s.blocks[2].vertices[i, 0] += 0.1
+        with self.assertRaisesRegex(kern.KernError, "'top': .* call update"):
+            s.touch("top")
         s.update()
         self.assertAlmostEqual(s.measure().margin, 0.2, 6)
         s.blocks[2].vertices = [(x, y + 1) for x, y in BOX]
@@ -186,6 +188,11 @@ class Calls(unittest.TestCase):
         self.assertEqual(p.values[0], math.inf)
         self.assertAlmostEqual(p.least, s.measure().margin, 5)
         self.assertEqual(min(p.values), p.least)
+
+    def test_bearing(self):
+        """Two boxes need the shorter of their two beds."""
+        self.assertAlmostEqual(Structure(two(0.2)).bearing(), 0.8)
+        self.assertIsNone(Structure(two(0.7)).bearing())
 
     def test_near(self):
         high = two(0)

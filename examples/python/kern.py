@@ -299,6 +299,7 @@ _task_of = _declare("kern_task_of", _Task, _p, _i, _p, _i, _p)
 _verdict = _declare("kern_verdict", _i, _p, _r, _p)
 _measure = _declare("kern_measure", _i, _p, _p, _p)
 _deficit = _declare("kern_deficit", _i, _p, _p)
+_bearing = _declare("kern_bearing", _i, _p, _p, _p)
 _load_factor = _declare("kern_load_factor", _i, _p, _r, _i, _p, _p)
 _load_factor_of = _declare("kern_load_factor_of", _i, _p, _r, _p, _p, _p)
 _tilt = _declare("kern_tilt", _i, _p, _r, _i, _p, _p)
@@ -359,6 +360,8 @@ class KernError(ValueError):
         place = ""
         if self.status == Status.OVERLAP:
             place = " (%.4g deep)" % self.value
+        elif self.status == Status.STALE:
+            place = ": call update()"
         elif self.index >= 0:
             point = self.status in (Status.BAD_BLOCK, Status.SAME_BLOCK,
                                     Status.BAD_NORMAL, Status.BAD_FRICTION)
@@ -784,6 +787,13 @@ tolerance (0.25 deep)
         out = c_double()
         status = self._check(_deficit(self._at_task, byref(out)))
         return out.value if status == _FALLS else 0.0
+
+    def bearing(self) -> Optional[float]:
+        """kern_bearing(): the length of the shortest contact that it needs, inf
+        where it needs none. None: it falls with all of them."""
+        out = c_double()
+        status = self._check(_bearing(self._at_task, byref(out), None))
+        return out.value if status == _STANDS else None
 
     def load_factor(self, side: int, shrink: float = 0.0,
                     pattern: Optional[Sequence[Sequence[float]]] = None
