@@ -36,7 +36,9 @@ static const char help[] =
 "\n"
 "      --irregularity L  makes a stock instead, of L per cent: 0 to 60\n"
 "      --stones N        of so many stones; default 36\n"
-"      --seed S          of the stock and of the planner best; default 1\n"
+"      --seed S[-T]      of the stock and of the planner best; default 1. A\n"
+"                        range builds a wall for each and adds -S to the names\n"
+"                        of what is written\n"
 "      --planner P       heuristic, combined or best, the default\n"
 "  -w, --width W         of the frame to be filled, in the units of the stock\n"
 "  -h, --height H        of it; default: 16:9, room for 4/3 of the stock\n"
@@ -63,6 +65,8 @@ static const char help[] =
 "      --steps NAME      a picture a step: NAME-01.svg and so on\n"
 "      --against FILE    another wall, for the same table\n"
 "      --no-shaking      leave out the shaking test\n"
+"      --json            one JSON object a wall, one line each, no table:\n"
+"                        lengths in mean stones, load and limit in g\n"
 "      --help, --version\n"
 "\n"
 "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
@@ -73,7 +77,8 @@ struct settings {
     struct stack_options plan;
     const char *stock, *out, *svg, *film, *steps, *against;
     double irregularity, boxes;
-    int stones, shaking;
+    int stones, shaking, json;
+    int first, last;        /* seeds                                   */
 };
 
 static int fail(const char *what, const char *why)
@@ -142,22 +147,32 @@ static int read_beat(struct settings *o, const char *word)
            number("--beat", word + length + 1, 1e-3, 10, &o->plan.beat[1]);
 }
 
+/* One seed, or the first and the last. */
+static int read_seeds(struct settings *o, const char *word)
+{
+    char first[40];
+    const size_t n = strcspn(word, "-");
+    if (n >= sizeof first) return fail("--seed", "S or S-T is expected");
+    memcpy(first, word, n);
+    first[n] = '\0';
+    if (whole("--seed", first, 0, INT_MAX, &o->first)) return -1;
+    o->last = o->first;
+    return word[n] == '-' ? whole("--seed", word + n + 1, o->first,
+                                  INT_MAX - 1, &o->last) : 0;
+}
+
 /* An option with a value. Returns 0, or -1 where something is wrong. */
 static int read_option(struct settings *o, const char *name, const char *word)
 {
     static const char *const goal[] = { "margin", "load" };
     struct stack_options *p = &o->plan;
-    int k, bad;
+    int k;
     if (!word) return fail(name, "a value is expected");
     if (strcmp(name, "--irregularity") == 0)
         return number(name, word, 0, 60, &o->irregularity);
     if (strcmp(name, "--stones") == 0)
         return whole(name, word, 1, STONES_MOST, &o->stones);
-    if (strcmp(name, "--seed") == 0) {
-        bad = whole(name, word, 0, INT_MAX, &k);
-        if (!bad) p->seed = (uint64_t)k;
-        return bad;
-    }
+    if (strcmp(name, "--seed") == 0) return read_seeds(o, word);
     if (strcmp(name, "--planner") == 0) {
         k = one_of(name, word, strlen(word), stack_planner_name,
                    STACK_PLANNERS);
@@ -214,6 +229,8 @@ static int read_arguments(struct settings *o, int argc, char **argv)
         }
         if (strcmp(argv[i], "--no-shaking") == 0) {
             o->shaking = 0;
+        } else if (strcmp(argv[i], "--json") == 0) {
+            o->json = 1;
         } else if (argv[i][0] == '-' && argv[i][1] != '\0') {
             if (read_option(o, argv[i], argv[i + 1])) return -1;
             i++;
@@ -359,10 +376,35 @@ static int print_other(const struct settings *o, const char *path, double size)
     return 0;
 }
 
-static int print_table(const struct settings *o, struct stack_wall *w)
+/* One line of JSON; null where there was no shaking, or where the wall does
+   not stand without friction in its head joints. */
+static void print_json(const struct settings *o, struct stack_wall *w,
+                       double collapse, double seconds)
+{
+    const double limit = stack_limit(&w->plan.task, w->plan.contact);
+    printf("{\"wall\": \"%s\", \"planner\": \"%s\", \"seed\": %d, "
+           "\"stones\": %d, \"filling\": %.4f, \"level\": %d, "
+           "\"margin\": %.6g, ", o->out,
+           stack_planner_name[o->plan.planner], (int)o->plan.seed, w->laid,
+           stack_fill(w), w->m.level, w->m.margin / w->stock->size);
+    if (o->irregularity >= 0)
+        printf("\"irregularity\": %g, ", o->irregularity);
+    if (o->shaking) printf("\"collapse\": %g, ", collapse);
+    else printf("\"collapse\": null, ");
+    if (limit >= 0) printf("\"limit\": %.4g, ", limit);
+    else printf("\"limit\": null, ");
+    printf("\"seconds\": %.2f}\n", seconds);
+}
+
+static int print_result(const struct settings *o, struct stack_wall *w,
+                        double seconds)
 {
     double collapse = 0, size = w->stock->size;
     if (o->shaking && table_once("stack", o->out, size, &collapse)) return -1;
+    if (o->json) {
+        print_json(o, w, collapse, seconds);
+        return 0;
+    }
     print_head();
     print_row(stack_planner_name[o->plan.planner], w->laid, stack_fill(w),
               &w->m, size, stack_limit(&w->plan.task, w->plan.contact),
@@ -410,11 +452,13 @@ static int build(struct settings *o, const struct stones *stock)
 {
     struct stack_wall w;
     clock_t start = clock();
+    double seconds;
     int bad = choose_frame(o, stock);
     if (bad) return EXIT_BAD;
     bad = stack_open(&w, stock, &o->plan) || stack_plan(&w);
+    seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     if (bad) fail("planner", "not enough memory");
-    if (!bad) report(&w, (double)(clock() - start) / CLOCKS_PER_SEC);
+    if (!bad && !o->json) report(&w, seconds);
     if (!bad && w.laid == 0) {
         stack_free(&w);
         return EXIT_NONE;
@@ -422,7 +466,7 @@ static int build(struct settings *o, const struct stones *stock)
     if (!bad && stack_write(&w, o->out))
         bad = fail(o->out, "cannot be written");
     bad = bad || draw_wall(&w, o->svg) ||
-          (o->film && draw_film(&w, o->film)) || print_table(o, &w) ||
+          (o->film && draw_film(&w, o->film)) || print_result(o, &w, seconds) ||
           (o->steps && draw_steps(&w, o->steps));
     stack_free(&w);
     return bad ? EXIT_BAD : EXIT_DONE;
@@ -438,21 +482,55 @@ static void show_progress(const struct stack_wall *w, int wall)
     fflush(stderr);
 }
 
-int main(int argc, char **argv)
+/* NAME.* becomes NAME-SEED.* */
+static int name_seeded(char out[PATH], const char *name, int seed)
 {
-    struct settings o = { stack_defaults(), NULL, "wall.kern", "wall.svg",
-                          NULL, NULL, NULL, -1, 0, 36, 1 };
+    const char *dot = strrchr(name, '.');
+    const int stem = dot ? (int)(dot - name) : (int)strlen(name);
+    const int n = snprintf(out, PATH, "%.*s-%d%s", stem, name, seed,
+                           name + stem);
+    return n < PATH ? 0 : fail(name, "is too long a name");
+}
+
+/* One seed: with several, what is written carries its number. */
+static int run_seed(const struct settings *all, int seed)
+{
+    char out[PATH], svg[PATH];
+    struct settings o = *all;
     struct stones stock;
     int bad;
-    o.plan.width = o.plan.height = 0;
-    o.plan.progress = show_progress;
-    bad = read_arguments(&o, argc, argv);
-    if (bad) return bad > 0 ? EXIT_DONE : EXIT_BAD;
+    o.plan.seed = (uint64_t)seed;
+    if (o.first < o.last) {
+        if (name_seeded(out, o.out, seed) || name_seeded(svg, o.svg, seed))
+            return EXIT_BAD;
+        o.out = out;
+        o.svg = svg;
+    }
     bad = o.stock ? stones_load(&stock, o.stock)
                   : stones_make(&stock, o.irregularity, o.stones,
                                 o.plan.seed);
     if (bad) fail(o.stock ? o.stock : "stock", stock.message);
     bad = bad ? EXIT_BAD : build(&o, &stock);
     stones_free(&stock);
+    return bad;
+}
+
+int main(int argc, char **argv)
+{
+    struct settings o = { stack_defaults(), NULL, "wall.kern", "wall.svg",
+                          NULL, NULL, NULL, -1, 0, 36, 1, 0, 1, 1 };
+    int bad;
+    o.plan.width = o.plan.height = 0;
+    bad = read_arguments(&o, argc, argv);
+    if (bad) return bad > 0 ? EXIT_DONE : EXIT_BAD;
+    if (!o.json) o.plan.progress = show_progress;
+    if (o.first < o.last && (o.film || o.steps)) {
+        fail("--film and --steps", "take one seed");
+        return EXIT_BAD;
+    }
+    for (int seed = o.first; seed <= o.last; seed++) {
+        const int one = run_seed(&o, seed);
+        bad = one > bad ? one : bad;
+    }
     return bad;
 }
