@@ -1,0 +1,157 @@
+# ./bench | awk -f tests/bench.awk                        every table
+# ./bench --quick | awk -v summary=1 -f tests/bench.awk   those of the README
+#
+# Tables of the CSV that tests/bench.c prints. A family's number is the median
+# over its structures, a size's number the median over the families' numbers; the
+# worst is that of any structure. In rates (names that end with /s) the least is
+# the worst.
+
+BEGIN { FS = ","; large = 200 }
+
+NR == 1 || NF != 6 { next }
+$1 == "memory" { memory[$2, $5] = $6; next }
+{
+    if (!($1 in wall)) { family[++families] = $1; wall[$1] = $4 }
+    if (!($2 in seen)) { seen[$2] = 1; size[++sizes] = $2 }
+    if ($5 == "fallen") { fallen = fallen " " $1 "/" $2 "/" $3; next }
+    value[$5, $2, $1, ++count[$5, $2, $1]] = $6
+    sign = $5 ~ /\/s$/ ? -1 : 1
+    if (!(($5, $2) in worst) || sign * $6 > sign * worst[$5, $2]) {
+        worst[$5, $2] = $6
+        worst_of[$5, $2] = $1 "/" $2 "/" $3
+    }
+}
+
+# The median of list[1..n]; "" where n is 0.
+function median(list, n,    i, j, x) {
+    for (i = 2; i <= n; i++) {
+        x = list[i]
+        for (j = i - 1; j >= 1 && list[j] > x; j--) list[j + 1] = list[j]
+        list[j + 1] = x
+    }
+    return n ? (list[int((n + 1) / 2)] + list[int(n / 2) + 1]) / 2 : ""
+}
+
+# Of one family at one size; size "growth": its exponent.
+function of_family(name, blocks, f,    list, i, n) {
+    if (blocks == "growth") return growth(name, f)
+    n = count[name, blocks, f]
+    for (i = 1; i <= n; i++) list[i] = value[name, blocks, f, i]
+    return median(list, n)
+}
+
+# The median over all families, or over the walls alone.
+function of_all(name, blocks, walls,    list, i, n, v) {
+    for (i = 1; i <= families; i++) {
+        v = of_family(name, blocks, family[i])
+        if (v != "" && (!walls || wall[family[i]])) list[++n] = v
+    }
+    return median(list, n)
+}
+
+# The slope of log(median) over log(size) by least squares, from 30 blocks on.
+function growth(name, f,    i, n, v, lx, ly, x, y, xx, xy) {
+    for (i = 1; i <= sizes; i++) {
+        v = of_family(name, size[i], f)
+        if (size[i] < 30 || v == "") continue
+        lx = log(size[i])
+        ly = log(v)
+        n++
+        x += lx
+        y += ly
+        xx += lx * lx
+        xy += lx * ly
+    }
+    return n > 1 ? (n * xy - x * y) / (n * xx - x * x) : ""
+}
+
+function number(v, digits) {
+    if (v == "") return ""
+    return sprintf(v >= 10 ^ digits - 0.5 ? "%.0f" : "%." digits "g", v)
+}
+
+function cell(text) { printf(summary ? " %s |" : " %18s |", text) }
+
+function heading(name) { sub(/ ms$/, ", ms", name); return name }
+
+# Rows of one size: the median, each family, the worst.
+function rows(blocks, names, n,    i, k, v, top, digits) {
+    digits = summary ? 2 : 3
+    for (i = 0; i <= families + (blocks != "growth"); i++) {
+        if (summary && i > 0 && i <= families) continue
+        printf("| %6s | %-6s |", blocks, i == 0 ? "median" : i <= families ? \
+               family[i] : "worst")
+        for (k = 1; k <= n; k++) {
+            top = worst_of[names[k], blocks]
+            v = i == 0 ? of_all(names[k], blocks) : i <= families ? \
+                of_family(names[k], blocks, family[i]) : worst[names[k], blocks]
+            cell(number(v, digits) (i > families && top ? " " top : ""))
+        }
+        printf("\n")
+    }
+}
+
+# Columns that nothing was found for are left out. which: 0 the sizes up to
+# `large`, 1 those above, 2 the growth exponents.
+function table(title, list, which,    all, names, want, m, n, i, k, found) {
+    m = split(list, all, ";")
+    for (i = 1; i <= sizes; i++)
+        if (which == (size[i] > large)) want[++found] = size[i]
+    if (which == 2) want[found = 1] = "growth"
+    for (k = 1; k <= m; k++)
+        for (i = 1; i <= found; i++)
+            if ((which == 2 && of_all(all[k], "growth") != "") ||
+                ((all[k], want[i]) in worst)) { names[++n] = all[k]; break }
+    if (!n) return
+    printf("%s| blocks | |", summary ? "" : title "\n\n")
+    for (k = 1; k <= n; k++) cell(heading(names[k]))
+    printf("\n|---:|---|")
+    for (k = 1; k <= n; k++) printf("---:|")
+    printf("\n")
+    for (i = 1; i <= found; i++) rows(want[i], names, n)
+    printf("\n")
+}
+
+function over_all() {
+    printf("| over all | |\n|---|---:|\n| growth of the measure on walls, " \
+           "exponent from 30 to %d blocks | %.2g |\n", size[sizes],
+           of_all("measure ms", "growth", 1))
+    printf("| lean work memory, 30 blocks with 70 line contacts, KB | %.0f |\n" \
+           "| the same with the blocks and contacts, KB | %.0f |\n" \
+           "| lean work memory, 1000 blocks with 3500 points, KB | %.0f |\n",
+           memory[31, "lean KB"], memory[31, "whole KB"],
+           memory[1001, "lean KB"])
+    printf("| structures that fall, in the columns of the verdict alone |%s |" \
+           "\n\n", fallen)
+}
+
+END {
+    times = "verdict ms;measure ms;scan ms;kerns closed ms;load ms;tilt ms"
+    for (which = 0; which < 2 && !summary; which++) {
+        table("RATIOS to the faster peer's cold LP and warm Algorithm 1; to " \
+              "the floor", "verdict / LP;measure / LP;kerns closed / LP;" \
+              "Alg. 1 / peer's;scan / peer's;measure / floor", which)
+        table("RATIOS to the measure",
+              "load / measure;tilt / measure;try / measure", which)
+        table("CANDIDATES on walls", "places;stand;margin stays;tries/s;" \
+              "stay/s;bears/s", which)
+        table("TIMES", times ";floor ms;search ms", which)
+        table("TIMES of the peers", "GLPK ms;Clp ms;LP closed ms;" \
+              "GLPK's Alg. 1 ms;Clp's Alg. 1 ms", which)
+        table("COUNTS", "points;d*/d_max;pivots at 0;pivots;LPs", which)
+    }
+    if (!summary) {
+        table("GROWTH: exponent of the time, from 30 blocks on",
+              times ";peer's LP ms;peer's Alg. 1 ms", 2)
+        printf("Without a margin:%s\n", fallen)
+        exit
+    }
+    printf("\n")
+    for (which = 0; which < 2; which++) {
+        table("", "verdict ms;measure ms;peer's LP ms;verdict / LP;" \
+              "measure / LP;kerns closed / LP;Alg. 1 / peer's", which)
+        table("", "measure / floor;load / measure;tilt / measure;" \
+              "try / measure;tries/s;stay/s;bears/s", which)
+    }
+    over_all()
+}
