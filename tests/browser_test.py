@@ -12,6 +12,7 @@ import base64
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -324,6 +325,7 @@ def shots(browser, folder):
 
 
 def main():
+    signal.alarm(300)  # a browser that hangs ends the test
     with tempfile.TemporaryDirectory() as folder:
         browser = Browser(os.path.join(folder, "profile"))
         try:
