@@ -644,6 +644,9 @@ typedef struct kern_known {
     kern_force *force;    /* one a contact point: at holds                    */
     kern_real holds, margin, fails; /* of the last measure; fails 0: there
                                        was none                               */
+    int blocks, contacts; /* that it checked and balanced; 0: none            */
+    kern_vec gravity;     /* that it was measured under,                      */
+    int relative;         /* and how                                          */
 } kern_known;
 
 /* What a call needs: a structure, how to look at it, memory to work in, and
@@ -659,13 +662,18 @@ typedef struct kern_task {
 /* A structure that a planner changes by one block at a time. kern_plan_of()
    makes an empty one; task.options and task.s.gravity may then be set, before
    blocks are added. Everything may be read at any time; contacts that are given
-   rather than found may be appended to contact[task.s.contacts]. */
+   rather than found may be appended to contact[task.s.contacts]. A try trusts
+   what kern_measure() checked and proved as long as blocks and contacts are as
+   many as they were then: who changes one of them by hand sets
+   task.known.fails to 0, or measures again, before the next try. */
 typedef struct kern_plan {
     kern_task task;       /* the structure as it is now                       */
     kern_block *block;    /* arrays of the caller, which task.s reads         */
     int block_room;
     kern_contact *contact;
     int contact_room;
+    kern_box box;         /* of all blocks with a polygon                     */
+    kern_real area;       /* largest of the free ones [m^2]                   */
 } kern_plan;
 
 /* Directions of a horizontal load and of a tilt; kern_profile() takes all
@@ -2506,6 +2514,8 @@ typedef struct kern_search {
     kern_found found;
     kern_pair pair;
     kern_fault *fault;
+    kern_box box;           /* of all blocks                           */
+    kern_real area;         /* largest of a free block [m^2]           */
 } kern_search;
 
 /* Finds the contacts of the pair. */
@@ -2746,36 +2756,62 @@ static kern_status kern_search_check(const kern_block *block)
     return kern_abs(block->area) > 0 ? KERN_OK : KERN_NO_AREA;
 }
 
-/* Checks every block, and finds how far they reach and how large they are. The
-   vertices of blocks before s->from are checked when a pair reads them. */
+/* Checks block i, and adds how far it reaches and how large it is. The vertices
+   of blocks before s->from are checked when a pair reads them. */
+static kern_status kern_search_see(kern_search *s, int i)
+{
+    const kern_block *block = &s->block[i];
+    kern_status status = kern_search_check(block);
+    if (status >= 0 && i >= s->from && kern_block_is_stale(block))
+        status = KERN_STALE;
+    if (status < 0)
+        s->fault->block = i;
+    if (status < 0 || !block->vertices)
+        return status;
+    kern_box_add(&s->box, block->box.low);
+    kern_box_add(&s->box, block->box.high);
+    if (!block->fixed)
+        s->area = kern_max(s->area, kern_abs(block->area));
+    return status;
+}
+
+/* What follows from all blocks that have been looked at. */
+static void kern_search_reach(kern_search *s)
+{
+    s->upright = s->box.high.y - s->box.low.y > s->box.high.x - s->box.low.x;
+    s->floor = KERN_FLOOR * kern_box_largest(&s->box);
+    s->reach = s->options->gap > 0 ? s->options->gap
+                                   : KERN_GAP * KERN_SQRT(s->area);
+    s->reach = kern_max(s->reach, s->floor);
+}
+
 static kern_status kern_search_survey(kern_search *s)
 {
-    kern_real area = 0;
-    kern_box whole;
+    kern_status status = KERN_STANDS;
     int i;
-    kern_box_empty(&whole);
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *block = &s->block[i];
-        kern_status status = kern_search_check(block);
-        if (status >= 0 && i >= s->from && kern_block_is_stale(block))
+    kern_box_empty(&s->box);
+    s->area = 0;
+    for (i = 0; i < s->blocks && status >= 0; i++)
+        status = kern_search_see(s, i);
+    return status;
+}
+
+/* Finds the contacts of the last block with all others. */
+static kern_status kern_search_last(kern_search *s)
+{
+    kern_status status = KERN_OK;
+    const int b = s->blocks - 1;
+    int a;
+    for (a = 0; a < b && status >= 0; a++) {
+        status = kern_search_pair(s, a, b);
+        /* one buffer for two stones: the first has lost its vertices */
+        if (status >= 0 && s->block[a].vertices && !s->block[a].fixed
+            && s->block[a].vertex == s->block[b].vertex) {
+            s->fault->block = a;
             status = KERN_STALE;
-        if (status < 0) {
-            s->fault->block = i;
-            return status;
         }
-        if (!block->vertices)
-            continue;
-        kern_box_add(&whole, block->box.low);
-        kern_box_add(&whole, block->box.high);
-        if (!block->fixed)
-            area = kern_max(area, kern_abs(block->area));
     }
-    s->upright = whole.high.y - whole.low.y > whole.high.x - whole.low.x;
-    s->floor = KERN_FLOOR * kern_box_largest(&whole);
-    s->reach = s->options->gap > 0 ? s->options->gap
-                                   : KERN_GAP * KERN_SQRT(area);
-    s->reach = kern_max(s->reach, s->floor);
-    return KERN_OK;
+    return status;
 }
 
 static kern_status kern_search_open(kern_search *s, const kern_block *block,
@@ -2805,7 +2841,7 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->found.at = out;
     s->found.room = room;
     s->found.count = 0;
-    return kern_search_survey(s);
+    return KERN_OK;
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
@@ -2817,6 +2853,8 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
     s.from = 0;
     status = kern_search_open(&s, block, blocks, options, out, room, work);
     if (status >= 0)
+        status = kern_search_survey(&s);
+    if (status >= 0)
         status = work->index ? kern_search_sweep(&s, work) : KERN_BAD_POINTER;
     return status < 0 ? (int)status : kern_search_close(&s);
 }
@@ -2827,19 +2865,13 @@ KERN_API int kern_touch(const kern_block *block, int b,
 {
     kern_search s;
     kern_status status = KERN_BAD_COUNT;
-    int a;
     s.from = b;
     if (b >= 0)
         status = kern_search_open(&s, block, b + 1, options, out, room, work);
-    for (a = 0; a < b && status >= 0; a++) {
-        status = kern_search_pair(&s, a, b);
-        /* one buffer for two stones: the first has lost its vertices */
-        if (status >= 0 && block[a].vertices && !block[a].fixed
-            && block[a].vertex == block[b].vertex) {
-            s.fault->block = a;
-            status = KERN_STALE;
-        }
-    }
+    if (status >= 0)
+        status = kern_search_survey(&s);
+    if (status >= 0)
+        status = kern_search_last(&s);
     return status < 0 ? (int)status : kern_search_close(&s);
 }
 
@@ -4737,7 +4769,10 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
     return KERN_OK;
 }
 
+/* Checks a structure, of which so many of the first blocks and contacts have
+   been checked before. */
 static kern_status kern_structure_check(const kern_structure *s,
+                                        int blocks, int contacts,
                                         kern_fault *fault, int *free_blocks)
 {
     kern_status status;
@@ -4751,7 +4786,8 @@ static kern_status kern_structure_check(const kern_structure *s,
     if (!kern_vec_is_finite(s->gravity))
         return KERN_BAD_NUMBER;
     for (i = 0; i < s->blocks; i++) {
-        status = kern_block_check(s->block + i, s->gravity);
+        status = i < blocks ? KERN_OK
+                            : kern_block_check(s->block + i, s->gravity);
         if (status != KERN_OK) {
             fault->block = i;
             return status;
@@ -4765,7 +4801,7 @@ static kern_status kern_structure_check(const kern_structure *s,
         return KERN_NO_FREE;
     if (!loaded)
         return KERN_NO_LOAD;
-    for (i = 0; i < s->contacts; i++) {
+    for (i = contacts; i < s->contacts; i++) {
         status = kern_contact_check(s->contact + i, s->blocks);
         if (status != KERN_OK) {
             fault->index = i;
@@ -4790,7 +4826,7 @@ static kern_status kern_task_check(const kern_task *task, const void *out,
     kern_work_begin(task->work);
     status = kern_options_check(&task->options);
     if (status == KERN_OK)
-        status = kern_structure_check(&task->s, &task->work->fault,
+        status = kern_structure_check(&task->s, 0, 0, &task->work->fault,
                                       free_blocks);
     return status == KERN_OK && !out ? KERN_BAD_POINTER : status;
 }
@@ -4984,14 +5020,51 @@ static inline kern_real kern_arms(const kern_structure *s,
    it. The speed counts with all that rounding may have taken from it, so such
    a motion is a proof without rounding as well. */
 
+/* What is left over in the rows of all free blocks, under contact forces of
+   `sum`, as a share of what is allowed; in *weight what acts on them. A block
+   whose fourth sum is below 0 is left out. */
+static kern_real kern_prove_rows(const kern_structure *s,
+                                 const kern_question *q, const kern_real *sum,
+                                 kern_real *weight)
+{
+    kern_real error = KERN_R(0);
+    int i;
+    *weight = KERN_R(0);
+    for (i = 0; i < s->blocks; i++, sum += 4)
+        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
+            kern_wrench w;
+            const kern_real size = kern_wrench_on(s, q, i, &w);
+            kern_real x, y, turn, left;
+            *weight += size;
+            if (sum[3] < 0)
+                continue;
+            x = kern_abs(sum[0] + w.fx);
+            y = kern_abs(sum[1] + w.fy);
+            turn = kern_abs(sum[2] + w.torque) / kern_block_size(s->block + i);
+            left = kern_max(kern_max(x, y), turn);
+            if (!(x + y + turn <= KERN_HUGE))
+                return KERN_INFINITY;
+            if (left > 0)
+                error = kern_max(error, left / (KERN_TOL * size
+                                                + KERN_ROUNDING * sum[3]));
+        }
+    return error;
+}
+
+/* `sum` is scratch, four a block. Where `some` is nonzero the fourth is given:
+   0, or below 0 for a block whose rows were verified under the same forces. */
 static kern_real kern_prove_forces(const kern_structure *s,
                                    const kern_question *q,
-                                   const kern_force *force, kern_real *sum)
+                                   const kern_force *force, kern_real *sum,
+                                   int some)
 {
-    kern_real total = KERN_R(0), weight = KERN_R(0), error = KERN_R(0);
+    kern_real total = KERN_R(0), weight, error;
     int i;
-    for (i = 0; i < 4 * s->blocks; i++)
-        sum[i] = KERN_R(0);
+    for (i = 0; i < 4 * s->blocks; i += 4) {
+        sum[i] = sum[i + 1] = sum[i + 2] = KERN_R(0);
+        if (!some)
+            sum[i + 3] = KERN_R(0);
+    }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
@@ -5004,32 +5077,21 @@ static kern_real kern_prove_forces(const kern_structure *s,
         if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
         total += f;
+        if (sum[4 * c->a + 3] < 0 && sum[4 * c->b + 3] < 0)
+            continue;
         kern_arms(s, c, q, arm);
         for (end = 0; end < 2; end++) {
             kern_real *at = sum + 4 * (end ? c->b : c->a);
             const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
+            if (at[3] < 0)
+                continue;
             at[0] += sign * fx;
             at[1] += sign * fy;
             at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
             at[3] = kern_max(at[3], f);
         }
     }
-    for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
-            kern_wrench w;
-            const kern_real size = kern_wrench_on(s, q, i, &w);
-            const kern_real x = kern_abs(sum[4 * i] + w.fx);
-            const kern_real y = kern_abs(sum[4 * i + 1] + w.fy);
-            const kern_real turn = kern_abs(sum[4 * i + 2] + w.torque)
-                                   / kern_block_size(s->block + i);
-            const kern_real left = kern_max(kern_max(x, y), turn);
-            weight += size;
-            if (!(x + y + turn <= KERN_HUGE))
-                return KERN_INFINITY;
-            if (left > 0)
-                error = kern_max(error, left
-                    / (KERN_TOL * size + KERN_ROUNDING * sum[4 * i + 3]));
-        }
+    error = kern_prove_rows(s, q, sum, &weight);
     weight *= KERN_BOUND;
     if (!(weight <= KERN_HUGE)) /* too much is allowed to prove anything */
         return KERN_INFINITY;
@@ -5126,7 +5188,7 @@ KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
     if (!kern_take_fits(&take))
         return KERN_INFINITY;
     q = kern_question_of(&task->s, &task->options, shrink);
-    return kern_prove_forces(&task->s, &q, force, sum);
+    return kern_prove_forces(&task->s, &q, force, sum, 0);
 }
 
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
@@ -5161,15 +5223,21 @@ typedef struct kern_model {
     int groups;
     int *group;               /* of a block                                   */
     int *block;               /* of a group                                   */
-    int *ends;                /* of a contact: groups of its blocks b and a   */
-    int *start, *touch;       /* contacts of group g: touch[start[g]] ...     */
+    int *ends;                /* of a contact: groups of its blocks b and a;
+                                 contact i has the ends 2 i and 2 i + 1       */
+    int *touch, *after;       /* first end of a contact at a group, and the end
+                                 at the same group that follows an end        */
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
     kern_real *load;          /* three a group: what contacts must exert      */
     kern_real *size;          /* of a group: magnitude of all that acts       */
     kern_real *arm;           /* four a contact: torques of n and t on b, and
                                  of -n and -t on a, in their units            */
     kern_force *force;        /* one a contact: of the last verdict           */
-    const kern_force *prior;  /* forces that are known, or NULL               */
+    const kern_force *prior;  /* forces that are known, or NULL: they balance
+                                 all blocks but the last ...                  */
+    kern_real balanced;       /* ... at this shrinkage                        */
+    const kern_question *lazy; /* groups are opened when they are needed; NULL:
+                                  all are                                     */
     kern_motion *motion;      /* one a block: of the last verdict             */
     kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next, *dirty; /* of a group: see >>pour                     */
@@ -5205,8 +5273,8 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
     m->sum = kern_take_reals(take, 4 * blocks);
     m->common = *take;
-    m->start = kern_take_ints(take, groups + 2);
-    m->touch = kern_take_ints(take, 2 * contacts);
+    m->touch = kern_take_ints(take, groups);
+    m->after = kern_take_ints(take, 2 * contacts);
     m->leader = kern_take_ints(take, groups);
     m->next = kern_take_ints(take, groups);
     m->dirty = kern_take_ints(take, groups);
@@ -5260,52 +5328,52 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     known.motion = motion;
     known.force = force;
     known.holds = known.margin = known.fails = KERN_R(0);
+    known.blocks = known.contacts = known.relative = 0;
+    known.gravity = kern_vec_make(0, 0);
     return known;
 }
 
-/* Whether block i comes before block j in the order of carrying. */
-static int kern_model_above(const kern_model *m, int i, int j)
-{
-    const kern_vec down = m->s->gravity;
-    const kern_real a = kern_vec_dot(m->s->block[i].centre, down);
-    const kern_real b = kern_vec_dot(m->s->block[j].centre, down);
-    return a < b || (a <= b && i < j);
-}
-
-/* Shell sort, since it needs neither memory nor recursion. */
+/* Orders the blocks of the groups from top to bottom, those of one height as
+   they were. Shell sort, since it needs neither memory nor recursion. */
 static void kern_model_order(kern_model *m)
 {
+    kern_real *depth = m->load; /* not in use here */
     const int n = m->groups;
     int gap, i, j;
+    for (i = 0; i < n; i++)
+        depth[i] = kern_vec_dot(m->s->block[m->block[i]].centre,
+                                m->s->gravity);
     for (gap = 1; gap < n / 9; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < n; i++) {
+            const kern_real d = depth[i];
             const int b = m->block[i];
             for (j = i; j >= gap; j -= gap) {
-                if (kern_model_above(m, m->block[j - gap], b))
+                const int before = m->block[j - gap];
+                if (depth[j - gap] < d || (depth[j - gap] <= d && before < b))
                     break;
-                m->block[j] = m->block[j - gap];
+                depth[j] = depth[j - gap];
+                m->block[j] = before;
             }
+            depth[j] = d;
             m->block[j] = b;
         }
 }
 
-/* Lists the contacts of every group: a counting sort. */
+/* Lists the contacts of every group, in their order. */
 static void kern_model_touch(kern_model *m)
 {
-    int *at = m->start + 1; /* where the next contact of a group goes */
-    int g, i;
-    for (g = 0; g <= m->groups + 1; g++)
-        m->start[g] = 0;
-    for (i = 0; i < 2 * m->s->contacts; i++)
-        if (m->ends[i] < m->groups && m->ends[i] != m->ends[i ^ 1])
-            at[m->ends[i] + 1]++;
+    int g, e;
     for (g = 0; g < m->groups; g++)
-        at[g + 1] += at[g];
-    for (i = 0; i < 2 * m->s->contacts; i++)
-        if (m->ends[i] < m->groups && m->ends[i] != m->ends[i ^ 1])
-            m->touch[at[m->ends[i]]++] = i >> 1;
+        m->touch[g] = KERN_OUT;
+    for (e = 2 * m->s->contacts - 1; e >= 0; e--) {
+        g = m->ends[e];
+        if (g < m->groups && g != m->ends[e ^ 1]) {
+            m->after[e] = m->touch[g];
+            m->touch[g] = e;
+        }
+    }
 }
 
 /* Gives every block that is free and has not been taken away a group. */
@@ -5351,6 +5419,8 @@ static kern_status kern_model_open(kern_model *m, const kern_structure *s,
     m->weight = KERN_R(1);
     m->from = last_only ? s->blocks - 1 : 0;
     m->prior = NULL;
+    m->lazy = NULL;
+    m->balanced = KERN_R(0);
     kern_model_group(m, q);
     return KERN_OK;
 }
@@ -5410,6 +5480,7 @@ static void kern_model_set(kern_model *m, const kern_question *q)
 {
     int i, g;
     m->weight = KERN_R(0);
+    m->lazy = NULL;
     for (g = 0; g < m->groups; g++) {
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
@@ -5428,6 +5499,75 @@ static void kern_model_set(kern_model *m, const kern_question *q)
 
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->work, m->limit, units); }
+
+/* Makes forces at the shrinkage where the known ones balance into forces at a
+   smaller one: those of a line move outward, and exert the same. Those of
+   points that travel do not, which the proof finds out. */
+static void kern_force_widen(kern_model *m, kern_real shrink)
+{
+    const kern_structure *s = m->s;
+    int i, k, line;
+    for (i = 0; i < s->contacts; i += 1 + line) {
+        const kern_contact *c = s->contact + i;
+        kern_force *f = m->force + i;
+        const kern_real travel = kern_travel(c, m->mean);
+        kern_real rate, was, is, sum, more, along;
+        line = c->line && i + 1 < s->contacts && c[1].line;
+        sum = line ? f[0].normal + f[1].normal : KERN_R(0);
+        if (!(sum > 0))
+            continue;
+        was = travel - kern_shift(travel, m->balanced, m->relative, &rate);
+        is = travel - kern_shift(travel, shrink, m->relative, &rate);
+        along = (f[0].tangential + f[1].tangential) / sum;
+        along = kern_min(kern_max(along, -c->mu), c->mu);
+        more = f[0].normal - f[1].normal;
+        if (kern_abs(is) > 0)
+            more *= was / is;
+        for (k = 0; k < 2; k++, more = -more) {
+            f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
+            f[k].tangential = along * f[k].normal;
+        }
+    }
+}
+
+/* The model for a question of which the forces are known but for those of the
+   last block. Groups keep theirs until they are opened. */
+static void kern_model_keep(kern_model *m, const kern_force *known,
+                            const kern_question *q)
+{
+    int i, g;
+    m->weight = KERN_R(1);
+    m->lazy = q;
+    for (g = 0; g < m->groups; g++) {
+        kern_model_unit(m, q, g);
+        m->leader[g] = g;
+        m->next[g] = KERN_OUT;
+        m->dirty[g] = 0;
+    }
+    m->unit[m->groups] = KERN_R(0);
+    for (g = 0; g <= m->groups; g++)
+        m->local[g] = KERN_OUT;
+    for (i = 0; i < m->s->contacts; i++)
+        m->force[i] = known[i];
+    if (q->shrink < m->balanced)
+        kern_force_widen(m, q->shrink);
+    m->prior = m->force; /* the least change of what is there is found */
+}
+
+/* Opens a group that keeps its forces: they may change from now on. */
+static void kern_model_loosen(kern_model *m, int g)
+{
+    int e;
+    if (m->next[g] != KERN_OUT)
+        return;
+    kern_model_load(m, m->lazy, g);
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int i = e >> 1, other = m->ends[e ^ 1];
+        if (other == m->groups || m->next[other] == KERN_OUT)
+            kern_model_arm(m, m->lazy, i, m->arm + 4 * (size_t)i);
+    }
+    m->next[g] = g;
+}
 
 /* ---- Parts ------------------------------------------------------ >>part */
 /* Some of the groups with all contacts that touch them, all other blocks held.
@@ -5474,15 +5614,13 @@ static void kern_part_ends(kern_part *p)
 static void kern_part_list(kern_part *p, int own)
 {
     const kern_model *m = p->m;
-    int n, k;
+    int n, e;
     for (n = 0; n < p->groups; n++) {
         const int g = p->group[n];
-        for (k = m->start[g]; k < m->start[g + 1]; k++) {
-            const int i = m->touch[k];
-            const int other = m->ends[2 * i] == g ? m->ends[2 * i + 1]
-                                                  : m->ends[2 * i];
+        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+            const int other = m->ends[e ^ 1];
             if (own ? other > g : other < g && m->local[other] == KERN_OUT)
-                p->contact[p->contacts++] = i;
+                p->contact[p->contacts++] = e >> 1;
         }
     }
 }
@@ -5491,7 +5629,7 @@ static void kern_part_list(kern_part *p, int own)
    is `last`. Returns 0 if the work memory does not hold it. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
-    int g, n = groups, most = 0;
+    int g, e, n = groups, most = 0;
     KERN_ASSERT(groups > 0 && !m->plain);
     p->m = m;
     p->rest = m->rest;
@@ -5503,7 +5641,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
         if (m->local[g] != KERN_OUT) {
             m->local[g] = --n;
             p->group[n] = g;
-            most += m->start[g + 1] - m->start[g];
+            for (e = m->touch[g]; e >= 0; e = m->after[e])
+                most++;
         }
     p->contact = kern_take_ints(&p->rest, most);
     if (!kern_take_fits(&p->rest))
@@ -5925,19 +6064,23 @@ static kern_status kern_least_find(kern_part *p, const kern_real *b,
    leader[g] is the last group of g's unit, next[g] another group of the unit in
    a circle, dirty[g] says of a leader that its unit must be balanced again. */
 
-/* Writes the force of contact i, and marks what it rests on if that is new. */
+/* Writes the force of contact i, and marks what it rests on if that is new.
+   What keeps its forces keeps them to the last bit. */
 static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
                             kern_real r, kern_real tolerance)
 {
     kern_force *to = m->force + i;
     const kern_real change = kern_abs(f - to->normal)
                              + kern_abs(r - to->tangential);
-    to->normal = f;
-    to->tangential = r;
     if (on < m->groups && change > tolerance) {
         const int last = m->leader[on];
+        kern_model_loosen(m, on);
         m->dirty[last] = 1;
         m->again = last < m->again ? last : m->again;
+    }
+    if (on == m->groups || m->next[on] != KERN_OUT) {
+        to->normal = f;
+        to->tangential = r;
     }
 }
 
@@ -5945,16 +6088,15 @@ static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
    unit. */
 static void kern_pour_load(const kern_model *m, int g, kern_real *b)
 {
-    int k;
+    int e;
     b[0] = m->load[3 * g];
     b[1] = m->load[3 * g + 1];
     b[2] = m->load[3 * g + 2];
-    for (k = m->start[g]; k < m->start[g + 1]; k++) {
-        const int i = m->touch[k], end = m->ends[2 * i] == g ? 0 : 1;
-        const int other = m->ends[2 * i + (1 - end)];
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const kern_force *f = m->force + (e >> 1);
+        const int other = m->ends[e ^ 1];
         if (other < g && m->leader[other] != m->leader[g])
-            kern_model_carry(m, i, end, m->force[i].normal,
-                             m->force[i].tangential, b);
+            kern_model_carry(m, e >> 1, e & 1, f->normal, f->tangential, b);
     }
 }
 
@@ -5993,15 +6135,14 @@ static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 static int kern_pour_rows(const kern_model *m, int g,
                           kern_row row[KERN_ROWS_MOST])
 {
-    int k, n = 0;
-    for (k = m->start[g]; k < m->start[g + 1]; k++) {
-        const int i = m->touch[k], end = m->ends[2 * i] == g ? 0 : 1;
-        const int other = m->ends[2 * i + (1 - end)];
+    int e, n = 0;
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int i = e >> 1, other = m->ends[e ^ 1];
         if (other < g)
             continue;
         if (n == KERN_ROWS_MOST)
             return n + 1;
-        kern_model_rows(m, i, end, row[n].n, row[n].t);
+        kern_model_rows(m, i, e & 1, row[n].n, row[n].t);
         row[n].mu = m->s->contact[i].mu;
         row[n].contact = i;
         row[n].on = other;
@@ -6131,17 +6272,17 @@ static int kern_pour_mark(kern_model *m, int g, int mark)
    how many groups have been added; they are marked. */
 static int kern_pour_grow(kern_model *m, int *last, int levels)
 {
-    int g, k, added = 0;
+    int g, e, added = 0;
     kern_pour_mark(m, *last, 0);
     for (g = *last; g >= 0; g--) {
         if (m->local[g] == KERN_OUT || m->local[g] >= levels)
             continue;
-        for (k = m->start[g]; k < m->start[g + 1]; k++) {
-            const int i = m->touch[k];
-            const int h = m->ends[2 * i] == g ? m->ends[2 * i + 1]
-                                              : m->ends[2 * i];
+        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+            const int h = m->ends[e ^ 1];
             if (h < g && m->local[h] == KERN_OUT) {
-                const int joined = kern_pour_mark(m, h, m->local[g] + 1);
+                int joined;
+                kern_model_loosen(m, h);
+                joined = kern_pour_mark(m, h, m->local[g] + 1);
                 m->regrown += joined > 2;
                 added += joined;
                 *last = kern_pour_join(m, g, h);
@@ -6267,21 +6408,27 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* Balances all groups: KERN_POURED with m->force, KERN_POUR_FALLS with an open
-   part, or KERN_POUR_DRY. */
-static kern_poured kern_pour(kern_model *m, kern_part *p)
+/* All groups must be balanced, and there are no forces. */
+static void kern_pour_begin(kern_model *m)
 {
-    const int size = m->s->contacts + m->groups;
-    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
-                                     ? size : KERN_POUR_LARGEST);
-    int g, at;
-    m->regrown = 0;
+    int g;
     for (g = 0; g < m->groups; g++) {
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = 1;
     }
     for (g = 0; g < m->s->contacts; g++)
         m->force[g].normal = m->force[g].tangential = KERN_R(0);
+}
+
+/* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
+   with an open part, or KERN_POUR_DRY. */
+static kern_poured kern_pour(kern_model *m, kern_part *p)
+{
+    const int size = m->s->contacts + m->groups;
+    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
+                                     ? size : KERN_POUR_LARGEST);
+    int at;
+    m->regrown = 0;
     for (at = 0; at < m->groups; ) {
         kern_poured found;
         kern_status alone = KERN_UNDECIDED;
@@ -6433,7 +6580,7 @@ static kern_status kern_part_prove(kern_part *p, const kern_question *q,
         /* forces may still do, within the tolerance */
         status = KERN_STANDS;
         kern_part_forces(p);
-        error = kern_prove_forces(m->s, q, m->force, m->sum);
+        error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
     }
     if (!(error <= 1))
         return KERN_UNDECIDED;
@@ -6540,6 +6687,21 @@ static void kern_falls_clear(kern_model *m)
         m->fell[g] = 0;
 }
 
+/* Notes a part as what falls, and lays out its linear program; KERN_NO_SPACE
+   also where it is not much less than the whole. */
+static kern_status kern_part_note(kern_part *p)
+{
+    kern_model *m = p->m;
+    int n;
+    if (m->groups > KERN_WIDE_SMALL && 2 * p->groups > m->groups)
+        return KERN_NO_SPACE;
+    m->falls++;
+    m->fallen = p->groups;
+    for (n = 0; n < p->groups; n++)
+        m->fell[p->group[n]] = m->falls;
+    return kern_part_lay(p);
+}
+
 /* Notes what falls. Where a part falls that has groups in common with one that
    fell before, the mechanism is larger than either: it is widened by its
    neighbours, each time twice as far; and in a small structure by all others.
@@ -6547,7 +6709,7 @@ static void kern_falls_clear(kern_model *m)
 static kern_status kern_part_widen(kern_part *p)
 {
     kern_model *m = p->m;
-    int g, k, n, again = 0, last = p->group[p->groups - 1], levels;
+    int e, n, again = 0, last = p->group[p->groups - 1], levels;
     int groups = p->groups;
     for (n = 0; n < groups; n++)
         again |= m->fell[p->group[n]];
@@ -6558,10 +6720,8 @@ static kern_status kern_part_widen(kern_part *p)
     for (levels = again ? m->wide : 0; levels > 0 && groups < m->groups;
          levels--) {
         for (n = 0; n < p->groups; n++)
-            for (g = p->group[n], k = m->start[g]; k < m->start[g + 1]; k++) {
-                const int i = m->touch[k];
-                const int h = m->ends[2 * i] == g ? m->ends[2 * i + 1]
-                                                  : m->ends[2 * i];
+            for (e = m->touch[p->group[n]]; e >= 0; e = m->after[e]) {
+                const int h = m->ends[e ^ 1];
                 if (h < m->groups && m->local[h] == KERN_OUT) {
                     m->local[h] = 0;
                     last = h > last ? h : last;
@@ -6571,13 +6731,7 @@ static kern_status kern_part_widen(kern_part *p)
         if (!kern_part_open(p, m, groups, last))
             return KERN_NO_SPACE;
     }
-    if (m->groups > KERN_WIDE_SMALL && 2 * groups > m->groups)
-        return KERN_NO_SPACE; /* not much less than the whole */
-    m->falls++;
-    m->fallen = p->groups;
-    for (n = 0; n < p->groups; n++)
-        m->fell[p->group[n]] = m->falls;
-    return kern_part_lay(p);
+    return kern_part_note(p);
 }
 
 /* Opens the part again that kern_part_widen() noted last. */
@@ -6597,6 +6751,41 @@ static kern_status kern_part_again(kern_part *p, kern_model *m)
     return kern_part_lay(p);
 }
 
+/* Whether the last block stands by a change of forces that balance all others,
+   which is looked for below it, and proven where they changed. */
+static int kern_model_change(kern_model *m, kern_part *p,
+                             const kern_question *q)
+{
+    const int last = m->group[m->s->blocks - 1];
+    const kern_force *known = m->prior;
+    kern_poured poured;
+    kern_real error;
+    int i;
+    if (!known || !(q->shrink <= m->balanced))
+        return 0;
+    kern_model_keep(m, known, q);
+    if (last < m->groups) {
+        kern_model_loosen(m, last);
+        m->dirty[last] = 1;
+    }
+    poured = kern_pour(m, p);
+    m->prior = known;
+    if (poured != KERN_POURED)
+        return 0;
+    for (i = 0; i < m->s->blocks; i++) {
+        const int g = m->group[i];
+        m->sum[4 * i + 3] = g < m->groups && m->next[g] != KERN_OUT
+                            ? KERN_R(0) : KERN_R(-1);
+    }
+    error = kern_prove_forces(m->s, q, m->force, m->sum,
+                              q->shrink >= m->balanced);
+    if (!(error <= 1))
+        return 0;
+    m->work->error = kern_max(m->work->error, error);
+    p->found = KERN_STANDS;
+    return 1;
+}
+
 /* What is poured for a question: KERN_STANDS with a proof; KERN_FALLS with an
    open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pour(kern_model *m, kern_part *p,
@@ -6608,7 +6797,10 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     if (!kern_model_spend(m, m->question))
         return KERN_LIMIT;
     m->work->solves++;
+    if (kern_model_change(m, p, q))
+        return KERN_STANDS;
     kern_model_set(m, q);
+    kern_pour_begin(m);
     poured = kern_pour(m, p);
     switch (poured) {
     case KERN_POURED: break;
@@ -6626,7 +6818,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
         m->force[i].normal *= m->weight;
         m->force[i].tangential *= m->weight;
     }
-    error = kern_prove_forces(m->s, q, m->force, m->sum);
+    error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
     if (!(error <= 1))
         return KERN_UNDECIDED;
     m->work->error = kern_max(m->work->error, error);
@@ -7594,6 +7786,42 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
     return KERN_STANDS;
 }
 
+static int kern_moves(const kern_model *m, int i)
+{
+    const kern_motion *v = m->motion + i;
+    const kern_real size = kern_block_size(m->s->block + i);
+    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
+           || kern_abs(v->spin) * size > KERN_AT_REST;
+}
+
+/* Asks whether what moves in m->motion falls with the last block on it at
+   places beyond the one that fails, all other blocks held. */
+static kern_status kern_path_moved(kern_model *m, kern_path *path,
+                                   kern_real step)
+{
+    const kern_real fails = path->seed->fails;
+    const kern_question q = kern_path_at(path, fails);
+    kern_status status = KERN_UNDECIDED;
+    int i, last = 0, groups = 0, tries;
+    kern_model_set(m, &q);
+    for (i = 0; i < m->s->blocks; i++) {
+        const int g = m->group[i];
+        if (g < m->groups && (i + 1 == m->s->blocks || kern_moves(m, i))) {
+            m->local[g] = 0;
+            last = g > last ? g : last;
+            groups++;
+        }
+    }
+    if (groups < 2 || !kern_part_open(path->part, m, groups, last)
+        || kern_part_note(path->part) != KERN_OK)
+        return status;
+    path->alone = 1;
+    for (tries = 0; tries < 2 && status != KERN_FALLS; tries++, step *= 4)
+        status = kern_path_ask(m, path, kern_min(path->end, fails + step / 2));
+    path->alone = path->closed = 0;
+    return status;
+}
+
 /* As kern_path_search(), by the linear program of the whole. Where a part fell,
    or something is known, it begins at `at`, where that stands. Else, or if it
    is not decided there, it climbs from path->holds. */
@@ -7702,8 +7930,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             }
             if (fell)
                 status = kern_part_again(path->part, m);
-            else if (seeded && seed->fails > at)
-                at = seed->fails;
+            else if (seeded && kern_path_moved(m, path, first) == KERN_FALLS)
+                fell = 1;
             else
                 at = kern_min(path->end, seed && seed->fails > 0
                                          ? at + first
@@ -7945,6 +8173,10 @@ static void kern_known_set(kern_task *task, kern_status status,
         known->holds = out->holds;
         known->margin = out->margin;
         known->fails = out->fails;
+        known->blocks = task->s.blocks;
+        known->contacts = task->s.contacts;
+        known->gravity = task->s.gravity;
+        known->relative = task->options.relative;
     }
 }
 
@@ -7969,6 +8201,8 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         path.seed = &seed;
     }
     status = kern_measure_along(&m, &path, &task->options, out);
+    if (warm && status != KERN_BAD_STEP) /* forces may have changed */
+        task->known.blocks = 0;
     if (warm && status >= 0)
         kern_known_set(task, status, out, proof);
     else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
@@ -8228,14 +8462,6 @@ static void kern_fall_add(kern_fall *fall, int i, kern_real at)
         fall->weak_sum += at;
 }
 
-static int kern_moves(const kern_model *m, int i)
-{
-    const kern_motion *v = m->motion + i;
-    const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
-           || kern_abs(v->spin) * size > KERN_AT_REST;
-}
-
 /* Takes away the blocks that move in the last mechanism. */
 static void kern_fall_take(kern_model *m, const kern_question *q,
                            kern_fall *fall, kern_real at)
@@ -8406,10 +8632,20 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 }
 
 /* ---- Planning ---------------------------------------------------- >>plan */
-/* What is known of a structure is the bracket of its last margin, and the
-   mechanism at the end of it. A stone that does not touch what moves there
-   leaves both as they are: one verdict at the near end, and the old motion at
-   the far end, prove it. */
+/* What is known of a structure is the bracket of its last margin, with forces
+   at the near end of it and a mechanism at the other end. A stone that does not
+   touch what moves there leaves the mechanism as it is: the old motion proves
+   it again. The forces change only below the stone: it is opened, and what it
+   rests on more heavily, and so on (kern_model_change()). Forces on blocks that
+   are not opened stay the same to the last bit, so their rows, which the
+   measure has verified, hold as before; the rows of all others, every cone, and
+   the sum of all forces are verified anew, on the caller's data. Where a stone
+   raises the margin, what moved is asked about with the stone on it, all else
+   held, and the search for the edge goes on from there.
+
+   This holds for a plan that has not been changed since it was measured; of any
+   other only the bracket and the motion are a hint. What was measured is not
+   checked again. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
@@ -8422,6 +8658,8 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
     plan.block_room = blocks;
     plan.contact = contact;
     plan.contact_room = contacts;
+    plan.area = KERN_R(0);
+    kern_box_empty(&plan.box);
     return plan;
 }
 
@@ -8432,37 +8670,65 @@ static int kern_plan_is_whole(const kern_plan *plan)
            && plan->task.known.force && plan->task.work;
 }
 
-KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
+/* Lays a block behind the others and finds its contacts, as kern_touch() does;
+   the plan does not have them before they are counted. */
+static int kern_plan_touch(kern_plan *plan, const kern_block *block,
+                           kern_search *search)
 {
-    kern_structure *s;
-    kern_motion *rest;
-    int found, k;
+    kern_status status;
+    int last;
     if (!kern_plan_is_whole(plan) || !block)
         return (int)KERN_BAD_POINTER;
-    s = &plan->task.s;
+    last = plan->task.s.blocks;
     kern_work_begin(plan->task.work);
-    if (s->blocks >= plan->block_room)
+    if (last >= plan->block_room)
         return (int)KERN_NO_SPACE;
-    plan->block[s->blocks] = *block;
-    found = kern_touch(s->block, s->blocks, &plan->task.options,
-                       plan->contact + s->contacts,
-                       plan->contact_room - s->contacts, plan->task.work);
+    plan->block[last] = *block;
+    status = kern_search_open(search, plan->block, last + 1,
+                              &plan->task.options,
+                              plan->contact + plan->task.s.contacts,
+                              plan->contact_room - plan->task.s.contacts,
+                              plan->task.work);
+    search->box = plan->box;
+    search->area = plan->area;
+    if (status >= 0)
+        status = kern_search_see(search, last);
+    if (status < 0)
+        return (int)status;
+    kern_search_reach(search);
+    status = kern_search_last(search);
+    return status < 0 ? (int)status : kern_search_close(search);
+}
+
+/* Counts the block that has been laid, at rest, and its contacts. */
+static void kern_plan_count(kern_plan *plan, int found)
+{
+    kern_structure *s = &plan->task.s;
+    kern_motion *rest = plan->task.known.motion + s->blocks++;
+    kern_force *force = plan->task.known.force;
+    int k;
+    rest->vx = rest->vy = rest->spin = KERN_R(0);
+    for (k = s->contacts; k < s->contacts + found; k++)
+        force[k].normal = force[k].tangential = KERN_R(0);
+    s->contacts += found;
+}
+
+KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
+{
+    kern_search search;
+    const int found = kern_plan_touch(plan, block, &search);
     if (found < 0)
         return found;
-    rest = plan->task.known.motion + s->blocks;
-    rest->vx = rest->vy = rest->spin = KERN_R(0);
-    for (k = s->contacts; k < s->contacts + found; k++) {
-        kern_force *force = plan->task.known.force + k;
-        force->normal = force->tangential = KERN_R(0);
-    }
-    s->blocks++;
-    s->contacts += found;
+    kern_plan_count(plan, found);
+    plan->box = search.box;
+    plan->area = search.area;
     return found;
 }
 
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 {
     kern_structure *s;
+    kern_search search;
     int k, n = 0;
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
@@ -8476,7 +8742,6 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
             continue;
         c->a -= c->a > i;
         c->b -= c->b > i;
-        plan->task.known.force[n] = plan->task.known.force[k];
         plan->contact[n++] = *c;
     }
     for (k = i; k + 1 < s->blocks; k++) {
@@ -8485,19 +8750,70 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     }
     s->contacts = n;
     s->blocks--;
+    plan->task.known.blocks = 0;
+    search.block = s->block;
+    search.blocks = s->blocks;
+    kern_search_survey(&search);
+    plan->box = search.box;
+    plan->area = search.area;
     return KERN_OK;
 }
 
-/* Opens the model of the plan's last block alone, with its contacts as the last
-   `found`, on neighbours that are held: it cannot stand better than that on
-   neighbours that give way, and its motion proves that the whole falls. */
-static kern_status kern_plan_alone(const kern_plan *plan, int found,
-                                   kern_path *path, kern_model *m,
-                                   kern_part *part, kern_structure *s)
+/* A block that is tried: the last of the plan as long as it is. */
+typedef struct kern_trial {
+    kern_plan *plan;
+    int found;                /* contacts of the block                        */
+    int free_blocks;
+    int balanced;             /* nonzero: known forces balance all others     */
+} kern_trial;
+
+static void kern_trial_close(const kern_trial *t)
 {
+    t->plan->task.s.blocks--;
+    t->plan->task.s.contacts -= t->found;
+}
+
+/* Adds the block. What the last measure has seen is not checked again. */
+static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
+                                   const kern_block *block, const void *out)
+{
+    const kern_known *known;
+    const kern_structure *s;
+    kern_search search;
+    kern_status status;
+    t->plan = plan;
+    t->found = kern_plan_touch(plan, block, &search);
+    if (t->found < 0)
+        return (kern_status)t->found;
+    known = &plan->task.known;
+    s = &plan->task.s;
+    t->balanced = known->fails > 0 && known->blocks == s->blocks
+                  && known->contacts == s->contacts
+                  && known->relative == plan->task.options.relative
+                  && !(kern_vec_largest(kern_vec_sub(known->gravity,
+                                                     s->gravity)) > 0);
+    kern_plan_count(plan, t->found);
+    status = kern_structure_check(s, t->balanced ? known->blocks : 0,
+                                  t->balanced ? known->contacts : 0,
+                                  &plan->task.work->fault, &t->free_blocks);
+    if (status == KERN_OK && !out)
+        status = KERN_BAD_POINTER;
+    if (status != KERN_OK)
+        kern_trial_close(t);
+    return status;
+}
+
+/* Opens the model of the plan's last block alone, with its contacts, on
+   neighbours that are held: it cannot stand better than that on neighbours that
+   give way, and its motion proves that the whole falls. */
+static kern_status kern_trial_alone(const kern_trial *t, kern_path *path,
+                                    kern_model *m, kern_part *part,
+                                    kern_structure *s)
+{
+    const kern_plan *plan = t->plan;
     *s = plan->task.s;
-    s->contacts = found;
-    s->contact += plan->task.s.contacts - found;
+    s->contacts = t->found;
+    s->contact += plan->task.s.contacts - t->found;
     path->part = part;
     return kern_path_begin(path, KERN_PATH_SHRINK, m, s, KERN_R(0),
                            &plan->task.options, plan->task.work, 1, 1);
@@ -8505,8 +8821,8 @@ static kern_status kern_plan_alone(const kern_plan *plan, int found,
 
 /* Where the last block falls alone: what is known of it to *seed, if that is
    nearer than what is known there. KERN_FALLS where it falls at once. */
-static kern_status kern_plan_nearer(const kern_plan *plan, int found,
-                                    const kern_proof *proof, kern_seed *seed)
+static kern_status kern_trial_nearer(const kern_trial *t,
+                                     const kern_proof *proof, kern_seed *seed)
 {
     kern_model m;
     kern_part part;
@@ -8514,7 +8830,7 @@ static kern_status kern_plan_nearer(const kern_plan *plan, int found,
     kern_structure s;
     kern_travels travels;
     kern_question q;
-    kern_status status = kern_plan_alone(plan, found, &path, &m, &part, &s);
+    kern_status status = kern_trial_alone(t, &path, &m, &part, &s);
     if (status != KERN_OK)
         return status;
     travels = kern_travels_of(&m);
@@ -8531,87 +8847,74 @@ static kern_status kern_plan_nearer(const kern_plan *plan, int found,
         seed->edge = path.edge;
         seed->fails = path.fails;
         seed->motion = NULL;
-        seed->last = m.motion[plan->task.s.blocks - 1];
+        seed->last = m.motion[s.blocks - 1];
     }
     return status == KERN_FALLS ? status : KERN_STANDS;
 }
 
-/* Takes the last block of the plan away again. */
-static void kern_plan_undo(kern_plan *plan, int found)
+/* Opens the model of the plan with the block. */
+static kern_status kern_trial_whole(const kern_trial *t, kern_path *path,
+                                    kern_model *m, kern_part *part)
 {
-    plan->task.s.blocks--;
-    plan->task.s.contacts -= found;
-}
-
-/* The measure of a task from what is known of it; `falls`: it is known to fall
-   at once. */
-static kern_status kern_plan_whole(const kern_task *task, int free_blocks,
-                                   const kern_seed *seed, int falls,
-                                   kern_margin *out, const kern_proof *proof)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    int last;
-    kern_status status = kern_path_begin(&path, KERN_PATH_SHRINK, &m, &task->s,
-                                         KERN_R(0), &task->options, task->work,
-                                         free_blocks, 0);
-    if (status != KERN_OK)
-        return status;
-    m.prior = task->known.fails > 0 ? task->known.force : NULL;
-    path.part = &part;
-    path.proof = proof;
-    path.seed = seed;
-    if (!falls)
-        return kern_measure_along(&m, &path, &task->options, out);
-    status = kern_measure_none(&m, &task->options, out, &last);
-    return status == KERN_OK ? KERN_FALLS : status;
+    const kern_task *task = &t->plan->task;
+    const kern_status status = kern_path_begin(
+        path, KERN_PATH_SHRINK, m, &task->s, KERN_R(0), &task->options,
+        task->work, t->free_blocks, 0);
+    path->part = part;
+    if (status == KERN_OK && t->balanced) {
+        m->prior = task->known.force;
+        m->balanced = task->known.holds;
+    }
+    return status;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
+    kern_trial t;
+    kern_model m;
+    kern_part part;
+    kern_path path;
     kern_seed seed;
-    kern_status status;
-    int free_blocks = 0, falls = 0;
-    const int found = kern_plan_add(plan, block);
-    if (found < 0)
-        return (kern_status)found;
-    status = kern_task_check(&plan->task, out, &free_blocks);
+    int falls = 0, last;
+    kern_status status = kern_trial_open(&t, plan, block, out);
+    if (status != KERN_OK)
+        return status;
     seed = kern_known_seed(&plan->task);
-    if (status == KERN_OK && !block->fixed && seed.fails > 0)
-        falls = kern_plan_nearer(plan, found, proof, &seed) == KERN_FALLS;
-    if (status == KERN_OK)
-        status = kern_plan_whole(&plan->task, free_blocks, &seed, falls, out,
-                                 proof);
-    kern_plan_undo(plan, found);
-    return kern_spent(plan->task.work, plan->task.options.limit, status);
+    if (!block->fixed && seed.fails > 0)
+        falls = kern_trial_nearer(&t, proof, &seed) == KERN_FALLS;
+    status = kern_trial_whole(&t, &path, &m, &part);
+    path.proof = proof;
+    path.seed = &seed;
+    if (status == KERN_OK && falls)
+        status = kern_measure_none(&m, &plan->task.options, out, &last);
+    else if (status == KERN_OK)
+        status = kern_measure_along(&m, &path, &plan->task.options, out);
+    kern_trial_close(&t);
+    return kern_spent(plan->task.work, plan->task.options.limit,
+                      falls && status == KERN_OK ? KERN_FALLS : status);
 }
 
-/* The verdict of the plan at a shrinkage, or of its last block alone on
-   neighbours that are held; *nested says whether it is the same up to there. */
-static kern_status kern_plan_stands(const kern_plan *plan, int found,
-                                    int free_blocks, int alone,
-                                    kern_real shrink, int *nested,
-                                    const kern_proof *proof)
+/* The verdict of the plan with the block at a shrinkage, or of the block alone
+   on neighbours that are held; *nested says whether it is the same up to
+   there. */
+static kern_status kern_trial_stands(const kern_trial *t, int alone,
+                                     kern_real shrink, int *nested,
+                                     const kern_proof *proof)
 {
     kern_model m;
     kern_part part;
     kern_path path;
     kern_structure s;
     kern_question q;
-    kern_status status =
-        alone ? kern_plan_alone(plan, found, &path, &m, &part, &s)
-              : kern_path_begin(&path, KERN_PATH_SHRINK, &m, &plan->task.s,
-                                KERN_R(0), &plan->task.options, plan->task.work,
-                                free_blocks, 0);
+    kern_status status = alone
+                         ? kern_trial_alone(t, &path, &m, &part, &s)
+                         : kern_trial_whole(t, &path, &m, &part);
     if (status != KERN_OK)
         return status;
     *nested = kern_travels_of(&m).nested;
     if (!*nested)
         return KERN_STANDS;
-    if (!alone && plan->task.known.fails > 0)
-        m.prior = plan->task.known.force;
     q = kern_path_at(&path, shrink);
     status = kern_model_ask(&m, &part, &q);
     if (!alone || status == KERN_FALLS)
@@ -8623,22 +8926,19 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
     kern_margin r;
-    kern_status status;
-    int free_blocks = 0, nested = 1;
-    const int found = kern_plan_add(plan, block);
-    if (found < 0)
-        return (kern_status)found;
-    status = kern_task_check(&plan->task, plan, &free_blocks);
-    if (status == KERN_OK && !(margin >= 0 && kern_is_finite(margin)))
+    kern_trial t;
+    int nested = 1;
+    kern_status status = kern_trial_open(&t, plan, block, plan);
+    if (status != KERN_OK)
+        return status;
+    if (!(margin >= 0 && kern_is_finite(margin)))
         status = KERN_BAD_NUMBER;
     if (status == KERN_OK && !block->fixed)
-        status = kern_plan_stands(plan, found, free_blocks, 1, margin, &nested,
-                                  proof);
+        status = kern_trial_stands(&t, 1, margin, &nested, proof);
     if (nested && (status == KERN_OK || status == KERN_STANDS
                    || status == KERN_UNDECIDED))
-        status = kern_plan_stands(plan, found, free_blocks, 0, margin, &nested,
-                                  proof);
-    kern_plan_undo(plan, found);
+        status = kern_trial_stands(&t, 0, margin, &nested, proof);
+    kern_trial_close(&t);
     status = kern_spent(plan->task.work, plan->task.options.limit, status);
     if (nested || status < 0)
         return status;
