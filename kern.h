@@ -2775,6 +2775,18 @@ static kern_status kern_search_see(kern_search *s, int i)
     return status;
 }
 
+/* Looks at every block. */
+static kern_status kern_search_survey(kern_search *s)
+{
+    kern_status status = KERN_OK;
+    int i;
+    kern_box_empty(&s->box);
+    s->area = 0;
+    for (i = 0; i < s->blocks && status >= 0; i++)
+        status = kern_search_see(s, i);
+    return status;
+}
+
 /* What follows from all blocks that have been looked at. */
 static void kern_search_reach(kern_search *s)
 {
@@ -2785,23 +2797,13 @@ static void kern_search_reach(kern_search *s)
     s->reach = kern_max(s->reach, s->floor);
 }
 
-static kern_status kern_search_survey(kern_search *s)
-{
-    kern_status status = KERN_STANDS;
-    int i;
-    kern_box_empty(&s->box);
-    s->area = 0;
-    for (i = 0; i < s->blocks && status >= 0; i++)
-        status = kern_search_see(s, i);
-    return status;
-}
-
 /* Finds the contacts of the last block with all others. */
 static kern_status kern_search_last(kern_search *s)
 {
     kern_status status = KERN_OK;
     const int b = s->blocks - 1;
     int a;
+    kern_search_reach(s);
     for (a = 0; a < b && status >= 0; a++) {
         status = kern_search_pair(s, a, b);
         /* one buffer for two stones: the first has lost its vertices */
@@ -2854,8 +2856,10 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
     status = kern_search_open(&s, block, blocks, options, out, room, work);
     if (status >= 0)
         status = kern_search_survey(&s);
-    if (status >= 0)
+    if (status >= 0) {
+        kern_search_reach(&s);
         status = work->index ? kern_search_sweep(&s, work) : KERN_BAD_POINTER;
+    }
     return status < 0 ? (int)status : kern_search_close(&s);
 }
 
@@ -6123,18 +6127,22 @@ static int kern_pour_three(const kern_real h[6], const kern_real b[3],
 }
 
 typedef struct kern_row { /* a contact that carries the group */
-    kern_real n[3], t[3], mu, wn, wt;
-    int contact, on, mask;
+    kern_real n[3], turn, mu, wn, wt; /* t is (-n[1], n[0], turn)             */
+    int end, mask;
 } kern_row;
 
 static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static inline kern_real kern_row_along(const kern_row *c, const kern_real *u)
+{ return -c->n[1] * u[0] + c->n[0] * u[1] + c->turn * u[2]; }
 
 /* Lists the contacts that carry group g; returns how many, or one more than
    there is room for. */
 static int kern_pour_rows(const kern_model *m, int g,
                           kern_row row[KERN_ROWS_MOST])
 {
+    kern_real t[3];
     int e, n = 0;
     for (e = m->touch[g]; e >= 0; e = m->after[e]) {
         const int i = e >> 1, other = m->ends[e ^ 1];
@@ -6142,10 +6150,10 @@ static int kern_pour_rows(const kern_model *m, int g,
             continue;
         if (n == KERN_ROWS_MOST)
             return n + 1;
-        kern_model_rows(m, i, e & 1, row[n].n, row[n].t);
+        kern_model_rows(m, i, e & 1, row[n].n, t);
+        row[n].turn = t[2];
         row[n].mu = m->s->contact[i].mu;
-        row[n].contact = i;
-        row[n].on = other;
+        row[n].end = e;
         row[n].mask = 3;
         kern_model_prior(m, i, &row[n].wn, &row[n].wt);
         n++;
@@ -6168,22 +6176,23 @@ static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
         const kern_real minus = c->mask & 2 ? KERN_R(1) : KERN_R(0);
         const kern_real nn = plus + minus, nt = c->mu * (plus - minus);
         const kern_real tt = c->mu * c->mu * nn;
+        const kern_real t[3] = {-c->n[1], c->n[0], c->turn};
         kern_real wn, wt, v[3], w[3];
         if (c->mask == 0)
             continue;
         wn = c->wn + kern_three(c->n, u);
-        wt = c->wt + kern_three(c->t, u);
+        wt = c->wt + kern_row_along(c, u);
         for (j = 0; j < 3; j++) {
-            v[j] = nn * c->n[j] + nt * c->t[j];
-            w[j] = nt * c->n[j] + tt * c->t[j];
+            v[j] = nn * c->n[j] + nt * t[j];
+            w[j] = nt * c->n[j] + tt * t[j];
             left[j] -= v[j] * wn + w[j] * wt;
         }
-        h[0] += v[0] * c->n[0] + w[0] * c->t[0];
-        h[1] += v[1] * c->n[0] + w[1] * c->t[0];
-        h[2] += v[1] * c->n[1] + w[1] * c->t[1];
-        h[3] += v[2] * c->n[0] + w[2] * c->t[0];
-        h[4] += v[2] * c->n[1] + w[2] * c->t[1];
-        h[5] += v[2] * c->n[2] + w[2] * c->t[2];
+        h[0] += v[0] * c->n[0] + w[0] * t[0];
+        h[1] += v[1] * c->n[0] + w[1] * t[0];
+        h[2] += v[1] * c->n[1] + w[1] * t[1];
+        h[3] += v[2] * c->n[0] + w[2] * t[0];
+        h[4] += v[2] * c->n[1] + w[2] * t[1];
+        h[5] += v[2] * c->n[2] + w[2] * t[2];
     }
 }
 
@@ -6209,7 +6218,7 @@ static kern_status kern_pour_alone(kern_model *m, int g)
         for (k = 0; k < n; k++) {
             const kern_real wn = row[k].wn + kern_three(row[k].n, u);
             const kern_real wt = row[k].mu
-                                 * (row[k].wt + kern_three(row[k].t, u));
+                                 * (row[k].wt + kern_row_along(row + k, u));
             const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
             changed |= mask != row[k].mask;
             row[k].mask = mask;
@@ -6231,8 +6240,9 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     for (k = 0; k < n; k++) {
         const kern_spring s = kern_spring_of(
             row[k].wn + kern_three(row[k].n, u),
-            row[k].wt + kern_three(row[k].t, u), row[k].mu);
-        kern_pour_write(m, row[k].contact, row[k].on, s.f, s.r, tolerance);
+            row[k].wt + kern_row_along(row + k, u), row[k].mu);
+        kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f, s.r,
+                        tolerance);
     }
     return KERN_STANDS;
 }
@@ -7694,7 +7704,7 @@ static int kern_inner_holds(kern_inner *in)
     kern_real error;
     p->x = in->x;
     kern_part_forces(p);
-    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum);
+    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum, 0);
     if (error <= 1)
         p->m->work->error = kern_max(p->m->work->error, error);
     return error <= 1;
@@ -8684,6 +8694,7 @@ static int kern_plan_touch(kern_plan *plan, const kern_block *block,
     if (last >= plan->block_room)
         return (int)KERN_NO_SPACE;
     plan->block[last] = *block;
+    search->from = last;
     status = kern_search_open(search, plan->block, last + 1,
                               &plan->task.options,
                               plan->contact + plan->task.s.contacts,
@@ -8695,7 +8706,6 @@ static int kern_plan_touch(kern_plan *plan, const kern_block *block,
         status = kern_search_see(search, last);
     if (status < 0)
         return (int)status;
-    kern_search_reach(search);
     status = kern_search_last(search);
     return status < 0 ? (int)status : kern_search_close(search);
 }
@@ -8752,7 +8762,8 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     s->blocks--;
     plan->task.known.blocks = 0;
     search.block = s->block;
-    search.blocks = s->blocks;
+    search.blocks = search.from = s->blocks;
+    search.fault = &plan->task.work->fault;
     kern_search_survey(&search);
     plan->box = search.box;
     plan->area = search.area;
@@ -8868,31 +8879,44 @@ static kern_status kern_trial_whole(const kern_trial *t, kern_path *path,
     return status;
 }
 
+/* The measure of the plan with the block from what is known of it; `falls`: it
+   is known to fall at once. */
+static kern_status kern_trial_measure(const kern_trial *t,
+                                      const kern_seed *seed, int falls,
+                                      kern_margin *out,
+                                      const kern_proof *proof)
+{
+    const kern_options *o = &t->plan->task.options;
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    int last;
+    kern_status status = kern_trial_whole(t, &path, &m, &part);
+    path.proof = proof;
+    path.seed = seed;
+    if (status != KERN_OK)
+        return status;
+    if (!falls)
+        return kern_measure_along(&m, &path, o, out);
+    status = kern_measure_none(&m, o, out, &last);
+    return status == KERN_OK ? KERN_FALLS : status;
+}
+
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
     kern_trial t;
-    kern_model m;
-    kern_part part;
-    kern_path path;
     kern_seed seed;
-    int falls = 0, last;
+    int falls = 0;
     kern_status status = kern_trial_open(&t, plan, block, out);
     if (status != KERN_OK)
         return status;
     seed = kern_known_seed(&plan->task);
     if (!block->fixed && seed.fails > 0)
         falls = kern_trial_nearer(&t, proof, &seed) == KERN_FALLS;
-    status = kern_trial_whole(&t, &path, &m, &part);
-    path.proof = proof;
-    path.seed = &seed;
-    if (status == KERN_OK && falls)
-        status = kern_measure_none(&m, &plan->task.options, out, &last);
-    else if (status == KERN_OK)
-        status = kern_measure_along(&m, &path, &plan->task.options, out);
+    status = kern_trial_measure(&t, &seed, falls, out, proof);
     kern_trial_close(&t);
-    return kern_spent(plan->task.work, plan->task.options.limit,
-                      falls && status == KERN_OK ? KERN_FALLS : status);
+    return kern_spent(plan->task.work, plan->task.options.limit, status);
 }
 
 /* The verdict of the plan with the block at a shrinkage, or of the block alone

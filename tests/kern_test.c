@@ -5470,6 +5470,47 @@ static void plan_say(site *p, const kern_block *b, int add, int remove,
     site_unchanged(p, line);
 }
 
+/* What was measured is trusted, what came later is not: contacts appended by
+   hand are checked, and what is changed by hand is seen where fails is 0. */
+static void plan_by_hand(void)
+{
+    static world w;
+    static site p;
+    kern_contact *bad, good;
+    kern_block b;
+    kern_margin m;
+    int i;
+    slab_on_pillar(&w);
+    b = candidate(&w, 1, 0.4, 1.2, 0.2);
+    site_open(&p, &w);
+    for (i = 0; i < w.blocks; i++)
+        site_add(&p, i);
+    site_measure(&p, &m);
+    bad = p.contact + p.plan.task.s.contacts++;
+    *bad = good = p.contact[0];
+    bad->mu = -1;
+    plan_say(&p, &b, 0, KERN_OK, KERN_BAD_FRICTION, KERN_BAD_FRICTION,
+             __LINE__);
+    bad->mu = good.mu;
+    bad->a = 99;
+    CHECK_INT(kern_plan_bears(&p.plan, &b, 0, NULL), KERN_BAD_BLOCK);
+    p.plan.task.s.contacts--;
+    site_try(&p, &b, &m);
+    p.block[2].load.fx = 2 * p.block[2].mass;
+    p.plan.task.known.fails = 0;
+    site_try(&p, &b, &m);
+    p.block[2].load.fx = 0;
+    site_measure(&p, &m);
+    p.contact[2].mu = p.contact[3].mu = R(0.01);
+    p.block[2].load.fx = p.block[2].mass;
+    p.plan.task.known.fails = 0;
+    site_try(&p, &b, &m);
+    CHECK_INT(kern_plan_bears(&p.plan, &b, 0, NULL), KERN_FALLS);
+    site_measure(&p, &m);
+    p.plan.task.s.gravity = vec(0.3, -9.81);
+    site_try(&p, &b, &m);
+}
+
 static void plan_faults(void)
 {
     static world w;
@@ -7855,6 +7896,7 @@ static const test tests[] = {
     TEST(plan_candidates),
     TEST(plan_saturated),
     TEST(plan_stale),
+    TEST(plan_by_hand),
     TEST(jams_are_bounded),
     TEST(bearing_of_lips),
     TEST(bearing_by_definition),
