@@ -95,6 +95,8 @@
 #define KERN_STATIC
 #include "../kern.h"
 
+#include "../examples/parts/random.h"
+
 #ifdef BENCH_GLPK
 #include <glpk.h>
 #endif
@@ -146,14 +148,9 @@ struct scene {
     kern_options options;
 };
 
-/* splitmix64 */
 static double scene_random(struct scene *scene, double low, double high)
 {
-    uint64_t z = scene->random += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    z ^= z >> 31;
-    return low + (high - low) * ((double)(z >> 11) / 9007199254740992.0);
+    return low + (high - low) * random_share(random_mixed(&scene->random));
 }
 
 static kern_vec vec(double x, double y)

@@ -36,7 +36,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
-#include "random.h"
+#include "structures.h"
 
 enum { FREE = 14, ROWS = 3 * FREE, COLS = 2 * CONTACTS };
 

@@ -22,7 +22,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
-#include "random.h"
+#include "structures.h"
 
 static long checks, failures, decided, undecided, no_space;
 
@@ -188,7 +188,7 @@ static void random_program(program *p, int seed)
     int i;
     state = (uint64_t)seed * 2862933555777941757u + 3037000493u;
     for (i = 0; i < 8; i++)
-        random_bits();
+        random_word();
     p->lp.rows = 1 + random_below(ROWS);
     p->lp.cols = p->lp.rows + random_below(COLS - ROWS + 1);
     p->lp.limit = 0;

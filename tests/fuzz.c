@@ -463,14 +463,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
 /* ==== Without libFuzzer ============================================= */
 
 #ifdef FUZZ_PLAIN
+#include "../examples/parts/random.h"
+
 static uint64_t state;
 
-static unsigned random_byte(void) /* xorshift */
+static unsigned random_byte(void)
 {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (unsigned)(state >> 56);
+    return (unsigned)(random_bits(&state) >> 56);
 }
 
 static void run_random(long many, unsigned seed)

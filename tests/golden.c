@@ -17,7 +17,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
-#include "random.h"
+#include "structures.h"
 
 #ifdef GOLDEN_BARE
 #include "../examples/firmware/board.h"

@@ -34,6 +34,8 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
+#include "../examples/parts/random.h"
+
 /* ==== Harness =================================================== >>harness */
 
 static long passed, failed, failed_here;
@@ -137,16 +139,7 @@ static double no_number(int which)
                         : -huge_value();
 }
 
-/* Small deterministic random numbers (xorshift). */
-static unsigned long long random_state = 88172645463325252ull;
-
-static unsigned long long random_bits(void)
-{
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 7;
-    random_state ^= random_state << 17;
-    return random_state;
-}
+static uint64_t random_state = 88172645463325252ull;
 
 static void random_seed(unsigned long long seed)
 {
@@ -155,18 +148,17 @@ static void random_seed(unsigned long long seed)
     if (random_state == 0)
         random_state = 1;
     for (i = 0; i < 8; i++)
-        random_bits();
+        random_bits(&random_state);
 }
 
 static double uniform(double low, double high)
 {
-    return low +
-           (high - low) * ((double)(random_bits() >> 11) / 9007199254740992.0);
+    return low + (high - low) * random_share(random_bits(&random_state));
 }
 
 static int random_int(int low, int high) /* both ends included */
 {
-    return low + (int)(random_bits() % (unsigned long long)(high - low + 1));
+    return low + (int)(random_bits(&random_state) % (uint64_t)(high - low + 1));
 }
 
 static int chance(double share)

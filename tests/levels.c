@@ -12,7 +12,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
-#include "random.h"
+#include "structures.h"
 
 static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
 static int ints[KERN_INTS(BLOCKS, CONTACTS)];

@@ -15,6 +15,7 @@
 #ifndef BUILD_H
 #define BUILD_H
 
+#include "random.h"
 #include "rigid.h"
 
 #include <math.h>
@@ -44,10 +45,7 @@ struct build {
 
 static double build_uniform(struct build *b, double low, double high)
 {
-    b->state ^= b->state << 13;
-    b->state ^= b->state >> 7;
-    b->state ^= b->state << 17;
-    return low + (high - low) * ((double)(b->state >> 11) / 9007199254740992.0);
+    return low + (high - low) * random_share(random_bits(&b->state));
 }
 
 /* ---- One stone ----------------------------------------------------------- */

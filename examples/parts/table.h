@@ -14,6 +14,7 @@
 
 #include "../../kern.h"
 #include "draw.h"
+#include "random.h"
 #include "rigid.h"
 #include "text.h"
 
@@ -92,17 +93,9 @@ struct table_report {
 
 /* ---- Noise --------------------------------------------------------------- */
 
-static inline uint64_t table_random(uint64_t *state)
-{
-    uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15); /* splitmix64 */
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
 static inline double table_uniform(uint64_t *state)
 {
-    return (double)(table_random(state) >> 11) / 9007199254740992.0;
+    return random_share(random_mixed(state));
 }
 
 /* Near enough to a normal distribution, and without a logarithm, which not
@@ -378,7 +371,7 @@ static inline int table_shake(struct table *t, int level, int repetition,
     struct rigid_world *w = &t->world;
     double dt = w->step;
     uint64_t state = t->plan.seed * 1000003 + (uint64_t)repetition;
-    state = table_random(&state) + (uint64_t)level;
+    state = random_mixed(&state) + (uint64_t)level;
     table_reset(t, &state);
     struct rigid_block *base = &w->block[t->block[0]];
     struct rigid_pt q = rigid_unit(2 * table_pi * table_uniform(&state));

@@ -1,14 +1,16 @@
-/* random.h - random structures for the tests, the same on every machine.
+/* structures.h - random structures for the tests, the same on every machine.
 
    They are made from whole numbers by + - * / alone, since sines and powers
    differ from one libm to the next. random_structure() fills the variables
    below; towers, walls, arches, concave stones and stones on points come alike
    often, small ones more often than large ones. */
 
-#ifndef RANDOM_H
-#define RANDOM_H
+#ifndef STRUCTURES_H
+#define STRUCTURES_H
 
 #include "../kern.h"
+
+#include "../examples/parts/random.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -40,20 +42,17 @@ static kern_vec vec_of(kern_real x, kern_real y)
     return v;
 }
 
-static uint32_t random_bits(void) /* xorshift */
+static uint32_t random_word(void)
 {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (uint32_t)(state >> 32);
+    return (uint32_t)(random_bits(&state) >> 32);
 }
 
 static int random_below(int end)
-{ return (int)(random_bits() % (uint32_t)end); }
+{ return (int)(random_word() % (uint32_t)end); }
 
 static kern_real uniform(double low, double high)
 { /* 24 bits, which a float holds */
-    const kern_real part = (kern_real)(random_bits() >> 8) / (kern_real)(16777216);
+    const kern_real part = (kern_real)(random_word() >> 8) / 16777216;
     return (kern_real)(low) + ((kern_real)(high) - (kern_real)(low)) * part;
 }
 
@@ -237,7 +236,7 @@ static void random_structure(int seed, int most, kern_work *work)
     int i;
     state = (uint64_t)seed * 2862933555777941757u + 3037000493u;
     for (i = 0; i < 8; i++)
-        random_bits();
+        random_word();
     options = kern_defaults();
     options.mu = uniform(0.1, 1);
     options.relative = random_below(4) == 0;

@@ -1,0 +1,41 @@
+/* random.h - random numbers for the programs and the tests: from a seed, the
+   same on every machine.
+
+       uint64_t state = seed;
+       x = low + (high - low) * random_share(random_bits(&state));
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef RANDOM_H
+#define RANDOM_H
+
+#include <stdint.h>
+
+/* Xorshift, from a state that is not 0: G. Marsaglia, Xorshift RNGs, Journal of
+   Statistical Software 8 (2003). */
+static inline uint64_t random_bits(uint64_t *state)
+{
+    *state ^= *state << 13;
+    *state ^= *state >> 7;
+    *state ^= *state << 17;
+    return *state;
+}
+
+/* Splitmix64, for states that are small numbers one after the other: G. L.
+   Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators,
+   OOPSLA 2014. */
+static inline uint64_t random_mixed(uint64_t *state)
+{
+    uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
+}
+
+/* From 0 up to but not 1: the first 53 bits. */
+static inline double random_share(uint64_t bits)
+{
+    return (double)(bits >> 11) / 9007199254740992.0;
+}
+
+#endif
