@@ -635,10 +635,10 @@ typedef struct kern_work {
     kern_fault fault;     /* of the last call that returned less than 0       */
 } kern_work;
 
-/* Warm start: what kern_measure() remembers for the next call on nearly the
-   same structure. Two arrays of the caller, both or none. What they hold, even
-   what is out of date or was never set, changes the time of a call, never its
-   answer. */
+/* Warm start: what kern_measure() remembers for the next kern_measure() of
+   nearly the same structure. Two arrays of the caller, both or none. Whatever
+   stands there, even if out of date or never set, changes the time of a measure
+   and not its answer: all of it is verified before it is used. */
 typedef struct kern_known {
     kern_motion *motion;  /* one a block: of the mechanism, at fails          */
     kern_force *force;    /* one a contact point: at holds                    */
@@ -8150,13 +8150,17 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     return status;
 }
 
-/* What is known of a task; its last block may have been added since. */
+/* What is known of a task; its last block may have been added since. It is
+   used as a guess alone: the numbers must be in order, the rest is verified. */
 static kern_seed kern_known_seed(const kern_task *task)
 {
+    const kern_known *known = &task->known;
     kern_seed seed;
-    seed.holds = task->known.holds;
-    seed.edge = task->known.margin;
-    seed.fails = task->known.fails;
+    seed.holds = known->holds;
+    seed.edge = known->margin;
+    seed.fails = known->holds >= 0 && known->holds <= known->margin
+                 && known->margin <= known->fails
+                 && known->fails < KERN_INFINITY ? known->fails : KERN_R(0);
     seed.motion = task->known.motion;
     seed.last = task->known.motion[task->s.blocks - 1];
     return seed;

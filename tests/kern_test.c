@@ -5356,6 +5356,65 @@ static void plan_saturated(void)
 
 /* Blocks and contacts taken back by hand, and garbage in the work memory: the
    plan goes on with less than it knew, and answers the same. */
+/* Whatever is said to be known, the measure is the same, and proven: what was
+   known before a change, of another structure, random numbers, no numbers. */
+static kern_real random_number(void)
+{
+    const int kind = random_int(0, 9);
+    return R(kind == 0   ? not_a_number()
+             : kind == 1 ? huge_value()
+             : kind == 2 ? -huge_value()
+             : kind == 3 ? 0
+                         : uniform(-1, 1) * pow(10, random_int(-8, 8)));
+}
+
+static void known_garbage(void)
+{
+    static world w;
+    static kern_motion motion[MAX_BLOCKS];
+    static kern_force force[MAX_POINTS];
+    kern_known known = kern_known_of(motion, force);
+    int seed, way, i;
+    for (seed = 0; seed < (quick ? 60 : 300); seed++) {
+        kern_margin fresh, m;
+        int want;
+        random_world(&w, 640000u + (unsigned long long)seed, 20);
+        want = measure(&w, &fresh);
+        for (way = 0; way < 6; way++) {
+            const kern_structure s = structure_of(&w);
+            const kern_proof proof = proof_here();
+            kern_work work = work_of(&w);
+            kern_task task = *task_of(&s, &w.options, &work);
+            /* 0: of the world before; 1: as the last measure left it */
+            for (i = 0; i < w.blocks && way > 2; i++) {
+                motion[i].vx = random_number();
+                motion[i].vy = random_number();
+                motion[i].spin = random_number();
+            }
+            for (i = 0; i < w.contacts && way > 2; i++) {
+                force[i].normal = random_number();
+                force[i].tangential = random_number();
+            }
+            if (way == 2 || way == 3) { /* right numbers, way 2 but for one */
+                known.holds = fresh.holds;
+                known.fails = fresh.fails;
+                known.margin = way == 3 ? fresh.margin : random_number();
+            } else if (way > 3) {
+                known.holds = random_number();
+                known.fails = random_number();
+                known.margin = random_number();
+            }
+            task.known = known;
+            memset(&m, 0, sizeof m);
+            i = kern_measure(&task, &m, &proof);
+            check_measure(&w, i, &m, &work);
+            same_answer(&w, &fresh, want, &m, i, 1, EXACT, __LINE__);
+            known = task.known;
+        }
+    }
+    context[0] = 0;
+}
+
 static void plan_stale(void)
 {
     enum { BOXES = 8, ROOM = 40 };
@@ -7887,6 +7946,7 @@ static const test tests[] = {
     TEST(plan_changes),
     TEST(plan_candidates),
     TEST(plan_saturated),
+    TEST(known_garbage),
     TEST(plan_stale),
     TEST(plan_by_hand),
     TEST(jams_are_bounded),
