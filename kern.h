@@ -15,7 +15,8 @@
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
                             >>check >>statics >>proof >>model >>part >>least
-                            >>pour >>verdict >>kern >>profile >>plan >>words
+                            >>pour >>verdict >>kern >>profile >>critical
+                            >>plan >>words
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -428,6 +429,7 @@ typedef float kern_real;
 #define kern_contact_make    kern_contact_make_f32
 #define kern_contact_travels kern_contact_travels_f32
 #define kern_contacts        kern_contacts_f32
+#define kern_critical_of     kern_critical_of_f32
 #define kern_defaults        kern_defaults_f32
 #define kern_deficit         kern_deficit_f32
 #define kern_ground_init     kern_ground_init_f32
@@ -615,6 +617,26 @@ typedef struct kern_collapse {
                              above the lowest block, in mean sizes, at least
                              0.3: larger is worse. 0 for shrinking kerns      */
 } kern_collapse;
+
+/* What a mechanism does at a contact point. */
+typedef enum kern_meeting {
+    KERN_RESTS,           /* its blocks move as one, or not at all            */
+    KERN_HINGES,          /* they turn about it                               */
+    KERN_SLIDES,          /* they slide, and part as sliding does (>>limits)  */
+    KERN_OPENS            /* they part                                        */
+} kern_meeting;
+
+/* What limits a measure, and what moves first. Three arrays of the caller, each
+   may be NULL, and what kern_critical_of() finds. */
+typedef struct kern_critical {
+    kern_meeting *meeting; /* one a contact point                             */
+    kern_real *limit;     /* one a contact point: how much it limits, as a
+                             share of the one that does most                  */
+    int *group;           /* one a block: number of the group that moves as one
+                             with it, 0 the fastest; -1: it rests             */
+    int contact;          /* the contact point that limits most; -1: none     */
+    int groups;           /* 0 where `group` is NULL                          */
+} kern_critical;
 
 /* Work memory: two arrays of the caller. Nothing in them needs to be set, and
    nothing is kept there between calls. */
@@ -973,6 +995,18 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
+/* What a measure hinges on, from its proof: proof->motion, not NULL, moves the
+   structure at about the shrinkage `shrink`, proof->force holds it there or is
+   NULL. After kern_measure(): out.margin and its proof; where it falls, 0 and
+   the motion alone. A contact point limits by the power that the mechanism
+   gains per length by which the point moves inward; without forces, or where
+   none gains, by its turning, and where nothing turns, by its sliding. Slower
+   than 1e-4 of the fastest counts as rest. Sets *out: its arrays first. KERN_OK.
+   Time: O(C), and O(B) for each group. */
+KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
+                                      const kern_proof *proof,
+                                      kern_critical *out);
+
 /* -- planning -- */
 /* A planner asks the same of many structures that differ by a stone. No contact
    is searched twice, and every measure starts from the last one: at the
@@ -1292,6 +1326,8 @@ static void kern_fault_clear(kern_fault *fault)
 /* Share by which the area of a polygon may differ from what the block says,
    by rounding at large coordinates. */
 #define KERN_STALE_AREA KERN_R(1e-3)
+/* Share of the fastest block's speed below which a mechanism rests. */
+#define KERN_REST       KERN_R(1e-4)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL     KERN_R(1e-9)
 
@@ -8642,6 +8678,156 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
     out->drop = side ? kern_expected_drop(&m, value) : KERN_R(0);
+    return KERN_OK;
+}
+
+/* ---- What is critical ---------------------------------------- >>critical */
+
+/* Velocity of block b relative to block a where contact point c acts. */
+static kern_motion kern_meeting_motion(const kern_structure *s,
+                                       const kern_question *q,
+                                       const kern_contact *c,
+                                       const kern_motion *motion)
+{
+    const kern_motion a = motion[c->a], b = motion[c->b];
+    kern_motion v;
+    kern_vec arm[2];
+    kern_arms(s, c, q, arm);
+    v.vx = b.vx - b.spin * arm[1].y - (a.vx - a.spin * arm[0].y);
+    v.vy = b.vy + b.spin * arm[1].x - (a.vy + a.spin * arm[0].x);
+    v.spin = b.spin - a.spin;
+    return v;
+}
+
+static kern_meeting kern_meeting_of(const kern_contact *c, kern_motion v,
+                                    kern_real size)
+{
+    const kern_vec u = kern_vec_make(v.vx, v.vy);
+    const kern_real along = kern_abs(kern_vec_cross(c->n, u));
+    if (kern_vec_dot(c->n, u) > c->mu * along + KERN_REST)
+        return KERN_OPENS;
+    if (along > KERN_REST)
+        return KERN_SLIDES;
+    return kern_abs(v.spin) * size > KERN_REST ? KERN_HINGES : KERN_RESTS;
+}
+
+/* How much a contact point limits, by the first of: the power f w that moving
+   inward with a force f costs while the blocks turn at w, unless its kern is
+   closed; the rate of a hinge; the speed of sliding. */
+static kern_real kern_limit_by(int by, const kern_contact *c, kern_motion v,
+                               kern_meeting meeting, const kern_force *force,
+                               const kern_question *q)
+{
+    kern_real way = c->travel;
+    if (by == 1)
+        return meeting == KERN_HINGES ? kern_abs(v.spin) : KERN_R(0);
+    if (by == 2)
+        return meeting == KERN_SLIDES
+               ? KERN_SQRT(v.vx * v.vx + v.vy * v.vy) : KERN_R(0);
+    if (!force || meeting == KERN_OPENS)
+        return KERN_R(0);
+    if (!q->relative)
+        way = !(kern_abs(way) > q->shrink) ? KERN_R(0)
+              : way > 0 ? KERN_R(1) : KERN_R(-1);
+    return kern_max(-v.spin * way * force->normal, KERN_R(0));
+}
+
+static void kern_critical_contacts(const kern_task *task,
+                                   const kern_question *q,
+                                   const kern_proof *proof, kern_critical *out)
+{
+    const kern_structure *s = &task->s;
+    const kern_real size = kern_mean_size(s->block, s->blocks);
+    kern_real most = KERN_R(0);
+    int by, i;
+    for (by = 0; by < 3 && out->contact < 0; by++)
+        for (i = 0; i < s->contacts; i++) {
+            const kern_contact *c = s->contact + i;
+            const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
+            const kern_meeting meeting = kern_meeting_of(c, v, size);
+            const kern_real limit = kern_limit_by(
+                by, c, v, meeting, proof->force ? proof->force + i : NULL, q);
+            if (out->meeting)
+                out->meeting[i] = meeting;
+            if (out->limit)
+                out->limit[i] = limit;
+            if (limit > most * (1 + KERN_REST)) {
+                most = limit;
+                out->contact = i;
+            }
+        }
+    for (i = 0; i < s->contacts && out->limit && most > 0; i++)
+        out->limit[i] /= most;
+}
+
+/* The larger of a block's speed and that of its turning. */
+static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
+{
+    return kern_max(KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
+                    kern_abs(v->spin) * kern_block_size(b));
+}
+
+/* Whether two blocks move as one rigid body. */
+static int kern_as_one(const kern_structure *s, const kern_motion *motion,
+                       int i, int j)
+{
+    const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
+    const kern_motion v = motion[i], w = motion[j];
+    const kern_real x = v.vx - v.spin * r.y - w.vx;
+    const kern_real y = v.vy + v.spin * r.x - w.vy;
+    const kern_real turn = (v.spin - w.spin) * kern_vec_length(r);
+    return KERN_SQRT(x * x + y * y) < KERN_REST && kern_abs(turn) < KERN_REST;
+}
+
+/* Groups around the fastest block that is in none. */
+static void kern_critical_blocks(const kern_structure *s,
+                                 const kern_motion *motion, kern_critical *out)
+{
+    const int none = s->blocks;
+    int i, lead = 0;
+    for (i = 0; i < s->blocks; i++)
+        out->group[i] = kern_block_speed(s->block + i, motion + i) < KERN_REST
+                        ? -1 : none;
+    for (; lead >= 0; out->groups += lead >= 0) {
+        kern_real most = KERN_R(0);
+        lead = -1;
+        for (i = 0; i < s->blocks; i++) {
+            const kern_real speed = kern_block_speed(s->block + i, motion + i);
+            if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
+                most = speed;
+                lead = i;
+            }
+        }
+        for (i = 0; i < s->blocks && lead >= 0; i++)
+            if (out->group[i] == none
+                && (i == lead || kern_as_one(s, motion, lead, i)))
+                out->group[i] = out->groups;
+    }
+}
+
+KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
+                                      const kern_proof *proof,
+                                      kern_critical *out)
+{
+    kern_question q;
+    int i, free_blocks = 0;
+    kern_status status = kern_task_check(
+        task, proof && proof->motion ? out : NULL, &free_blocks);
+    if (status == KERN_OK && !kern_is_finite(shrink))
+        status = KERN_BAD_NUMBER;
+    for (i = 0; status == KERN_OK && i < task->s.blocks; i++)
+        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
+            task->work->fault.block = i;
+            status = KERN_BAD_NUMBER;
+        }
+    if (status != KERN_OK)
+        return status;
+    q = kern_question_of(&task->s, &task->options, shrink);
+    out->contact = -1;
+    out->groups = 0;
+    kern_critical_contacts(task, &q, proof, out);
+    if (out->group)
+        kern_critical_blocks(&task->s, proof->motion, out);
     return KERN_OK;
 }
 

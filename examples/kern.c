@@ -104,9 +104,6 @@ enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
 /* Beyond these an int may not hold the length of the work arrays. */
 enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
 
-/* The greatest speed of a motion is 1; what is slower than this rests. */
-static const double at_rest = 1e-4;
-
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit;
     int relative, forces, mechanism, profile, touching, json, verdict_only;
@@ -138,8 +135,7 @@ struct analysis {
     kern_margin m;
     kern_force *last_force; /* at m.holds, if it stands at 0     */
     kern_motion *collapse;  /* just past the margin, or at 0     */
-    double *limit;          /* how much each contact point limits */
-    int limiting;           /* the one that does most, -1: none  */
+    kern_critical critical; /* what limits the margin            */
     double deficit, bearing, load[2], tilt[2];
 
     kern_status profiled;   /* both profiles, if asked for       */
@@ -168,7 +164,7 @@ static int fail_memory(struct analysis *a)
 }
 
 /* Does the collapse motion belong to the verdict, or to the margin? */
-static const kern_motion *shown_motion(const struct analysis *a)
+static kern_motion *shown_motion(const struct analysis *a)
 {
     if (a->shown == KERN_FALLS) return a->motion;
     if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
@@ -257,7 +253,8 @@ static int take_memory(struct analysis *a)
     a->work = kern_work_of(real, reals, index, ints);
     a->force = array(contacts, sizeof *a->force);
     a->last_force = array(contacts, sizeof *a->last_force);
-    a->limit = array(contacts, sizeof *a->limit);
+    a->critical.limit = array(contacts, sizeof *a->critical.limit);
+    a->critical.meeting = array(contacts, sizeof *a->critical.meeting);
     a->motion = array(blocks, sizeof *a->motion);
     a->collapse = array(blocks, sizeof *a->collapse);
     int bad = 0;
@@ -265,8 +262,9 @@ static int take_memory(struct analysis *a)
         a->fate[k] = array(blocks, sizeof *a->fate[k]);
         bad |= !a->fate[k];
     }
-    return real && index && a->force && a->last_force && a->limit &&
-           a->motion && a->collapse && !bad ? 0 : fail_memory(a);
+    bad |= !a->critical.limit || !a->critical.meeting;
+    return real && index && a->force && a->last_force && a->motion &&
+           a->collapse && !bad ? 0 : fail_memory(a);
 }
 
 static void free_work(struct analysis *a)
@@ -275,7 +273,8 @@ static void free_work(struct analysis *a)
     free(a->work.index);
     free(a->force);
     free(a->last_force);
-    free(a->limit);
+    free(a->critical.limit);
+    free(a->critical.meeting);
     free(a->motion);
     free(a->collapse);
     for (int k = 0; k < PROFILES; k++) free(a->fate[k]);
@@ -288,77 +287,14 @@ static void free_analysis(struct analysis *a)
     text_free(&a->text);
 }
 
-/* Velocity of block b relative to block a where contact point k acts. */
-static kern_motion relative_motion(const struct analysis *a, int k,
-                                   kern_real shrink, const kern_motion *motion)
-{
-    const kern_contact *c = &a->task.s.contact[k];
-    kern_vec p = kern_contact_at(c, shrink, a->set->relative);
-    kern_motion v[2];
-    for (int i = 0; i < 2; i++) {
-        int block = i ? c->b : c->a;
-        kern_vec centre = a->task.s.block[block].centre;
-        v[i] = motion[block];
-        v[i].vx -= v[i].spin * (p.y - centre.y);
-        v[i].vy += v[i].spin * (p.x - centre.x);
-    }
-    v[1].vx -= v[0].vx;
-    v[1].vy -= v[0].vy;
-    v[1].spin -= v[0].spin;
-    return v[1];
-}
-
-enum meeting { RESTS, HINGES, SLIDES, OPENS };
-
-static enum meeting meeting_of(const struct analysis *a, int k,
-                               kern_real shrink, const kern_motion *motion)
-{
-    const kern_contact *c = &a->task.s.contact[k];
-    kern_motion v = relative_motion(a, k, shrink, motion);
-    double apart = v.vx * c->n.x + v.vy * c->n.y;
-    double along = fabs(v.vy * c->n.x - v.vx * c->n.y);
-    if (apart > c->mu * along + at_rest) return OPENS;
-    if (along > at_rest) return SLIDES;
-    double size = mean_size(a);
-    return fabs(v.spin) * size > at_rest ? HINGES : RESTS;
-}
-
-enum limit_by { BY_FORCE, BY_TURNING, BY_SLIDING };
-
-/* How much a contact point limits. Where a force f passes it and the blocks
-   turn against each other at rate w, moving it inward by d takes f w d from the
-   power that holds them; a kern that is closed already moves no more. A
-   structure that falls as it is has no forces: there counts what hinges, or
-   where nothing does, what slides. */
-static double limit_of(const struct analysis *a, int k, enum limit_by by)
-{
-    enum meeting how = meeting_of(a, k, a->m.margin, a->collapse);
-    kern_motion v = relative_motion(a, k, a->m.margin, a->collapse);
-    double travel = (double)a->task.s.contact[k].travel;
-    if (by == BY_SLIDING) return how == SLIDES ? hypot(v.vx, v.vy) : 0;
-    if (by == BY_TURNING) return how == HINGES ? fabs(v.spin) : 0;
-    if (how == OPENS) return 0;
-    if (!a->set->relative)
-        travel = fabs(travel) > a->m.margin ? copysign(1, travel) : 0;
-    double ease = -v.spin * travel; /* -t turned by 90 degrees is n */
-    return ease > 0 ? a->last_force[k].normal * ease : 0;
-}
-
+/* What limits the margin; nothing does where it is not known or saturated. */
 static void find_limit(struct analysis *a)
 {
-    int stands = a->measured == KERN_STANDS;
-    a->limiting = -1;
-    if (a->measured < 0 || (stands && a->m.saturated)) return;
-    for (int by = stands ? BY_FORCE : BY_TURNING;
-         by <= BY_SLIDING && a->limiting < 0; by++) {
-        double most = 0;
-        for (int k = 0; k < a->task.s.contacts; k++) {
-            a->limit[k] = limit_of(a, k, (enum limit_by)by);
-            if (!(a->limit[k] > most * (1 + at_rest))) continue;
-            most = a->limit[k];
-            a->limiting = k;
-        }
-    }
+    int falls = a->measured == KERN_FALLS;
+    kern_proof proof = { falls ? NULL : a->last_force, a->collapse };
+    a->critical.contact = -1;
+    if (a->measured < 0 || (!falls && a->m.saturated)) return;
+    kern_critical_of(&a->task, a->m.margin, &proof, &a->critical);
 }
 
 static double value_or_nan(kern_status status, kern_real value)
@@ -638,15 +574,15 @@ static void report_bearing(const struct analysis *a)
 static void report_limit(const struct analysis *a)
 {
     static const char *const word[] = { "rests", "hinges", "slides", "opens" };
-    if (a->limiting < 0) return;
+    const kern_critical *limit = &a->critical;
+    if (limit->contact < 0) return;
     const char *head = a->measured == KERN_FALLS ? "gives way" : "limited by";
-    double least = 0.1 * a->limit[a->limiting];
     for (int shown = 0; shown < 4; shown++) {
         int best = 0;
         for (int k = 1; k < a->task.s.contacts; k++)
-            if (a->limit[k] > a->limit[best]) best = k;
-        if (!(a->limit[best] > least)) return;
-        a->limit[best] = 0; /* each once */
+            if (limit->limit[k] > limit->limit[best]) best = k;
+        if (!((double)limit->limit[best] > 0.1)) return;
+        limit->limit[best] = 0; /* each once */
 
         const kern_contact *c = &a->task.s.contact[best];
         kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
@@ -654,7 +590,7 @@ static void report_limit(const struct analysis *a)
         printf("  %-10s  %s and %s at (%.6g, %.6g), which %s\n", head,
                name_of(a, c->a, one), name_of(a, c->b, two), tidy(a, p.x),
                tidy(a, p.y),
-               word[meeting_of(a, best, a->m.margin, a->collapse)]);
+               word[limit->meeting[best]]);
         head = "";
     }
 }
@@ -685,63 +621,37 @@ static void print_move(const struct analysis *a, const kern_motion *motion,
                : down < -0.25 * fabs(right) ? " and up" : "");
 }
 
-/* The larger of a block's speed and that of its turning. */
-static double speed_of(const struct analysis *a, const kern_motion *motion,
-                       int i)
-{
-    double size = sqrt(fabs((double)a->task.s.block[i].area));
-    double turning = fabs((double)motion[i].spin) * size;
-    double speed = hypot(motion[i].vx, motion[i].vy);
-    return turning > speed ? turning : speed;
-}
-
-/* Do two blocks move as one rigid body? */
-static int as_one(const struct analysis *a, const kern_motion *motion, int i,
-                  int j)
-{
-    kern_vec p = a->task.s.block[i].centre, q = a->task.s.block[j].centre;
-    kern_motion v = motion[i], w = motion[j];
-    double x = v.vx - v.spin * (q.y - p.y) - w.vx;
-    double y = v.vy + v.spin * (q.x - p.x) - w.vy;
-    double turn = (v.spin - w.spin) * hypot(q.x - p.x, q.y - p.y);
-    return hypot(x, y) < at_rest && fabs(turn) < at_rest;
-}
-
 /* The moving blocks, in groups that move as one, the fastest first. */
 static void report_collapse(const struct analysis *a)
 {
     enum { GROUPS = 5, NAMES = 6 };
-    const kern_motion *motion = shown_motion(a);
+    kern_proof proof = { NULL, shown_motion(a) };
     const char *head = a->shown == KERN_FALLS ? "falls by" : "would fall";
-    char *listed = motion ? array(a->task.s.blocks, 1) : NULL;
+    kern_critical moving = { NULL, NULL, array(a->task.s.blocks, sizeof(int)),
+                             -1, 0 };
     char shown[TEXT_SHOW_ROOM];
     int rest = 0;
-    for (int group = 0; listed && group <= GROUPS; group++) {
+    if (proof.motion && moving.group)
+        kern_critical_of(&a->task, 0, &proof, &moving);
+    for (int group = 0; group < moving.groups && group < GROUPS; group++) {
         int lead = -1, names = 0;
-        rest = 0;
-        for (int i = 0; i < a->task.s.blocks; i++) {
-            if (listed[i] || speed_of(a, motion, i) < at_rest) continue;
-            rest++;
-            if (lead < 0 || speed_of(a, motion, i) >
-                            speed_of(a, motion, lead) * (1 + at_rest)) lead = i;
-        }
-        if (lead < 0 || group == GROUPS) break;
         printf("  %-10s  ", head);
         head = "";
         for (int i = 0; i < a->task.s.blocks; i++) {
-            if (listed[i] || speed_of(a, motion, i) < at_rest) continue;
-            if (i != lead && !as_one(a, motion, lead, i)) continue;
-            listed[i] = 1;
+            if (moving.group[i] != group) continue;
+            if (lead < 0) lead = i;
             if (names++ < NAMES)
                 printf("%s%s", names > 1 ? " " : "", name_of(a, i, shown));
         }
         if (names > NAMES) printf(" and %d more", names - NAMES);
         printf(" ");
-        print_move(a, motion, lead);
+        print_move(a, proof.motion, lead);
     }
+    for (int i = 0; i < a->task.s.blocks && moving.groups > GROUPS; i++)
+        rest += moving.group[i] >= GROUPS;
     if (rest > 0)
         printf("              and %d more block%s\n", rest, plural(rest));
-    free(listed);
+    free(moving.group);
 }
 
 static const char *factor_text(double value, double scale, const char *unit,
@@ -1194,7 +1104,7 @@ static int draw(const struct analysis *a)
     scene.motion_name = falls ? NULL : "collapse mechanism just past the margin";
     scene.hinges = shown_motion(a);
     scene.hinged = falls ? scene.shrink : (double)a->m.fails;
-    scene.limiting = a->limiting;
+    scene.limiting = a->critical.contact;
     scene.caption = caption;
     if (a->set->profile && a->profiled >= 0) {
         scene.value = a->fate[MARGIN];
@@ -1246,7 +1156,7 @@ static int run_file(const struct settings *set, int number, int *shown)
     a.set = set;
     a.file = set->file[number];
     a.number = number;
-    a.limiting = -1;
+    a.critical.contact = -1;
     a.deficit = a.load[LEFT] = a.load[RIGHT] = a.tilt[LEFT] = a.tilt[RIGHT] =
         (double)NAN;
     int bad = analyse(&a);

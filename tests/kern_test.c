@@ -5356,6 +5356,143 @@ static void plan_saturated(void)
 
 /* Blocks and contacts taken back by hand, and garbage in the work memory: the
    plan goes on with less than it knew, and answers the same. */
+/* kern_critical_of() for the measure of a world; arrays have guards. */
+static kern_meeting meeting_at[MAX_POINTS];
+static kern_real limit_at[MAX_POINTS];
+static int group_of[MAX_BLOCKS];
+
+static int critical(const world *w, kern_margin *m, kern_critical *c)
+{
+    const kern_structure s = structure_of(w);
+    kern_work work = work_of(w);
+    kern_proof proof = proof_here();
+    const int got = measure(w, m);
+    int k, status;
+    if (got < 0 || m->saturated)
+        return got;
+    if (got == KERN_FALLS)
+        proof.force = NULL;
+    c->meeting = meeting_at;
+    c->limit = limit_at;
+    c->group = group_of;
+    status = kern_critical_of(task_of(&s, &w->options, &work), m->margin,
+                              &proof, c);
+    CHECK_INT(status, KERN_OK);
+    for (k = 0; k < w->contacts; k++) {
+        CHECK(limit_at[k] >= 0 && limit_at[k] <= 1 + 1e-4);
+        if (c->contact < 0)
+            CHECK_NEAR(limit_at[k], 0, 0);
+    }
+    if (c->contact >= 0)
+        CHECK_NEAR(limit_at[c->contact], 1, 1.1e-4);
+    for (k = 0; k < w->blocks; k++) {
+        const kern_motion v = motion_of[k];
+        const int moves = v.vx * v.vx + v.vy * v.vy > 0 || v.spin * v.spin > 0;
+        CHECK(group_of[k] >= -1 && group_of[k] < c->groups);
+        CHECK(group_of[k] < 0 || (moves && !w->block[k].fixed));
+    }
+    CHECK(c->groups > 0);
+    return got;
+}
+
+static void critical_by_hand(void)
+{
+    static world w;
+    kern_margin m;
+    kern_critical c;
+    int k, hinges;
+    /* a cube that reaches out: it tips about the edge, standing or falling */
+    for (k = 0; k < 2; k++) {
+        shifted_cube(&w, k ? 0.75 : 0.25);
+        CHECK_INT(critical(&w, &m, &c), k ? KERN_FALLS : KERN_STANDS);
+        CHECK_INT(c.groups, 1);
+        CHECK_INT(group_of[0], -1);
+        CHECK_INT(group_of[1], 0);
+        CHECK(c.contact >= 0);
+        CHECK_INT(meeting_at[c.contact], KERN_HINGES);
+        CHECK_INT(meeting_at[1 - c.contact], KERN_OPENS);
+        CHECK(w.contact[c.contact].p.x > w.contact[1 - c.contact].p.x);
+    }
+    /* nothing to press on: one group, no contact */
+    world_reset(&w);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_touch(&w);
+    CHECK_INT(critical(&w, &m, &c), KERN_FALLS);
+    CHECK_INT(c.groups, 1);
+    CHECK_INT(c.contact, -1);
+    /* on ice, pushed: it slides, and both ends limit alike */
+    shifted_cube(&w, 0);
+    world_friction(&w, 0.1);
+    w.block[1].load.fx = R(3);
+    CHECK_INT(critical(&w, &m, &c), KERN_FALLS);
+    CHECK_INT(meeting_at[0], KERN_SLIDES);
+    CHECK_INT(meeting_at[1], KERN_SLIDES);
+    CHECK_NEAR(limit_at[0], limit_at[1], 1e-3);
+    /* a stone on a beam that tips about its pier moves as one with it */
+    world_reset(&w);
+    world_box(&w, 0, 0, 0, 1, 2);
+    world_box(&w, 1, 0, 2, 4, 2.5);
+    world_box(&w, 1, 0, 2.5, 0.8, 3.5);
+    world_touch(&w);
+    CHECK_INT(critical(&w, &m, &c), KERN_FALLS);
+    CHECK_INT(group_of[1], 0);
+    for (hinges = k = 0; k < w.contacts; k++)
+        hinges += meeting_at[k] == KERN_HINGES;
+    CHECK(hinges >= 1);
+    CHECK_INT(meeting_at[c.contact], KERN_HINGES);
+    CHECK_NEAR(w.contact[c.contact].p.x, 1, GEO);
+    CHECK_NEAR(w.contact[c.contact].p.y, 2, GEO);
+}
+
+static void critical_laws(void)
+{
+    static world w;
+    kern_margin m;
+    kern_critical c;
+    int seed, limits = 0;
+    for (seed = 0; seed < 200; seed++) {
+        random_world(&w, 660000u + (unsigned long long)seed, 20);
+        if (critical(&w, &m, &c) < 0 || m.saturated)
+            continue;
+        limits += c.contact >= 0;
+    }
+    context[0] = 0;
+    CHECK(limits > 50);
+}
+
+static void critical_bad_input(void)
+{
+    static world w;
+    const kern_motion zero[2] = {{0, 0, 0}, {0, 0, 0}};
+    kern_motion motion[2];
+    kern_proof proof;
+    kern_critical c;
+    kern_structure s;
+    kern_work work;
+    kern_task *task;
+    memset(&c, 0, sizeof c);
+    memcpy(motion, zero, sizeof zero);
+    proof.force = NULL;
+    proof.motion = motion;
+    shifted_cube(&w, 0.25);
+    s = structure_of(&w);
+    work = work_of(&w);
+    task = task_of(&s, &w.options, &work);
+    CHECK_INT(kern_critical_of(task, 0, &proof, &c), KERN_OK); /* all rests */
+    CHECK_INT(c.contact, -1);
+    CHECK_INT(c.groups, 0);
+    CHECK_INT(kern_critical_of(NULL, 0, &proof, &c), KERN_BAD_POINTER);
+    CHECK_INT(kern_critical_of(task, 0, NULL, &c), KERN_BAD_POINTER);
+    CHECK_INT(kern_critical_of(task, 0, &proof, NULL), KERN_BAD_POINTER);
+    CHECK_INT(kern_critical_of(task, R(not_a_number()), &proof, &c),
+              KERN_BAD_NUMBER);
+    motion[1].spin = R(not_a_number());
+    CHECK_INT(kern_critical_of(task, 0, &proof, &c), KERN_BAD_NUMBER);
+    CHECK_INT(work.fault.block, 1);
+    proof.motion = NULL;
+    CHECK_INT(kern_critical_of(task, 0, &proof, &c), KERN_BAD_POINTER);
+}
+
 /* Whatever is said to be known, the measure is the same, and proven: what was
    known before a change, of another structure, random numbers, no numbers. */
 static kern_real random_number(void)
@@ -7946,6 +8083,9 @@ static const test tests[] = {
     TEST(plan_changes),
     TEST(plan_candidates),
     TEST(plan_saturated),
+    TEST(critical_by_hand),
+    TEST(critical_laws),
+    TEST(critical_bad_input),
     TEST(known_garbage),
     TEST(plan_stale),
     TEST(plan_by_hand),
