@@ -112,7 +112,7 @@ MEASURES_API int measures_load(struct measures_of *m, const char *path)
       "near: progressive load factor")                                        \
     X(NEAR_WEAK_MARGIN, "near_weak_margin", "near: margin, weaker half")      \
     X(NEAR_WEAK_LOAD, "near_weak_load", "near: load factor, weaker half")     \
-    X(NEAR_DROP, "near_drop", "near: expected drop, less")                    \
+    X(NEAR_DROP, "near_drop", "near: 1 / (1 + expected drop)")                    \
     X(SLENDERNESS, "slenderness", "width over height")                        \
     X(STONES, "stones", "number of stones")
 
@@ -156,7 +156,7 @@ MEASURES_API int measures_profiles(struct measures_of *m, double out[ASKS])
     out[ASK_MEAN_LOAD] = ((double)all[1].mean + (double)all[2].mean) / 2;
     out[ASK_WEAK_MARGIN] = (double)all[0].weak;
     out[ASK_WEAK_LOAD] = ((double)all[1].weak + (double)all[2].weak) / 2;
-    out[ASK_DROP] = -((double)all[1].drop + (double)all[2].drop);
+    out[ASK_DROP] = 1 / (1 + (double)all[1].drop + (double)all[2].drop);
     return 0;
 }
 
