@@ -6051,77 +6051,80 @@ typedef struct limited {
 } limited;
 
 /* One call with a limit of work. Plans are made anew each time. */
-static limited ask_limited(enum limited_call call, const world *w, int limit)
+/* A call on a task, its answer to r. */
+static int ask_task(enum limited_call call, kern_task *task, limited *r)
+{
+    const kern_real at = R(0.1 * (double)kern_mean_size(task->s.block,
+                                                        task->s.blocks));
+    const int side = call == LIMIT_LEFT ? -1 : 1;
+    kern_collapse c;
+    switch (call) {
+    case LIMIT_STANDS:
+        return kern_verdict(task, 0, NULL);
+    case LIMIT_SHRUNK:
+        return kern_verdict(task, at, NULL);
+    case LIMIT_MEASURE:
+    case LIMIT_PLAN:
+        return kern_measure(task, &r->m, NULL);
+    case LIMIT_DEFICIT:
+        return kern_deficit(task, r->value);
+    case LIMIT_LEFT:
+    case LIMIT_RIGHT:
+        return kern_load_factor(task, 0, side, r->value, NULL);
+    case LIMIT_TILT:
+        return kern_tilt(task, 0, side, r->value, NULL);
+    case LIMIT_BEARING:
+        return kern_bearing(task, r->value, NULL);
+    default:
+        return kern_profile(task, call == LIMIT_LOADS, r->value, &c);
+    }
+}
+
+/* The last block of a world as a candidate for the others. */
+static void ask_plan(enum limited_call call, const world *w, int limit,
+                     limited *r)
 {
     static site p;
+    const int last = w->blocks - 1;
+    kern_margin m;
+    int i;
+    site_open(&p, w);
+    for (i = 0; i < last; i++)
+        site_add(&p, i);
+    if (call != LIMIT_PLAN)
+        kern_measure(&p.plan.task, &r->m, NULL);
+    memset(&r->m, 0, sizeof r->m);
+    p.plan.task.options.limit = limit;
+    r->status = call == LIMIT_PLAN ? ask_task(call, &p.plan.task, r)
+                : call == LIMIT_TRY
+                    ? kern_plan_try(&p.plan, &w->block[last], &r->m, NULL)
+                    : kern_plan_bears(&p.plan, &w->block[last],
+                                      R(0.1 * mean_size(w)), NULL);
+    r->units = p.work.units;
+    if (r->status != KERN_LIMIT)
+        return;
+    p.plan.task.options.limit = 0; /* the plan is what it was */
+    CHECK_INT(p.plan.task.s.blocks, last);
+    i = kern_measure(&p.plan.task, &m, NULL);
+    CHECK(i >= 0 || i == KERN_NO_FREE || SINGLE);
+    if (call == LIMIT_PLAN && i == KERN_STANDS)
+        CHECK(r->m.holds <= m.fails);
+}
+
+static limited ask_limited(enum limited_call call, const world *w, int limit)
+{
     const kern_structure s = structure_of(w);
-    const int last = w->blocks - 1, side = call == LIMIT_LEFT ? -1 : 1;
-    const kern_real at = R(0.1 * mean_size(w));
     kern_work work = work_of(w);
     kern_options o = w->options;
-    kern_collapse c;
     limited r;
-    int i;
     memset(&r, 0, sizeof r);
     o.limit = limit;
     if (call >= LIMIT_PLAN) {
-        site_open(&p, w);
-        for (i = 0; i < last; i++)
-            site_add(&p, i);
-        if (call != LIMIT_PLAN)
-            kern_measure(&p.plan.task, &r.m, NULL);
-        memset(&r.m, 0, sizeof r.m);
-        p.plan.task.options.limit = limit;
+        ask_plan(call, w, limit, &r);
+        return r;
     }
-    switch (call) {
-    case LIMIT_STANDS:
-        r.status = kern_verdict(task_of(&s, &o, &work), 0, NULL);
-        break;
-    case LIMIT_SHRUNK:
-        r.status = kern_verdict(task_of(&s, &o, &work), at, NULL);
-        break;
-    case LIMIT_MEASURE:
-        r.status = kern_measure(task_of(&s, &o, &work), &r.m, NULL);
-        break;
-    case LIMIT_DEFICIT:
-        r.status = kern_deficit(task_of(&s, &o, &work), r.value);
-        break;
-    case LIMIT_LEFT:
-    case LIMIT_RIGHT:
-        r.status =
-            kern_load_factor(task_of(&s, &o, &work), 0, side, r.value, NULL);
-        break;
-    case LIMIT_TILT:
-        r.status = kern_tilt(task_of(&s, &o, &work), 0, side, r.value, NULL);
-        break;
-    case LIMIT_BEARING:
-        r.status = kern_bearing(task_of(&s, &o, &work), r.value, NULL);
-        break;
-    case LIMIT_MARGINS:
-    case LIMIT_LOADS:
-        r.status = kern_profile(task_of(&s, &o, &work), call == LIMIT_LOADS,
-                                r.value, &c);
-        break;
-    case LIMIT_PLAN:
-        r.status = kern_measure(&p.plan.task, &r.m, NULL);
-        break;
-    case LIMIT_TRY:
-        r.status = kern_plan_try(&p.plan, &w->block[last], &r.m, NULL);
-        break;
-    default:
-        r.status = kern_plan_bears(&p.plan, &w->block[last], at, NULL);
-        break;
-    }
-    r.units = call >= LIMIT_PLAN ? p.work.units : work.units;
-    if (call >= LIMIT_PLAN && r.status == KERN_LIMIT) {
-        kern_margin m; /* the plan is what it was */
-        p.plan.task.options.limit = 0;
-        CHECK_INT(p.plan.task.s.blocks, last);
-        i = kern_measure(&p.plan.task, &m, NULL);
-        CHECK(i >= 0 || i == KERN_NO_FREE || SINGLE);
-        if (call == LIMIT_PLAN && i == KERN_STANDS)
-            CHECK(r.m.holds <= m.fails);
-    }
+    r.status = ask_task(call, task_of(&s, &o, &work), &r);
+    r.units = work.units;
     return r;
 }
 

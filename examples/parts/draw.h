@@ -598,14 +598,13 @@ static int draw_load_ends(const kern_block *b, double unit,
     return hits > 0 || !(fabs(t) > 0) ? 1 : 2;
 }
 
-/* Fixes scales and times, and the part of the model that is shown: the free
-   blocks, what they touch, their ghosts and loads, and a margin around. */
-static void draw_measure(const struct draw_scene *d, struct draw_view *v,
-                         struct draw_sizes *z)
+/* Mean size and weight of the free blocks, the longest force and load; *v
+   becomes what they and the contacts span. */
+static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
+                               struct draw_sizes *z)
 {
     const kern_structure *s = d->s;
-    double g = draw_hypot(s->gravity.x, s->gravity.y), fastest = 0, margin;
-    struct draw_view all;
+    double g = draw_hypot(s->gravity.x, s->gravity.y);
     struct draw_pt a, b;
     int i, j, c, free_blocks = 0;
 
@@ -642,6 +641,15 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
         z->stone = 1;
     if (z->longest > 0)
         z->force = 0.8 * z->stone / z->longest;
+}
+
+/* The time over which motions are drawn: the fastest point moves 0.3 stones. */
+static void draw_measure_motion(const struct draw_scene *d,
+                                struct draw_sizes *z)
+{
+    const kern_structure *s = d->s;
+    double fastest = 0;
+    int i, j;
 
     for (i = 0; d->motion && i < s->blocks; i++) {
         const kern_block *k = &s->block[i];
@@ -656,6 +664,18 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
     }
     if (fastest > 0)
         z->time = 0.3 * z->stone / fastest;
+}
+
+/* Widens *v by what is drawn of blocks: ghosts, loads, torques. Returns the
+   lowest point of all blocks. */
+static double draw_measure_blocks(const struct draw_scene *d,
+                                  struct draw_view *v,
+                                  const struct draw_sizes *z)
+{
+    const kern_structure *s = d->s;
+    struct draw_view all;
+    struct draw_pt a, b;
+    int i, j, c;
 
     all = *v;
     for (i = 0; i < s->blocks; i++) {
@@ -681,6 +701,22 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
             draw_widen(v, k->centre.x + r, k->centre.y + r);
         }
     }
+    return all.low.y;
+}
+
+/* Fixes scales and times, and the part of the model that is shown: the free
+   blocks, what they touch, their ghosts and loads, and a margin around. */
+static void draw_measure(const struct draw_scene *d, struct draw_view *v,
+                         struct draw_sizes *z)
+{
+    const kern_structure *s = d->s;
+    double margin, lowest;
+    struct draw_pt a, b;
+    int c;
+
+    draw_measure_sizes(d, v, z);
+    draw_measure_motion(d, z);
+    lowest = draw_measure_blocks(d, v, z);
     for (c = 0; d->force && c < s->contacts; c++)
         if (draw_force_ends(d, z->force, c, &a, &b))
             draw_widen(v, b.x, b.y);
@@ -688,7 +724,7 @@ static void draw_measure(const struct draw_scene *d, struct draw_view *v,
     v->low.x -= margin;
     v->high.x += margin;
     /* ground below the stones, but not more of it than there is */
-    v->low.y = fmin(v->low.y, fmax(v->low.y - margin, all.low.y));
+    v->low.y = fmin(v->low.y, fmax(v->low.y - margin, lowest));
     v->low.y -= 0.06 * z->stone;
     v->high.y += 0.15 * z->stone;
 }
