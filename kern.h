@@ -7880,8 +7880,10 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
                               || m->groups <= KERN_PLAIN_SMALL);
     const int seeded = !fell && path->seed && path->seed->fails > at;
     const int closed = fell && path->closed;
-    kern_status status = kern_inner_search(m, path, closed ? at : path->end,
-                                           closed ? path->fails : path->end);
+    kern_status status = KERN_UNDECIDED;
+    if (!seeded) /* else one verdict from the known forces may be enough */
+        status = kern_inner_search(m, path, closed ? at : path->end,
+                                   closed ? path->fails : path->end);
     if (status == KERN_STANDS)
         return status;
     status = kern_model_plain(m, path->part, &q);
