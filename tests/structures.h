@@ -15,7 +15,7 @@
 #include <stdint.h>
 #include <string.h>
 
-enum { BLOCKS = 16, CONTACTS = 120, VERTICES = 8 };
+enum { BLOCKS = 16, CONTACTS = 120, VERTICES = 20 };
 
 static kern_vec vertex[BLOCKS][VERTICES];
 static kern_block block[BLOCKS];
