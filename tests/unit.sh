@@ -48,7 +48,7 @@ big_endian() { # what is quick in an emulator
 
 # ---- what a proof is worth
 
-faults() { # faults FLAGS...: too little memory, too few pivots
+faults() { # faults FLAGS...: too little memory
     # shellcheck disable=SC2086
     gcc $plain "$@" -o "$out/faults" tests/faults.c $libs -lm && "$out/faults"
 }
@@ -61,7 +61,14 @@ lies() { # a solver that lies
 rational() { # verdicts against exact arithmetic
     # shellcheck disable=SC2086
     gcc $plain -o "$out/exact" tests/exact.c -lgmp -lm &&
-        "$out/exact" 20000 && "$out/exact" 1000 1 14
+        "$out/exact" 20000 && "$out/exact" 1000 1 14 &&
+        "$out/exact" families 5000
+}
+
+regressions() { # structures on which earlier versions failed
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/regressions" tests/regressions.c -lm &&
+        "$out/regressions"
 }
 
 bytes() { # bytes FLAGS...: without libFuzzer: files, and bytes from a seed
