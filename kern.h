@@ -1213,7 +1213,7 @@ extern "C" {
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
 #define KERN_REGROWN       4       /* times that a unit of three is joined    */
-#define KERN_POUR_BUDGET   4000    /* products for each group and contact     */
+#define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
 #define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
 #define KERN_PART_ROUNDS   6       /* questions about a part at a time        */
 #define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
@@ -5972,24 +5972,65 @@ static kern_real *kern_least_row(const kern_part *p, int i, int *from)
     return p->factor + p->offset[g] + (i - 3 * g) * length;
 }
 
-/* Cholesky's L of the matrix where it stands. */
+/* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
+   columns. The rows are `wide_a` and `wide_b` apart. */
+static void kern_least_common(kern_real *c, const kern_real *a, int wide_a,
+                              const kern_real *b, int wide_b, int n)
+{
+    const kern_real *a1 = a + wide_a, *a2 = a1 + wide_a;
+    const kern_real *b1 = b + wide_b, *b2 = b1 + wide_b;
+    kern_real *c1 = c + wide_a, *c2 = c1 + wide_a;
+    kern_real s00 = c[0], s01 = c[1], s02 = c[2];
+    kern_real s10 = c1[0], s11 = c1[1], s12 = c1[2];
+    kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
+    int i;
+    for (i = 0; i < n; i++) {
+        const kern_real x = b[i], y = b1[i], z = b2[i];
+        s00 -= a[i] * x; s01 -= a[i] * y; s02 -= a[i] * z;
+        s10 -= a1[i] * x; s11 -= a1[i] * y; s12 -= a1[i] * z;
+        s20 -= a2[i] * x; s21 -= a2[i] * y; s22 -= a2[i] * z;
+    }
+    c[0] = s00; c[1] = s01; c[2] = s02;
+    c1[0] = s10; c1[1] = s11; c1[2] = s12;
+    c2[0] = s20; c2[1] = s21; c2[2] = s22;
+}
+
+/* Cholesky's L of the matrix where it stands, block by block. */
 static void kern_least_factor(kern_part *p)
 {
-    const int n = 3 * p->groups;
-    int i, j, fi, fj;
-    for (i = 0; i < n; i++) {
-        kern_real *row = kern_least_row(p, i, &fi), d;
-        for (j = fi; j < i; j++) {
-            const kern_real *other = kern_least_row(p, j, &fj);
-            const int from = fi > fj ? fi : fj;
-            row[j - fi] = (row[j - fi] - kern_dot(row + (from - fi),
-                                                  other + (from - fj),
-                                                  j - from))
-                          / other[j - fj];
+    int g, h, r, k;
+    for (g = 0; g < p->groups; g++) {
+        const int wide = 3 * (g - p->first[g] + 1);
+        kern_real *row = p->factor + p->offset[g], *d = row + wide - 3;
+        const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
+        for (h = p->first[g]; h <= g; h++) {
+            const int from = p->first[g] > p->first[h] ? p->first[g]
+                                                       : p->first[h];
+            const int wide_h = 3 * (h - p->first[h] + 1);
+            const kern_real *other = p->factor + p->offset[h];
+            const kern_real *l = other + wide_h - 3;
+            kern_real *c = row + 3 * (h - p->first[g]);
+            kern_least_common(c, row + 3 * (from - p->first[g]), wide,
+                              other + 3 * (from - p->first[h]), wide_h,
+                              3 * (h - from));
+            for (r = 0; h < g && r < 3; r++, c += wide) {
+                c[0] /= l[0];
+                c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
+                c[2] = (c[2] - c[0] * l[2 * wide_h]
+                        - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
+            }
         }
-        d = row[i - fi] - kern_dot(row, row, i - fi);
-        row[i - fi] = KERN_SQRT(kern_max(d, KERN_EPS * KERN_EPS
-                                            + KERN_EPS * row[i - fi]));
+        for (r = 0; r < 3; r++)
+            for (k = 0; k <= r; k++) {
+                kern_real *e = d + r * wide + k;
+                for (h = 0; h < k; h++)
+                    *e -= d[r * wide + h] * d[k * wide + h];
+                if (k < r)
+                    *e /= d[k * wide + k];
+                else
+                    *e = KERN_SQRT(kern_max(*e, KERN_EPS * (KERN_EPS
+                                                            + was[r])));
+            }
     }
 }
 
@@ -7560,6 +7601,8 @@ static kern_real kern_inner_step(kern_inner *in)
          / kern_dot(in->g, in->gain, n);
     if (in->held) /* s does not pass the place */
         ds = kern_min(ds, in->at - in->s);
+    else
+        ds = kern_max(kern_min(ds, in->high - in->s), in->low - in->s);
     for (i = 0; i < n; i++)
         p->step[i] += ds * in->gain[i];
     kern_inner_ways(p, p->step, turn);
@@ -7589,9 +7632,6 @@ static void kern_inner_move(kern_inner *in, kern_real ds)
         in->x[i] += of_x * in->dx[i];
     for (tries = 0; ; tries++) {
         in->s = from + of_x * ds;
-        if (!in->held)
-            in->s = kern_max(kern_min(in->s, (from + in->high) / 2),
-                             in->low + (from - in->low) / 10);
         kern_inner_set(in);
         if (in->held || tries == KERN_INNER_TRIES
             || kern_largest(in->over, n) <= most)
@@ -7701,6 +7741,33 @@ static int kern_inner_begin(kern_inner *in)
     return 1;
 }
 
+/* Lists the groups in the order in which a search by breadth from `start`
+   meets them, and then from the next that it does not meet. Returns the last
+   group of the first search. */
+static int kern_inner_visit(kern_part *p, int start)
+{
+    kern_model *m = p->m;
+    int done = 0, n = 0, g, e, next = 0, last = KERN_OUT;
+    for (g = 0; g <= m->groups; g++)
+        m->local[g] = KERN_OUT;
+    for (g = start; n < p->groups; g = next) {
+        m->local[g] = n;
+        p->group[n++] = g;
+        for (; done < n; done++)
+            for (e = m->touch[p->group[done]]; e >= 0; e = m->after[e]) {
+                const int other = m->ends[e ^ 1];
+                if (other < m->groups && m->local[other] == KERN_OUT) {
+                    m->local[other] = n;
+                    p->group[n++] = other;
+                }
+            }
+        last = last == KERN_OUT ? p->group[n - 1] : last;
+        while (next < m->groups && m->local[next] != KERN_OUT)
+            next++;
+    }
+    return last;
+}
+
 /* Opens all groups for a search from path->holds on; 0 if there is no room, or
    nothing to search. */
 static int kern_inner_open(kern_inner *in, kern_model *m,
@@ -7715,8 +7782,11 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     kern_model_set(m, &q);
     for (g = 0; g < m->groups; g++)
         m->local[g] = 0;
-    if (!kern_part_open(p, m, m->groups, m->groups - 1) || p->contacts == 0
-        || !kern_least_lay(p, &p->rest))
+    if (!kern_part_open(p, m, m->groups, m->groups - 1) || p->contacts == 0)
+        return 0;
+    kern_inner_visit(p, kern_inner_visit(p, 0)); /* for a narrow factor */
+    kern_part_ends(p);
+    if (!kern_least_lay(p, &p->rest))
         return 0;
     rays = 2 * p->contacts;
     in->p = p;

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x65244a0b82117be1u },
-    { 1000, 0x16a9ff9012e2aa9bu },
-    { 5000, 0x186ca2d9d124a3c9u },
+    { 200, 0x833c69512dca902eu },
+    { 1000, 0x1573385bc2ac2b80u },
+    { 5000, 0x6e3c9119a44ddb30u },
 #else
-    { 200, 0x5e80d5a4c203fcaau },
-    { 1000, 0xe4d31e97ed3b6cb5u },
-    { 5000, 0x1d8e4bde2c03b874u },
+    { 200, 0xc44077214f9b62a5u },
+    { 1000, 0xa6acd66e82f8c758u },
+    { 5000, 0x47377174539d9810u },
 #endif
 };
 
