@@ -4,8 +4,8 @@
        ./place place.svg examples/structures/wall-60.kern
 
    A stone is let down at many places, from left to right, and turns until it
-   rests. How safely the wall would stand with it there is asked of a plan of
-   the wall, which stays as it is. Without arguments the wall is the one
+   rests. kern_plan_try() predicts the margin of the wall with the stone there;
+   the plan of the wall stays as it is. Without arguments the wall is the one
    below: a slab reaches out far to the left, and the stone holds it down or
    tips it, or lies elsewhere and makes no difference. The first argument is a
    file for a picture (- for none), the second a wall made of polygons. Times
@@ -125,7 +125,7 @@ static double rest_height(struct wall *w, double x, double turn)
 }
 
 /* The stone turns, its centre always above x, until that is as low as it gets:
-   then something carries it on either side. */
+   then something supports it on either side. */
 static void lower_stone(struct wall *w, struct place *place)
 {
     const double ratio = 0.6180339887498949;

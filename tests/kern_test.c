@@ -630,7 +630,7 @@ static double share_of_motion(const world *w, double d,
     return (double)((wide)FORCE_BOUND * weight * against / power);
 }
 
-/* ---- the dumb twin: a simplex method on a dense tableau -------- >>tableau */
+/* ---- the twin: a simplex method on a dense tableau ------------- >>tableau */
 
 static wide *twin_table;
 static int *twin_basis, twin_stalled;
@@ -3636,7 +3636,7 @@ static void lp_kinds(void)
     CHECK(got == KERN_LP_INFEASIBLE || got == KERN_BAD_COUNT);
 }
 
-/* ---- the dumb twin: all bases ------------------------------------ >>bases */
+/* ---- the twin: all bases ----------------------------------------- >>bases */
 
 /* Row reduction from row `from`, column j: the largest of the column comes to
    row `from`, and the column becomes 0 in the others, or only below. Zero: the

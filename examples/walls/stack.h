@@ -4,10 +4,11 @@
    A step: several of the next stones are let down, in several turns, at several
    places, and slid against what is beside them (candidates). A hierarchy of
    filters then keeps the good ones; each is a number and a threshold, see
-   stack_filter. The kern filter asks a plan of the wall for the level that the
-   wall would have with each candidate, and drops those below the mean. What is
-   left is laid where it has most of the first feature, if it also stays there
-   in the simulator: forces that hold it may exist, and it slides yet.
+   stack_filter. The kern filter predicts the level of the wall with each
+   candidate, by a plan of the wall, and drops those below the mean. Of what is
+   left the planner takes the candidate with most of the first feature, if it
+   also stays there in the simulator: a stone may slide although forces exist
+   that would hold it.
 
    Features and hierarchy are those that the heuristic planner of V. Thangavelu,
    Y. Liu, M. Saboia and N. Napp (Dry stacking for automated construction with

@@ -453,7 +453,7 @@ static void rest_hold(kern_vec p, double up, kern_vec *left, kern_vec *right)
     if (p.x > right->x) *right = p;
 }
 
-/* The leftmost and the rightmost point that carries a stone; none: left is to
+/* The leftmost and the rightmost point that supports a stone; none: left is to
    the right of right. */
 static void rest_holds(const struct rest_near *around, const struct stone *s,
                        kern_vec *left, kern_vec *right)
