@@ -17,6 +17,7 @@
                             >>check >>statics >>proof >>model >>part >>least
                             >>pour >>verdict >>kern >>profile >>critical
                             >>plan >>words
+     IV   Changes           >>changes, and the licence
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -31,6 +32,8 @@
                                     d*             |====|      the middle is
                                                                the kern
 
+   Kern is the paper's word for what is left of a contact interface when it has
+   been shrunk; it is not the engineer's kern of a section, its middle third.
    The largest d at which forces in equilibrium still exist is the margin d*.
    The level is Algorithm 1 of the paper: the number of steps of size epsilon
    after which they exist no longer. A structure that falls anyway has level 0
@@ -110,7 +113,7 @@
    expressions KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts),
    or by the function kern_work_need() at run time. Contacts are counted as
    contact points: a running bond has about seven for a block, twelve with the
-   joints between neighbours.
+   joints between neighbours. KERN_CONTACTS(blocks) has room for these.
 
    Bytes of work memory, double (float is about half):
 
@@ -387,19 +390,34 @@
    REFERENCES                                                    >>references
 
    The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia,
-   V. Thangavelu, N. Napp, Approximate stability analysis for drystacked
-   structures, IEEE/RSJ IROS 2019. Limit analysis by linear programming: R. K.
-   Livesley, Limit analysis of structures formed from rigid blocks, Int. J.
-   Numer. Meth. Engng 12 (1978). Least squares with non-negative unknowns: C. L.
-   Lawson and R. J. Hanson, Solving Least Squares Problems (1974), ch. 23;
-   Predictor and corrector: S. Mehrotra, On the implementation of a primal-dual
-   interior point method, SIAM J. Optim. 2 (1992).
-   Newton's method on a dual of piecewise constant curvature: O. L. Mangasarian,
-   A finite Newton method for classification, Optim. Methods Softw. 17 (2002).
-   Bland's rule: R. G. Bland, New finite pivoting rules for the simplex method,
-   Math. Oper. Res. 2 (1977).
+   V. Thangavelu, N. Napp, Approximate Stability Analysis for Drystacked
+   Structures, IEEE/RSJ International Conference on Intelligent Robots and
+   Systems (IROS), 2019.
 
-   0.1.0  first version */
+   Limit analysis of masonry: J. Heyman, The stone skeleton, Int. J. Solids
+   Struct. 2 (1966). By linear programming: R. K. Livesley, Limit analysis of
+   structures formed from rigid blocks, Int. J. Numer. Meth. Engng 12 (1978).
+   Certificates: J. Farkas, Theorie der einfachen Ungleichungen, J. reine angew.
+   Math. 124 (1902).
+   Least forces: C. L. Lawson, R. J. Hanson, Solving Least Squares Problems
+   (1974), ch. 23; O. L. Mangasarian, A finite Newton method for classification,
+   Optim. Methods Softw. 17 (2002), for the dual of piecewise constant
+   curvature; S. Mehrotra, On the implementation of a primal-dual interior point
+   method, SIAM J. Optim. 2 (1992), for predictor and corrector.
+   Simplex method: R. G. Bland, New finite pivoting rules for the simplex
+   method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A simplex
+   algorithm for piecewise-linear programming, Math. Programming 33 (1985), for
+   long steps; E. Hellerman, D. Rarick, Reinversion with the preassigned pivot
+   procedure, Math. Programming 1 (1971), for the triangular part and its
+   spikes; J. Bisschop, A. Meeraus, Matrix augmentation and partitioning in the
+   updating of the basis inverse, Math. Programming 13 (1977), and P. E. Gill,
+   W. Murray, M. A. Saunders, M. H. Wright, Sparse matrix methods in
+   optimization, SIAM J. Sci. Stat. Comput. 5 (1984), for the dense complement.
+   Newton's method along a path: W. Dinkelbach, On nonlinear fractional
+   programming, Management Science 13 (1967).
+   Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction of the
+   number of points required to represent a digitized line or its caricature,
+   Canadian Cartographer 10 (1973). */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -772,13 +790,13 @@ typedef struct kern_lp {
    KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, and
    where the number of contacts is below -1 that status of kern_contacts(), with
    the fault as it left it. Numbers that could not be squared or multiplied
-   safely are refused, with the block in the fault: a centre, a place or a travel
-   above 1e100 m (KERN_BAD_NUMBER), a mass as in kern_block_init()
+   safely are refused, with the block in the fault: a centre, a place or a
+   travel above 1e100 m (KERN_BAD_NUMBER), a mass as in kern_block_init()
    (KERN_BAD_MASS), an area below that or above 1e200 m^2 (KERN_NO_AREA,
-   KERN_BAD_NUMBER), and where weight and load of a free block together are above
-   1e100 N, or below 1e-100 N and not 0 (KERN_BAD_NUMBER; float: 1e15, 1e-15). B
-   is the number of blocks, C of contact points, k the size of the dense
-   complement (see >>lp). */
+   KERN_BAD_NUMBER), and where weight and load of a free block together are
+   above 1e100 N, or below 1e-100 N and not 0 (KERN_BAD_NUMBER; float: 1e15,
+   1e-15). B is the number of blocks, C of contact points, k the size of the
+   dense complement (see >>lp). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -1004,7 +1022,9 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
    the motion alone. A contact point limits by the power that the mechanism
    gains per length by which the point moves inward; without forces, or where
    none gains, by its turning, and where nothing turns, by its sliding. Slower
-   than 1e-4 of the fastest counts as rest. Sets *out: its arrays first. KERN_OK.
+   than 1e-4 of the fastest counts as rest. KERN_OK: out's arrays are filled,
+   contact and groups are set. KERN_BAD_POINTER also for no motion,
+   KERN_BAD_NUMBER for one that is not finite (the block).
    Time: O(C), and O(B) for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
@@ -9279,6 +9299,15 @@ KERN_API kern_options kern_near(const kern_options *options,
 
 #endif /* KERN_IMPLEMENTED */
 #endif /* KERN_IMPLEMENTATION */
+
+/* ==== Part IV: Changes ========================================== >>changes
+
+   Before 1.0 a minor version may add fields at the end of a struct and statuses
+   below 0, may ask for more work memory and may move a margin within its
+   bracket; what is in the code of a caller keeps its name and meaning, or does
+   no longer compile. A patch version changes no result.
+
+   0.1.0  first version                                                      */
 
 /*
    MIT License

@@ -5356,6 +5356,34 @@ static void plan_saturated(void)
 
 /* Blocks and contacts taken back by hand, and garbage in the work memory: the
    plan goes on with less than it knew, and answers the same. */
+/* Every stone of a plan in the same array of vertices: the second one is
+   refused, wherever it lies, to be added and to be tried. */
+static void plan_with_one_array(void)
+{
+    static world w;
+    static site p;
+    kern_vec v[4];
+    kern_block stone;
+    kern_margin m;
+    int i, k;
+    world_reset(&w);
+    world_box(&w, 0, -9, -1, 9, 0);
+    world_touch(&w);
+    site_open(&p, &w);
+    site_add(&p, 0);
+    for (i = 0; i < 3; i++) {
+        for (k = 0; k < 4; k++)
+            v[k] = vec((k == 1 || k == 2 ? 1 : 0) + 3 * i, k / 2);
+        CHECK_INT(kern_block_init(&stone, v, 4, R(1), NULL), KERN_OK);
+        k = kern_plan_try(&p.plan, &stone, &m, NULL);
+        CHECK_INT(k, i ? KERN_STALE : KERN_STANDS);
+        CHECK_INT(kern_plan_add(&p.plan, &stone), i ? KERN_STALE : 2);
+        if (i)
+            CHECK_INT(p.work.fault.block, 1);
+        CHECK_INT(p.plan.task.s.blocks, 2);
+    }
+}
+
 /* kern_critical_of() for the measure of a world; arrays have guards. */
 static kern_meeting meeting_at[MAX_POINTS];
 static kern_real limit_at[MAX_POINTS];
@@ -8090,6 +8118,7 @@ static const test tests[] = {
     TEST(critical_laws),
     TEST(critical_bad_input),
     TEST(known_garbage),
+    TEST(plan_with_one_array),
     TEST(plan_stale),
     TEST(plan_by_hand),
     TEST(jams_are_bounded),

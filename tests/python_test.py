@@ -128,6 +128,16 @@ class Calls(unittest.TestCase):
         self.assertIsNone(v.forces)
         self.assertLessEqual(s.check_motion(v.motion, 0.4), 1)
 
+    def test_critical(self):
+        """The upper box tips about its edge, alone."""
+        s = Structure(two(0.2))
+        c = s.critical()
+        self.assertEqual(c.limits[c.contact], 1)
+        self.assertEqual(c.meetings[c.contact], "hinges")
+        self.assertEqual(len(c.groups), 1)
+        self.assertIn(2, c.groups[0])
+        self.assertIsNone(Structure(two(0.0)).critical())
+
     def test_in_place(self):
         """What is written to the vertices counts after update()."""
         s = Structure(two(0.2))

@@ -110,6 +110,11 @@ class _Collapse(ctypes.Structure):
                 ("drop", c_double)]
 
 
+class _Critical(ctypes.Structure):
+    _fields_ = [("meeting", c_void_p), ("limit", c_void_p),
+                ("group", c_void_p), ("contact", c_int), ("groups", c_int)]
+
+
 class _Work(ctypes.Structure):
     _fields_ = [("real", c_void_p), ("reals", c_int), ("index", c_void_p),
                 ("indices", c_int), ("pivots", c_int), ("solves", c_int),
@@ -118,7 +123,9 @@ class _Work(ctypes.Structure):
 
 class _Known(ctypes.Structure):
     _fields_ = [("motion", c_void_p), ("force", c_void_p), ("holds", c_double),
-                ("margin", c_double), ("fails", c_double)]
+                ("margin", c_double), ("fails", c_double),
+                ("blocks", c_int), ("contacts", c_int), ("gravity", _Vec),
+                ("relative", c_int)]
 
 
 class _Task(ctypes.Structure):
@@ -128,7 +135,8 @@ class _Task(ctypes.Structure):
 
 class _Plan(ctypes.Structure):
     _fields_ = [("task", _Task), ("block", c_void_p), ("block_room", c_int),
-                ("contact", c_void_p), ("contact_room", c_int)]
+                ("contact", c_void_p), ("contact_room", c_int),
+                ("box", _Box), ("area", c_double)]
 
 
 class _Lp(ctypes.Structure):
@@ -152,7 +160,7 @@ _LAYOUTS = {
     "kern_structure": _Structure, "kern_options": _Options,
     "kern_force": _Force, "kern_motion": _Motion, "kern_proof": _Proof,
     "kern_margin": _Margin, "kern_collapse": _Collapse, "kern_work": _Work,
-    "kern_known": _Known, "kern_task": _Task, "kern_plan": _Plan,
+    "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task, "kern_plan": _Plan,
     "kern_lp": _Lp, "struct text_file": _Text,
 }
 
@@ -304,6 +312,7 @@ _load_factor = _declare("kern_load_factor", _i, _p, _r, _i, _p, _p)
 _load_factor_of = _declare("kern_load_factor_of", _i, _p, _r, _p, _p, _p)
 _tilt = _declare("kern_tilt", _i, _p, _r, _i, _p, _p)
 _profile = _declare("kern_profile", _i, _p, _i, _p, _p)
+_critical_of = _declare("kern_critical_of", _i, _p, _r, _p, _p)
 _known_of = _declare("kern_known_of", _Known, _p, _p)
 _plan_of = _declare("kern_plan_of", _Plan, _p, _i, _p, _i, _Known, _p)
 _plan_add = _declare("kern_plan_add", _i, _p, _p)
@@ -641,6 +650,18 @@ class Profile:
 
 
 @dataclass
+class Critical:
+    """kern_critical_of(): the contact point that limits most (None: none does);
+    of every contact point how much it limits, as a share of that, and whether
+    it "rests", "hinges", "slides" or "opens"; the blocks that move as one, the
+    fastest group first."""
+    contact: Optional[int]
+    limits: List[float]
+    meetings: List[str]
+    groups: List[List[int]]
+
+
+@dataclass
 class Solution:
     """Of lp_solve(): x and y as kern_lp_solve() documents them."""
     status: Any
@@ -825,6 +846,30 @@ tolerance (0.25 deep)
         self._check(_profile(self._at_task, side, value, byref(c)))
         return Profile(value[:len(self.blocks)], c.least, c.mean, c.weak,
                        c.drop)
+
+    def critical(self, margin: Optional[Margin] = None) -> Optional[Critical]:
+        """kern_critical_of() a margin, or measure(): what limits it, and what
+        moves first. None where it is saturated."""
+        margin = margin or self.measure()
+        if margin.motion is None:
+            return None
+        limit = (c_double * max(1, len(self.contacts)))()
+        meeting = (c_int * max(1, len(self.contacts)))()
+        group = (c_int * len(self.blocks))()
+        c = _Critical(addressof(meeting), addressof(limit), addressof(group))
+        force = addressof(margin._force) if margin.stands else None
+        self._check(_critical_of(
+            self._at_task, margin.margin,
+            byref(_Proof(force, addressof(margin._motion))), byref(c)))
+        names = ("rests", "hinges", "slides", "opens")
+        groups: List[List[int]] = [[] for _ in range(c.groups)]
+        for i, g in enumerate(group):
+            if g >= 0:
+                groups[g].append(i)
+        return Critical(c.contact if c.contact >= 0 else None,
+                        limit[:len(self.contacts)],
+                        [names[k] for k in meeting[:len(self.contacts)]],
+                        groups)
 
     def check_forces(self, forces: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
