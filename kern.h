@@ -2440,7 +2440,7 @@ static int kern_raw_passes(const kern_raw *line, const kern_raw *point,
 static void kern_pair_filter(const kern_pair *pair)
 {
     kern_found *found = pair->found;
-    int i, k, lines = pair->first, at = pair->first, kept;
+    int i, k, lines = pair->first, at = lines, kept;
     while (lines < found->count && found->at[lines].line)
         lines++;
     kept = lines;

@@ -257,7 +257,7 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
 static int figure_three(const struct figures *f)
 {
     struct measures_of m;
-    kern_margin out;
+    kern_margin out = { 0 };
     char caption[160];
     int bad = measures_load(&m, f->sample[0].path) ||
               kern_measure(&m.task, &out, NULL) != KERN_STANDS;
