@@ -461,6 +461,9 @@ typedef float kern_real;
 #define kern_mean_size       kern_mean_size_f32
 #define kern_measure         kern_measure_f32
 #define kern_near            kern_near_f32
+#define kern_measured        kern_measured_f32
+#define kern_certain         kern_certain_f32
+#define kern_overlaps        kern_overlaps_f32
 #define kern_plan_add        kern_plan_add_f32
 #define kern_plan_bears      kern_plan_bears_f32
 #define kern_plan_of         kern_plan_of_f32
@@ -547,6 +550,7 @@ typedef struct kern_fault {
     int other;            /* the other block of an overlap, -1: none          */
     int index;            /* vertex of the polygon or contact point, -1: none */
     kern_real value;      /* depth of an overlap [m], 0: none                 */
+    kern_real allowed;    /* overlap that would be a contact [m], 0: none     */
 } kern_fault;
 
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
@@ -584,6 +588,13 @@ typedef struct kern_contact {
                              cut to [-d, d], or s = d travel if relative      */
 } kern_contact;
 
+/* Two blocks that overlap deeper than the options allow. */
+typedef struct kern_overlap {
+    int a, b;             /* blocks, a < b                                    */
+    kern_real depth;      /* of the overlap [m], 1/8 too small at most        */
+    kern_real allowed;    /* it would be a contact up to that [m]             */
+} kern_overlap;
+
 typedef struct kern_structure {
     const kern_block *block;
     int blocks;
@@ -603,6 +614,9 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
     int limit;            /* most units of work of one call, see kern_work; 0:
                              2,000,000,000, which is also the largest         */
+    kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
+    kern_real error;      /* of measured places [m] and angles [rad], see     */
+    kern_real turn;       /* kern_measured(); 0: places are exact             */
 } kern_options;
 
 /* Of a contact point [N], and of a block: velocity of its centre and spin. */
@@ -717,6 +731,7 @@ typedef struct kern_plan {
     int contact_room;
     kern_box box;         /* of all blocks with a polygon                     */
     kern_real area;       /* largest of the free ones [m^2]                   */
+    kern_real arm;        /* twice the longest diagonal of their boxes [m]    */
 } kern_plan;
 
 /* Directions of a horizontal load and of a tilt; kern_profile() takes all
@@ -811,6 +826,25 @@ KERN_API kern_options kern_defaults(void);
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
+/* Options for structures whose poses and outlines were measured, by a camera or
+   a scanner: e is the standard error of a stone's place [m], theta of its angle
+   [rad]; vertices within their stone are as exact as half of e. Sets, from
+   *options (NULL: kern_defaults()),
+     gap      4 e; at a place r from the centre of its block 5 theta r is added
+              for both blocks, as squares: that closes gaps between two stones
+              which are both off
+     angle    2 theta, at least 1 degree; the ways from a corner may lead into
+              the edge by 7 theta more than that, and a foot may lie 2 e beyond
+              the end of its edge
+     overlap  8 e, and 5 theta r for r half the diagonal of both blocks' boxes;
+              contacts lie at half the depth. Set it higher to accept more
+   The verdict is then that of the structure as it most likely rests, and
+   kern_certain() says how far it can be trusted. A stone that hovers by more
+   than the gap carries and bears nothing. e must be above 0, theta not below;
+   else contacts say KERN_BAD_OPTION. */
+KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
+                                    kern_real theta);
+
 /* Work memory of two arrays, with its counters at zero. */
 KERN_API kern_work kern_work_of(kern_real *real, int reals,
                                 int *index, int indices);
@@ -866,6 +900,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    KERN_NO_AREA (the block), KERN_STALE (the block: its vertices have moved, or
    their array was used for another block), with the fault in the work memory.
    Of this it takes 2 B ints: less than KERN_INTS(B, C).
+   KERN_OVERLAP names the first pair: kern_overlaps() lists all.
    Time: O(B log B + C log C), and a test of boxes for each two blocks that
    stand above each other (beside, where the whole is higher than wide). For two
    blocks whose boxes meet: a few products for each two edges that are near, and
@@ -874,6 +909,13 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
+
+/* Lists all pairs of blocks that overlap deeper than options->overlap (gap).
+   Returns how many there are, of which no more than room are written, or what
+   kern_contacts() returns but for KERN_OVERLAP. Memory and time: as there. */
+KERN_API int kern_overlaps(const kern_block *block, int blocks,
+                           const kern_options *options, kern_overlap *out,
+                           int room, kern_work *work);
 
 /* The contacts of block b with the blocks before it, ascending. Contacts found
    so for b = 1, 2, ... are those of kern_contacts(), but where a later block
@@ -929,6 +971,17 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
    walls; else about C + B k for each pivot of the simplex method. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
+
+/* Whether the verdict of a measured structure holds within the error that
+   kern_measured() was told: 1 yes, 0 no. It stands for certain if it also
+   stands with half the error allowed in gaps and angles and with its kerns
+   shrunk by e, and falls for certain if it also falls with 1.5 times the error
+   allowed and with its kerns grown by e. verdict is that of kern_verdict() at 0,
+   KERN_STANDS or KERN_FALLS. out[0..room) is for the contacts of that question.
+   Below 0: what kern_contacts() or kern_verdict() returns, KERN_BAD_OPTION where
+   the options are not those of kern_measured() or for any other verdict. */
+KERN_API int kern_certain(const kern_task *task, kern_status verdict,
+                          kern_contact *out, int room);
 
 /* Margin and level. KERN_STANDS: all of *out; proof->force holds the structure
    at out->holds, so with its kerns shrunk, and proof->motion (unless saturated)
@@ -1288,7 +1341,7 @@ static kern_real kern_min(kern_real a, kern_real b) { return a < b ? a : b; }
 static void kern_fault_clear(kern_fault *fault)
 {
     fault->block = fault->other = fault->index = -1;
-    fault->value = KERN_R(0);
+    fault->value = fault->allowed = KERN_R(0);
 }
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
@@ -1317,6 +1370,18 @@ static void kern_fault_clear(kern_fault *fault)
    and from 0.1 to 0.2 predicts them as well. */
 #define KERN_NEAR_GAP   KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
+/* Measured structures, in errors of place and of angle; from structures with
+   noise, see tests/noise.c. The gap of two stones that touch has a standard
+   deviation of about 1.7 errors. */
+#define KERN_ERROR_GAP     KERN_R(4.0)
+#define KERN_ERROR_SWING   KERN_R(5.0)  /* gap, by the distance from a centre */
+#define KERN_ERROR_OVERLAP KERN_R(8.0)
+#define KERN_ERROR_ANGLE   KERN_R(2.0)
+#define KERN_ERROR_CORNER  KERN_R(7.0)  /* of the ways from a corner          */
+#define KERN_ERROR_FOOT    KERN_R(2.0)  /* beyond the end of an edge          */
+/* Shares of the error that are allowed where a verdict is to be certain. */
+#define KERN_CERTAIN_STANDS KERN_R(0.5)
+#define KERN_CERTAIN_FALLS  KERN_R(1.5)
 /* Share of the size of the smaller free block above which no step is too low
    to carry, however wide the gap: a pebble keeps its shape. */
 #define KERN_STEP_MOST  KERN_R(0.1)
@@ -1972,8 +2037,8 @@ static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
 }
 
 /* Depth of the overlap of a and b, 0: none deeper than the gap. */
-static kern_real kern_overlap(const kern_parts *a, const kern_parts *b,
-                              kern_real gap)
+static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
+                                    kern_real gap)
 {
     kern_real depth;
     if (!kern_box_near(&a->block->box, &b->block->box, -gap) ||
@@ -2189,11 +2254,16 @@ typedef struct kern_found {
 typedef struct kern_pair {
     int a, b;               /* indices of the blocks, a before b           */
     kern_outline of_a, of_b;
-    kern_real gap;          /* widest [m]                                  */
+    kern_real gap;          /* widest [m], at the blocks' centres          */
+    kern_real swing;        /* what its errors of angle add, per distance  */
+    kern_real deep;         /* deepest overlap [m]                         */
+    kern_real reach;        /* no gap or overlap is wider [m]              */
     kern_real least;        /* a line is longer [m]                        */
-    kern_real foot;         /* a foot inside an edge is so far inside [m]  */
+    kern_real foot;         /* a foot on an edge is so far inside [m]      */
+    kern_real over;         /* or, where places are measured, outside [m]  */
     kern_real step;         /* a step up to there is none [m]              */
-    kern_real sine;         /* of the angle of the options                 */
+    kern_real sine;         /* of the angle of the options, and            */
+    kern_real corner;       /* of that for the ways from a corner          */
     kern_found *found;
     int first;              /* of its contacts                             */
 } kern_pair;
@@ -2338,6 +2408,19 @@ static void kern_pair_add(kern_pair *pair, int i, int k, kern_raw raw,
 
 /* ---- lines and points ---- */
 
+/* The widest gap at place p. Errors of angle count by the distance from the
+   blocks' centres. */
+static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
+{
+    const kern_vec u = kern_vec_sub(p, pair->of_a.parts.block->centre);
+    const kern_vec v = kern_vec_sub(p, pair->of_b.parts.block->centre);
+    if (!(pair->swing > 0))
+        return pair->gap;
+    return KERN_SQRT(pair->gap * pair->gap +
+                     pair->swing * pair->swing *
+                         (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
+}
+
 /* Edge e of a and edge f of b run against each other. In the frame of their
    mean tangent t and mean normal n both are heights over s, e rises as f falls,
    and the gap between them opens at twice that slope: the line contact is where
@@ -2346,7 +2429,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *e,
                            const kern_edge *f)
 {
     const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
-    kern_real at, cosine, slope, low, high, gap;
+    kern_real at, cosine, slope, low, high, gap, wide;
     kern_vec t;
     kern_raw raw;
     if (!(kern_vec_dot(e->d, f->d) < 0) ||
@@ -2360,7 +2443,8 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *e,
     low = kern_max(0, at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
     gap = kern_vec_dot(r, raw.n) + slope * at; /* at s = 0 */
-    kern_clip(&low, &high, gap, -2 * slope, -pair->gap, pair->gap);
+    wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
+    kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
     if (!(high - low > pair->least))
         return;
     raw.p = kern_vec_step(e->p, (low + high) / 2, t);
@@ -2380,17 +2464,19 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *f,
     const kern_vec r = kern_vec_sub(f->p, e->p);
     const kern_vec t = kern_vec_sub(f->p, e->q);
     const kern_real along = kern_vec_dot(r, e->d);
-    const kern_real square = pair->gap * pair->gap;
+    const kern_real wide = kern_pair_gap(pair, f->p), square = wide * wide;
+    const kern_real high = kern_vec_cross(r, e->d);
+    const kern_real inside = pair->foot - pair->over;
     kern_raw raw;
-    if (kern_vec_cross(f->back, f->d) > 0 ||
-        kern_abs(kern_vec_cross(r, e->d)) > pair->gap ||
-        kern_vec_cross(f->d, e->d) < -pair->sine ||
-        kern_vec_cross(f->back, e->d) < -pair->sine)
+    if (kern_vec_cross(f->back, f->d) > 0 || high > wide ||
+        high < -kern_max(wide, pair->deep) ||
+        kern_vec_cross(f->d, e->d) < -pair->corner ||
+        kern_vec_cross(f->back, e->d) < -pair->corner)
         return;
     raw.p = f->p;
     raw.n = kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1);
     raw.half = 0;
-    if ((along > pair->foot && along < e->length - pair->foot) ||
+    if ((along > inside && along < e->length - inside) ||
         (kern_vec_dot(r, r) <= square &&
          kern_polygon_turn(to, e->start) < 0) ||
         (kern_vec_dot(t, t) <= square &&
@@ -2405,11 +2491,11 @@ static void kern_pair_edges(kern_pair *pair)
     const kern_block *a = pair->of_a.parts.block, *b = pair->of_b.parts.block;
     kern_edge e, f;
     kern_edge_open(&e, a);
-    while (kern_edge_next(&e, &pair->of_a.parts, &b->box, pair->gap)) {
+    while (kern_edge_next(&e, &pair->of_a.parts, &b->box, pair->reach)) {
         kern_box box;
         kern_box_set(&box, e.p, e.q);
         kern_edge_open(&f, b);
-        while (kern_edge_next(&f, &pair->of_b.parts, &box, pair->gap)) {
+        while (kern_edge_next(&f, &pair->of_b.parts, &box, pair->reach)) {
             kern_pair_line(pair, &e, &f);
             kern_pair_point(pair, &e, &f, 0);
             kern_pair_point(pair, &f, &e, 1);
@@ -2575,6 +2661,9 @@ typedef struct kern_search {
     kern_fault *fault;
     kern_box box;           /* of all blocks                           */
     kern_real area;         /* largest of a free block [m^2]           */
+    kern_real arm;          /* twice the longest diagonal of a box [m] */
+    kern_overlap *overlap;  /* not NULL: pairs that overlap are listed,  */
+    int overlap_room, overlaps; /* and no contacts are found             */
 } kern_search;
 
 /* Finds the contacts of the pair. */
@@ -2593,12 +2682,37 @@ static kern_status kern_pair_touch(kern_pair *pair)
     return KERN_OK;
 }
 
+/* Half the diagonal of the block's box. */
+static kern_real kern_box_half(const kern_block *block)
+{ return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
+
+/* The tolerances of the pair, whose smaller free block is of that size. */
+static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
+                                 kern_real size)
+{
+    const kern_options *o = s->options;
+    pair->gap = o->gap > 0 ? o->gap : KERN_GAP * size;
+    pair->gap = kern_max(pair->gap, s->floor);
+    pair->swing = KERN_ERROR_SWING * o->turn;
+    pair->deep = kern_max(pair->gap, o->overlap) + pair->swing *
+                 (kern_box_half(pair->of_a.parts.block) +
+                  kern_box_half(pair->of_b.parts.block));
+    pair->reach = kern_max(s->reach, pair->deep);
+    pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
+    pair->foot = kern_max(KERN_FOOT * size, s->floor);
+    pair->over = KERN_ERROR_FOOT * o->error;
+    pair->step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
+    pair->sine = kern_sine(o->angle);
+    pair->corner = pair->sine + kern_sine(
+        kern_min(KERN_ERROR_CORNER * o->turn, KERN_ANGLE_MOST));
+}
+
 /* Opens the pair of blocks i and j; 0: they touch nowhere, or both are fixed. */
 static int kern_pair_open(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
     const kern_block *a, *b;
-    kern_real area = KERN_HUGE, size;
+    kern_real area = KERN_HUGE;
     pair->a = i < j ? i : j;
     pair->b = i < j ? j : i;
     a = &s->block[pair->a];
@@ -2610,15 +2724,9 @@ static int kern_pair_open(kern_search *s, int i, int j)
         area = kern_abs(a->area);
     if (!b->fixed)
         area = kern_min(area, kern_abs(b->area));
-    size = KERN_SQRT(area);
     kern_outline_open(&pair->of_a, a);
     kern_outline_open(&pair->of_b, b);
-    pair->gap = s->options->gap > 0 ? s->options->gap : KERN_GAP * size;
-    pair->gap = kern_max(pair->gap, s->floor);
-    pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
-    pair->foot = kern_max(KERN_FOOT * size, s->floor);
-    pair->step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
-    pair->sine = kern_sine(s->options->angle);
+    kern_pair_tolerances(pair, s, KERN_SQRT(area));
     pair->found = &s->found;
     return 1;
 }
@@ -2648,6 +2756,26 @@ static int kern_block_is_stale(const kern_block *block)
                     <= KERN_STALE_AREA * kern_abs(block->area)));
 }
 
+/* Lists the pair if it overlaps. Each round asks for more than was found: the
+   last depth is that of the whole but for a stride. */
+static void kern_search_list(kern_search *s)
+{
+    const kern_pair *pair = &s->pair;
+    kern_overlap found;
+    kern_real least = pair->deep, depth;
+    found.a = pair->a;
+    found.b = pair->b;
+    found.depth = 0;
+    found.allowed = pair->deep;
+    while ((depth = kern_overlap_depth(&pair->of_a.parts, &pair->of_b.parts,
+                                       least)) > 0) {
+        found.depth = depth;
+        least = (1 + KERN_STRIDE) * depth;
+    }
+    if (found.depth > 0 && s->overlaps++ < s->overlap_room)
+        s->overlap[s->overlaps - 1] = found;
+}
+
 /* Finds the contacts of blocks i and j, which must not overlap. */
 static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
@@ -2659,11 +2787,17 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
         s->fault->block = pair->a;
         return KERN_STALE;
     }
-    depth = kern_overlap(&pair->of_a.parts, &pair->of_b.parts, pair->gap);
+    if (s->overlap) {
+        kern_search_list(s);
+        return KERN_OK;
+    }
+    depth = kern_overlap_depth(&pair->of_a.parts, &pair->of_b.parts,
+                               pair->deep);
     if (depth > 0) {
         s->fault->block = pair->a;
         s->fault->other = pair->b;
         s->fault->value = depth;
+        s->fault->allowed = pair->deep;
         return KERN_OVERLAP;
     }
     return kern_pair_touch(pair);
@@ -2786,11 +2920,13 @@ static int kern_search_close(const kern_search *s)
 
 static kern_status kern_options_check(const kern_options *o)
 {
-    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon))
+    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon) ||
+        !kern_is_finite(o->overlap + o->error + o->turn))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
     if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
+        || o->overlap < 0 || o->error < 0 || o->turn < 0
         || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
     return KERN_OK;
@@ -2829,6 +2965,7 @@ static kern_status kern_search_see(kern_search *s, int i)
         return status;
     kern_box_add(&s->box, block->box.low);
     kern_box_add(&s->box, block->box.high);
+    s->arm = kern_max(s->arm, 4 * kern_box_half(block));
     if (!block->fixed)
         s->area = kern_max(s->area, kern_abs(block->area));
     return status;
@@ -2840,7 +2977,7 @@ static kern_status kern_search_survey(kern_search *s)
     kern_status status = KERN_OK;
     int i;
     kern_box_empty(&s->box);
-    s->area = 0;
+    s->area = s->arm = 0;
     for (i = 0; i < s->blocks && status >= 0; i++)
         status = kern_search_see(s, i);
     return status;
@@ -2853,7 +2990,8 @@ static void kern_search_reach(kern_search *s)
     s->floor = KERN_FLOOR * kern_box_largest(&s->box);
     s->reach = s->options->gap > 0 ? s->options->gap
                                    : KERN_GAP * KERN_SQRT(s->area);
-    s->reach = kern_max(s->reach, s->floor);
+    s->reach = kern_max(s->reach, s->floor) +
+               KERN_ERROR_SWING * s->options->turn * s->arm;
 }
 
 /* Finds the contacts of the last block with all others. */
@@ -2890,7 +3028,8 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     status = kern_options_check(options);
     if (status < 0)
         return status;
-    if (options->gap > KERN_FAR)
+    if (options->gap > KERN_FAR || options->overlap > KERN_FAR ||
+        options->error > KERN_FAR || options->turn > KERN_FAR)
         return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
@@ -2902,6 +3041,8 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->found.at = out;
     s->found.room = room;
     s->found.count = 0;
+    s->overlap = NULL;
+    s->overlaps = 0;
     return KERN_OK;
 }
 
@@ -2920,6 +3061,30 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
         status = work->index ? kern_search_sweep(&s, work) : KERN_BAD_POINTER;
     }
     return status < 0 ? (int)status : kern_search_close(&s);
+}
+
+KERN_API int kern_overlaps(const kern_block *block, int blocks,
+                           const kern_options *options, kern_overlap *out,
+                           int room, kern_work *work)
+{
+    kern_search s;
+    kern_overlap ignored;
+    kern_status status;
+    s.from = 0;
+    status = kern_search_open(&s, block, blocks, options, NULL, 0, work);
+    if (status >= 0 && room < 0)
+        status = KERN_BAD_COUNT;
+    if (status >= 0 && room > 0 && !out)
+        status = KERN_BAD_POINTER;
+    if (status >= 0)
+        status = kern_search_survey(&s);
+    s.overlap = out ? out : &ignored;
+    s.overlap_room = room;
+    if (status >= 0) {
+        kern_search_reach(&s);
+        status = work->index ? kern_search_sweep(&s, work) : KERN_BAD_POINTER;
+    }
+    return status < 0 ? (int)status : s.overlaps;
 }
 
 KERN_API int kern_touch(const kern_block *block, int b,
@@ -8953,7 +9118,7 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
     plan.block_room = blocks;
     plan.contact = contact;
     plan.contact_room = contacts;
-    plan.area = KERN_R(0);
+    plan.area = plan.arm = KERN_R(0);
     kern_box_empty(&plan.box);
     return plan;
 }
@@ -8987,6 +9152,7 @@ static int kern_plan_touch(kern_plan *plan, const kern_block *block,
                               plan->task.work);
     search->box = plan->box;
     search->area = plan->area;
+    search->arm = plan->arm;
     if (status >= 0)
         status = kern_search_see(search, last);
     if (status < 0)
@@ -9017,6 +9183,7 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     kern_plan_count(plan, found);
     plan->box = search.box;
     plan->area = search.area;
+    plan->arm = search.arm;
     return found;
 }
 
@@ -9052,6 +9219,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     kern_search_survey(&search);
     plan->box = search.box;
     plan->area = search.area;
+    plan->arm = search.arm;
     return KERN_OK;
 }
 
@@ -9277,7 +9445,49 @@ KERN_API kern_options kern_defaults(void)
     o.epsilon = KERN_R(0);
     o.relative = 0;
     o.limit = 0;
+    o.overlap = o.error = o.turn = 0;
     return o;
+}
+
+KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
+                                    kern_real theta)
+{
+    kern_options o = options ? *options : kern_defaults();
+    o.error = e > 0 ? e : KERN_R(-1); /* refused by every call */
+    o.turn = theta;
+    o.gap = KERN_ERROR_GAP * e;
+    o.angle = kern_max(kern_defaults().angle, KERN_ERROR_ANGLE * theta);
+    o.angle = kern_min(o.angle, KERN_R(0.99) * KERN_ANGLE_MOST);
+    o.overlap = kern_max(options ? options->overlap : KERN_R(0),
+                         KERN_ERROR_OVERLAP * e);
+    return o;
+}
+
+KERN_API int kern_certain(const kern_task *task, kern_status verdict,
+                          kern_contact *out, int room)
+{
+    kern_task other;
+    kern_real share, e;
+    kern_status again;
+    if (!task)
+        return (int)KERN_BAD_POINTER;
+    e = task->options.error;
+    if (!(e > 0) || (verdict != KERN_STANDS && verdict != KERN_FALLS))
+        return (int)KERN_BAD_OPTION;
+    other = *task;
+    share = verdict == KERN_STANDS ? KERN_CERTAIN_STANDS : KERN_CERTAIN_FALLS;
+    other.options = kern_measured(&task->options, share * e,
+                                  share * task->options.turn);
+    other.s.contact = out;
+    other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
+                                     &other.options, out, room, task->work);
+    if (other.s.contacts < 0)
+        return other.s.contacts;
+    other.known.motion = NULL; /* of other contacts */
+    other.known.force = NULL;
+    again = kern_verdict(&other, verdict == KERN_STANDS ? e : -e, NULL);
+    return again == KERN_UNDECIDED || again >= 0
+        ? again == verdict : (int)again;
 }
 
 KERN_API kern_options kern_near(const kern_options *options,

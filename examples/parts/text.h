@@ -371,7 +371,7 @@ static int text_body(struct text_reader *r, int fixed)
     }
     if (text_polygon(r, &vertices)) return -1;
 
-    kern_fault fault = { -1, -1, -1, 0 };
+    kern_fault fault = { -1, -1, -1, 0, 0 };
     const kern_vec *v = t->vertex + r->vertices;
     kern_status status =
         fixed ? kern_ground_init(b, v, vertices, &fault)
