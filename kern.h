@@ -833,9 +833,8 @@ KERN_API kern_options kern_near(const kern_options *options,
      gap      4 e; at a place r from the centre of its block 5 theta r is added
               for both blocks, as squares: that closes gaps between two stones
               which are both off
-     angle    2 theta, at least 1 degree; the ways from a corner may lead into
-              the edge by 7 theta more than that, and a foot may lie 2 e beyond
-              the end of its edge
+     angle    6.5 theta, at least 1 degree and below 0.5; a corner may stand 2 e
+              beyond the end of an edge
      overlap  8 e, and 5 theta r for r half the diagonal of both blocks' boxes;
               contacts lie at half the depth. Set it higher to accept more
    The verdict is then that of the structure as it most likely rests, and
@@ -1376,8 +1375,7 @@ static void kern_fault_clear(kern_fault *fault)
 #define KERN_ERROR_GAP     KERN_R(4.0)
 #define KERN_ERROR_SWING   KERN_R(5.0)  /* gap, by the distance from a centre */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_ANGLE   KERN_R(2.0)
-#define KERN_ERROR_CORNER  KERN_R(7.0)  /* of the ways from a corner          */
+#define KERN_ERROR_ANGLE   KERN_R(6.5)
 #define KERN_ERROR_FOOT    KERN_R(2.0)  /* beyond the end of an edge          */
 /* Shares of the error that are allowed where a verdict is to be certain. */
 #define KERN_CERTAIN_STANDS KERN_R(0.5)
@@ -2262,8 +2260,7 @@ typedef struct kern_pair {
     kern_real foot;         /* a foot on an edge is so far inside [m]      */
     kern_real over;         /* or, where places are measured, outside [m]  */
     kern_real step;         /* a step up to there is none [m]              */
-    kern_real sine;         /* of the angle of the options, and            */
-    kern_real corner;       /* of that for the ways from a corner          */
+    kern_real sine;         /* of the angle of the options                 */
     kern_found *found;
     int first;              /* of its contacts                             */
 } kern_pair;
@@ -2470,10 +2467,12 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *f,
     kern_raw raw;
     if (kern_vec_cross(f->back, f->d) > 0 || high > wide ||
         high < -kern_max(wide, pair->deep) ||
-        kern_vec_cross(f->d, e->d) < -pair->corner ||
-        kern_vec_cross(f->back, e->d) < -pair->corner)
+        kern_vec_cross(f->d, e->d) < -pair->sine ||
+        kern_vec_cross(f->back, e->d) < -pair->sine)
         return;
     raw.p = f->p;
+    if (pair->deep > pair->gap) /* midway, as a line */
+        raw.p = kern_vec_step(f->p, high / 2, kern_vec_turn(e->d));
     raw.n = kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1);
     raw.half = 0;
     if ((along > inside && along < e->length - inside) ||
@@ -2703,8 +2702,6 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
     pair->over = KERN_ERROR_FOOT * o->error;
     pair->step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
     pair->sine = kern_sine(o->angle);
-    pair->corner = pair->sine + kern_sine(
-        kern_min(KERN_ERROR_CORNER * o->turn, KERN_ANGLE_MOST));
 }
 
 /* Opens the pair of blocks i and j; 0: they touch nowhere, or both are fixed. */

@@ -8015,6 +8015,138 @@ static void near_contacts(void)
     CHECK(fabs((double)(w.contact[1].p.x - w.contact[0].p.x)) > 0.6);
 }
 
+/* A stone above its bed: a gap of 4 errors, and 5 errors of angle times the
+   distance of its corners from both centres, is a contact. */
+static void measured_gaps(void)
+{
+    static world w;
+    const double angle = 0.01, e = 0.01;
+    const double gap = sqrt(16 * e * e + 25 * angle * angle * (0.5 + 0.5));
+    int wide;
+    for (wide = 0; wide < 2; wide++) {
+        const double h = wide ? 1.2 * gap : 0.9 * gap;
+        world_reset(&w);
+        world_box(&w, 0, 0, -1, 1, 0);
+        world_box(&w, 1, 0, h, 1, 1 + h);
+        w.options = kern_measured(&w.options, R(e), R(angle));
+        CHECK_INT(world_touch(&w), wide ? 0 : 2);
+        CHECK_INT(verdict(&w, 0), wide ? KERN_FALLS : KERN_STANDS);
+        if (!wide) /* midway */
+            CHECK_NEAR(w.contact[0].p.y, h / 2, 1e-6);
+    }
+    w.options = kern_measured(NULL, R(0), R(0.1));
+    CHECK_INT(world_touch(&w), KERN_BAD_OPTION);
+    w.options = kern_measured(NULL, R(0.1), R(-1));
+    CHECK_INT(world_touch(&w), KERN_BAD_OPTION);
+    w.options = kern_measured(NULL, R(0.1), R(NAN));
+    CHECK_INT(world_touch(&w), KERN_BAD_NUMBER);
+}
+
+/* All overlaps at once, and what accepts them. */
+static void overlaps_of_three(void)
+{
+    static world w;
+    kern_overlap found[3];
+    int index[6], k;
+    kern_work work = kern_work_of(NULL, 0, index, 6);
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_box(&w, 1, 0, -0.1, 1, 1);
+    world_box(&w, 1, 0, 0.8, 1, 2);
+    CHECK_INT(world_touch(&w), KERN_OVERLAP);
+    found[1].a = -7;
+    CHECK_INT(kern_overlaps(w.block, 3, &w.options, found, 1, &work), 2);
+    CHECK_INT(found[1].a, -7);
+    CHECK_INT(kern_overlaps(w.block, 3, &w.options, NULL, 0, &work), 2);
+    CHECK_INT(kern_overlaps(w.block, 3, &w.options, NULL, 1, &work),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_overlaps(w.block, 3, &w.options, found, -1, &work),
+              KERN_BAD_COUNT);
+    CHECK_INT(kern_overlaps(w.block, 3, &w.options, found, 3, &work), 2);
+    for (k = 0; k < 2; k++) {
+        const double depth = found[k].a == 0 ? 0.1 : 0.2;
+        CHECK_INT(found[k].b, found[k].a + 1);
+        CHECK((double)found[k].depth <= depth * (1 + GEO));
+        CHECK((double)found[k].depth >= depth * 7 / 8);
+        CHECK_NEAR(found[k].allowed,
+                   1e-3 * sqrt(found[k].a == 0 ? 1.1 : 1.1), 1e-6);
+    }
+    w.options.overlap = R(0.25);
+    CHECK_INT(kern_overlaps(w.block, 3, &w.options, found, 3, &work), 0);
+    CHECK_INT(world_touch(&w), 4);
+    CHECK_NEAR(w.contact[0].p.y, -0.05, GEO);
+    CHECK_NEAR(w.contact[2].p.y, 0.9, GEO);
+    CHECK_INT(verdict(&w, 0), KERN_STANDS);
+}
+
+/* A unit box on a bed that ends at x: what is nearer to critical than the error
+   is not certain. */
+static void certain_verdicts(void)
+{
+    static const struct { double end; int verdict, certain; } row[] = {
+        {1.5, KERN_STANDS, 1}, {0.7, KERN_STANDS, 1}, {0.505, KERN_STANDS, 0},
+        {0.495, KERN_FALLS, 0}, {0.3, KERN_FALLS, 1}
+    };
+    static world w;
+    static kern_contact again[20];
+    int i;
+    for (i = 0; i < 5; i++) {
+        kern_work work;
+        kern_structure s;
+        world_reset(&w);
+        world_box(&w, 0, -1, -1, row[i].end, 0);
+        world_box(&w, 1, 0, 0, 1, 1);
+        w.options = kern_measured(&w.options, R(0.01), R(0.01));
+        CHECK(world_touch(&w) > 0);
+        CHECK_INT(verdict(&w, 0), row[i].verdict);
+        s = structure_of(&w);
+        work = work_of(&w);
+        CHECK_INT(kern_certain(task_of(&s, &w.options, &work),
+                               (kern_status)row[i].verdict, again, 20),
+                  row[i].certain);
+        CHECK_INT(kern_certain(task_of(&s, &w.options, &work),
+                               (kern_status)row[i].verdict, again, 0),
+                  KERN_NO_SPACE);
+        CHECK_INT(kern_certain(task_of(&s, &w.options, &work), KERN_UNDECIDED,
+                               again, 20), KERN_BAD_OPTION);
+        w.options.error = 0;
+        CHECK_INT(kern_certain(task_of(&s, &w.options, &work), KERN_STANDS,
+                               again, 20), KERN_BAD_OPTION);
+    }
+    CHECK_INT(kern_certain(NULL, KERN_STANDS, again, 20), KERN_BAD_POINTER);
+}
+
+/* A rounded stone on a flat bed has one margin, however many vertices it has,
+   if the options know how exact they are. */
+static void measured_round_stone(void)
+{
+    static const int vertices[] = {40, 200, 1000};
+    static world w;
+    static double xy[2000];
+    double margin[3];
+    int i, k;
+    for (i = 0; i < 3; i++) {
+        const int n = vertices[i];
+        kern_margin m;
+        for (k = 0; k < n; k++) {
+            const double a = 2 * pi * (k + 0.5) / n;
+            const double r = pow(pow(fabs(cos(a)), 6) + pow(fabs(sin(a)), 6),
+                                 -1.0 / 6);
+            xy[2 * k] = r * cos(a);
+            xy[2 * k + 1] = r * sin(a);
+        }
+        world_reset(&w);
+        world_box(&w, 0, -3, -3, 3, -1);
+        world_polygon(&w, 1, xy, n);
+        w.options = kern_measured(&w.options, R(0.02), R(0.01));
+        CHECK(world_touch(&w) > 0);
+        CHECK_INT(measure(&w, &m), KERN_STANDS);
+        margin[i] = (double)m.margin;
+    }
+    CHECK_NEAR(margin[0], margin[2], 0.05 * margin[2]);
+    CHECK_NEAR(margin[1], margin[2], 0.05 * margin[2]);
+}
+
 static void mean_size_of_blocks(void)
 {
     static world w;
@@ -8109,6 +8241,10 @@ static const test tests[] = {
     TEST(profile_of_two),
     TEST(profile_bad_input),
     TEST(near_contacts),
+    TEST(measured_gaps),
+    TEST(overlaps_of_three),
+    TEST(certain_verdicts),
+    TEST(measured_round_stone),
     TEST(plan_random),
     TEST(plan_points),
     TEST(plan_changes),
