@@ -8022,16 +8022,16 @@ static void measured_gaps(void)
     static world w;
     const double angle = 0.01, e = 0.01;
     const double gap = sqrt(16 * e * e + 25 * angle * angle * (0.5 + 0.5));
-    int wide;
-    for (wide = 0; wide < 2; wide++) {
-        const double h = wide ? 1.2 * gap : 0.9 * gap;
+    int open_;
+    for (open_ = 0; open_ < 2; open_++) {
+        const double h = open_ ? 1.2 * gap : 0.9 * gap;
         world_reset(&w);
         world_box(&w, 0, 0, -1, 1, 0);
         world_box(&w, 1, 0, h, 1, 1 + h);
         w.options = kern_measured(&w.options, R(e), R(angle));
-        CHECK_INT(world_touch(&w), wide ? 0 : 2);
-        CHECK_INT(verdict(&w, 0), wide ? KERN_FALLS : KERN_STANDS);
-        if (!wide) /* midway */
+        CHECK_INT(world_touch(&w), open_ ? 0 : 2);
+        CHECK_INT(verdict(&w, 0), open_ ? KERN_FALLS : KERN_STANDS);
+        if (!open_) /* midway */
             CHECK_NEAR(w.contact[0].p.y, h / 2, 1e-6);
     }
     w.options = kern_measured(NULL, R(0), R(0.1));
@@ -8130,8 +8130,8 @@ static void measured_round_stone(void)
         kern_margin m;
         for (k = 0; k < n; k++) {
             const double a = 2 * pi * (k + 0.5) / n;
-            const double r = pow(pow(fabs(cos(a)), 6) + pow(fabs(sin(a)), 6),
-                                 -1.0 / 6);
+            const double r = pow(pow(fabs(cos(a)), 4) + pow(fabs(sin(a)), 4),
+                                 -1.0 / 4);
             xy[2 * k] = r * cos(a);
             xy[2 * k + 1] = r * sin(a);
         }
