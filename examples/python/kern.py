@@ -59,7 +59,7 @@ class _Box(ctypes.Structure):
 
 class _Fault(ctypes.Structure):
     _fields_ = [("block", c_int), ("other", c_int), ("index", c_int),
-                ("value", c_double)]
+                ("value", c_double), ("allowed", c_double)]
 
 
 class _Wrench(ctypes.Structure):
@@ -84,7 +84,9 @@ class _Structure(ctypes.Structure):
 
 class _Options(ctypes.Structure):
     _fields_ = [("mu", c_double), ("gap", c_double), ("angle", c_double),
-                ("epsilon", c_double), ("relative", c_int), ("limit", c_int)]
+                ("epsilon", c_double), ("relative", c_int), ("limit", c_int),
+                ("overlap", c_double), ("error", c_double),
+                ("turn", c_double)]
 
 
 class _Force(ctypes.Structure):
@@ -136,7 +138,7 @@ class _Task(ctypes.Structure):
 class _Plan(ctypes.Structure):
     _fields_ = [("task", _Task), ("block", c_void_p), ("block_room", c_int),
                 ("contact", c_void_p), ("contact_room", c_int),
-                ("box", _Box), ("area", c_double)]
+                ("box", _Box), ("area", c_double), ("arm", c_double)]
 
 
 class _Lp(ctypes.Structure):
@@ -293,6 +295,7 @@ _p, _r, _i = c_void_p, c_double, c_int
 _status_text = _declare("kern_status_text", c_char_p, _i)
 _defaults = _declare("kern_defaults", _Options)
 _near = _declare("kern_near", _Options, _p, _r)
+_measured = _declare("kern_measured", _Options, _p, _r, _r)
 _work_need = _declare("kern_work_need", None, _i, _i, _p, _p)
 _block_init = _declare("kern_block_init", _i, _p, _p, _i, _r, _p)
 _ground_init = _declare("kern_ground_init", _i, _p, _p, _i, _p)
@@ -421,19 +424,31 @@ class Options:
     epsilon: float = _D.epsilon
     relative: bool = bool(_D.relative)
     limit: int = _D.limit
+    overlap: float = _D.overlap
+    error: float = _D.error
+    turn: float = _D.turn
 
     def _c(self) -> _Options:
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
-                        self.relative, self.limit)
+                        self.relative, self.limit, self.overlap, self.error,
+                        self.turn)
 
     @staticmethod
     def _of(c: _Options) -> Options:
         return Options(c.mu, c.gap, c.angle, c.epsilon, bool(c.relative),
-                       c.limit)
+                       c.limit, c.overlap, c.error, c.turn)
 
     def near(self, mean_size: float) -> Options:
         """kern_near(): also finds contacts that a first rocking closes."""
         return Options._of(_near(byref(self._c()), mean_size))
+
+    def measured(self, e: float, theta: float) -> Options:
+        """kern_measured(): for poses with errors e [m] and theta [rad].
+
+        >>> round(Options().measured(0.01, 0.01).gap, 6)
+        0.04
+        """
+        return Options._of(_measured(byref(self._c()), e, theta))
 
 
 class Body(NamedTuple):
