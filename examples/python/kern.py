@@ -62,6 +62,11 @@ class _Fault(ctypes.Structure):
                 ("value", c_double), ("allowed", c_double)]
 
 
+class _Overlap(ctypes.Structure):
+    _fields_ = [("a", c_int), ("b", c_int), ("depth", c_double),
+                ("allowed", c_double)]
+
+
 class _Wrench(ctypes.Structure):
     _fields_ = [("fx", c_double), ("fy", c_double), ("torque", c_double)]
 
@@ -158,6 +163,7 @@ class _Text(ctypes.Structure):
 
 _LAYOUTS = {
     "kern_vec": _Vec, "kern_box": _Box, "kern_fault": _Fault,
+    "kern_overlap": _Overlap,
     "kern_wrench": _Wrench, "kern_block": _Block, "kern_contact": _Contact,
     "kern_structure": _Structure, "kern_options": _Options,
     "kern_force": _Force, "kern_motion": _Motion, "kern_proof": _Proof,
@@ -302,6 +308,8 @@ _ground_init = _declare("kern_ground_init", _i, _p, _p, _i, _p)
 _block_load = _declare("kern_block_load", None, _p, _Vec, _Vec, _r)
 _mean_size = _declare("kern_mean_size", _r, _p, _i)
 _contacts = _declare("kern_contacts", _i, _p, _i, _p, _p, _i, _p)
+_overlaps = _declare("kern_overlaps", _i, _p, _i, _p, _p, _i, _p)
+_certain = _declare("kern_certain", _i, _p, _i, _p, _i)
 _touch = _declare("kern_touch", _i, _p, _i, _p, _p, _i, _p)
 _contact_make = _declare("kern_contact_make", _i, _p, _Vec, _p)
 _contact_travels = _declare("kern_contact_travels", None, _p, _i)
@@ -808,6 +816,17 @@ tolerance (0.25 deep)
             self._check(status)
         return Verdict(status == _STANDS, force, motion)
 
+    def certain(self) -> bool:
+        """kern_certain(): does the verdict hold within the error that
+        Options.measured() was told?"""
+        verdict = int(_STANDS if self.verdict() else _FALLS)
+        room, status = 64, int(Status.NO_SPACE)
+        while status == Status.NO_SPACE and room <= 1000000:
+            room *= 2
+            out = (_Contact * room)()
+            status = _certain(self._at_task, verdict, out, room)
+        return self._check(status) == 1
+
     def measure(self) -> Margin:
         """kern_measure(): margin and level."""
         force, motion, m = self._forces(), self._motions(), _Margin()
@@ -1031,6 +1050,31 @@ class Plan(Structure):
     def bears(self, block: Block, margin: float) -> bool:
         """kern_plan_bears(): is the margin with the block at least so much?"""
         return self._ask(_plan_bears, block, margin, None) == _STANDS
+
+
+def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
+             ) -> List[Tuple[str, str, float, float]]:
+    """kern_overlaps(): names of two blocks, the depth, and what is allowed.
+
+    >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    >>> overlaps([Block("a", box), Block("b", box).move(0.5, 0)])[0][:2]
+    ('a', 'b')
+    """
+    made = (_Block * len(blocks))()
+    for i, block in enumerate(blocks):
+        block._fill(made[i])
+    index = (c_int * (2 * len(blocks)))()
+    work = _Work(None, 0, addressof(index), len(index))
+    told = (options or Options())._c()
+    found, out = 0, (_Overlap * 0)()
+    for _ in range(2):
+        out = (_Overlap * found)()
+        found = _overlaps(made, len(made), byref(told), out, len(out),
+                          byref(work))
+        if found < 0:
+            raise KernError(found, [b.name for b in blocks], work.fault)
+    return [(blocks[o.a].name, blocks[o.b].name, o.depth, o.allowed)
+            for o in out]
 
 
 # ---- Text files, linear programs --------------------------------------------
