@@ -8158,6 +8158,279 @@ static void mean_size_of_blocks(void)
     CHECK_NEAR(kern_mean_size(w.block, 3), 3, GEO);
 }
 
+/* ==== Raised ======================================================== */
+
+/* The verdict of kern_raised(), or a status; its proof is checked, and that
+   nothing else passes for it. */
+static int raised(const world *w, kern_real *reserve)
+{
+    kern_structure s = structure_of(w);
+    kern_work work = work_of(w);
+    kern_task *task = task_of(&s, &w->options, &work);
+    kern_proof proof = proof_here();
+    kern_raising got = KERN_NOT_SHOWN;
+    kern_real error;
+    const int status =
+        kern_raised(task, 0, &got, reserve, &proof);
+    int i;
+    if (status != KERN_STANDS)
+        return -10 - status;
+    error = kern_check_raised(task, 0, got, &proof);
+    CHECK((error <= 1) == (got != KERN_NOT_SHOWN));
+    CHECK(kern_check_forces(task, 0, proof.force) <= 1
+          || got == KERN_HANGS);
+    if (got == KERN_NOT_SHOWN)
+        return got;
+    CHECK(!(kern_check_raised(task, 0, got == KERN_RAISED ? KERN_HANGS
+                                                          : KERN_RAISED,
+                              &proof) <= 1));
+    for (i = 0; i < w->blocks && got == KERN_RAISED; i++) {
+        motion_of[i].vx *= -1;
+        motion_of[i].vy *= -1;
+        motion_of[i].spin *= -1;
+    }
+    for (i = 0; i < w->blocks && got == KERN_HANGS; i++)
+        motion_of[i].vy = -1;
+    CHECK(!(kern_check_raised(task, 0, got, &proof) <= 1));
+    return got;
+}
+
+/* A block of height 1 and width 1 at its foot between two walls that lean out
+   by these angles, in degrees. */
+static void between_walls(world *w, double left, double right, double mu)
+{
+    const double l = tan(left * pi / 180), r = tan(right * pi / 180);
+    const double block[] = {0, 0, 1, 0, 1 + r, 1, -l, 1};
+    const double west[] = {-5, 0, 0, 0, -l, 1, -5, 1};
+    const double east[] = {1, 0, 6, 0, 6, 1, 1 + r, 1};
+    world_reset(w);
+    w->options.mu = R(mu);
+    world_polygon(w, 1, block, 4);
+    world_polygon(w, 0, west, 4);
+    world_polygon(w, 0, east, 4);
+    world_touch(w);
+}
+
+static void jack_arch(world *w)
+{
+    const double west[] = {-6, 0, -1.5, 0, -2, 1, -6, 1};
+    const double east[] = {1.5, 0, 6, 0, 6, 1, 2, 1};
+    int i;
+    world_reset(w);
+    w->options.mu = R(0.5);
+    for (i = 0; i < 5; i++) {
+        const double a = 0.2 * i - 0.5, b = a + 0.2;
+        const double xy[] = {3 * a, 0, 3 * b, 0, 4 * b, 1, 4 * a, 1};
+        world_polygon(w, 1, xy, 4);
+    }
+    world_polygon(w, 0, west, 4);
+    world_polygon(w, 0, east, 4);
+    world_touch(w);
+}
+
+static void corbel(world *w)
+{
+    int i;
+    world_reset(w);
+    world_box(w, 0, -3, -1, 0, 0);
+    for (i = 0; i < 4; i++)
+        world_box(w, 1, 0.25 * i - 1.25, 0.4 * i, 0.25 * (i + 1),
+                  0.4 * (i + 1));
+    world_box(w, 1, -0.5, 1.6, 0.5, 2.6);
+    world_touch(w);
+}
+
+static void leaning_plank(world *w)
+{
+    const double c = cos(70 * pi / 180), s = sin(70 * pi / 180);
+    const double x = 2 * c, thick = 0.05;
+    const double xy[] = {x, 0, x + thick * s, thick * c, thick * s,
+                         thick * c + 2 * s, 0, 2 * s};
+    world_reset(w);
+    w->options.mu = R(0.5);
+    world_box(w, 0, -1, -1, 4, 0);
+    world_box(w, 0, -1, 0, 0, 4);
+    world_polygon(w, 1, xy, 4);
+    world_touch(w);
+}
+
+static void stone_between_leaning(world *w)
+{
+    const double t = tan(10 * pi / 180), y = 0.4, z = 0.7;
+    const double west[] = {-2, 0, -1, 0, -1 + t, 1, -2 + t, 1};
+    const double east[] = {1, 0, 2, 0, 2 - t, 1, 1 - t, 1};
+    const double stone[] = {-1 + t * y, y, 1 - t * y, y,
+                            1 - t * z,  z, -1 + t * z, z};
+    world_reset(w);
+    w->options.mu = R(0.6);
+    world_box(w, 0, -4, -1, 4, 0);
+    world_polygon(w, 1, west, 4);
+    world_polygon(w, 1, east, 4);
+    world_polygon(w, 1, stone, 4);
+    world_touch(w);
+}
+
+static void t20_raised(void)
+{
+    static const struct {
+        double left, right, mu;
+        int want;
+    } walls[] = {{0, 0, 0.4, KERN_HANGS},      {5, 5, 0.4, KERN_RAISED},
+                 {-5, -5, 0.4, KERN_HANGS},    {10, 10, 0.4, KERN_RAISED},
+                 {30, 30, 0.4, KERN_RAISED},   {30, 30, 0.8, KERN_RAISED},
+                 {60, 60, 0.2, KERN_RAISED},   {0, 20, 0.4, KERN_RAISED},
+                 {-10, 20, 0.4, KERN_RAISED}};
+    static world w;
+    kern_real reserve;
+    size_t i;
+    for (i = 0; i < sizeof walls / sizeof *walls; i++) {
+        sprintf(context, "walls %g %g", walls[i].left, walls[i].right);
+        between_walls(&w, walls[i].left, walls[i].right, walls[i].mu);
+        CHECK_INT(raised(&w, NULL), walls[i].want);
+    }
+    context[0] = 0;
+    between_walls(&w, 0, 0, 0.4);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_touch(&w);
+    CHECK_INT(raised(&w, &reserve), KERN_RAISED);
+    CHECK_NEAR(reserve, 0.1, EXACT); /* the walls hold it */
+    world_reset(&w);
+    world_box(&w, 0, -1, 0, 0, 1);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_box(&w, 1, 1, 0, 2, 1);
+    world_box(&w, 0, 2, 0, 3, 1);
+    world_touch(&w);
+    CHECK_INT(raised(&w, &reserve), KERN_HANGS);
+    CHECK_NEAR(reserve, 0, 0);
+    jack_arch(&w);
+    CHECK_INT(raised(&w, NULL), KERN_RAISED);
+    corbel(&w);
+    CHECK_INT(raised(&w, NULL), KERN_RAISED);
+    leaning_plank(&w);
+    CHECK_INT(raised(&w, NULL), KERN_RAISED);
+    stone_between_leaning(&w);
+    CHECK_INT(raised(&w, NULL), KERN_HANGS);
+}
+
+/* A cube on a slope of .1 slides down with a push of more than about .3 g, one
+   on a slope of .395 with one of .0043 g: (.395 + x) / (1 - .395 x) = .4. */
+static void raised_reserve(void)
+{
+    static world w;
+    kern_real reserve;
+    world_reset(&w);
+    world_box(&w, 0, -2, -1, 2, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_touch(&w);
+    w.gravity = vec(9.81 * 0.1, -9.81);
+    CHECK_INT(raised(&w, &reserve), KERN_RAISED);
+    CHECK_NEAR(reserve, 0.1, EXACT);
+    w.gravity = vec(9.81 * 0.395, -9.81);
+    CHECK_INT(raised(&w, &reserve), KERN_RAISED);
+    CHECK_NEAR(reserve, 0.004, EXACT);
+    w.gravity = vec(9.81 * 0.405, -9.81);
+    CHECK_INT(raised(&w, &reserve), -10 - KERN_FALLS);
+    w.gravity = vec(0, 0);
+    CHECK_INT(raised(&w, &reserve), -10 - KERN_NO_LOAD);
+    CHECK_INT(raised(&w, NULL), -10 - KERN_NO_LOAD);
+}
+
+/* Whatever stands is shown to be raised or not, with proofs that hold; the
+   reserve is no more than the load factor. */
+static void raised_random(void)
+{
+    static world w;
+    int seed, stood = 0, shown = 0;
+    for (seed = 1; seed <= 400; seed++) {
+        kern_real reserve = R(-1);
+        int got, side;
+        if (!random_world(&w, (unsigned long long)seed, 12))
+            continue;
+        sprintf(context, "seed %d", seed);
+        got = raised(&w, &reserve);
+        if (got < 0) {
+            CHECK(decided(-10 - got) && verdict(&w, 0) != KERN_STANDS);
+            continue;
+        }
+        stood++;
+        shown += got == KERN_RAISED;
+        for (side = -1; side <= 1 && got == KERN_RAISED; side += 2) {
+            double factor = 0;
+            if (load_factor(&w, NULL, side, &factor) == KERN_STANDS)
+                CHECK(reserve <= R(factor) + EDGE);
+        }
+    }
+    context[0] = 0;
+    CHECK(stood > 100 && shown > stood / 2);
+}
+
+static void raised_memory(void)
+{
+    static world w;
+    kern_structure s;
+    kern_work work;
+    kern_raising got = KERN_NOT_SHOWN;
+    int reals, ints, part, enough = 0;
+    jack_arch(&w);
+    s = structure_of(&w);
+    kern_work_need(w.blocks, w.contacts, &reals, &ints);
+    for (part = 0; part <= 50; part++) {
+        kern_status status;
+        work = work_of(&w);
+        work.reals = reals * part / 50;
+        work.indices = ints * part / 50;
+        status = kern_raised(task_of(&s, &w.options, &work), 0, &got, NULL,
+                             NULL);
+        CHECK(status == KERN_NO_SPACE || status == KERN_STANDS);
+        CHECK(status == KERN_STANDS || !enough);
+        enough |= status == KERN_STANDS;
+        CHECK((got == KERN_RAISED) == enough);
+    }
+    CHECK(enough);
+    got = KERN_NOT_SHOWN;
+    w.options.limit = 3;
+    CHECK_INT(kern_raised(task_of(&s, &w.options, &work), 0, &got, NULL, NULL),
+              KERN_LIMIT);
+    CHECK_INT(kern_raised(task_of(&s, &w.options, &work), 0, NULL, NULL, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_raised(NULL, 0, &got, NULL, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_raised(task_of(&s, &w.options, &work), R(not_a_number()),
+                          &got, NULL, NULL), KERN_BAD_NUMBER);
+    CHECK(!(kern_check_raised(NULL, 0, KERN_RAISED, NULL) <= 1));
+    CHECK_INT(got, KERN_NOT_SHOWN);
+}
+
+/* A cube that is tried between two walls hangs there, on the floor it does
+   not. */
+static void plan_raised(void)
+{
+    static world w;
+    static site p;
+    kern_raising got = KERN_NOT_SHOWN;
+    kern_real reserve = 0;
+    int i;
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_box(&w, 0, -1, 0, 0, 3);
+    world_box(&w, 0, 1, 0, 2, 3);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_box(&w, 1, 0, 2, 1, 3);
+    site_open(&p, &w);
+    for (i = 0; i < 4; i++)
+        site_add(&p, i);
+    CHECK_INT(kern_plan_raised(&p.plan, NULL, &got, &reserve, NULL),
+              KERN_STANDS);
+    CHECK_INT(got, KERN_RAISED);
+    CHECK_NEAR(reserve, 0.1, EXACT);
+    CHECK_INT(kern_plan_raised(&p.plan, &w.block[4], &got, &reserve, NULL),
+              KERN_STANDS);
+    CHECK_INT(got, KERN_HANGS);
+    CHECK_INT(p.plan.task.s.blocks, 4);
+    CHECK_INT(kern_plan_raised(NULL, NULL, &got, NULL, NULL),
+              KERN_BAD_POINTER);
+}
+
 /* ==== All tests ===================================================== >>all */
 
 typedef struct test {
@@ -8278,6 +8551,11 @@ static const test tests[] = {
     TEST(t12_arch),
     TEST(t13_two_bodies),
     TEST(t14_jam),
+    TEST(t20_raised),
+    TEST(raised_reserve),
+    TEST(raised_random),
+    TEST(raised_memory),
+    TEST(plan_raised),
     TEST(t15_walls),
     TEST(t17_tower_and_trapezoid),
     TEST(t18_units_and_places),

@@ -469,6 +469,107 @@ static void test_pieces(void)
     rigid_free(&w);
 }
 
+/* ---- Raised -------------------------------------------------------------- */
+
+/* A row of up to four wedges of height 1 between two walls, by numbers drawn
+   with the seed; its friction in *mu. Returns how many corners v has: four a
+   wedge, then four for each wall. */
+static int wedges(unsigned seed, struct rigid_pt *v, double *mu)
+{
+    unsigned state = seed * 2654435761u + 1u;
+    double draw[8], x = 0, lean[5];
+    int many = 1 + (int)(seed % 4), n = 0;
+    for (int i = 0; i < 8; i++) {
+        state ^= state << 13;
+        state ^= state >> 17;
+        state ^= state << 5;
+        draw[i] = state / 4294967296.0;
+    }
+    *mu = 0.1 + 0.7 * draw[0];
+    for (int i = 0; i <= many; i++) lean[i] = 0.6 * (draw[i + 1] - 0.5);
+    for (int i = 0; i < many; i++) {
+        double wide = 0.7 + 0.6 * draw[6 + i % 2];
+        v[n++] = rigid_vec(x, 0);
+        v[n++] = rigid_vec(x + wide, 0);
+        v[n++] = rigid_vec(x + wide + lean[i + 1], 1);
+        v[n++] = rigid_vec(x + lean[i], 1);
+        x += wide;
+    }
+    v[n++] = rigid_vec(-3, 0);
+    v[n++] = rigid_vec(0, 0);
+    v[n++] = rigid_vec(lean[0], 1);
+    v[n++] = rigid_vec(-3, 1);
+    v[n++] = rigid_vec(x, 0);
+    v[n++] = rigid_vec(x + 3, 0);
+    v[n++] = rigid_vec(x + 3, 1);
+    v[n++] = rigid_vec(x + lean[many], 1);
+    return n;
+}
+
+/* How far the row moves in 2 s from rest, and what kern_raised() says: one of
+   its verdicts, or -1 where it does not stand. */
+static double wedges_move(const struct rigid_pt *v, int n, double mu, int *said)
+{
+    kern_vec corner[24];
+    static kern_block block[6];
+    kern_contact contact[40];
+    kern_real reals[KERN_REALS(6, 40)];
+    int ints[KERN_INTS(6, 40)];
+    kern_work work = kern_work_of(reals, KERN_REALS(6, 40), ints,
+                                  KERN_INTS(6, 40));
+    kern_task task = kern_task_of(block, n / 4, contact, 0, &work);
+    kern_raising raising = KERN_NOT_SHOWN;
+    struct rigid_world w;
+    double moved = 0;
+    task.options.mu = mu;
+    rigid_init(&w);
+    w.gravity = rigid_vec(0, -9.81);
+    w.friction = mu;
+    for (int i = 0; i < n; i++) {
+        corner[i].x = v[i].x;
+        corner[i].y = v[i].y;
+    }
+    for (int i = 0; i < n / 4; i++) {
+        if (i < n / 4 - 2)
+            kern_block_init(block + i, corner + 4 * i, 4, 1, NULL);
+        else
+            kern_ground_init(block + i, corner + 4 * i, 4, NULL);
+        rigid_add(&w, v + 4 * i, 4, block[i].mass, rigid_vec(block[i].centre.x,
+                                                        block[i].centre.y));
+    }
+    task.s.contacts = kern_contacts(block, n / 4, &task.options, contact, 40,
+                                    &work);
+    *said = kern_raised(&task, 0, &raising, NULL, NULL) == KERN_STANDS
+            ? (int)raising : -1;
+    run(&w, 2);
+    for (int i = 0; i < n / 4 - 2; i++)
+        moved = fmax(moved, hypot(w.block[i].at.x - block[i].centre.x,
+                                  w.block[i].at.y - block[i].centre.y));
+    rigid_free(&w);
+    return moved;
+}
+
+static void test_wedges(void)
+{
+    int falls = 0, wrong = 0, stays = 0, kept = 0, said;
+    for (unsigned seed = 1; seed <= 700; seed++) {
+        struct rigid_pt v[24];
+        double mu, moved;
+        int n = wedges(seed, v, &mu);
+        moved = wedges_move(v, n, mu, &said);
+        falls += moved > 0.05;
+        wrong += moved > 0.05 && said == KERN_RAISED;
+        stays += moved < 0.02;
+        kept += moved < 0.02 && said == KERN_RAISED;
+    }
+    printf("rows of wedges: %d fall, %d of them raised; %d stay, %d raised\n",
+           falls, wrong, stays, kept);
+    check(wrong <= falls / 50, "rows of wedges that fall and are raised / all",
+          (double)wrong / falls, 0.02);
+    check(kept >= stays * 9 / 10, "rows of wedges that stay and are raised",
+          (double)kept / stays, 0.9);
+}
+
 int main(int argc, char **argv)
 {
     test_slope();
@@ -476,6 +577,7 @@ int main(int argc, char **argv)
     test_pieces();
     test_tower();
     test_wall();
+    test_wedges();
     for (int i = 1; i < argc; i++) test_file(argv[i]);
     test_energy();
     test_rocking();

@@ -1,0 +1,157 @@
+/* cc -O2 -ffp-contract=off -o truth tests/truth.c -lm && ./truth FOLDER
+
+   How well kern_raised() and its reserve tell placements that stay from those
+   that move. FOLDER holds labels.csv, whose first column is the NAME of a file
+   structures/NAME.kern; of a column `label` stays, moves and unclear are read;
+   without one all count as stays. What does not stand is left out. */
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define KERN_STATIC
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+#include "../examples/parts/text.h"
+
+enum { MANY = 20000, POINTS = 4000, LABELS = 3 };
+
+static const char *label_name[LABELS] = { "stays", "moves", "unclear" };
+static kern_contact contact[POINTS];
+static struct found { int label; kern_raising raised; double reserve, load; }
+    found[MANY];
+static int count;
+static double seconds[3]; /* margin, raised, with the reserve */
+
+static double now(void) { return (double)clock() / CLOCKS_PER_SEC; }
+
+static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
+{
+    kern_task task = kern_task_of(t->block, t->blocks, contact, 0, work);
+    kern_margin m;
+    kern_real load[2], reserve;
+    kern_force force[POINTS];
+    kern_motion *motion = malloc(sizeof *motion * (size_t)t->blocks);
+    kern_proof proof = { force, motion };
+    double at;
+    task.s.gravity = t->gravity;
+    task.options = t->options;
+    task.s.contacts = t->given ? t->contacts
+                               : kern_contacts(t->block, t->blocks, &t->options,
+                                               contact, POINTS, work);
+    if (t->given) task.s.contact = t->contact;
+    at = now();
+    if (kern_measure(&task, &m, NULL) != KERN_STANDS) return -1;
+    seconds[0] += now() - at;
+    at = now();
+    if (kern_raised(&task, 0, &f->raised, NULL, &proof) !=
+        KERN_STANDS) return -1;
+    seconds[1] += now() - at;
+    if (f->raised != KERN_NOT_SHOWN &&
+        !(kern_check_raised(&task, 0, f->raised, &proof) <= 1))
+        printf("a proof that is none\n");
+    at = now();
+    kern_raised(&task, 0, &f->raised, &reserve, NULL);
+    seconds[2] += now() - at;
+    for (int side = -1; side <= 1; side += 2)
+        if (kern_load_factor(&task, 0, side > 0 ? KERN_RIGHT : KERN_LEFT,
+                             &load[side > 0], NULL) != KERN_STANDS)
+            return -1;
+    f->reserve = (double)reserve;
+    f->load = (double)(load[0] < load[1] ? load[0] : load[1]);
+    free(motion);
+    return 0;
+}
+
+static void read_one(const char *folder, const char *name, int label)
+{
+    char path[1000];
+    struct text_file t;
+    kern_work work;
+    int reals, ints;
+    snprintf(path, sizeof path, "%s/structures/%s.kern", folder, name);
+    if (text_load(&t, path)) {
+        printf("%s: %s\n", path, t.message);
+        exit(1);
+    }
+    kern_work_need(t.blocks, 800, &reals, &ints);
+    work = kern_work_of(malloc(sizeof(kern_real) * (size_t)reals), reals,
+                        malloc(sizeof(int) * (size_t)ints), ints);
+    found[count].label = label;
+    if (measure(&t, &found[count], &work) >= 0) {
+        if (getenv("TRUTH_EACH"))
+            printf("%s %s %d %g %g\n", name, label_name[label],
+                   (int)found[count].raised, found[count].reserve,
+                   found[count].load);
+        count++;
+    }
+    free(work.real);
+    free(work.index);
+    text_free(&t);
+}
+
+/* Share of the pairs of one that stays and one that moves in which the first
+   has the greater score. */
+static double area(double by_load)
+{
+    double sum = 0, pairs = 0;
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < count; j++) {
+            double a, b;
+            if (found[i].label != 0 || found[j].label != 1) continue;
+            a = found[i].reserve + 1e-3 * (found[i].raised == KERN_RAISED) +
+                by_load * found[i].load;
+            b = found[j].reserve + 1e-3 * (found[j].raised == KERN_RAISED) +
+                by_load * found[j].load;
+            sum += a > b ? 1 : a < b ? 0 : 0.5;
+            pairs++;
+        }
+    return pairs > 0 ? sum / pairs : 0;
+}
+
+static void row(double least)
+{
+    double in[LABELS] = { 0 }, all[LABELS] = { 0 };
+    for (int i = 0; i < count; i++) {
+        all[found[i].label]++;
+        in[found[i].label] += found[i].raised == KERN_RAISED &&
+                              found[i].reserve >= least;
+    }
+    printf("%8.3f %9.3f %9.3f %9.3f\n", least, in[0] / all[0],
+           all[1] > 0 ? 1 - in[1] / all[1] : 0,
+           all[2] > 0 ? 1 - in[2] / all[2] : 0);
+}
+
+int main(int argc, char **argv)
+{
+    static const double least[] = { 0, .001, .002, .003, .004, .005, .006, .007,
+                                    .008, .01, .012, .015, .02, .03, .05, .1 };
+    char path[1000], line[2000];
+    int column = -1;
+    FILE *in;
+    if (argc != 2) return 2;
+    snprintf(path, sizeof path, "%s/labels.csv", argv[1]);
+    in = fopen(path, "r");
+    if (!in) return 2;
+    for (int n = 0; fgets(line, sizeof line, in) && count < MANY; n++) {
+        char *name = strtok(line, ",\n");
+        int label = 0, k = 1;
+        for (char *s; (s = strtok(NULL, ",\n")) != NULL; k++) {
+            if (n == 0 && strcmp(s, "label") == 0) column = k;
+            for (int i = 0; k == column && i < LABELS; i++)
+                if (strcmp(s, label_name[i]) == 0) label = i;
+        }
+        if (n > 0 && name) read_one(argv[1], name, label);
+    }
+    fclose(in);
+    printf("%d stand\n reserve     stays     moves   unclear\n"
+           "            kept  rejected  rejected\n", count);
+    for (int i = 0; i < (int)(sizeof least / sizeof least[0]); i++)
+        row(least[i]);
+    printf("area under the curve: %.4f, ties by load factor %.4f\n"
+           "time in margins: raised %.2f, with the reserve %.2f\n",
+           area(0), area(1e-6), seconds[1] / seconds[0],
+           seconds[2] / seconds[0]);
+    return 0;
+}
