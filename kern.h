@@ -1315,18 +1315,12 @@ extern "C" {
 #define KERN_BASE_TOL    KERN_PICK(1e-3, 1e-2)
 /* Largest entry of an inverse with which three columns are taken as is. */
 #define KERN_BASE_GOOD   KERN_PICK(30, 10)
-/* What a column of the base may carry when every group is loaded with 1: more,
-   and what is lost by rounding grows from course to course. */
-#define KERN_BASE_GROWTH KERN_PICK(1e4, 1e3)
 /* Determinant of three columns, each about 1 long, for the crash basis. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
 /* Residual of the basic solution at which refinement ends, and above which the
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
 #define KERN_RENEW_TOL   KERN_PICK(1e-12, 1e-5)
-/* Residual of values that were followed through pivots, above which the base
-   is to be chosen more often. */
-#define KERN_DRIFT       KERN_PICK(1e-8, 1e-4)
 /* Width of the bracket of a measure, in mean block sizes, and how many times
    wider it may get where neither proof can be completed nearer to critical. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
@@ -1371,7 +1365,6 @@ extern "C" {
 #define KERN_RAISE_BOLD    6       /* that are not the mean of old and new    */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 #define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
-#define KERN_PLAIN_SMALL   64      /* groups: asked near to a part's edge     */
 /* Least and largest mass [kg] and sum of all that acts on a block [N], least
    size of a block [m], least power of a motion [W]: of these the squares, the
    moments and products with KERN_BOUND are numbers, and keep all digits. */
@@ -3371,7 +3364,6 @@ typedef struct kern_simplex {
     int room;               /* most extras, and the stride of inv             */
     int extras;             /* in use: the size of S                          */
     int pivots;             /* since the base was chosen                      */
-    int interval;           /* until it is chosen again, the least            */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
     const kern_real *prior; /* a solution like the one looked for, or NULL    */
@@ -3766,32 +3758,13 @@ static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
     kern_base_block(sx, g);
 }
 
-/* The column of group g that would carry most of v, where that is more than
-   KERN_BASE_GROWTH. */
-static int kern_base_wild(const kern_simplex *sx, int g, const kern_real *v)
-{
-    const kern_real *d = sx->block + 18 * (size_t)g, *b = v + 3 * g;
-    kern_real most = KERN_BASE_GROWTH;
-    int s, wild = KERN_OUT;
-    for (s = 0; s < 3; s++, d += 3) {
-        const kern_real x = kern_abs(d[0] * b[0] + d[1] * b[1] + d[2] * b[2]);
-        if (x > most && sx->base[3 * g + s] < sx->lp->cols) {
-            most = x;
-            wild = sx->base[3 * g + s];
-        }
-    }
-    return wild;
-}
-
 /* Gives the basic columns list[0..n) to the first of their groups in the order
    in which groups carry each other, so that loads pass through the base in one
-   direction, and lets every group take three. Ones of mixed signs pass through
-   it as it grows: a column on which they pile up stays out. What is left over
-   goes to `over`; returns how many columns are. */
+   direction, and lets every group take three. What is left over goes to `over`;
+   returns how many columns are. */
 static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
 {
     int *end = sx->link;  /* of a group's columns in `over`: a counting sort */
-    kern_real *ones = sx->temp;
     int i, g, left = 0;
     for (g = 0; g <= sx->groups; g++)
         end[g] = 0;
@@ -3801,22 +3774,9 @@ static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
         end[g + 1] += end[g];
     for (i = 0; i < n; i++)
         over[end[kern_lp_first(sx->lp, list[i])]++] = list[i];
-    for (i = 0; i < sx->lp->rows; i++)
-        ones[i] = (unsigned)i * 2654435761u & 0x10000u ? KERN_R(1)
-                                                       : KERN_R(-1);
     for (g = 0; g < sx->groups; g++) {
-        int from = g > 0 ? end[g - 1] : 0, wild;
+        const int from = g > 0 ? end[g - 1] : 0;
         kern_base_fill(sx, g, over + from, end[g] - from);
-        while ((wild = kern_base_wild(sx, g, ones)) != KERN_OUT) {
-            int at = from;
-            while (over[at] != wild)
-                at++;
-            over[at] = over[from];
-            over[from++] = wild;
-            sx->place[wild] = KERN_OUT;
-            kern_base_fill(sx, g, over + from, end[g] - from);
-        }
-        kern_base_carry(sx, g, ones);
     }
     for (i = 0; i < n; i++)
         if (sx->place[over[i]] == KERN_OUT)
@@ -4021,7 +3981,7 @@ static void kern_basis_renew(kern_simplex *sx)
 static int kern_basis_worn(const kern_simplex *sx)
 {
     return sx->extras == sx->room
-           || sx->pivots >= sx->interval + sx->extras / 2;
+           || sx->pivots >= KERN_RENEW + sx->extras / 2;
 }
 
 /* ---- exchanging columns ---- */
@@ -4396,26 +4356,6 @@ static void kern_basis_costs(const kern_simplex *sx, const kern_real *cost,
         to[p] = sx->base[p] < sx->lp->cols ? cost[sx->base[p]] : KERN_R(0);
 }
 
-/* A row y of the inverse turns when the matrix changes. change[j] is y.A_j's
-   own rate for every column; returns the rate at which y grows, as a share of
-   its length; 0 where y is not of this basis but a backend's, which bounds its
-   length. */
-static kern_real kern_row_growth(kern_simplex *sx, const kern_real *y,
-                                 const kern_real *change)
-{
-    kern_real along = KERN_R(0), size = KERN_R(0);
-    int i;
-    if (!sx->started)
-        return KERN_R(0);
-    kern_basis_costs(sx, change, sx->alpha);
-    kern_basis_solve_t(sx, sx->alpha);
-    for (i = 0; i < sx->lp->rows; i++) {
-        along -= y[i] * sx->alpha[i];
-        size += y[i] * y[i];
-    }
-    return along / size;
-}
-
 #ifdef KERN_AUDIT
 /* Bases of float, and of jams, may be nearly singular. */
 #define KERN_AUDIT_TOL KERN_PICK(1e-2, 1e30)
@@ -4533,11 +4473,8 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         kern_basis_move(sx, q, position, step);
         work->pivots++;
         count++;
-        if (kern_basis_worn(sx)) {
-            if (kern_basis_residual(sx) > KERN_DRIFT)
-                sx->interval = sx->interval / 2 + 2;
+        if (kern_basis_worn(sx))
             kern_basis_renew(sx);
-        }
     }
     return KERN_UNDECIDED;
 }
@@ -4801,7 +4738,6 @@ static void kern_simplex_crash(kern_simplex *sx)
         sx->spare[i] = -1;
     sx->extras = 0;
     sx->started = 1;
-    sx->interval = KERN_RENEW;
     sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
@@ -5553,7 +5489,7 @@ typedef struct kern_model {
     int *local;               /* of a group: its number in the open part      */
     int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: whether a part with it fell      */
-    int falls, fallen;        /* the mark of the last part, and its groups    */
+    int falls;                /* the mark of the last part                    */
     int wide;                 /* by how much the next part of them is widened */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
@@ -7090,7 +7026,6 @@ static kern_status kern_part_note(kern_part *p)
     if (m->groups > KERN_WIDE_SMALL && 2 * p->groups > m->groups)
         return KERN_NO_SPACE;
     m->falls++;
-    m->fallen = p->groups;
     for (n = 0; n < p->groups; n++)
         m->fell[p->group[n]] = m->falls;
     return kern_part_lay(p);
@@ -7290,7 +7225,6 @@ typedef struct kern_path {
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
     int closed;               /* nonzero: the bracket is as narrow as it gets */
-    kern_real reach;          /* how far the last forces would do             */
     kern_part *part;          /* that fell last                               */
     const kern_seed *seed;    /* or NULL                                      */
     int alone;                /* nonzero: it is asked about the part alone    */
@@ -7357,78 +7291,31 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
     return sum;
 }
 
-/* How fast y grows when kerns shrink, as a share of its length. */
-static kern_real kern_shrink_growth(kern_part *p, kern_real shrink)
-{
-    const kern_model *m = p->m;
-    kern_real *change = (kern_real *)(void *)m->force; /* not in use here */
-    int k;
-    for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
-        const kern_real spin =
-            p->y[3 * p->ends[2 * k] + 2] * m->unit[m->ends[2 * i]]
-            - p->y[3 * p->ends[2 * k + 1] + 2] * m->unit[m->ends[2 * i + 1]];
-        kern_real rate;
-        kern_shift(kern_travel(m->s->contact + i, m->mean), shrink,
-                   m->relative, &rate);
-        change[2 * k] = change[2 * k + 1] = -rate * spin;
-    }
-    return kern_row_growth(&p->simplex, p->y, change);
-}
-
-/* Where the mechanism y that falls at s, by `power` < 0, stops to fall. As
-   kerns close, y grows without bound where the power per unit of y is nearly
-   straight: it is that which is followed, with its bends where kerns close.
-   Returns `holds` where it is not seen to stop after that. */
-static kern_real kern_shrink_edge(kern_part *p, kern_real holds,
+/* Where the mechanism y that falls at s, by `power` < 0, stops to fall: its
+   power is straight but for bends where kerns close. Returns `holds` where it
+   is not seen to stop after that. */
+static kern_real kern_shrink_edge(const kern_part *p, kern_real holds,
                                   kern_real s, kern_real power)
 {
     const kern_real same = KERN_SAME_EDGE
                            * (p->m->relative ? 1 : p->m->mean) / 8;
-    const kern_real growth = power * kern_shrink_growth(p, s);
     kern_real lo = holds, hi = s, at = s, rate, left = power;
     int round;
     kern_shrink_power(p, s, s, &rate);
     for (round = 0; round < KERN_BENDS; round++) {
-        const kern_real step = left / (rate - growth);
+        const kern_real step = left / rate;
         if (kern_abs(step) <= same)
             return at - step;
         at -= step;
         if (!(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
-        left = power - (at - s) * growth + kern_shrink_power(p, s, at, &rate);
+        left = power + kern_shrink_power(p, s, at, &rate);
         if (left < 0)
             hi = at;
         else
             lo = at;
     }
     return holds;
-}
-
-/* How far kerns of line contacts can shrink with the forces just found: each
-   until it ends where its load passes. A loaded point that travels by itself
-   has no such place. */
-static kern_real kern_shrink_reach(const kern_model *m, kern_real shrink)
-{
-    const kern_structure *s = m->s;
-    kern_real reach = KERN_INFINITY;
-    int i, line;
-    for (i = 0; i < s->contacts; i += 1 + line) {
-        const kern_contact *c = s->contact + i;
-        const kern_real n = m->force[i].normal;
-        kern_real other, travel, share;
-        line = c->line && i + 1 < s->contacts && c[1].line;
-        other = line ? m->force[i + 1].normal : KERN_R(0);
-        if (!(kern_abs(c->travel) > 0) || !(n + other > 0))
-            continue;
-        if (!line)
-            return shrink;
-        travel = m->relative ? KERN_R(1) : kern_abs(c->travel);
-        share = kern_abs(n - other) / (n + other);
-        if (share > KERN_TRAVEL && travel > shrink)
-            reach = kern_min(reach, travel - (travel - shrink) * share);
-    }
-    return reach;
 }
 
 /* How the wrench on block i changes along a path on which a load grows or
@@ -7500,11 +7387,8 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
     int i;
     if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
         kern_path_note(m, path, status, s);
-    if (status == KERN_STANDS) {
+    if (status == KERN_STANDS)
         path->holds = s;
-        path->reach = path->kind == KERN_PATH_SHRINK && m->plain
-                      ? kern_shrink_reach(m, s) : s;
-    }
     if (status == KERN_FALLS)
         path->fails = s;
     /* near to critical even a certificate that proves nothing tells where */
@@ -7640,13 +7524,11 @@ static kern_travels kern_travels_of(const kern_model *m)
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real step, int even)
 {
-    const kern_real end = path->end, half = path->tolerance * KERN_R(0.45);
-    const kern_real least = step / 4;
+    const kern_real end = path->end, least = step / 4;
     kern_real at = path->holds;
     int round, tries;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real reach = even ? at : path->reach + half;
-        const kern_real next = kern_min(end, kern_max(at + step, reach));
+        const kern_real next = kern_min(end, at + step);
         const int before = m->work->pivots;
         kern_status status = kern_path_ask(m, path, next);
         int pivots;
@@ -8245,16 +8127,14 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
     return status;
 }
 
-/* As kern_path_search(), by the linear program of the whole. Where a part fell,
-   or something is known, it begins at `at`, where that stands. Else, or if it
-   is not decided there, it climbs from path->holds. */
+/* As kern_path_search(), by the interior point, or else by the linear program
+   of the whole. Where something is known it is asked at `at`, where that
+   stands. Else, or if it is not decided there, it climbs from path->holds. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
                                    kern_real step, kern_real at, int fell)
 {
     const kern_real holds = path->holds;
     const kern_question q = kern_path_at(path, holds);
-    const int close = fell && (4 * m->fallen >= m->groups
-                              || m->groups <= KERN_PLAIN_SMALL);
     const int seeded = !fell && path->seed && path->seed->fails > at;
     const int closed = fell && path->closed;
     kern_status status = KERN_UNDECIDED;
@@ -8266,14 +8146,12 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     status = kern_model_plain(m, path->part, &q);
     if (status != KERN_STANDS)
         return status;
-    if (at > holds && (close || seeded)) {
+    if (at > holds && seeded) {
         status = kern_path_ask(m, path, at);
-        if (status == KERN_STANDS
-            && (closed || (seeded && kern_path_still_falls(m, path))))
-            return status;
-        if (status == KERN_STANDS && seeded)
-            return kern_path_climb(m, path, step, 0);
-        if (status == KERN_STANDS || status == KERN_FALLS)
+        if (status == KERN_STANDS)
+            return kern_path_still_falls(m, path)
+                   ? status : kern_path_climb(m, path, step, 0);
+        if (status == KERN_FALLS)
             status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
         if (status == KERN_STANDS && path->holds > holds)
             return status;
@@ -8457,7 +8335,7 @@ static kern_status kern_path_begin(kern_path *path, kern_path_kind kind,
     path->unit = kind == KERN_PATH_SHRINK && !o->relative ? path->q.mean : 1;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = path->reach = KERN_R(0);
+    path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
     path->never = path->closed = 0;

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x833c69512dca902eu },
-    { 1000, 0x1573385bc2ac2b80u },
-    { 5000, 0x6e3c9119a44ddb30u },
+    { 200, 0x9ad37146cd5f18e3u },
+    { 1000, 0xdfeaf4d45132c423u },
+    { 5000, 0x2ce9902c886f2d81u },
 #else
-    { 200, 0xc44077214f9b62a5u },
-    { 1000, 0xa6acd66e82f8c758u },
-    { 5000, 0x47377174539d9810u },
+    { 200, 0x5c44d229681fddd8u },
+    { 1000, 0x7d07cc819b88e228u },
+    { 5000, 0x98639b1a3a180d6eu },
 #endif
 };
 
