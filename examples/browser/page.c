@@ -22,6 +22,8 @@ kern_vec vertex[VERTICES];     /* of all blocks, written by the page         */
 kern_force force[CONTACTS];    /* of the last call that found KERN_STANDS    */
 kern_motion motion[BLOCKS];    /* of the last one that found KERN_FALLS, and
                                   of measure()                               */
+int group[BLOCKS];             /* of blocks that move as one, by critical();
+                                  -1: rests                                  */
 double centre[BLOCKS][2];
 double point[CONTACTS][8];     /* a, b, line, x, y, normal, travel           */
 double fault[4], answer[6];    /* answer: of the last call                   */
@@ -178,7 +180,7 @@ PAGE(verdict) int page_verdict(double shrink)
 /* Answer: margin, level, saturated, most, fails, mean block size. */
 PAGE(measure) int page_measure(void)
 {
-    kern_proof proof = { NULL, motion };
+    kern_proof proof = { force, motion };
     kern_margin m = { 0, 0, 0, 0, 0, 0, 0 };
     int status = kern_measure(&task, &m, &proof);
     answer[0] = m.margin;
@@ -188,6 +190,15 @@ PAGE(measure) int page_measure(void)
     answer[4] = m.fails;
     answer[5] = kern_mean_size(block, task.s.blocks);
     return report(status, &work.fault);
+}
+
+/* After a verdict or a measure: the contact point that limits most, or -1. */
+PAGE(critical) int page_critical(double shrink, int stands)
+{
+    kern_proof proof = { stands ? force : NULL, motion };
+    kern_critical out = { NULL, NULL, group, -1, 0 };
+    kern_critical_of(&task, shrink, &proof, &out);
+    return out.contact;
 }
 
 /* Answer: the load factor to the right (side 1) or left (-1). */

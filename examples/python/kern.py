@@ -168,8 +168,8 @@ _LAYOUTS = {
     "kern_structure": _Structure, "kern_options": _Options,
     "kern_force": _Force, "kern_motion": _Motion, "kern_proof": _Proof,
     "kern_margin": _Margin, "kern_collapse": _Collapse, "kern_work": _Work,
-    "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task, "kern_plan": _Plan,
-    "kern_lp": _Lp, "struct text_file": _Text,
+    "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task,
+    "kern_plan": _Plan, "kern_lp": _Lp, "struct text_file": _Text,
 }
 
 # ---- The library ------------------------------------------------------------
@@ -208,7 +208,7 @@ void kern_py_free(struct text_file *t) { text_free(t); }
 int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
                  int relative, double shrink, const kern_force *force,
                  const kern_motion *motion, const kern_motion *hinges,
-                 double hinged, const char *motion_name,
+                 double hinged, const char *motion_name, int limiting,
                  const kern_real *value, double most, const char *caption)
 {
     FILE *out = fopen(path, "wb");
@@ -223,7 +223,7 @@ int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
     scene.motion_name = motion_name;
     scene.hinges = hinges;
     scene.hinged = hinged;
-    scene.limiting = -1;
+    scene.limiting = limiting;
     scene.value = value;
     scene.most = most;
     scene.value_name = "margin of a stone";
@@ -336,7 +336,7 @@ _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, _p, _p, _r,
-                 c_char_p, _p, _r, c_char_p)
+                 c_char_p, _i, _p, _r, c_char_p)
 
 
 def _statuses() -> Any:
@@ -884,11 +884,12 @@ tolerance (0.25 deep)
     def critical(self, margin: Optional[Margin] = None) -> Optional[Critical]:
         """kern_critical_of() a margin, or measure(): what limits it, and what
         moves first. None where it is saturated."""
-        margin = margin or self.measure()
+        if margin is None:
+            margin = self.measure()
         if margin.motion is None:
             return None
-        limit = (c_double * max(1, len(self.contacts)))()
-        meeting = (c_int * max(1, len(self.contacts)))()
+        n = self._task.s.contacts
+        limit, meeting = (c_double * n)(), (c_int * n)()
         group = (c_int * len(self.blocks))()
         c = _Critical(addressof(meeting), addressof(limit), addressof(group))
         force = addressof(margin._force) if margin.stands else None
@@ -901,9 +902,7 @@ tolerance (0.25 deep)
             if g >= 0:
                 groups[g].append(i)
         return Critical(c.contact if c.contact >= 0 else None,
-                        limit[:len(self.contacts)],
-                        [names[k] for k in meeting[:len(self.contacts)]],
-                        groups)
+                        list(limit), [names[k] for k in meeting], groups)
 
     def check_forces(self, forces: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
@@ -924,6 +923,8 @@ tolerance (0.25 deep)
         force = verdict._force if verdict else None
         moves = (verdict._motion if not verdict
                  else None if m.saturated else m._motion)
+        critical = self.critical(m)
+        limiting = critical.contact if critical else None
         values = self.profile().values if profile else None
         names = (c_char_p * len(self.blocks))(
             *(b.name.encode() for b in self.blocks))
@@ -940,7 +941,8 @@ tolerance (0.25 deep)
                      moves if mechanism or not verdict else None,
                      moves, m.fails if verdict else shrink,
                      b"collapse mechanism just past the margin" if verdict
-                     else None, _numbers(values) if values else None,
+                     else None, -1 if limiting is None else limiting,
+                     _numbers(values) if values else None,
                      max((v for v in values or () if v < math.inf), default=0),
                      caption.encode()):
                 raise OSError("cannot write %s" % path)
@@ -992,23 +994,19 @@ class Plan(Structure):
 
     def _grow(self, blocks: int, contacts: int) -> None:
         """Moves the plan to arrays for so many."""
-        old: Any = self._plan.task.s if self.blocks else None
-        held = (self._block, self._contact) if old else None
+        held: Any = self._block if self.blocks else ()
         self._allocate(blocks, contacts)
         self._motion = (c_double * (3 * blocks))()
         self._force = (c_double * (2 * contacts))()
-        self._plan: Any = _plan_of(self._block, blocks, self._contact, contacts,
+        self._plan = _plan_of(self._block, blocks, self._contact, contacts,
                               _known_of(self._motion, self._force),
                               byref(self._work))
         self._task = self._plan.task
         self._task.options = self.options._c()
         self._task.s.gravity = _Vec(*self.gravity)
-        if held:
-            self._block[:old.blocks] = held[0][:old.blocks]
-            self._contact[:old.contacts] = held[1][:old.contacts]
-            self._task.s.blocks = old.blocks
-            self._task.s.contacts = old.contacts
         self._at_task, self._at_plan = byref(self._task), byref(self._plan)
+        for _, c in zip(self.blocks, held):
+            self._check(_plan_add(self._at_plan, byref(c)))
         self._shape()
 
     def _ask(self, function: Any, block: Block, *arguments: Any) -> int:
