@@ -11,7 +11,7 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 exports=""
-for name in vertex force motion group centre point fault answer constant; do
+for name in vertex force motion group centre point overlap fault answer constant; do
     exports="$exports -Wl,--export=$name"
 done
 # shellcheck disable=SC2086

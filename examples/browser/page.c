@@ -15,6 +15,7 @@
 #define PAGE(name) __attribute__((export_name(#name)))
 
 enum { BLOCKS = 400, CONTACTS = 6000, VERTICES = 40000,
+       PAIRS = 50,
        LIMIT = 1000000 }; /* units of work, before a page seems to hang */
 
 /* Exported by build.sh: the page finds them by name. */
@@ -26,6 +27,7 @@ int group[BLOCKS];             /* of blocks that move as one, by critical();
                                   -1: rests                                  */
 double centre[BLOCKS][2];
 double point[CONTACTS][8];     /* a, b, line, x, y, normal, travel           */
+double overlap[PAIRS][3];      /* a, b, depth                                */
 double fault[4], answer[6];    /* answer: of the last call                   */
 const int constant[5] = { BLOCKS, VERTICES, KERN_STANDS, KERN_FALLS,
                           KERN_OVERLAP };
@@ -81,7 +83,7 @@ static void put_centre(int i)
    0: fixed. */
 PAGE(block) int page_block(int i, int first, int vertices, double density)
 {
-    kern_fault f = { i, -1, -1, 0 };
+    kern_fault f = { .block = i, .other = -1, .index = -1 };
     int status = density > 0
         ? kern_block_init(&block[i], vertex + first, vertices, density, &f)
         : kern_ground_init(&block[i], vertex + first, vertices, &f);
@@ -135,6 +137,21 @@ PAGE(find) int page_find(void)
     return report(found < 0 ? found : put_contacts(found), &work.fault);
 }
 
+/* All pairs that overlap deeper than they may: how many of them are shown. */
+PAGE(overlaps) int page_overlaps(void)
+{
+    kern_overlap pair[PAIRS];
+    int i, found = kern_overlaps(block, task.s.blocks, &task.options, pair,
+                                 PAIRS, &work);
+    if (found > PAIRS) found = PAIRS;
+    for (i = 0; i < found; i++) {
+        overlap[i][0] = pair[i].a;
+        overlap[i][1] = pair[i].b;
+        overlap[i][2] = pair[i].depth;
+    }
+    return report(found, &work.fault);
+}
+
 /* How block i lies against the others: how many contact points it has with a
    normal that is more upright than not, or a status below zero. */
 PAGE(rests) int page_rests(int i)
@@ -155,7 +172,8 @@ PAGE(rests) int page_rests(int i)
 PAGE(contact) int page_contact(int a, int b, double nx, double ny, double px,
                                double py, double qx, double qy, double mu)
 {
-    kern_contact c = { a, b, 0, { px, py }, { nx, ny }, mu, 0 };
+    kern_contact c = { .a = a, .b = b, .p = { px, py }, .n = { nx, ny },
+                       .mu = mu };
     kern_vec q = { qx, qy };
     int made;
     if (task.s.contacts + 2 > CONTACTS) return KERN_NO_SPACE;
@@ -181,7 +199,7 @@ PAGE(verdict) int page_verdict(double shrink)
 PAGE(measure) int page_measure(void)
 {
     kern_proof proof = { force, motion };
-    kern_margin m = { 0, 0, 0, 0, 0, 0, 0 };
+    kern_margin m = { .margin = 0 };
     int status = kern_measure(&task, &m, &proof);
     answer[0] = m.margin;
     answer[1] = m.level;
@@ -196,7 +214,7 @@ PAGE(measure) int page_measure(void)
 PAGE(critical) int page_critical(double shrink, int stands)
 {
     kern_proof proof = { stands ? force : NULL, motion };
-    kern_critical out = { NULL, NULL, group, -1, 0 };
+    kern_critical out = { .group = group, .contact = -1 };
     kern_critical_of(&task, shrink, &proof, &out);
     return out.contact;
 }
