@@ -5643,20 +5643,20 @@ static void kern_model_group(kern_model *m, const kern_question *q)
 
 /* Opens the model of a structure that has been checked, with so many free
    blocks: of all, or of its last block with all others held. */
-static kern_status kern_model_open(kern_model *m, const kern_structure *s,
-                                   const kern_question *q,
-                                   const kern_options *o, kern_work *work,
-                                   int free_blocks, int last_only)
+static kern_status kern_model_open(kern_model *m, const kern_task *task,
+                                   const kern_question *q, int free_blocks,
+                                   int last_only)
 {
-    kern_take_open(&m->rest, work);
+    const kern_structure *s = &task->s;
+    kern_take_open(&m->rest, task->work);
     kern_model_lay(m, s->blocks, free_blocks, s->contacts);
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     m->s = s;
-    m->work = work;
-    m->limit = o->limit;
+    m->work = task->work;
+    m->limit = task->options.limit;
     m->question = 1 + (s->blocks + s->contacts) / 4;
-    m->relative = o->relative;
+    m->relative = task->options.relative;
     m->mean = kern_mean_size(s->block, s->blocks);
     m->weight = KERN_R(1);
     m->from = last_only ? s->blocks - 1 : 0;
@@ -8319,46 +8319,53 @@ static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
     return KERN_STANDS;
 }
 
-/* Opens the model of a structure that has been checked, and a path in it that
-   begins at `shrink`. */
-static kern_status kern_path_begin(kern_path *path, kern_path_kind kind,
-                                   kern_model *m, const kern_structure *s,
-                                   kern_real shrink, const kern_options *o,
-                                   kern_work *work, int free_blocks,
-                                   int last_only)
+/* Opens the model of a task that has been checked, and a path in it along which
+   kerns shrink. */
+static kern_status kern_path_begin(kern_path *path, kern_model *m,
+                                   kern_part *part, const kern_task *task,
+                                   int free_blocks, int last_only)
 {
-    path->kind = kind;
+    path->kind = KERN_PATH_SHRINK;
+    path->part = part;
     path->proof = NULL;
-    path->q = kern_question_of(s, o, shrink);
+    path->q = kern_question_of(&task->s, &task->options, KERN_R(0));
     path->seed = NULL;
     path->alone = path->begun = 0;
-    path->unit = kind == KERN_PATH_SHRINK && !o->relative ? path->q.mean : 1;
+    path->unit = task->options.relative ? 1 : path->q.mean;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
     path->never = path->closed = 0;
-    return kern_model_open(m, s, &path->q, o, work, free_blocks, last_only);
+    return kern_model_open(m, task, &path->q, free_blocks, last_only);
 }
 
-/* The same for a task, or what is wrong with it; `out` is where the answer
-   goes. */
-static kern_status kern_path_open(kern_path *path, kern_path_kind kind,
-                                  kern_model *m, kern_part *part,
-                                  const kern_task *task, kern_real shrink,
-                                  const void *out, const kern_proof *proof)
+/* Along the path a load grows or gravity turns instead. */
+static void kern_path_push(kern_path *path, kern_path_kind kind,
+                           const kern_wrench *pattern, kern_side side)
+{
+    path->kind = kind;
+    path->q.pattern = pattern;
+    path->q.side = side;
+    path->unit = KERN_R(1);
+    path->tolerance = KERN_WIDTH;
+}
+
+/* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
+   where the answer goes. */
+static kern_status kern_path_open(kern_path *path, kern_model *m,
+                                  kern_part *part, const kern_task *task,
+                                  kern_real shrink, const void *out)
 {
     int free_blocks = 0;
     kern_status status = kern_task_check(task, out, &free_blocks);
+    if (status == KERN_OK && !kern_is_finite(shrink))
+        status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
-    if (!kern_is_finite(shrink))
-        return KERN_BAD_NUMBER;
-    status = kern_path_begin(path, kind, m, &task->s, shrink, &task->options,
-                             task->work, free_blocks, 0);
-    path->part = part;
-    path->proof = proof;
+    status = kern_path_begin(path, m, part, task, free_blocks, 0);
+    path->q.shrink = shrink;
     return status;
 }
 
@@ -8368,8 +8375,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     kern_model m;
     kern_part part;
     kern_path path;
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
-                                        task, shrink, task, proof);
+    kern_status status = kern_path_open(&path, &m, &part, task, shrink, task);
     if (status != KERN_OK)
         return status;
     status = kern_model_ask(&m, &part, &path.q);
@@ -8496,10 +8502,10 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     kern_seed seed;
     kern_proof kept;
     const int warm = task && task->known.motion && task->known.force;
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
-                                        task, KERN_R(0), out, proof);
+    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0), out);
     if (status != KERN_OK)
         return status;
+    path.proof = proof;
     if (warm) {
         kept.force = task->known.force;
         kept.motion = task->known.motion;
@@ -8578,8 +8584,8 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     kern_part part;
     kern_path path;
     kern_real grown = KERN_R(0);
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
-                                        task, KERN_R(0), deficit, NULL);
+    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
+                                        deficit);
     if (status != KERN_OK)
         return status;
     status = kern_path_ask(&m, &path, KERN_R(0));
@@ -8627,8 +8633,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     kern_part part;
     kern_path path;
     int round;
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
-                                        task, at, length, NULL);
+    kern_status status = kern_path_open(&path, &m, &part, task, at, length);
     if (status != KERN_OK)
         return status;
     status = KERN_STANDS;
@@ -8673,27 +8678,34 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
+/* What grows along a path: a pattern of loads, a horizontal load to a side where
+   that is NULL, or the tilt to a side. */
+typedef struct kern_growth {
+    kern_path_kind kind;
+    const kern_wrench *pattern;
+    kern_side side;
+} kern_growth;
+
 /* How a load grows or gravity turns: a verdict where the path begins, the
    climb, the proofs. Under loads that stay a tilt may stand again after it
    fell: then in even steps. */
 static kern_status kern_push(const kern_task *task, kern_real shrink,
-                             kern_path_kind kind, const kern_wrench *pattern,
-                             kern_side side, kern_real *out,
+                             const kern_growth *growth, kern_real *out,
                              const kern_proof *proof)
 {
-    const int tilt = kind == KERN_PATH_TILT;
+    const int tilt = growth->kind == KERN_PATH_TILT;
+    const kern_wrench *pattern = growth->pattern;
     const kern_structure *s;
     kern_real step = KERN_R(0.05);
     kern_model m;
     kern_part part;
     kern_path path;
     int i, loaded = 0;
-    kern_status status = kern_path_open(&path, kind, &m, &part, task, shrink,
-                                        out, proof);
+    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
     if (status != KERN_OK)
         return status;
     s = &task->s;
-    if (!pattern && !kern_has_side(s, side))
+    if (!pattern && !kern_has_side(s, growth->side))
         return KERN_BAD_OPTION;
     for (i = 0; i < s->blocks; i++) {
         if (!kern_is_free(&m, i))
@@ -8704,8 +8716,8 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
             return KERN_BAD_NUMBER;
         }
     }
-    path.q.pattern = pattern;
-    path.q.side = side;
+    kern_path_push(&path, growth->kind, pattern, growth->side);
+    path.proof = proof;
     path.end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
     if (tilt)
         step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
@@ -8727,7 +8739,11 @@ KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof)
 {
-    return kern_push(task, shrink, KERN_PATH_LOAD, NULL, side, factor, proof);
+    kern_growth growth;
+    growth.kind = KERN_PATH_LOAD;
+    growth.pattern = NULL;
+    growth.side = side;
+    return kern_push(task, shrink, &growth, factor, proof);
 }
 
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
@@ -8736,8 +8752,11 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real *factor,
                                          const kern_proof *proof)
 {
-    return pattern ? kern_push(task, shrink, KERN_PATH_LOAD, pattern,
-                               KERN_SHRINK, factor, proof)
+    kern_growth growth;
+    growth.kind = KERN_PATH_LOAD;
+    growth.pattern = pattern;
+    growth.side = KERN_SHRINK;
+    return pattern ? kern_push(task, shrink, &growth, factor, proof)
                    : KERN_BAD_POINTER;
 }
 
@@ -8745,7 +8764,11 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof)
 {
-    return kern_push(task, shrink, KERN_PATH_TILT, NULL, side, angle, proof);
+    kern_growth growth;
+    growth.kind = KERN_PATH_TILT;
+    growth.pattern = NULL;
+    growth.side = side;
+    return kern_push(task, shrink, &growth, angle, proof);
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
@@ -8904,15 +8927,15 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     kern_path path;
     kern_fall fall;
     int i, free_blocks, half;
-    kern_status status = kern_path_open(
-        &path, side ? KERN_PATH_LOAD : KERN_PATH_SHRINK, &m, &part, task,
-        KERN_R(0), value ? out : NULL, NULL);
+    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
+                                        value ? out : NULL);
     if (status != KERN_OK)
         return status;
     s = &task->s;
     if (side != KERN_SHRINK && !kern_has_side(s, side))
         return KERN_BAD_OPTION;
-    path.q.side = side;
+    if (side != KERN_SHRINK)
+        kern_path_push(&path, KERN_PATH_LOAD, NULL, side);
     path.q.fallen = value;
     path.end = side ? KERN_PROFILE_MOST : kern_travels_of(&m).most;
     free_blocks = m.groups;
@@ -9444,8 +9467,7 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
     kern_raise r;
     kern_raising raising = KERN_HANGS;
     kern_real share = KERN_R(0);
-    kern_status status = kern_path_open(&path, KERN_PATH_SHRINK, &m, &part,
-                                        task, shrink, out, proof);
+    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
     if (status != KERN_OK)
         return status;
     if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
@@ -9681,15 +9703,12 @@ static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
    give way, and its motion proves that the whole falls. */
 static kern_status kern_trial_alone(const kern_trial *t, kern_path *path,
                                     kern_model *m, kern_part *part,
-                                    kern_structure *s)
+                                    kern_task *task)
 {
-    const kern_plan *plan = t->plan;
-    *s = plan->task.s;
-    s->contacts = t->found;
-    s->contact += plan->task.s.contacts - t->found;
-    path->part = part;
-    return kern_path_begin(path, KERN_PATH_SHRINK, m, s, KERN_R(0),
-                           &plan->task.options, plan->task.work, 1, 1);
+    *task = t->plan->task;
+    task->s.contact += task->s.contacts - t->found;
+    task->s.contacts = t->found;
+    return kern_path_begin(path, m, part, task, 1, 1);
 }
 
 /* Where the last block falls alone: what is known of it to *seed, if that is
@@ -9700,10 +9719,10 @@ static kern_status kern_trial_nearer(const kern_trial *t,
     kern_model m;
     kern_part part;
     kern_path path;
-    kern_structure s;
+    kern_task task;
     kern_travels travels;
     kern_question q;
-    kern_status status = kern_trial_alone(t, &path, &m, &part, &s);
+    kern_status status = kern_trial_alone(t, &path, &m, &part, &task);
     if (status != KERN_OK)
         return status;
     travels = kern_travels_of(&m);
@@ -9720,7 +9739,7 @@ static kern_status kern_trial_nearer(const kern_trial *t,
         seed->edge = path.edge;
         seed->fails = path.fails;
         seed->motion = NULL;
-        seed->last = m.motion[s.blocks - 1];
+        seed->last = m.motion[task.s.blocks - 1];
     }
     return status == KERN_FALLS ? status : KERN_STANDS;
 }
@@ -9730,10 +9749,8 @@ static kern_status kern_trial_whole(const kern_trial *t, kern_path *path,
                                     kern_model *m, kern_part *part)
 {
     const kern_task *task = &t->plan->task;
-    const kern_status status = kern_path_begin(
-        path, KERN_PATH_SHRINK, m, &task->s, KERN_R(0), &task->options,
-        task->work, t->free_blocks, 0);
-    path->part = part;
+    const kern_status status =
+        kern_path_begin(path, m, part, task, t->free_blocks, 0);
     if (status == KERN_OK && t->balanced) {
         m->prior = task->known.force;
         m->balanced = task->known.holds;
@@ -9791,10 +9808,10 @@ static kern_status kern_trial_stands(const kern_trial *t, int alone,
     kern_model m;
     kern_part part;
     kern_path path;
-    kern_structure s;
+    kern_task task;
     kern_question q;
     kern_status status = alone
-                         ? kern_trial_alone(t, &path, &m, &part, &s)
+                         ? kern_trial_alone(t, &path, &m, &part, &task)
                          : kern_trial_whole(t, &path, &m, &part);
     if (status != KERN_OK)
         return status;
