@@ -58,6 +58,9 @@ static const char help[] =
 "      --near       all numbers also count near contacts (gaps up to 4 % of the\n"
 "                   mean block, angles up to 0.15 rad): best predictor of\n"
 "                   shaking; the verdict still comes from real contacts\n"
+"      --raised     does the load raise the forces that hold it, or do blocks\n"
+"                   hang; and the share of g that may push to either side\n"
+"      --sequence   the margin after each block in the order of the file\n"
 "      --limit N    most work of each query, in units of some 0.1 us; what\n"
 "                   takes more is undecided, and reported as far as proven\n"
 "      --json       one JSON object a file, one line each\n"
@@ -91,6 +94,8 @@ static const char help_format[] =
 "worse; profile: of each block margin, load. --forces: contacts with x, y, normal\n"
 "nx, ny from a into b, mu, travel (half the length), forces normal, tangential.\n"
 "--mechanism: motion with velocities vx, vy and spin (rad); the fastest is 1.\n"
+"--raised: raised (raised, hangs, not shown), reserve (g). --sequence: sequence of\n"
+"block, margin; weakest_step: the first block with the least.\n"
 "Numbers that do not exist or have no bound are null.\n"
 "\n"
 "Stands means: admissible forces exist, without tension and within friction.\n"
@@ -107,6 +112,7 @@ enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit;
     int relative, forces, mechanism, profile, touching, json, verdict_only;
+    int raised, sequence;
     const char *svg;
     char **file;
     int files;
@@ -137,6 +143,11 @@ struct analysis {
     kern_motion *collapse;  /* just past the margin, or at 0     */
     kern_critical critical; /* what limits the margin            */
     double deficit, bearing, load[2], tilt[2];
+
+    kern_status raised;     /* real contacts, if asked for       */
+    kern_raising raising;
+    double reserve;
+    double *sequence;       /* the margin after each block       */
 
     kern_status profiled;   /* both profiles, if asked for       */
     kern_real *fate[3];     /* of each block: its margin, and its load
@@ -283,6 +294,7 @@ static void free_work(struct analysis *a)
 static void free_analysis(struct analysis *a)
 {
     if (a->contact != a->text.contact) free(a->contact);
+    free(a->sequence);
     free_work(a);
     text_free(&a->text);
 }
@@ -379,12 +391,80 @@ static int decide(struct analysis *a, const kern_options *options)
          ? fail_blocks(a, a->shown, &a->work.fault) : 0;
 }
 
+/* Whether the load raises the forces, and how far gravity may push sideways. */
+static int find_raised(struct analysis *a)
+{
+    kern_real reserve = 0;
+    int pushed = hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0;
+    a->raised = kern_raised(&a->task, shrinkage(a), &a->raising,
+                            pushed ? &reserve : NULL, NULL);
+    a->reserve = value_or_nan(pushed ? a->raised : KERN_UNDECIDED, reserve);
+    return a->raised < 0 && !is_open(a->raised)
+         ? fail_blocks(a, a->raised, &a->work.fault) : 0;
+}
+
+/* The margin after each block in the order of the file, all fixed ones there
+   from the start: 0 where it falls, NAN where that is undecided. */
+static int find_sequence(struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    kern_task part = a->task;
+    kern_contact *contact =
+        malloc(sizeof *contact * (size_t)(s->contacts + 1));
+    kern_block *block = malloc(sizeof *block * (size_t)s->blocks);
+    int *place = malloc(sizeof *place * (size_t)s->blocks), last;
+    a->sequence = malloc(sizeof *a->sequence * (size_t)s->blocks);
+    for (last = 0; last < s->blocks && contact && block && place && a->sequence;
+         last++) {
+        kern_margin m;
+        kern_status status;
+        part.s.block = block;
+        part.s.contact = contact;
+        part.s.blocks = part.s.contacts = 0;
+        for (int i = 0; i < s->blocks; i++) {
+            place[i] = -1;
+            if (!s->block[i].fixed && i > last) continue;
+            place[i] = part.s.blocks;
+            block[part.s.blocks++] = s->block[i];
+        }
+        for (int k = 0; k < s->contacts; k++) {
+            const kern_contact *c = &s->contact[k];
+            if (place[c->a] < 0 || place[c->b] < 0) continue;
+            contact[part.s.contacts] = *c;
+            contact[part.s.contacts].a = place[c->a];
+            contact[part.s.contacts++].b = place[c->b];
+        }
+        a->sequence[last] = (double)NAN;
+        if (s->block[last].fixed) continue;
+        status = kern_measure(&part, &m, NULL);
+        if (status == KERN_STANDS) a->sequence[last] = (double)m.margin;
+        if (status == KERN_FALLS) a->sequence[last] = 0;
+    }
+    free(contact);
+    free(block);
+    free(place);
+    return last < s->blocks ? fail_memory(a) : 0;
+}
+
+/* The first block with the least margin in the sequence; -1: none is known. */
+static int weakest_step(const struct analysis *a)
+{
+    int weakest = -1;
+    for (int i = 0; i < a->task.s.blocks; i++)
+        if (a->sequence[i] >= 0 && (weakest < 0 || a->sequence[i] <
+                                    a->sequence[weakest]))
+            weakest = i;
+    return weakest;
+}
+
 /* What follows the verdict. */
 static int measure(struct analysis *a)
 {
     kern_proof limit = { a->last_force, a->collapse };
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
+    if (a->set->raised && find_raised(a)) return -1;
+    if (a->set->sequence && find_sequence(a)) return -1;
     if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
     limit.force = a->last_force;
     limit.motion = a->collapse;
@@ -814,6 +894,36 @@ static void report_verdict(const struct analysis *a)
     fflush(stdout);
 }
 
+static const char *const raising_word[] = { "not shown", "raised", "hangs" };
+
+static void report_raised(const struct analysis *a)
+{
+    printf("  raised      ");
+    if (a->raised != KERN_STANDS) {
+        printf("%s\n", a->raised == KERN_FALLS ? "no: it falls" : "undecided");
+        return;
+    }
+    printf("%s", a->raising == KERN_RAISED
+           ? "yes       its load raises the forces that hold it"
+           : a->raising == KERN_HANGS
+           ? "hangs     some blocks rest on nothing"
+           : "not shown  no forces were found that its load raises");
+    if (a->raising == KERN_RAISED && !isnan(a->reserve))
+        printf("; to either side up to %.4g g more", a->reserve);
+    printf("\n");
+}
+
+static void report_sequence(const struct analysis *a)
+{
+    int weakest = weakest_step(a);
+    char shown[TEXT_SHOW_ROOM];
+    printf("  sequence    margin after each block\n");
+    for (int i = 0; i < a->task.s.blocks; i++)
+        if (!a->task.s.block[i].fixed)
+            printf("    %-16s %-10.4g%s\n", name_of(a, i, shown),
+                   a->sequence[i], i == weakest ? "  weakest" : "");
+}
+
 static void report(const struct analysis *a)
 {
     report_structure(a);
@@ -824,6 +934,8 @@ static void report(const struct analysis *a)
     report_margin(a);
     report_bearing(a);
     report_limit(a);
+    if (a->set->raised) report_raised(a);
+    if (a->set->sequence) report_sequence(a);
     report_collapse(a);
     report_loads(a);
     if (a->set->forces) report_forces(a);
@@ -962,6 +1074,34 @@ static void json_error(const struct analysis *a)
 
 /* Which numbers are null because they are undecided; others that are null are
    without limit, or belong to the other verdict. */
+static void json_raised(const struct analysis *a, int good)
+{
+    int known = good && a->raised == KERN_STANDS;
+    if (known) {
+        printf(", ");
+        json_string("raised", raising_word[a->raising]);
+    } else
+        printf(", \"raised\": null");
+    json_number("reserve", known ? a->reserve : (double)NAN);
+}
+
+static void json_sequence(const struct analysis *a, int good)
+{
+    int weakest = good ? weakest_step(a) : -1, first = 1;
+    printf(", \"sequence\": [");
+    for (int i = 0; good && i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
+        printf("%s{", first ? "" : ", ");
+        json_string("block", a->text.name[i]);
+        json_number("margin", a->sequence[i]);
+        printf("}");
+        first = 0;
+    }
+    printf("], ");
+    if (weakest < 0) printf("\"weakest_step\": null");
+    else json_string("weakest_step", a->text.name[weakest]);
+}
+
 static void json_open(unsigned open)
 {
     const char *comma = "";
@@ -1008,6 +1148,8 @@ static void report_json(const struct analysis *a)
     json_number("signed_margin",
                 falls ? -a->deficit : known ? (double)a->m.margin : none);
     json_number("bearing", good ? a->bearing : none);
+    if (a->set->raised) json_raised(a, good && !a->set->verdict_only);
+    if (a->set->sequence) json_sequence(a, good && a->sequence);
     json_number("load_left", good ? a->load[LEFT] : none);
     json_number("load_right", good ? a->load[RIGHT] : none);
     json_number("tilt_left", good ? a->tilt[LEFT] : none);
@@ -1246,6 +1388,7 @@ static int read_option(struct settings *set, char **argv, int *i)
     struct { const char *name; int *out; } flag[] = {
         { "--relative", &set->relative }, { "-r", &set->relative },
         { "--forces", &set->forces }, { "--mechanism", &set->mechanism },
+        { "--raised", &set->raised }, { "--sequence", &set->sequence },
         { "--profile", &set->profile }, { "--near", &set->touching },
         { "--json", &set->json }, { "--verdict", &set->verdict_only }
     };
@@ -1271,7 +1414,7 @@ static int read_option(struct settings *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct settings set = { -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, NULL,
+    struct settings set = { -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, NULL,
                             argv, 0 };
     int options = 1;
     for (int i = 1; i < argc; i++) {
