@@ -151,6 +151,28 @@ class Calls(unittest.TestCase):
         self.assertIn(2, c.groups[0])
         self.assertIsNone(Structure(two(0.0)).critical())
 
+    def test_raised(self):
+        """Weight on weight is raised; a stone between two fixed walls that
+        nothing presses against it hangs; what falls is neither."""
+        s = Structure(two(0.2))
+        r = s.raised(reserve=True)
+        self.assertTrue(r)
+        self.assertGreater(r.reserve, 0.01)
+        self.assertLessEqual(s.check_raised(r), 1)
+        walls = [Block("left", [(-1, 0), (0, 0), (0, 2), (-1, 2)], fixed=True),
+                 Block("right", [(1, 0), (2, 0), (2, 2), (1, 2)], fixed=True),
+                 Block("stone", BOX).move(0, 0.5)]
+        s = Structure(walls)
+        self.assertTrue(s.verdict())
+        r = s.raised()
+        self.assertEqual((bool(r), r.raising), (False, kern.Raising.HANGS))
+        self.assertLessEqual(s.check_raised(r), 1)
+        r = Plan(two(0)[:2]).try_raised(two(0.2)[2], reserve=True)
+        self.assertTrue(r)
+        self.assertIsNone(r.motion)
+        r = Structure(two(0.7)).raised()
+        self.assertEqual((bool(r), r.stands, r.raising), (False, False, None))
+
     def test_in_place(self):
         """What is written to the vertices counts after update()."""
         s = Structure(two(0.2))

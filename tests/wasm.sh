@@ -32,7 +32,7 @@ process.exit(status);
 JS
 
 build() { # build FLAGS...: golden.wasm
-    clang --target=wasm32 -std=c99 -O2 -fno-unroll-loops -mbulk-memory \
+    clang --target=wasm32 -std=c99 -Os -mbulk-memory \
         -ffp-contract=off -nostdlib -I"$out" -DGOLDEN_BARE -Dmain=golden_main "$@" \
         -Wl,--no-entry -Wl,--allow-undefined -Wl,--export=golden_main \
         -o "$out/golden.wasm" tests/golden.c

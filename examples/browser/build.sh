@@ -15,7 +15,7 @@ for name in vertex force motion group centre point overlap fault answer constant
     exports="$exports -Wl,--export=$name"
 done
 # shellcheck disable=SC2086
-clang --target=wasm32 -std=c99 -O2 -fno-unroll-loops -mbulk-memory \
+clang --target=wasm32 -std=c99 -Os -mbulk-memory \
     -ffp-contract=off -nostdlib -Wall -Wextra -Werror \
     -Wl,--no-entry -Wl,--strip-all $exports \
     -o "$out/page.wasm" page.c

@@ -29,8 +29,8 @@ double centre[BLOCKS][2];
 double point[CONTACTS][8];     /* a, b, line, x, y, normal, travel           */
 double overlap[PAIRS][3];      /* a, b, depth                                */
 double fault[4], answer[6];    /* answer: of the last call                   */
-const int constant[5] = { BLOCKS, VERTICES, KERN_STANDS, KERN_FALLS,
-                          KERN_OVERLAP };
+const int constant[7] = { BLOCKS, VERTICES, KERN_STANDS, KERN_FALLS,
+                          KERN_OVERLAP, KERN_RAISED, KERN_HANGS };
 
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
@@ -224,6 +224,15 @@ PAGE(load_factor) int page_load_factor(int side)
 {
     return report(kern_load_factor(&task, 0, (kern_side)side, &answer[0], NULL),
                   &work.fault);
+}
+
+/* Answer: how it is held (kern_raising), and the sideways reserve. */
+PAGE(raised) int page_raised(void)
+{
+    kern_raising raising = KERN_NOT_SHOWN;
+    int status = kern_raised(&task, 0, &raising, &answer[1], NULL);
+    answer[0] = raising;
+    return report(status, &work.fault);
 }
 
 /* Answer: the deficit. */

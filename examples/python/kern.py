@@ -316,6 +316,7 @@ _contact_travels = _declare("kern_contact_travels", None, _p, _i)
 _contact_at = _declare("kern_contact_at", _Vec, _p, _r, _i)
 _task_of = _declare("kern_task_of", _Task, _p, _i, _p, _i, _p)
 _verdict = _declare("kern_verdict", _i, _p, _r, _p)
+_raised = _declare("kern_raised", _i, _p, _r, _p, _p, _p)
 _measure = _declare("kern_measure", _i, _p, _p, _p)
 _deficit = _declare("kern_deficit", _i, _p, _p)
 _bearing = _declare("kern_bearing", _i, _p, _p, _p)
@@ -330,8 +331,10 @@ _plan_add = _declare("kern_plan_add", _i, _p, _p)
 _plan_remove = _declare("kern_plan_remove", _i, _p, _i)
 _plan_try = _declare("kern_plan_try", _i, _p, _p, _p, _p)
 _plan_bears = _declare("kern_plan_bears", _i, _p, _p, _r, _p)
+_plan_raised = _declare("kern_plan_raised", _i, _p, _p, _p, _p, _p)
 _check_forces = _declare("kern_check_forces", _r, _p, _r, _p)
 _check_motion = _declare("kern_check_motion", _r, _p, _r, _p)
+_check_raised = _declare("kern_check_raised", _r, _p, _r, _i, _p)
 _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
@@ -645,6 +648,29 @@ class Verdict:
         return None if self.stands else _view(self._motion, 3)
 
 
+class Raising(enum.IntEnum):
+    """kern_raising."""
+    NOT_SHOWN = 0
+    RAISED = 1
+    HANGS = 2
+
+
+@dataclass
+class Raised(Verdict):
+    """kern_raised(): true where the load raises the forces that hold it. forces
+    and motion are the proof; reserve: a share of g, None if not asked for."""
+    raising: Optional[Raising]
+    reserve: Optional[float]
+
+    def __bool__(self) -> bool:
+        return self.raising == Raising.RAISED
+
+    @property
+    def motion(self) -> Any:
+        return (None if self.raising == Raising.NOT_SHOWN or not self._motion
+                else _view(self._motion, 3))
+
+
 @dataclass
 class Margin(Verdict):
     """kern_margin. forces hold the structure at `holds`; motion moves it at
@@ -659,7 +685,8 @@ class Margin(Verdict):
 
     @property
     def motion(self) -> Any:
-        return None if self.saturated else _view(self._motion, 3)
+        return (None if self.saturated or not self._motion
+                else _view(self._motion, 3))
 
 
 @dataclass
@@ -827,6 +854,19 @@ tolerance (0.25 deep)
             status = _certain(self._at_task, verdict, out, room)
         return self._check(status) == 1
 
+    def raised(self, shrink: float = 0.0, reserve: bool = False) -> Raised:
+        """kern_raised(): are its forces such as its load raises? With the
+        sideways reserve if that is asked for."""
+        force, motion = self._forces(), self._motions()
+        raising, share = c_int(), c_double()
+        stands = self._check(_raised(
+            self._at_task, shrink, byref(raising),
+            byref(share) if reserve else None,
+            byref(_Proof(addressof(force), addressof(motion))))) == _STANDS
+        return Raised(stands, force, motion,
+                      Raising(raising.value) if stands else None,
+                      share.value if stands and reserve else None)
+
     def measure(self) -> Margin:
         """kern_measure(): margin and level."""
         force, motion, m = self._forces(), self._motions(), _Margin()
@@ -913,6 +953,12 @@ tolerance (0.25 deep)
                      shrink: float = 0.0) -> float:
         """kern_check_motion(): up to 1 it proves that it falls."""
         return _check_motion(self._at_task, shrink, _numbers(motion))
+
+    def check_raised(self, raised: Raised, shrink: float = 0.0) -> float:
+        """kern_check_raised(): up to 1 what raised() found is proven."""
+        proof = _Proof(addressof(raised._force), addressof(raised._motion))
+        return _check_raised(self._at_task, shrink,
+                             raised.raising or Raising.NOT_SHOWN, byref(proof))
 
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
             profile: bool = False, caption: Optional[str] = None) -> str:
@@ -1048,6 +1094,16 @@ class Plan(Structure):
     def bears(self, block: Block, margin: float) -> bool:
         """kern_plan_bears(): is the margin with the block at least so much?"""
         return self._ask(_plan_bears, block, margin, None) == _STANDS
+
+    def try_raised(self, block: Block, reserve: bool = False) -> Raised:
+        """kern_plan_raised(): what raised() would say with the block added; the
+        answer comes without its proof."""
+        raising, share = c_int(), c_double()
+        stands = self._ask(_plan_raised, block, byref(raising),
+                           byref(share) if reserve else None, None) == _STANDS
+        return Raised(stands, None, None,
+                      Raising(raising.value) if stands else None,
+                      share.value if stands and reserve else None)
 
 
 def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
