@@ -9705,7 +9705,10 @@ static kern_status kern_trial_alone(const kern_trial *t, kern_path *path,
                                     kern_model *m, kern_part *part,
                                     kern_task *task)
 {
-    *task = t->plan->task;
+    const kern_task *whole = &t->plan->task;
+    task->s = whole->s; /* part by part: firmware may lack memcpy() */
+    task->options = whole->options;
+    task->work = whole->work;
     task->s.contact += task->s.contacts - t->found;
     task->s.contacts = t->found;
     return kern_path_begin(path, m, part, task, 1, 1);
