@@ -61,6 +61,11 @@ static const char help[] =
 "      --raised     does the load raise the forces that hold it, or do blocks\n"
 "                   hang; and the share of g that may push to either side\n"
 "      --sequence   the margin after each block in the order of the file\n"
+"      --measured E[,THETA]  poses were measured with the standard error E, a\n"
+"                   length, and THETA in angle (rad; default E over the mean\n"
+"                   block): gaps and overlaps of some errors are contacts, and\n"
+"                   `certain` tells whether the verdict holds within the error\n"
+"      --overlap D  deepest overlap that is accepted as a contact, a length\n"
 "      --limit N    most work of each query, in units of some 0.1 us; what\n"
 "                   takes more is undecided, and reported as far as proven\n"
 "      --json       one JSON object a file, one line each\n"
@@ -87,6 +92,7 @@ static const char help_format[] =
 "epsilon, margin, holds, fails (proven bracket of the margin), deficit,\n"
 "signed_margin: lengths (-r: shares); load_left, load_right: horizontal load factor, in g;\n"
 "tilt_left, tilt_right: rad; saturated: stands with every contact a point;\n"
+"certain (--measured): the verdict holds within the stated error;\n"
 "undecided: names of the keys that are null for that; proof_error: of the worst\n"
 "proof, as a share of what is allowed; pivots, solves: work. --profile:\n"
 "progressive_* and weak_*: mean and mean of the weakest half of the blocks'\n"
@@ -110,7 +116,8 @@ enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
 enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
 
 struct settings {           /* of the command line; numbers < 0: not given */
-    kern_real epsilon, mu, gap, at, limit;
+    kern_real epsilon, mu, gap, at, limit, overlap;
+    kern_real error, turn;  /* of --measured                               */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence;
     const char *svg;
@@ -132,6 +139,7 @@ struct analysis {
     kern_work work;
 
     kern_status verdict;    /* of real contacts, at the shrinkage asked for */
+    int certain;            /* 1 or 0; -1: --measured tells nothing  */
     kern_status shown;      /* of the contacts that are shown: with --near
                                near ones too                     */
     kern_force *force;      /* there, if it stands               */
@@ -189,22 +197,47 @@ static kern_real shrinkage(const struct analysis *a)
 
 /* ---- Analysis ------------------------------------------------------------ */
 
+/* All pairs that overlap, as far as the message has room, and the remedy. */
+static int fail_overlaps(struct analysis *a, int block)
+{
+    const struct text_file *t = &a->text;
+    int ints = 2 * t->blocks, *index = malloc((size_t)ints * sizeof *index);
+    kern_work work = kern_work_of(NULL, 0, index, ints);
+    kern_overlap pair[8];
+    char list[400] = "", one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    size_t used = 0;
+    int pairs = kern_overlaps(t->block, t->blocks, &a->task.options, pair, 8,
+                              &work);
+    int shown = 0;
+    free(index);
+    while (shown < pairs && shown < 8 && used < sizeof list / 2) {
+        const kern_overlap *p = &pair[shown++];
+        used += (size_t)snprintf(
+            list + used, sizeof list - used, "%s'%s' and '%s' overlap, %.3g "
+            "deep, %.3g is allowed", used ? "; " : "",
+            text_show(one, t->name[p->a]), text_show(two, t->name[p->b]),
+            (double)p->depth, (double)p->allowed);
+    }
+    if (pairs < 0) return fail(a, 0, "%s", kern_status_text((kern_status)pairs));
+    if (shown < pairs)
+        snprintf(two, sizeof two, "; %d pairs in all", pairs);
+    return fail(a, t->block_line[block], "%s%s (--measured E, --overlap D)",
+                list, shown < pairs ? two : "");
+}
+
 /* An error of the library, at the block it names. */
 static int fail_blocks(struct analysis *a, kern_status status,
                        const kern_fault *fault)
 {
     const struct text_file *t = &a->text;
-    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    char one[TEXT_SHOW_ROOM];
     int i = fault->block, j = fault->other;
     if (i < 0 || i >= t->blocks)
         return fail(a, 0, "%s", kern_status_text(status));
     if (j < 0 || j >= t->blocks)
         return fail(a, t->block_line[i], "block '%s': %s",
                     text_show(one, t->name[i]), kern_status_text(status));
-    return fail(a, t->block_line[i > j ? i : j],
-                "'%s' and '%s' overlap, %.3g deep, more than the gap tolerance",
-                text_show(one, t->name[i]), text_show(two, t->name[j]),
-                (double)fault->value);
+    return fail_overlaps(a, i > j ? i : j);
 }
 
 /* The contacts of the file, or all that are found between its polygons. */
@@ -457,6 +490,27 @@ static int weakest_step(const struct analysis *a)
     return weakest;
 }
 
+/* Whether the verdict on measured blocks holds within their error; contacts
+   that are given have none. */
+static int find_certain(struct analysis *a)
+{
+    kern_contact *out = NULL;
+    int got = KERN_NO_SPACE;
+    if (!(a->set->error > 0) || a->text.given || is_open(a->shown) ||
+        shrinkage(a) > 0)
+        return 0;
+    for (int room = 16 * a->text.blocks + 64;
+         got == KERN_NO_SPACE && room < INT_MAX / 4; room *= 2) {
+        free(out);
+        out = malloc((size_t)room * sizeof *out);
+        if (!out) return fail_memory(a);
+        got = kern_certain(&a->task, a->shown, out, room);
+    }
+    free(out);
+    if (got >= 0) a->certain = got;
+    return 0;
+}
+
 /* What follows the verdict. */
 static int measure(struct analysis *a)
 {
@@ -512,9 +566,13 @@ static int analyse(struct analysis *a)
     if (set->gap > 0) options.gap = set->gap;
     if (!(set->mu < 0)) options.mu = set->mu;
     if (set->limit > 0) options.limit = (int)set->limit;
+    if (set->error > 0)
+        options = kern_measured(&options, set->error, set->turn < 0
+            ? set->error / (kern_real)mean_size(a) : set->turn);
+    if (set->overlap > options.overlap) options.overlap = set->overlap;
     if (decide(a, &options)) return -1;
     a->verdict = a->shown;
-    return 0;
+    return find_certain(a);
 }
 
 static const char *status_word(const struct analysis *a)
@@ -889,6 +947,9 @@ static void report_verdict(const struct analysis *a)
     if (shrinkage(a) > 0)
         printf(" when shrunk by %.6g%s", (double)shrinkage(a),
                a->set->relative ? " of each contact" : "");
+    if (a->certain >= 0)
+        printf(a->certain ? ", for certain" : ", not for certain: within the "
+                                              "error it may be otherwise");
     printf("\n");
     report_lack(a);
     fflush(stdout);
@@ -1136,6 +1197,9 @@ static void report_json(const struct analysis *a)
     printf(", \"relative\": %s, \"near\": %s",
            a->set->relative ? "true" : "false",
            a->set->touching ? "true" : "false");
+    if (a->set->error > 0)
+        printf(", \"certain\": %s", a->certain < 0 ? "null"
+                                  : a->certain ? "true" : "false");
     json_count("level", a->m.level, known && a->m.level >= 0);
     printf(", \"saturated\": %s",
            !known ? "null" : a->m.saturated ? "true" : "false");
@@ -1298,7 +1362,7 @@ static int run_file(const struct settings *set, int number, int *shown)
     a.set = set;
     a.file = set->file[number];
     a.number = number;
-    a.critical.contact = -1;
+    a.critical.contact = a.certain = -1;
     a.deficit = a.load[LEFT] = a.load[RIGHT] = a.tilt[LEFT] = a.tilt[RIGHT] =
         (double)NAN;
     int bad = analyse(&a);
@@ -1377,13 +1441,28 @@ static int number_option(const char *name, const char *value, int zero,
     return 0;
 }
 
+/* E or E,THETA */
+static int measured_option(struct settings *set, const char *value)
+{
+    char first[100];
+    const char *comma = value ? strchr(value, ',') : NULL;
+    size_t n = comma ? (size_t)(comma - value) : 0;
+    if (!comma || n >= sizeof first)
+        return number_option("--measured", value, 0, &set->error);
+    memcpy(first, value, n);
+    first[n] = '\0';
+    return number_option("--measured", first, 0, &set->error)
+        || number_option("--measured", comma + 1, 1, &set->turn) ? -1 : 0;
+}
+
 /* Reads argv[*i], with what belongs to it; 0 where it is fine. */
 static int read_option(struct settings *set, char **argv, int *i)
 {
     struct { const char *name; int zero; kern_real *out; } number[] = {
         { "--epsilon", 0, &set->epsilon }, { "-e", 0, &set->epsilon },
         { "--mu", 1, &set->mu }, { "--gap", 0, &set->gap },
-        { "--at", 1, &set->at }, { "--limit", 0, &set->limit }
+        { "--at", 1, &set->at }, { "--limit", 0, &set->limit },
+        { "--overlap", 0, &set->overlap }
     };
     struct { const char *name; int *out; } flag[] = {
         { "--relative", &set->relative }, { "-r", &set->relative },
@@ -1402,6 +1481,8 @@ static int read_option(struct settings *set, char **argv, int *i)
             *flag[k].out = 1;
             return 0;
         }
+    if (option_value(argv, i, "--measured", &value))
+        return measured_option(set, value);
     if (option_value(argv, i, "--svg", &set->svg)) {
         size_t n = set->svg ? strlen(set->svg) : 0;
         if (n > 4 && strcmp(set->svg + n - 4, ".svg") == 0) return 0;
@@ -1414,8 +1495,8 @@ static int read_option(struct settings *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct settings set = { -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, NULL,
-                            argv, 0 };
+    struct settings set = { -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0,
+                            0, 0, NULL, argv, 0 };
     int options = 1;
     for (int i = 1; i < argc; i++) {
         const char *word = argv[i];
