@@ -10,8 +10,8 @@
 
    CONTENTS: search for the tags
      I    Manual            >>what >>use >>conventions >>memory >>verdicts
-                            >>config >>method >>rules >>measures >>limits
-                            >>determinism >>misra >>references
+                            >>config >>method >>rules >>measures >>measured
+                            >>limits >>determinism >>misra >>references
      II   Declarations      >>decl >>types >>sizes >>api
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
                             >>check >>statics >>proof >>model >>part >>least
@@ -356,6 +356,34 @@
    or more. Not shown is no proof of falling; what is raised may slip where the
    first motion of a stone changes its contacts. tests/truth.c has the
    measurement.
+
+
+   STONES FROM A CAMERA OR A SCANNER                               >>measured
+
+   Outline. Simplify it first (Douglas and Peucker), to one to three pixels: raw
+   points on a grid touch each other and make KERN_CROSSING. kern_block_init()
+   takes them in either direction; its density is that of the material times
+   the thickness. examples/contour.c shows these steps. Of a rounded stone of
+   10,000 points within 3, 6, 12, 24 mm on 2 m, 56, 35, 29, 19 vertices stay, and
+   the margin is 0.25, 0.33, 0.33, 0.33 m.
+   Error. Tell kern_measured() the standard error e of a stone's place (pixel,
+   simplification and registration together, as squares) and theta of its angle.
+   Of a stone of 40, 200, 1000 vertices the margin is then the same within 2 %;
+   without, it is that of the discretisation.
+   Overlaps beyond the error are modelling errors: kern_overlaps() lists them.
+   Measure the stones again, or accept them: options.overlap.
+   Certainty. kern_certain() says whether a verdict holds within the error. 272
+   structures that stand and 233 from which a stone was taken (226 fall), every
+   pose with Gaussian noise of a share of the mean size and every vertex with
+   half of it, 10 times (tests/noise.c), in per cent; errors of margins in e:
+
+       noise   verdict right of       certain   of these   median error
+               those that                        wrong      of the margin
+               stand     fall
+       0.2      99.6    100.0         78.7       0.03       1.3
+       0.5      99.1     99.2         68.5       0.09       1.6
+       1        98.9     95.5         63.1       0.38       2.9
+       2        97.9     89.2         61.2       1.33       4.4
 
 
    LIMITS                                                            >>limits
