@@ -217,6 +217,28 @@ def test_keys(browser):
     assert (state["x"], state["y"], state["turn"]) == (0, 0, 0), state
 
 
+def test_measured(browser):
+    """The slider of the placing error: stands for certain, or only may."""
+    wall = kern.read(ROOT / "examples" / "structures" / "wall-30.kern")
+    wall.blocks[30].move(0.64, 0)  # near to its edge
+    wall.update()
+    browser.ask("moveStone(30, 0.64, 0, 0, false)")
+    said = set()
+    for share in (0.002, 0.02, 0.05):
+        browser.ask("$('pose').value = %g, change()" % share)
+        browser.frame()
+        error = browser.ask("placingError()")
+        told = wall.options.measured(error, error / wall.mean_size)
+        same = kern.Structure(wall.blocks, options=told)
+        want = [bool(same.verdict()), same.certain()]
+        assert browser.ask("[shown.measured.verdict === STANDS, "
+                           "shown.measured.certain]") == want, (share, want)
+        said.add(want[1])
+    assert said == {True, False}
+    browser.ask("$('pose').value = 0.02, choose(30), press('Home')")
+    browser.frame()
+
+
 def test_touch(browser):
     x, y = centre_of(browser, 30)
     for kind, points in (("touchStart", [{"x": x, "y": y}]),
@@ -336,6 +358,7 @@ def main():
                 return
             test_drag(browser)
             test_keys(browser)
+            test_measured(browser)
             test_touch(browser)
             test_files(browser, folder)
             test_frames(browser)

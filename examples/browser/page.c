@@ -219,6 +219,25 @@ PAGE(critical) int page_critical(double shrink, int stands)
     return out.contact;
 }
 
+/* Were all places known to within e only: the verdict, and in answer whether
+   it is certain. */
+PAGE(measured) int page_measured(double e)
+{
+    static kern_contact measured[CONTACTS], scratch[CONTACTS];
+    kern_task other = task;
+    int status;
+    other.options = kern_measured(&task.options, e,
+                                  e / kern_mean_size(block, task.s.blocks));
+    other.s.contact = measured;
+    other.s.contacts = kern_contacts(block, task.s.blocks, &other.options,
+                                     measured, CONTACTS, &work);
+    if (other.s.contacts < 0) return report(other.s.contacts, &work.fault);
+    status = kern_verdict(&other, 0, NULL);
+    answer[0] = status < 0 ? 0 : kern_certain(&other, (kern_status)status,
+                                              scratch, CONTACTS);
+    return report(status, &work.fault);
+}
+
 /* Answer: the load factor to the right (side 1) or left (-1). */
 PAGE(load_factor) int page_load_factor(int side)
 {
