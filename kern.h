@@ -7828,8 +7828,8 @@ static kern_real kern_inner_step(kern_inner *in)
 }
 
 /* Goes along the steps as far as x, z > 0 let it. Where the matrix is held s
-   does not pass its place. Else it goes only so far that A x comes nearer to b,
-   or stays as near as the gap wants it. */
+   does not pass its place. Else, where s moves at all, it goes only so far that
+   A x comes nearer to b, or stays as near as the gap wants it. */
 static void kern_inner_move(kern_inner *in, kern_real ds)
 {
     kern_part *p = in->p;
@@ -7848,6 +7848,7 @@ static void kern_inner_move(kern_inner *in, kern_real ds)
         in->s = from + of_x * ds;
         kern_inner_set(in);
         if (in->held || tries == KERN_INNER_TRIES
+            || kern_abs(of_x * ds) <= in->least
             || kern_largest(in->over, n) <= most)
             break;
         of_x /= 2;

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x9ad37146cd5f18e3u },
-    { 1000, 0xdfeaf4d45132c423u },
-    { 5000, 0x2ce9902c886f2d81u },
+    { 200, 0x90d6b070edc413b2u },
+    { 1000, 0x13a5a71ada5fef14u },
+    { 5000, 0x17355e2432d8e3d0u },
 #else
-    { 200, 0x5c44d229681fddd8u },
-    { 1000, 0x7d07cc819b88e228u },
-    { 5000, 0x98639b1a3a180d6eu },
+    { 200, 0x832d162493de92a4u },
+    { 1000, 0x851a5aa545f8d21bu },
+    { 5000, 0x74f9f495b10179d1u },
 #endif
 };
 
