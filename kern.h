@@ -2013,39 +2013,28 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 /* The search goes along the edges of one block. The depth in the other changes
    by no more than the way, so each depth gives a step that is safe. */
 
-/* Does everything of the outline lie right of the line through p in direction
-   d, or left of it by no more than that? */
-static int kern_overlap_beside(const kern_parts *parts, kern_vec p, kern_vec d,
+/* Does all of the block lie right of the line through p in direction d, or left
+   of it by no more than that? */
+static int kern_overlap_beside(const kern_block *block, kern_vec p, kern_vec d,
                                kern_real left)
 {
-    const kern_block *block = parts->block;
-    int i, stop;
-    for (i = 0; i < block->vertices; i = stop) {
-        const kern_box *box = &parts->box[i / parts->each];
-        const kern_vec corner =
-            kern_vec_make(d.y > 0 ? box->low.x : box->high.x,
-                          d.x > 0 ? box->high.y : box->low.y);
-        stop = i + parts->each;
-        if (kern_vec_cross(d, kern_vec_sub(corner, p)) <= left)
-            continue;
-        for (; i < stop && i < block->vertices; i++)
-            if (!(kern_vec_cross(d, kern_vec_sub(block->vertex[i], p)) <= left))
-                return 0;
-    }
-    return 1;
+    int i = 0;
+    while (i < block->vertices &&
+           kern_vec_cross(d, kern_vec_sub(block->vertex[i], p)) <= left)
+        i++;
+    return i == block->vertices;
 }
 
 /* Does the line of an edge of a separate the two, within the gap? A convex
    pair that does not overlap has such an edge, as a rule. */
-static int kern_overlap_parted(const kern_parts *a, const kern_parts *b,
+static int kern_overlap_parted(const kern_block *a, const kern_block *b,
                                kern_real gap)
 {
-    const kern_block *block = a->block;
     int i;
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec p = kern_polygon_at(block, i);
-        const kern_vec d = kern_vec_unit(kern_vec_sub(
-            kern_polygon_at(block, kern_polygon_next(block, i)), p));
+    for (i = 0; i < a->vertices; i++) {
+        const kern_vec p = kern_polygon_at(a, i);
+        const kern_vec d = kern_vec_unit(
+            kern_polygon_way(a, i, kern_polygon_next(a, i)));
         if (kern_overlap_beside(b, p, d, gap / 2) &&
             kern_overlap_beside(a, p, kern_vec_scale(d, -1), gap / 2))
             return 1;
@@ -2143,7 +2132,8 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
 {
     kern_real depth;
     if (!kern_box_near(&a->block->box, &b->block->box, -gap) ||
-        kern_overlap_parted(a, b, gap) || kern_overlap_parted(b, a, gap))
+        kern_overlap_parted(a->block, b->block, gap) ||
+        kern_overlap_parted(b->block, a->block, gap))
         return 0;
     depth = kern_max(kern_overlap_boundary(a, b, gap),
                      kern_overlap_boundary(b, a, gap));
