@@ -380,10 +380,10 @@
        noise   verdict right of       certain   of these   median error
                those that                        wrong      of the margin
                stand     fall
-       0.2      99.6    100.0         78.7       0.03       1.3
-       0.5      99.1     99.2         68.5       0.09       1.6
-       1        98.9     95.5         63.1       0.38       2.9
-       2        97.9     89.2         61.2       1.33       4.4
+       0.2      99.6    100.0         78.5       0.00       1.3
+       0.5      99.1     99.2         67.4       0.06       1.6
+       1        98.9     95.5         61.4       0.29       2.9
+       2        97.9     89.2         57.5       1.10       4.4
 
 
    LIMITS                                                            >>limits
@@ -1010,8 +1010,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
    same two blocks, in either order): toward the middle of the two that are
    farthest apart; a lone one stays. The ends of a line go to its middle. Does
    nothing without contacts (NULL).
-   Time: O(C) for each interface with points, and for the points of one that are
-   nearly as far apart as any, the square of their number. */
+   Time: O(C) for each interface, and O(C) for each of its points. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage; grown, where it is negative. The
@@ -1043,7 +1042,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 /* Whether the verdict of a measured structure holds within the error that
    kern_measured() was told: 1 yes, 0 no. It stands for certain if it also
    stands with half the error allowed in gaps and angles and with its kerns
-   shrunk by e, and falls for certain if it also falls with 1.5 times the error
+   shrunk by e, and falls for certain if it also falls with twice the error
    allowed and with its kerns grown by e. verdict is that of kern_verdict() at 0,
    KERN_STANDS or KERN_FALLS. out[0..room) is for the contacts of that question.
    Below 0: what kern_contacts() or kern_verdict() returns, KERN_BAD_OPTION where
@@ -1482,7 +1481,7 @@ static void kern_fault_clear(kern_fault *fault)
 #define KERN_ERROR_FOOT    KERN_R(2.0)  /* beyond the end of an edge          */
 /* Shares of the error that are allowed where a verdict is to be certain. */
 #define KERN_CERTAIN_STANDS KERN_R(0.5)
-#define KERN_CERTAIN_FALLS  KERN_R(1.5)
+#define KERN_CERTAIN_FALLS  KERN_R(2.0)
 /* Share of the size of the smaller free block above which no step is too low
    to carry, however wide the gap: a pebble keeps its shape. */
 #define KERN_STEP_MOST  KERN_R(0.1)
