@@ -678,6 +678,8 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real error;      /* of measured places [m] and angles [rad], see     */
     kern_real turn;       /* kern_measured(); 0: places are exact             */
+    kern_real narrow;     /* rate at which cones of friction narrow as kerns
+                             shrink [1/m; relative: 1]; 0, see kern_measure() */
 } kern_options;
 
 /* Of a contact point [N], and of a block: velocity of its centre and spin. */
@@ -1084,6 +1086,13 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
    literal scan. The proof is that of the margin: a level is proven by it where
    kerns are nested, elsewhere each step by a proof of its own that is verified
    and not handed out.
+   With options.narrow = k every cone narrows as kerns shrink: at shrinkage d > 0
+   friction mu is max(0, (mu - k d) / (1 + mu k d)), the tangent of its angle less
+   that of the slope k d, in every question about shrunk kerns. A robot that
+   places stones within e and theta asks with k = tan(theta) / (2 e): margin /
+   (2 e) is how many times its own error the structure bears; a measure, not a
+   bound. Where k is so large that kerns hardly shrink, k margin is the slope to
+   spare: the least friction at which it stands is that mu.
    Warm start: from task->known, and the result is remembered there; after
    KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
@@ -3010,12 +3019,12 @@ static int kern_search_close(const kern_search *s)
 static kern_status kern_options_check(const kern_options *o)
 {
     if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon) ||
-        !kern_is_finite(o->overlap + o->error + o->turn))
+        !kern_is_finite(o->overlap + o->error + o->turn + o->narrow))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
     if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
-        || o->overlap < 0 || o->error < 0 || o->turn < 0
+        || o->overlap < 0 || o->error < 0 || o->turn < 0 || o->narrow < 0
         || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
     return KERN_OK;
@@ -5112,6 +5121,7 @@ static kern_status kern_task_check(const kern_task *task, const void *out,
 typedef struct kern_question {
     kern_real shrink;
     int relative;               /* nonzero: a share of each travel            */
+    kern_real narrow;           /* rate at which cones narrow                 */
     kern_real mean;             /* size of the free blocks                    */
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
@@ -5128,6 +5138,7 @@ static kern_question kern_question_of(const kern_structure *s,
     kern_question q;
     q.shrink = shrink;
     q.relative = o->relative;
+    q.narrow = o->narrow;
     q.mean = kern_mean_size(s->block, s->blocks);
     q.gravity = s->gravity;
     q.pattern = NULL;
@@ -5136,6 +5147,18 @@ static kern_question kern_question_of(const kern_structure *s,
     q.fallen = NULL;
     q.shortest = KERN_R(0);
     return q;
+}
+
+/* The tangent by which cones of friction are narrower. */
+static kern_real kern_slope(const kern_question *q)
+{ return kern_max(q->narrow * q->shrink, KERN_R(0)); }
+
+/* Friction of a contact whose cone is narrower: the tangent of its angle less
+   that of the slope. */
+static inline kern_real kern_friction(const kern_contact *c, kern_real slope)
+{
+    return slope > 0 ? kern_max(c->mu - slope, KERN_R(0)) / (1 + c->mu * slope)
+                     : c->mu;
 }
 
 /* Whether one of two blocks has been taken away. */
@@ -5318,6 +5341,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
                                    const kern_force *force, kern_real *sum,
                                    int some)
 {
+    const kern_real slope = kern_slope(q);
     kern_real total = KERN_R(0), weight, error;
     int i;
     for (i = 0; i < 4 * s->blocks; i += 4) {
@@ -5334,7 +5358,8 @@ static kern_real kern_prove_forces(const kern_structure *s,
         int end;
         if (kern_is_out(q, c))
             continue;
-        if (!(f >= 0) || !(kern_abs(r) <= c->mu * f * (1 + 8 * KERN_EPS)))
+        if (!(f >= 0) || !(kern_abs(r) <= kern_friction(c, slope) * f
+                                           * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY;
         total += f;
         if (sum[4 * c->a + 3] < 0 && sum[4 * c->b + 3] < 0)
@@ -5370,6 +5395,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 {
     kern_vec arm[2], v = kern_vec_make(0, 0), lost = v;
     const kern_real shift = kern_abs(kern_arms(s, c, q, arm));
+    const kern_real mu = kern_friction(c, kern_slope(q));
     const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
     kern_real gap;
     int end;
@@ -5384,8 +5410,8 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     }
     lost.x += 5 * kern_abs(v.x);
     lost.y += 5 * kern_abs(v.y);
-    gap = nx * lost.x + ny * lost.y + c->mu * (nx * lost.y + ny * lost.x);
-    return c->mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
+    gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
+    return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
            + KERN_EPS / 2 * gap + KERN_LEAST;
 }
 
@@ -5496,6 +5522,7 @@ typedef struct kern_model {
     const kern_force *prior;  /* forces that are known, or NULL: they balance
                                  all blocks but the last ...                  */
     kern_real balanced;       /* ... at this shrinkage                        */
+    kern_real narrow, slope;  /* of the options, of the last question         */
     const kern_question *lazy; /* groups are opened when they are needed; NULL:
                                   all are                                     */
     kern_motion *motion;      /* one a block: of the last verdict             */
@@ -5680,6 +5707,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->prior = NULL;
     m->lazy = NULL;
     m->balanced = KERN_R(0);
+    m->narrow = q->narrow;
+    m->slope = KERN_R(0);
     kern_model_group(m, q);
     return KERN_OK;
 }
@@ -5713,6 +5742,9 @@ static void kern_model_unit(kern_model *m, const kern_question *q, int g)
     m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
 }
 
+static inline kern_real kern_model_mu(const kern_model *m, int i)
+{ return kern_friction(m->s->contact + i, m->slope); }
+
 /* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
 static void kern_model_load(kern_model *m, const kern_question *q, int g)
 {
@@ -5738,6 +5770,7 @@ static void kern_model_scale(kern_model *m, int g)
 static void kern_model_set(kern_model *m, const kern_question *q)
 {
     int i, g;
+    m->slope = kern_slope(q);
     m->weight = KERN_R(0);
     m->lazy = NULL;
     for (g = 0; g < m->groups; g++) {
@@ -5770,6 +5803,7 @@ static void kern_force_widen(kern_model *m, kern_real shrink)
         const kern_contact *c = s->contact + i;
         kern_force *f = m->force + i;
         const kern_real travel = kern_travel(c, m->mean);
+        const kern_real mu = kern_model_mu(m, i);
         kern_real rate, was, is, sum, more, along;
         line = c->line && i + 1 < s->contacts && c[1].line;
         sum = line ? f[0].normal + f[1].normal : KERN_R(0);
@@ -5778,7 +5812,7 @@ static void kern_force_widen(kern_model *m, kern_real shrink)
         was = travel - kern_shift(travel, m->balanced, m->relative, &rate);
         is = travel - kern_shift(travel, shrink, m->relative, &rate);
         along = (f[0].tangential + f[1].tangential) / sum;
-        along = kern_min(kern_max(along, -c->mu), c->mu);
+        along = kern_min(kern_max(along, -mu), mu);
         more = f[0].normal - f[1].normal;
         if (kern_abs(is) > 0)
             more *= was / is;
@@ -5797,6 +5831,7 @@ static void kern_model_keep(kern_model *m, const kern_force *known,
     int i, g;
     m->weight = KERN_R(1);
     m->lazy = q;
+    m->slope = kern_slope(q);
     for (g = 0; g < m->groups; g++) {
         kern_model_unit(m, q, g);
         m->leader[g] = g;
@@ -5991,7 +6026,7 @@ static inline kern_spring kern_spring_press(kern_real wn, kern_real wt,
 static inline void kern_model_prior(const kern_model *m, int i,
                                     kern_real *wn, kern_real *wt)
 {
-    const kern_real mu = m->s->contact[i].mu, one = KERN_R(0.5) / m->weight;
+    const kern_real mu = kern_model_mu(m, i), one = KERN_R(0.5) / m->weight;
     *wn = *wt = KERN_R(0);
     if (!m->prior)
         return;
@@ -6033,9 +6068,10 @@ static inline kern_spring kern_part_spring(const kern_part *p, int k,
                                            kern_real wn, kern_real wt)
 {
     const kern_contact *c = p->m->s->contact + p->contact[k];
+    const kern_real mu = kern_friction(c, p->m->slope);
     return p->price
-           ? kern_spring_press(wn, wt, c->mu, kern_stiffness(c, p->m->mean))
-           : kern_spring_of(wn, wt, c->mu);
+           ? kern_spring_press(wn, wt, mu, kern_stiffness(c, p->m->mean))
+           : kern_spring_of(wn, wt, mu);
 }
 
 /* Lays out what the least forces of the part need; 0 if there is no room. */
@@ -6489,7 +6525,7 @@ static int kern_pour_rows(const kern_model *m, int g,
             return n + 1;
         kern_model_rows(m, i, e & 1, row[n].n, t);
         row[n].turn = t[2];
-        row[n].mu = m->s->contact[i].mu;
+        row[n].mu = kern_model_mu(m, i);
         row[n].end = e;
         row[n].mask = 3;
         kern_model_prior(m, i, &row[n].wn, &row[n].wt);
@@ -6688,7 +6724,7 @@ static int kern_pour_parts(kern_part *p)
     kern_least_ways(p, p->u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k + 2;
-        if (w[0] + m->s->contact[p->contact[k]].mu * kern_abs(w[1]) > most)
+        if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
             return 0;
     }
     return power > 0;
@@ -6837,6 +6873,7 @@ static void kern_part_set(kern_part *p, const kern_question *q)
     kern_model *m = p->m;
     int n, k, edge, j;
     KERN_ASSERT(p->lp.rows == 3 * p->groups && p->own <= p->contacts);
+    m->slope = kern_slope(q);
     for (n = 0; n < p->groups; n++) {
         kern_model_unit(m, q, p->group[n]);
         kern_model_load(m, q, p->group[n]);
@@ -6847,7 +6884,7 @@ static void kern_part_set(kern_part *p, const kern_question *q)
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_contact *c = m->s->contact + i;
-        kern_real *f = p->arc + 8 * (size_t)k, mu = c->mu, arm[4];
+        kern_real *f = p->arc + 8 * (size_t)k, mu = kern_model_mu(m, i), arm[4];
         kern_model_arm(m, q, i, arm);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
             const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
@@ -6902,7 +6939,7 @@ static void kern_part_forces(kern_part *p)
         const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
         const int i = p->contact[k];
         m->force[i].normal = (x1 + x2) * m->weight;
-        m->force[i].tangential = m->s->contact[i].mu * (x1 - x2) * m->weight;
+        m->force[i].tangential = kern_model_mu(m, i) * (x1 - x2) * m->weight;
     }
 }
 
@@ -7015,7 +7052,7 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
         return KERN_NO_SPACE;
     for (k = 0; k < p->contacts && m->prior; k++) {
         const kern_real f = m->prior[k].normal / m->weight;
-        const kern_real mu = m->s->contact[k].mu;
+        const kern_real mu = kern_model_mu(m, k);
         const kern_real r = mu > 0 ? m->prior[k].tangential / (m->weight * mu)
                                    : f;
         p->x[2 * k] = (f + r) / 2;
@@ -7291,6 +7328,7 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         const kern_contact *c = m->s->contact + p->contact[i];
         const kern_real travel = kern_travel(c, m->mean);
         const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
+        const kern_real mu = kern_model_mu(m, p->contact[i]);
         const int head = m->ends[2 * p->contact[i]];
         const int tail = m->ends[2 * p->contact[i] + 1];
         kern_real was, is, work;
@@ -7304,6 +7342,17 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         sum -= work * kern_shift(travel, from, m->relative, &was);
         sum += work * kern_shift(travel, to, m->relative, &is);
         *rate += work * is;
+        if (m->narrow > 0 && mu > 0) { /* the slope of `from` is set */
+            const kern_real slope = kern_max(m->narrow * to, KERN_R(0));
+            const kern_real narrow = kern_friction(c, slope);
+            const kern_real one = 1 + c->mu * slope;
+            work = (p->x[2 * i] - p->x[2 * i + 1])
+                   * (kern_lp_dot(&p->lp, 2 * i, p->y)
+                      - kern_lp_dot(&p->lp, 2 * i + 1, p->y)) / (2 * mu);
+            sum += work * (mu - narrow);
+            if (narrow > 0)
+                *rate += work * m->narrow * (1 + c->mu * c->mu) / (one * one);
+        }
     }
     return sum;
 }
@@ -8064,7 +8113,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
     kern_inner in;
     kern_real edge, holds;
     int round, beyond = 0;
-    if (m->from > 0 || !kern_inner_open(&in, m, path))
+    if (m->from > 0 || m->narrow > 0 || !kern_inner_open(&in, m, path))
         return KERN_UNDECIDED;
     in.high = high;
     for (round = 0; !(in.gap <= in.least) && beyond < KERN_INNER_BEYOND;
@@ -9153,6 +9202,7 @@ static kern_real kern_prove_raised(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
         const kern_motion v = kern_meeting_motion(s, q, c, motion);
+        const kern_real mu = kern_friction(c, kern_slope(q));
         const kern_real press = -(c->n.x * v.vx + c->n.y * v.vy);
         const kern_real slide = c->n.x * v.vy - c->n.y * v.vx;
         kern_real least = KERN_HUGE;
@@ -9167,7 +9217,7 @@ static kern_real kern_prove_raised(const kern_structure *s,
         if (!(press > KERN_ROUNDING * (kern_speed(motion + c->a)
                                        + kern_speed(motion + c->b))))
             return KERN_INFINITY;
-        if (kern_abs(r) < c->mu * f * (1 - KERN_TOL) || r * slide > 0)
+        if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
             error = kern_max(error, kern_abs(slide) * KERN_STIFF / (2 * press));
     }
     return error;
@@ -9302,7 +9352,7 @@ static int kern_raise_price(kern_raise *r, int bold)
         const kern_real approach = w[0] + r->price[k];
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
                                                 / KERN_STIFF;
-        const kern_real price = m->s->contact[i].mu * kern_max(slip, 0);
+        const kern_real price = kern_model_mu(m, i) * kern_max(slip, 0);
         m->force[i].normal = s.f * m->weight;
         m->force[i].tangential = s.r * m->weight;
         pressed &= !(s.f > r->tolerance) || approach > 0;
@@ -9700,7 +9750,7 @@ static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
         return (kern_status)t->found;
     known = &plan->task.known;
     s = &plan->task.s;
-    t->balanced = known->fails > 0 && known->blocks == s->blocks
+    t->balanced = known->fails > 0 && !(plan->task.options.narrow > 0) && known->blocks == s->blocks
                   && known->contacts == s->contacts
                   && known->relative == plan->task.options.relative
                   && !(kern_vec_largest(kern_vec_sub(known->gravity,
@@ -9905,6 +9955,7 @@ KERN_API kern_options kern_defaults(void)
 {
     kern_options o;
     o.mu = KERN_R(0.4);
+    o.narrow = KERN_R(0);
     o.gap = KERN_R(0);
     o.angle = KERN_R(0.0174533);
     o.epsilon = KERN_R(0);

@@ -8431,6 +8431,95 @@ static void plan_raised(void)
               KERN_BAD_POINTER);
 }
 
+/* ==== Pose error ==================================================== */
+
+static int margin_narrow(world *w, double narrow, double *margin)
+{
+    const kern_structure s = structure_of(w);
+    kern_work work = work_of(w);
+    kern_margin m;
+    int got;
+    memset(&m, 0, sizeof m);
+    w->options.narrow = R(narrow);
+    got = kern_measure(task_of(&s, &w->options, &work), &m, NULL);
+    *margin = (double)m.margin;
+    w->options.narrow = 0;
+    return got;
+}
+
+/* A cube under a gravity that leans by a tangent of .2 slides where the tangent
+   of the friction angle of .4 less that of k d is .2: k d = .2 / 1.08. It tips
+   at d = .4. So the least friction comes from the margin where k is large. */
+static void narrow_by_hand(void)
+{
+    static const double rate[] = {0.1, 0.4, 0.6, 1, 10, 1000};
+    static world w;
+    double margin;
+    size_t i;
+    world_reset(&w);
+    world_box(&w, 0, -2, -1, 3, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_touch(&w);
+    w.gravity = vec(-9.81 * 0.2, -9.81);
+    for (i = 0; i < sizeof rate / sizeof *rate; i++) {
+        const double slides = 0.2 / 1.08 / rate[i];
+        CHECK_INT(margin_narrow(&w, rate[i], &margin), KERN_STANDS);
+        CHECK_NEAR(margin, slides < 0.4 ? slides : 0.4, 2 * EDGE);
+    }
+    w.options.relative = 1; /* a share of .5 */
+    CHECK_INT(margin_narrow(&w, 1, &margin), KERN_STANDS);
+    CHECK_NEAR(margin, 0.2 / 1.08, 2 * EDGE);
+    w.options.narrow = R(-1);
+    CHECK_INT(verdict(&w, 0), KERN_BAD_OPTION);
+    w.options.narrow = R(not_a_number());
+    CHECK_INT(verdict(&w, 0), KERN_BAD_NUMBER);
+}
+
+/* The faster cones narrow, the smaller the margin; each is that of contacts
+   with the friction that is left there. */
+static void narrow_random(void)
+{
+    static world w, now;
+    int seed, compared = 0;
+    for (seed = 1; seed <= 400; seed++) {
+        static const double rate[] = {0, 0.03, 0.3, 3, 300};
+        double last = HUGE_VAL;
+        size_t i;
+        if (!random_world(&w, (unsigned long long)seed, 12)
+            || !twin_nested(&w))
+            continue;
+        sprintf(context, "seed %d", seed);
+        w.options.relative = 0;
+        for (i = 0; i < sizeof rate / sizeof *rate; i++) {
+            const double size = mean_size(&w), k = rate[i] / size;
+            double margin, at;
+            int side;
+            if (margin_narrow(&w, k, &margin) != KERN_STANDS)
+                break;
+            CHECK(margin <= last + EDGE * size);
+            last = margin;
+            for (side = -1; side <= 1; side += 2) {
+                int c, got;
+                at = margin + side * (SINGLE ? 6e-3 : 4e-6) * size;
+                if (at < 0 || at > twin_most(&w))
+                    continue;
+                world_copy(&now, &w);
+                for (c = 0; c < now.contacts; c++) {
+                    const double mu = (double)now.contact[c].mu;
+                    const double left = (mu - k * at) / (1 + mu * k * at);
+                    now.contact[c].mu = R(left > 0 ? left : 0);
+                }
+                got = verdict(&now, at);
+                compared++;
+                CHECK(got == (side < 0 ? KERN_STANDS : KERN_FALLS)
+                      || !decided(got));
+            }
+        }
+    }
+    context[0] = 0;
+    CHECK(compared > 500);
+}
+
 /* ==== All tests ===================================================== >>all */
 
 typedef struct test {
@@ -8556,6 +8645,8 @@ static const test tests[] = {
     TEST(raised_random),
     TEST(raised_memory),
     TEST(plan_raised),
+    TEST(narrow_by_hand),
+    TEST(narrow_random),
     TEST(t15_walls),
     TEST(t17_tower_and_trapezoid),
     TEST(t18_units_and_places),
