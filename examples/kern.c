@@ -60,6 +60,9 @@ static const char help[] =
 "                   shaking; the verdict still comes from real contacts\n"
 "      --raised     does the load raise the forces that hold it, or do blocks\n"
 "                   hang; and the share of g that may push to either side\n"
+"      --error E[,THETA]  how many times the robot's error the structure bears:\n"
+"                   +-E in place (a length), +-THETA in angle (rad); and the\n"
+"                   least friction at which it stands\n"
 "      --sequence   the margin after each block in the order of the file\n"
 "      --measured E[,THETA]  poses were measured with the standard error E, a\n"
 "                   length, and THETA in angle (rad; default E over the mean\n"
@@ -100,8 +103,10 @@ static const char help_format[] =
 "worse; profile: of each block margin, load. --forces: contacts with x, y, normal\n"
 "nx, ny from a into b, mu, travel (half the length), forces normal, tangential.\n"
 "--mechanism: motion with velocities vx, vy and spin (rad); the fastest is 1.\n"
-"--raised: raised (raised, hangs, not shown), reserve (g). --sequence: sequence of\n"
-"block, margin; weakest_step: the first block with the least.\n"
+"--raised: raised (raised, hangs, not shown), reserve (g). --sequence: sequence\n"
+"of block, margin; weakest_step: the first block with the least.\n"
+"--error: bears (margin / 2E, with cones that narrow by tan THETA / 2E),\n"
+"least_friction (of contacts without a value of their own).\n"
 "Numbers that do not exist or have no bound are null.\n"
 "\n"
 "Stands means: admissible forces exist, without tension and within friction.\n"
@@ -118,6 +123,7 @@ enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit, overlap;
     kern_real error, turn;  /* of --measured                               */
+    kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence;
     const char *svg;
@@ -155,6 +161,7 @@ struct analysis {
     kern_status raised;     /* real contacts, if asked for       */
     kern_raising raising;
     double reserve;
+    double bears, least_friction;
     double *sequence;       /* the margin after each block       */
 
     kern_status profiled;   /* both profiles, if asked for       */
@@ -511,6 +518,33 @@ static int find_certain(struct analysis *a)
     return 0;
 }
 
+/* How many times the error of --error the structure bears, and the least
+   friction at which it stands: where cones narrow so fast that kerns hardly
+   shrink. 0 for what falls. */
+static void find_error(struct analysis *a)
+{
+    const struct settings *set = a->set;
+    const kern_options options = a->task.options;
+    const kern_real size = (kern_real)mean_size(a);
+    const kern_real fast = 1000 / (set->relative ? 1 : size);
+    kern_margin m;
+    kern_status status;
+    double slope, mu = (double)options.mu;
+    a->bears = a->least_friction = (double)NAN;
+    a->task.options.narrow = (kern_real)tan((double)set->own_turn) /
+                             (2 * set->own_error);
+    status = kern_measure(&a->task, &m, NULL);
+    if (status == KERN_STANDS)
+        a->bears = (double)(m.margin / (2 * set->own_error));
+    if (status == KERN_FALLS) a->bears = 0;
+    a->task.options.narrow = fast;
+    status = kern_measure(&a->task, &m, NULL);
+    a->task.options = options;
+    slope = (double)(fast * m.margin);
+    if (status == KERN_STANDS)
+        a->least_friction = fmax(mu - slope, 0) / (1 + mu * slope);
+}
+
 /* What follows the verdict. */
 static int measure(struct analysis *a)
 {
@@ -518,6 +552,7 @@ static int measure(struct analysis *a)
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
     if (a->set->raised && find_raised(a)) return -1;
+    if (a->set->own_error > 0) find_error(a);
     if (a->set->sequence && find_sequence(a)) return -1;
     if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
     limit.force = a->last_force;
@@ -974,6 +1009,18 @@ static void report_raised(const struct analysis *a)
     printf("\n");
 }
 
+static void report_error(const struct analysis *a)
+{
+    printf("  bears       ");
+    if (isnan(a->bears)) printf("undecided\n");
+    else printf("%-8.4g  times the error of its places, %.4g%s%.4g\n", a->bears,
+                (double)a->set->own_error, a->set->own_turn > 0 ? " and " : "",
+                (double)a->set->own_turn);
+    if (!isnan(a->least_friction))
+        printf("  friction    %-8.4g  the least at which it stands\n",
+               a->least_friction);
+}
+
 static void report_sequence(const struct analysis *a)
 {
     int weakest = weakest_step(a);
@@ -996,6 +1043,7 @@ static void report(const struct analysis *a)
     report_bearing(a);
     report_limit(a);
     if (a->set->raised) report_raised(a);
+    if (a->set->own_error > 0) report_error(a);
     if (a->set->sequence) report_sequence(a);
     report_collapse(a);
     report_loads(a);
@@ -1213,6 +1261,11 @@ static void report_json(const struct analysis *a)
                 falls ? -a->deficit : known ? (double)a->m.margin : none);
     json_number("bearing", good ? a->bearing : none);
     if (a->set->raised) json_raised(a, good && !a->set->verdict_only);
+    if (a->set->own_error > 0) {
+        int known = good && !a->set->verdict_only;
+        json_number("bears", known ? a->bears : none);
+        json_number("least_friction", known ? a->least_friction : none);
+    }
     if (a->set->sequence) json_sequence(a, good && a->sequence);
     json_number("load_left", good ? a->load[LEFT] : none);
     json_number("load_right", good ? a->load[RIGHT] : none);
@@ -1443,17 +1496,18 @@ static int number_option(const char *name, const char *value, int zero,
 }
 
 /* E or E,THETA */
-static int measured_option(struct settings *set, const char *value)
+static int error_option(const char *name, const char *value, kern_real *error,
+                        kern_real *turn)
 {
     char first[100];
     const char *comma = value ? strchr(value, ',') : NULL;
     size_t n = comma ? (size_t)(comma - value) : 0;
     if (!comma || n >= sizeof first)
-        return number_option("--measured", value, 0, &set->error);
+        return number_option(name, value, 0, error);
     memcpy(first, value, n);
     first[n] = '\0';
-    return number_option("--measured", first, 0, &set->error)
-        || number_option("--measured", comma + 1, 1, &set->turn) ? -1 : 0;
+    return number_option(name, first, 0, error)
+        || number_option(name, comma + 1, 1, turn) ? -1 : 0;
 }
 
 /* Reads argv[*i], with what belongs to it; 0 where it is fine. */
@@ -1483,7 +1537,9 @@ static int read_option(struct settings *set, char **argv, int *i)
             return 0;
         }
     if (option_value(argv, i, "--measured", &value))
-        return measured_option(set, value);
+        return error_option("--measured", value, &set->error, &set->turn);
+    if (option_value(argv, i, "--error", &value))
+        return error_option("--error", value, &set->own_error, &set->own_turn);
     if (option_value(argv, i, "--svg", &set->svg)) {
         size_t n = set->svg ? strlen(set->svg) : 0;
         if (n > 4 && strcmp(set->svg + n - 4, ".svg") == 0) return 0;
@@ -1496,7 +1552,7 @@ static int read_option(struct settings *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct settings set = { -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0,
+    struct settings set = { -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0,
                             0, 0, NULL, argv, 0 };
     int options = 1;
     for (int i = 1; i < argc; i++) {
