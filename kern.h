@@ -3166,7 +3166,7 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            int room, kern_work *work)
 {
     kern_search s;
-    kern_overlap ignored;
+    kern_overlap ignored = {0, 0, 0, 0};
     kern_status status;
     s.from = 0;
     status = kern_search_open(&s, block, blocks, options, NULL, 0, work);
@@ -4385,6 +4385,8 @@ static void kern_basis_costs(const kern_simplex *sx, const kern_real *cost,
 #ifdef KERN_AUDIT
 /* Bases of float, and of jams, may be nearly singular. */
 #define KERN_AUDIT_TOL KERN_PICK(1e-2, 1e30)
+/* Friction beyond which a basis keeps no digits. */
+#define KERN_AUDIT_LARGE KERN_R(1e6)
 /* Whether header and places are inverse to each other, rows of S and spare
    slots too; and for a network, where rounding is bounded, whether B x = b, and
    B^-1 B = I for a vector of ones of mixed signs. */
@@ -4413,7 +4415,7 @@ static void kern_simplex_audit(kern_simplex *sx)
         else if (want[p] > 0 || want[p] < 0)
             v[sx->base[p] - lp->cols] += want[p];
     }
-    if (!lp->ends)
+    if (!lp->ends || kern_largest(lp->a, 4 * lp->cols) > KERN_AUDIT_LARGE)
         return;
     v[m] = v[m + 1] = v[m + 2] = KERN_R(0);
     kern_basis_solve(sx, 0, v);

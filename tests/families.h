@@ -37,25 +37,25 @@ static void make_wedges(int blocks)
     double low = 0, high = 0;
     kern_vec c[4];
     int i;
-    c[0] = kern_vec_make(-9, 0);
-    c[1] = kern_vec_make(-half, 0);
-    c[2] = kern_vec_make(-half - end * left, end);
-    c[3] = kern_vec_make(-9, end);
+    c[0] = stones_vec(-9, 0);
+    c[1] = stones_vec(-half, 0);
+    c[2] = stones_vec(-half - end * left, end);
+    c[3] = stones_vec(-9, end);
     add(c, 4, 0);
-    c[0] = kern_vec_make(half, 0);
-    c[1] = kern_vec_make(9, 0);
-    c[2] = kern_vec_make(9, end);
-    c[3] = kern_vec_make(half + end * right, end);
+    c[0] = stones_vec(half, 0);
+    c[1] = stones_vec(9, 0);
+    c[2] = stones_vec(9, end);
+    c[3] = stones_vec(half + end * right, end);
     add(c, 4, 0);
     blocks = blocks > 5 ? 5 : blocks;
     for (i = 1; i <= blocks; i++) {
         const double share = (double)i / blocks;
         const double to = i < blocks ? share + uniform(-0.3, 0.3) / blocks : 1;
         const double at = i < blocks ? share + uniform(-0.3, 0.3) / blocks : 1;
-        c[0] = kern_vec_make(x0 + low * wide0, y0);
-        c[1] = kern_vec_make(x0 + to * wide0, y0);
-        c[2] = kern_vec_make(x1 + at * wide1, y1);
-        c[3] = kern_vec_make(x1 + high * wide1, y1);
+        c[0] = stones_vec(x0 + low * wide0, y0);
+        c[1] = stones_vec(x0 + to * wide0, y0);
+        c[2] = stones_vec(x1 + at * wide1, y1);
+        c[3] = stones_vec(x1 + high * wide1, y1);
         add(c, 4, uniform(1, 3));
         low = to;
         high = at;
@@ -70,11 +70,11 @@ static void make_fractures(int blocks)
     double y = 0;
     int i, k;
     for (k = 0; k < POINTS; k++)
-        under[k] = kern_vec_make(0.4 * k, uniform(-0.1, 0.1));
+        under[k] = stones_vec(0.4 * k, uniform(-0.1, 0.1));
     for (k = 0; k < POINTS; k++)
         c[POINTS - 1 - k] = under[k];
-    c[POINTS] = kern_vec_make(-1, -1);
-    c[POINTS + 1] = kern_vec_make(2.6, -1);
+    c[POINTS] = stones_vec(-1, -1);
+    c[POINTS + 1] = stones_vec(2.6, -1);
     add(c, POINTS + 2, 0);
     for (i = 0; i < blocks; ) {
         const int middle = i + 1 < blocks && random_below(2) ? 2 : POINTS - 1;
@@ -82,7 +82,7 @@ static void make_fractures(int blocks)
         int from = 0, to = middle;
         y += uniform(0.4, 0.9);
         for (k = 0; k < POINTS; k++)
-            over[k] = kern_vec_make(under[k].x + lean,
+            over[k] = stones_vec(under[k].x + lean,
                                     y + rough * uniform(-1, 1));
         for (; from < POINTS - 1; from = to, to = POINTS - 1, i++) {
             int n = 0;
@@ -121,7 +121,7 @@ static int outline_of(int cell[HIGH][WIDE], int stone, const double *x,
             }
     for (at = first, last = -1; n == 0 || at != first; last = at, at = next[at])
         if (last < 0 || next[at] - at != at - last)
-            out[n++] = kern_vec_make(x[at % (WIDE + 1)], y[at / (WIDE + 1)]);
+            out[n++] = stones_vec(x[at % (WIDE + 1)], y[at / (WIDE + 1)]);
     return n;
 }
 
@@ -180,7 +180,7 @@ static void make_settled(int blocks)
         struct stone stone;
         stone_make(&b, 20 + 60 * (double)uniform(0, 1), &stone);
         stone_turn(&stone, stone.centre, on_circle(turn, 1));
-        stone_move(&stone, kern_vec_make(x, 20));
+        stone_move(&stone, stones_vec(x, 20));
         if (!rest_settle(&around, &stone) || stone.n > VERTICES)
             continue;
         rest_edges(&around, stone.v, stone.n);
@@ -211,10 +211,10 @@ static void move_all(kern_vec turn, kern_vec way)
     int i, k;
     for (i = 0; i < s.blocks; i++) {
         const kern_real density = block[i].fixed
-                                  ? 0 : block[i].mass / kern_abs(block[i].area);
+                                  ? 0 : block[i].mass / fabs(block[i].area);
         for (k = 0; k < block[i].vertices; k++) {
             const kern_vec p = stones_turned(turn, vertex[i][k]);
-            vertex[i][k] = kern_vec_make(p.x + way.x, p.y + way.y);
+            vertex[i][k] = stones_vec(p.x + way.x, p.y + way.y);
         }
         if (density > 0)
             kern_block_init(&block[i], vertex[i], block[i].vertices, density,
@@ -238,7 +238,7 @@ static int random_family(int seed, int most, kern_work *work)
     s.blocks = s.contacts = 0;
     s.block = block;
     s.contact = contact;
-    s.gravity = kern_vec_make(0, KERN_R(-9.8125));
+    s.gravity = stones_vec(0, -9.8125);
     family = random_below(FAMILIES);
     i = random_count(1, most);
     switch (family) {
@@ -252,9 +252,9 @@ static int random_family(int seed, int most, kern_work *work)
         const double size = kern_mean_size(block, s.blocks);
         const double far_off = size * power_of_ten(random_below(6));
         const double x = uniform(-1, 1), y = uniform(-1, 1);
-        const kern_vec turn = random_below(2) ? kern_vec_make(1, 0)
+        const kern_vec turn = random_below(2) ? stones_vec(1, 0)
                                               : on_circle(uniform(-1, 1), 1);
-        move_all(turn, kern_vec_make(far_off * x, far_off * y));
+        move_all(turn, stones_vec(far_off * x, far_off * y));
     }
     s.contacts = kern_contacts(block, s.blocks, &options, contact, CONTACTS,
                                work);
