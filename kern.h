@@ -2209,8 +2209,8 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
 
 /* ---- simplified outlines ---- */
 /* Outlines from images and from clippers have steps of a pixel or of a
-   rounding. Their simplification (Douglas & Peucker 1973) tells the place and the
-   normal of a contact there. It is not stored: the span of an edge is found
+   rounding. Their simplification (Douglas & Peucker 1973) tells the place and
+   the normal of a contact there. It is not stored: the span of an edge is found
    from the whole outline, which is split until no corner is farther than a step
    from the chord. The nested spans on the way serve the next edge, which is a
    neighbour as a rule. */
@@ -2551,38 +2551,43 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *e,
     kern_pair_add(pair, e->start, f->start, raw, 0, 0);
 }
 
+/* Does edge e of the block bear p: is the foot of p inside, or does e end
+   within the gap of p in a reflex corner? */
+static int kern_edge_bears(const kern_edge *e, const kern_block *block,
+                           kern_vec p, kern_real inside, kern_real gap)
+{
+    const kern_vec r = kern_vec_sub(p, e->p), t = kern_vec_sub(p, e->q);
+    const kern_real along = kern_vec_dot(r, e->d);
+    return (along > inside && along < e->length - inside) ||
+           (kern_vec_dot(r, r) <= gap * gap &&
+            kern_polygon_turn(block, e->start) < 0) ||
+           (kern_vec_dot(t, t) <= gap * gap &&
+            kern_polygon_turn(block, e->end) < 0);
+}
+
 /* The corner where f starts stands on edge e, of a or of b: it is convex and
-   within the gap, its foot is inside e or e ends there in a reflex corner, and
-   both its own edges lead to the outer side. */
+   within the gap, e bears it, and both its own edges lead to the outer side. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *f,
                             const kern_edge *e, int on_a)
 {
-    const kern_block *to = on_a ? pair->of_a.parts.block
-                                : pair->of_b.parts.block;
-    const kern_vec r = kern_vec_sub(f->p, e->p);
-    const kern_vec t = kern_vec_sub(f->p, e->q);
-    const kern_real along = kern_vec_dot(r, e->d);
-    const kern_real wide = kern_pair_gap(pair, f->p), square = wide * wide;
-    const kern_real high = kern_vec_cross(r, e->d);
-    const kern_real inside = pair->foot - pair->over;
+    const kern_outline *to = on_a ? &pair->of_a : &pair->of_b;
+    const kern_real wide = kern_pair_gap(pair, f->p);
+    const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     kern_raw raw;
     if (kern_vec_cross(f->back, f->d) > 0 || high > wide ||
         high < -kern_max(wide, pair->deep) ||
         kern_vec_cross(f->d, e->d) < -pair->sine ||
-        kern_vec_cross(f->back, e->d) < -pair->sine)
+        kern_vec_cross(f->back, e->d) < -pair->sine ||
+        !kern_edge_bears(e, to->parts.block, f->p, pair->foot - pair->over,
+                         wide))
         return;
     raw.p = f->p;
     if (pair->deep > pair->gap) /* midway, as a line */
         raw.p = kern_vec_step(f->p, high / 2, kern_vec_turn(e->d));
     raw.n = kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1);
     raw.half = 0;
-    if ((along > inside && along < e->length - inside) ||
-        (kern_vec_dot(r, r) <= square &&
-         kern_polygon_turn(to, e->start) < 0) ||
-        (kern_vec_dot(t, t) <= square &&
-         kern_polygon_turn(to, e->end) < 0))
-        kern_pair_add(pair, on_a ? e->start : f->start,
-                      on_a ? f->start : e->start, raw, !on_a, on_a);
+    kern_pair_add(pair, on_a ? e->start : f->start, on_a ? f->start : e->start,
+                  raw, !on_a, on_a);
 }
 
 /* Looks for lines and points at each two edges that are near each other. */
@@ -2716,9 +2721,9 @@ static void kern_interface_travels(kern_contact *contact, int contacts, int i)
     kern_vec centre = first.p;
     kern_real widest = 0;
     int j, k;
-    for (j = i; j < contacts; j++)
-        for (k = j + 1; k < contacts && kern_same_interface(&first, &contact[j]);
-             k++) {
+    for (j = i; j < contacts; j++) {
+        const int own = kern_same_interface(&first, &contact[j]);
+        for (k = j + 1; k < contacts && own; k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
             if (square > widest && kern_same_interface(&first, &contact[k])) {
@@ -2726,6 +2731,7 @@ static void kern_interface_travels(kern_contact *contact, int contacts, int i)
                 centre = kern_vec_mid(contact[j].p, contact[k].p);
             }
         }
+    }
     for (j = i; j < contacts; j++) {
         kern_contact *c = &contact[j];
         if (kern_same_interface(&first, c))
@@ -2805,7 +2811,7 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
     pair->sine = kern_sine(o->angle);
 }
 
-/* Opens the pair of blocks i and j; 0: they touch nowhere, or both are fixed. */
+/* Opens the pair of blocks i and j; 0: both are fixed, or they are apart. */
 static int kern_pair_open(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
@@ -2981,7 +2987,7 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
         open[kept++] = order[k];
         opened = kept;
     }
-    for (i = 0; i < s->found.count; i++) /* a pair's contacts keep their order */
+    for (i = 0; i < s->found.count; i++) /* those of a pair keep their order */
         s->found.at[i].mu = KERN_R(i);
     kern_search_sort(s, NULL, s->found.count);
     return KERN_OK;
@@ -9992,17 +9998,15 @@ KERN_API int kern_certain(const kern_task *task, kern_status verdict,
     e = task->options.error;
     if (!(e > 0) || (verdict != KERN_STANDS && verdict != KERN_FALLS))
         return (int)KERN_BAD_OPTION;
-    other = *task;
+    other = kern_task_of(task->s.block, task->s.blocks, out, 0, task->work);
+    other.s.gravity = task->s.gravity;
     share = verdict == KERN_STANDS ? KERN_CERTAIN_STANDS : KERN_CERTAIN_FALLS;
     other.options = kern_measured(&task->options, share * e,
                                   share * task->options.turn);
-    other.s.contact = out;
     other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
                                      &other.options, out, room, task->work);
     if (other.s.contacts < 0)
         return other.s.contacts;
-    other.known.motion = NULL; /* of other contacts */
-    other.known.force = NULL;
     again = kern_verdict(&other, verdict == KERN_STANDS ? e : -e, NULL);
     return again == KERN_UNDECIDED || again >= 0
         ? again == verdict : (int)again;
