@@ -1382,7 +1382,7 @@ extern "C" {
 /* Share of the largest velocity that is no approach. */
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
 #define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
-#define KERN_INNER_BEYOND  3       /* predictions beyond the end              */
+#define KERN_INNER_BEYOND  3       /* predictions at the end, or no progress  */
 #define KERN_INNER_TRIES   6       /* and of its proofs                       */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 /* How much stiffer contacts are along t than along n, for >>raised: what sticks
@@ -8120,16 +8120,18 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
     const kern_real same = 4 * path->unit * KERN_SAME_EDGE;
     kern_inner in;
     kern_real edge, holds;
-    int round, beyond = 0;
+    int round, beyond = 0, stalled = 0;
     if (m->from > 0 || m->narrow > 0 || !kern_inner_open(&in, m, path))
         return KERN_UNDECIDED;
     in.high = high;
     for (round = 0; !(in.gap <= in.least) && beyond < KERN_INNER_BEYOND;
          round++) {
-        if (round == KERN_INNER_ROUNDS || !(in.gap <= KERN_HUGE)
-            || !kern_inner_advance(&in))
+        const kern_real gap = in.gap;
+        if (round == KERN_INNER_ROUNDS || stalled == KERN_INNER_BEYOND
+            || !(gap <= KERN_HUGE) || !kern_inner_advance(&in))
             return KERN_UNDECIDED;
-        beyond = in.ahead > high ? beyond + 1 : 0;
+        beyond = in.ahead > high - in.least ? beyond + 1 : 0;
+        stalled = kern_abs(in.gap - gap) < gap / 32 ? stalled + 1 : 0;
     }
     if (beyond == KERN_INNER_BEYOND) {
         if (kern_inner_verdict(&in, last) != KERN_STANDS)
