@@ -9,6 +9,7 @@ examples/python/kern.py, to the last bit.
 """
 
 import base64
+import dataclasses
 import json
 import os
 import pathlib
@@ -234,6 +235,11 @@ def test_measured(browser):
         assert browser.ask("[shown.measured.verdict === STANDS, "
                            "shown.measured.certain]") == want, (share, want)
         said.add(want[1])
+        told = dataclasses.replace(wall.options, narrow=browser.ask(
+            "Math.tan(placingError() / view.size) / (2 * placingError())"))
+        same = kern.Structure(wall.blocks, options=told)
+        assert browser.ask("shown.bears") == (same.measure().margin
+                                              / (2 * error))
     assert said == {True, False}
     browser.ask("$('pose').value = 0.02, choose(30), press('Home')")
     browser.frame()

@@ -239,6 +239,14 @@ class Calls(unittest.TestCase):
         self.assertAlmostEqual(Structure(two(0.2)).bearing(), 0.8)
         self.assertIsNone(Structure(two(0.7)).bearing())
 
+    def test_narrow(self):
+        """On a slope of atan(0.3), friction 0.4 leaves 0.1 / 1.12 to lose."""
+        s = Structure(two(0.2), options=Options(narrow=0.1))
+        self.assertAlmostEqual(s.measure().margin, 0.3, 5)
+        s = Structure(two(0)[:2], options=Options(narrow=4.0),
+                      gravity=(0.3, -1.0))
+        self.assertAlmostEqual(s.measure().margin, 0.1 / 1.12 / 4, 5)
+
     def test_near(self):
         high = two(0)
         high[2].move(0, 0.02)

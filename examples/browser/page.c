@@ -238,6 +238,18 @@ PAGE(measured) int page_measured(double e)
     return report(status, &work.fault);
 }
 
+/* Answer: the margin where friction narrows as well (kern_options). */
+PAGE(narrowed) int page_narrowed(double narrow)
+{
+    kern_margin m = { .margin = 0 };
+    int status;
+    task.options.narrow = narrow;
+    status = kern_measure(&task, &m, NULL);
+    task.options.narrow = 0;
+    answer[0] = m.margin;
+    return report(status, &work.fault);
+}
+
 /* Answer: the load factor to the right (side 1) or left (-1). */
 PAGE(load_factor) int page_load_factor(int side)
 {

@@ -91,7 +91,7 @@ class _Options(ctypes.Structure):
     _fields_ = [("mu", c_double), ("gap", c_double), ("angle", c_double),
                 ("epsilon", c_double), ("relative", c_int), ("limit", c_int),
                 ("overlap", c_double), ("error", c_double),
-                ("turn", c_double)]
+                ("turn", c_double), ("narrow", c_double)]
 
 
 class _Force(ctypes.Structure):
@@ -438,16 +438,17 @@ class Options:
     overlap: float = _D.overlap
     error: float = _D.error
     turn: float = _D.turn
+    narrow: float = _D.narrow
 
     def _c(self) -> _Options:
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
                         self.relative, self.limit, self.overlap, self.error,
-                        self.turn)
+                        self.turn, self.narrow)
 
     @staticmethod
     def _of(c: _Options) -> Options:
         return Options(c.mu, c.gap, c.angle, c.epsilon, bool(c.relative),
-                       c.limit, c.overlap, c.error, c.turn)
+                       c.limit, c.overlap, c.error, c.turn, c.narrow)
 
     def near(self, mean_size: float) -> Options:
         """kern_near(): also finds contacts that a first rocking closes."""
