@@ -16,7 +16,7 @@
      III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
                             >>check >>statics >>proof >>model >>part >>least
                             >>pour >>verdict >>kern >>profile >>critical
-                            >>raised >>plan >>words
+                            >>sensitivity >>raised >>plan >>words
       IV   Changes           >>changes, and the licence
 
 
@@ -531,6 +531,7 @@ typedef float kern_real;
 #define kern_plan_try        kern_plan_try_f32
 #define kern_profile         kern_profile_f32
 #define kern_raised          kern_raised_f32
+#define kern_sensitivity     kern_sensitivity_f32
 #define kern_status_text     kern_status_text_f32
 #define kern_task_of         kern_task_of_f32
 #define kern_tilt            kern_tilt_f32
@@ -702,6 +703,22 @@ typedef struct kern_margin {
     int level;            /* Algorithm 1; -1: a verdict it needs is undecided */
     int saturated;        /* nonzero: stands with every kern closed           */
 } kern_margin;
+
+/* By how much the margin grows when a datum of a contact point grows by 1, all
+   others as they are: its place, its normal turned [1/rad], its friction, and
+   the travel of a kern that is closed there. */
+typedef struct kern_contact_rate {
+    kern_vec p;
+    kern_real turn, mu, travel;
+} kern_contact_rate;
+
+/* The same of a block. Its place: what lies at its corners moves with it and
+   its centre; normals and all else stay. */
+typedef struct kern_block_rate {
+    kern_vec centre, place;
+    kern_real mass;       /* [m/kg] */
+    kern_wrench load;     /* [m/N], [1/N] */
+} kern_block_rate;
 
 /* What is known of the forces in a structure that stands. */
 typedef enum kern_raising {
@@ -1097,6 +1114,18 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
    KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
+
+/* How the margin depends on every contact point and block, from the proof that
+   kern_measure() wrote, without any search: contact[0..contacts) and
+   block[0..blocks). It is the derivative where one mechanism alone is critical
+   and contacts stay; else that of the mechanism of the proof. KERN_OK, or
+   KERN_UNDECIDED where the margin is saturated or does not move. With narrow 0.
+   Time: O(B + C), and the corners of the blocks at each contact. */
+KERN_API kern_status kern_sensitivity(const kern_task *task,
+                                      const kern_margin *margin,
+                                      const kern_proof *proof,
+                                      kern_contact_rate *contact,
+                                      kern_block_rate *block);
 
 /* How far kerns must grow [m] (relative: a share) until the structure stands.
    KERN_STANDS: it does already, 0. KERN_FALLS: *deficit is written, and is
@@ -9185,6 +9214,130 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
     kern_critical_contacts(task, &q, proof, out);
     if (out->group)
         kern_critical_blocks(&task->s, proof->motion, out);
+    return KERN_OK;
+}
+
+/* ---- Sensitivity --------------------------------------------- >>sensitivity */
+/* At the margin d* the power G of forces and loads on the mechanism is 0,
+   whatever small change of a datum q it is asked after: d*' = -G_q / G_d, with
+   the forces and the motion of the margin's proof. */
+
+/* G_q of contact i, and its share of G_d. */
+static kern_real kern_contact_gain(const kern_task *task,
+                                   const kern_question *q, int i,
+                                   const kern_proof *proof,
+                                   kern_contact_rate *out)
+{
+    const kern_contact *c = task->s.contact + i;
+    const kern_vec t = kern_vec_turn(c->n);
+    const kern_motion v = kern_meeting_motion(&task->s, q, c, proof->motion);
+    const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
+    const kern_vec force = kern_vec_make(f * c->n.x + r * t.x,
+                                         f * c->n.y + r * t.y);
+    const kern_vec u = kern_vec_make(v.vx, v.vy);
+    const kern_real travel = kern_travel(c, q->mean);
+    kern_real rate;
+    const kern_real shift = kern_shift(travel, q->shrink, q->relative, &rate);
+    const int closed = !q->relative && q->shrink >= kern_abs(travel);
+    out->p = kern_vec_make(v.spin * force.y, -v.spin * force.x);
+    out->turn = kern_vec_cross(force, u) - shift * v.spin * r;
+    out->mu = c->mu > 0 ? r / c->mu * kern_vec_dot(u, t) : KERN_R(0);
+    out->travel = -v.spin * f * (q->relative ? q->shrink
+                                             : closed ? KERN_R(1) : KERN_R(0));
+    return -rate * v.spin * f;
+}
+
+static void kern_block_gain(const kern_structure *s, int i,
+                            const kern_motion *motion, kern_block_rate *out)
+{
+    const kern_block *b = s->block + i;
+    const kern_motion v = motion[i];
+    kern_wrench w;
+    kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
+    out->centre = kern_vec_make(v.spin * w.fy, -v.spin * w.fx);
+    out->mass = s->gravity.x * v.vx + s->gravity.y * v.vy;
+    out->load.fx = v.vx;
+    out->load.fy = v.vy;
+    out->load.torque = v.spin;
+    out->place = out->centre;
+}
+
+/* Whether a corner of the block lies at p. */
+static int kern_owns(const kern_block *b, kern_vec p)
+{
+    const kern_real same = KERN_R(2e-3) * kern_block_size(b);
+    int i;
+    for (i = 0; i < b->vertices; i++)
+        if (kern_vec_largest(kern_vec_sub(b->vertex[i], p)) <= same)
+            return 1;
+    return 0;
+}
+
+/* What the corners of a block own moves with it, and the middle of a line by
+   half of that. */
+static void kern_place_gain(const kern_structure *s,
+                            const kern_contact_rate *rate, int i, int b,
+                            kern_block_rate *out)
+{
+    const kern_contact *c = s->contact + i;
+    const kern_vec t = kern_vec_turn(c->n);
+    const int other = !c->line ? i : i > 0 && c[-1].line && c[-1].a == c->a
+                      && c[-1].b == c->b && c->travel * c[-1].travel < 0
+                      ? i - 1 : i + 1;
+    kern_real half = KERN_R(0);
+    if (!kern_owns(s->block + b, c->p))
+        return;
+    if (other != i)
+        half = (rate[other].travel - rate[i].travel) / 2;
+    out[b].place.x += rate[i].p.x + half * t.x;
+    out[b].place.y += rate[i].p.y + half * t.y;
+}
+
+KERN_API kern_status kern_sensitivity(const kern_task *task,
+                                      const kern_margin *margin,
+                                      const kern_proof *proof,
+                                      kern_contact_rate *contact,
+                                      kern_block_rate *block)
+{
+    kern_question q;
+    kern_real gain = KERN_R(0), most = KERN_R(0), one;
+    int i, n = 0;
+    kern_status status = kern_task_check(
+        task, margin && proof && proof->force && proof->motion && contact
+              ? block : NULL, &n);
+    if (status != KERN_OK)
+        return status;
+    q = kern_question_of(&task->s, &task->options, margin->margin);
+    for (i = 0; i < task->s.contacts; i++) {
+        const kern_real g = kern_contact_gain(task, &q, i, proof, contact + i);
+        gain += g;
+        most += kern_abs(g);
+    }
+    if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
+        return KERN_UNDECIDED;
+    for (i = 0; i < task->s.blocks; i++)
+        kern_block_gain(&task->s, i, proof->motion, block + i);
+    for (i = 0; i < task->s.contacts; i++) {
+        kern_place_gain(&task->s, contact, i, task->s.contact[i].a, block);
+        kern_place_gain(&task->s, contact, i, task->s.contact[i].b, block);
+    }
+    one = -1 / gain;
+    for (i = 0; i < task->s.contacts; i++) {
+        kern_contact_rate *c = contact + i;
+        c->p = kern_vec_scale(c->p, one);
+        c->turn *= one;
+        c->mu *= one;
+        c->travel *= one;
+    }
+    for (i = 0; i < task->s.blocks; i++) {
+        kern_block_rate *b = block + i;
+        b->centre = kern_vec_scale(b->centre, one);
+        b->place = kern_vec_scale(b->place, one);
+        b->mass *= one;
+        b->load.fx *= one;
+        b->load.fy *= one;
+        b->load.torque *= one;
+    }
     return KERN_OK;
 }
 

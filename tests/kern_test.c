@@ -8520,6 +8520,124 @@ static void narrow_random(void)
     CHECK(compared > 500);
 }
 
+/* ==== Sensitivity =================================================== */
+
+static kern_contact_rate contact_rate[MAX_POINTS];
+static kern_block_rate block_rate[MAX_BLOCKS];
+
+/* The margin, with its sensitivity if `rates`; 0 where there is none. */
+static double margin_rates(const world *w, int rates)
+{
+    const kern_structure s = structure_of(w);
+    kern_work work = work_of(w);
+    kern_task *task = task_of(&s, &w->options, &work);
+    const kern_proof proof = proof_here();
+    kern_margin m;
+    if (kern_measure(task, &m, &proof) != KERN_STANDS || m.saturated)
+        return 0;
+    if (rates && kern_sensitivity(task, &m, &proof, contact_rate, block_rate)
+                     != KERN_OK)
+        return 0;
+    return (double)m.margin;
+}
+
+/* A cube whose centre is .1 off the middle of its bed falls at .4: the centre,
+   and the far end of the bed, count once each, in opposite directions. */
+static void sensitivity_by_hand(void)
+{
+    static world w;
+    int k;
+    world_reset(&w);
+    world_box(&w, 0, -2, -1, 3, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_touch(&w);
+    w.block[1].centre.x += R(0.1);
+    CHECK_NEAR(margin_rates(&w, 1), 0.4, 2 * EDGE);
+    CHECK_NEAR(block_rate[1].centre.x, -1, SINGLE ? 0.02 : 1e-3);
+    CHECK_NEAR(block_rate[1].centre.y, 0, SINGLE ? 0.02 : 1e-3);
+    CHECK_NEAR(block_rate[1].mass, 0, SINGLE ? 0.02 : 1e-3);
+    CHECK_NEAR(block_rate[1].place.x, 0, SINGLE ? 0.02 : 1e-3);
+    for (k = 0; k < 2; k++)
+        CHECK_NEAR(contact_rate[k].p.x, w.contact[k].p.x > R(0.5), SINGLE ? 0.02 : 1e-3);
+}
+
+/* Changes one datum by a step; returns the rate that belongs to it. */
+static double nudge(world *w, int kind, int k, int b, double size, double *step)
+{
+    kern_contact *c = &w->contact[k];
+    kern_block *block = &w->block[b];
+    const double one = *step * 1e-5, h = one * size;
+    const double cosine = cos(one), sine = sin(one);
+    const kern_vec n = c->n;
+    *step = h;
+    switch (kind) {
+    case 0: c->p.x += R(h); return (double)contact_rate[k].p.x;
+    case 1: c->p.y += R(h); return (double)contact_rate[k].p.y;
+    case 2:
+        *step = one;
+        c->n = vec((double)n.x * cosine - (double)n.y * sine,
+                   (double)n.y * cosine + (double)n.x * sine);
+        return (double)contact_rate[k].turn;
+    case 3:
+        *step = one;
+        c->mu += R(one);
+        return (double)contact_rate[k].mu;
+    case 4: /* the load stays where it is */
+        block->centre.x += R(h);
+        block->load.torque -= R(h) * block->load.fy;
+        return (double)block_rate[b].centre.x;
+    case 5:
+        *step = one * (double)block->mass;
+        block->mass += R(*step);
+        return (double)block_rate[b].mass;
+    default:
+        *step = one * (double)block->mass;
+        block->load.fx += R(*step);
+        return (double)block_rate[b].load.fx;
+    }
+}
+
+static void sensitivity_random(void)
+{
+    static world w, now;
+    unsigned long long seed;
+    int good = 0, asked_here = 0;
+    for (seed = 1; seed < 4000 && asked_here < 1000 && !SINGLE; seed++) {
+        double margin, size, step, rate, change[2];
+        int i;
+        if (!random_world(&w, seed, 12) || !twin_nested(&w))
+            continue;
+        w.options.relative = 0;
+        size = mean_size(&w);
+        margin = margin_rates(&w, 1);
+        if (!(margin > 0.001 * size))
+            continue;
+        for (i = 0; i < 6; i++) {
+            const int k = random_int(0, w.contacts - 1);
+            const int b = random_int(0, w.blocks - 1);
+            const int kind = random_int(0, 6);
+            int side, near;
+            if (w.block[b].fixed)
+                continue;
+            for (side = -1, near = 0; side <= 1; side += 2) {
+                step = side;
+                world_copy(&now, &w);
+                rate = nudge(&now, kind, k, b, size, &step) * step;
+                change[side > 0] = margin_rates(&now, 0) - margin;
+                near |= fabs(change[side > 0] - rate)
+                        <= 0.01 * fabs(rate) + 1e-8 * size;
+            }
+            if (fabs(change[0] + change[1])
+                > 0.01 * fabs(change[1]) + 1e-8 * size)
+                continue; /* several mechanisms are critical */
+            good += near;
+            asked_here++;
+        }
+    }
+    CHECK(SINGLE || asked_here >= 1000);
+    CHECK(good >= asked_here * 95 / 100);
+}
+
 /* ==== All tests ===================================================== >>all */
 
 typedef struct test {
@@ -8645,6 +8763,8 @@ static const test tests[] = {
     TEST(raised_random),
     TEST(raised_memory),
     TEST(plan_raised),
+    TEST(sensitivity_by_hand),
+    TEST(sensitivity_random),
     TEST(narrow_by_hand),
     TEST(narrow_random),
     TEST(t15_walls),
