@@ -239,6 +239,12 @@ class Calls(unittest.TestCase):
         self.assertAlmostEqual(Structure(two(0.2)).bearing(), 0.8)
         self.assertIsNone(Structure(two(0.7)).bearing())
 
+    def test_sensitivity(self):
+        """A box farther to the right has as much less margin."""
+        contacts, blocks = Structure(two(0.2)).sensitivity()
+        self.assertEqual((len(contacts), len(blocks)), (4, 3))
+        self.assertAlmostEqual(blocks[2].place[0], -1, 5)
+
     def test_narrow(self):
         """On a slope of atan(0.3), friction 0.4 leaves 0.1 / 1.12 to lose."""
         s = Structure(two(0.2), options=Options(narrow=0.1))

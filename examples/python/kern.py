@@ -122,6 +122,16 @@ class _Critical(ctypes.Structure):
                 ("group", c_void_p), ("contact", c_int), ("groups", c_int)]
 
 
+class _ContactRate(ctypes.Structure):
+    _fields_ = [("p", _Vec), ("turn", c_double), ("mu", c_double),
+                ("travel", c_double)]
+
+
+class _BlockRate(ctypes.Structure):
+    _fields_ = [("centre", _Vec), ("place", _Vec), ("mass", c_double),
+                ("load", _Wrench)]
+
+
 class _Work(ctypes.Structure):
     _fields_ = [("real", c_void_p), ("reals", c_int), ("index", c_void_p),
                 ("indices", c_int), ("pivots", c_int), ("solves", c_int),
@@ -168,6 +178,7 @@ _LAYOUTS = {
     "kern_structure": _Structure, "kern_options": _Options,
     "kern_force": _Force, "kern_motion": _Motion, "kern_proof": _Proof,
     "kern_margin": _Margin, "kern_collapse": _Collapse, "kern_work": _Work,
+    "kern_contact_rate": _ContactRate, "kern_block_rate": _BlockRate,
     "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task,
     "kern_plan": _Plan, "kern_lp": _Lp, "struct text_file": _Text,
 }
@@ -324,6 +335,7 @@ _load_factor = _declare("kern_load_factor", _i, _p, _r, _i, _p, _p)
 _load_factor_of = _declare("kern_load_factor_of", _i, _p, _r, _p, _p, _p)
 _tilt = _declare("kern_tilt", _i, _p, _r, _i, _p, _p)
 _profile = _declare("kern_profile", _i, _p, _i, _p, _p)
+_sensitivity = _declare("kern_sensitivity", _i, _p, _p, _p, _p, _p)
 _critical_of = _declare("kern_critical_of", _i, _p, _r, _p, _p)
 _known_of = _declare("kern_known_of", _Known, _p, _p)
 _plan_of = _declare("kern_plan_of", _Plan, _p, _i, _p, _i, _Known, _p)
@@ -713,6 +725,24 @@ class Critical:
 
 
 @dataclass
+class ContactRate:
+    """kern_contact_rate: how the margin depends on a contact point."""
+    p: Point
+    turn: float
+    mu: float
+    travel: float
+
+
+@dataclass
+class BlockRate:
+    """kern_block_rate: how the margin depends on a block."""
+    centre: Point
+    place: Point
+    mass: float
+    load: Tuple[float, float, float]
+
+
+@dataclass
 class Solution:
     """Of lp_solve(): x and y as kern_lp_solve() documents them."""
     status: Any
@@ -944,6 +974,22 @@ tolerance (0.25 deep)
                 groups[g].append(i)
         return Critical(c.contact if c.contact >= 0 else None,
                         list(limit), [names[k] for k in meeting], groups)
+
+    def sensitivity(self) -> Tuple[List[ContactRate], List[BlockRate]]:
+        """kern_sensitivity(): how measure() depends on every contact point and
+        every block."""
+        s, m = self._task.s, self.measure()
+        c = _Margin(m.margin, m.holds, m.fails, m.most, m.epsilon, m.level,
+                    m.saturated)
+        points, blocks = (_ContactRate * s.contacts)(), (_BlockRate * s.blocks)()
+        self._check(_sensitivity(
+            self._at_task, byref(c), byref(_Proof(
+                addressof(m._force), addressof(m._motion))), points, blocks))
+        return ([ContactRate((r.p.x, r.p.y), r.turn, r.mu, r.travel)
+                 for r in points],
+                [BlockRate((r.centre.x, r.centre.y), (r.place.x, r.place.y),
+                           r.mass, (r.load.fx, r.load.fy, r.load.torque))
+                 for r in blocks])
 
     def check_forces(self, forces: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
