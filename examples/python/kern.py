@@ -981,7 +981,8 @@ tolerance (0.25 deep)
         s, m = self._task.s, self.measure()
         c = _Margin(m.margin, m.holds, m.fails, m.most, m.epsilon, m.level,
                     m.saturated)
-        points, blocks = (_ContactRate * s.contacts)(), (_BlockRate * s.blocks)()
+        points = (_ContactRate * s.contacts)()
+        blocks = (_BlockRate * s.blocks)()
         self._check(_sensitivity(
             self._at_task, byref(c), byref(_Proof(
                 addressof(m._force), addressof(m._motion))), points, blocks))
