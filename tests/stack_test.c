@@ -14,6 +14,7 @@
 #include "../examples/parts/text.h"
 
 #include "../examples/parts/build.h"
+#include "../examples/walls/masonry.h"
 #include "../examples/walls/stones.h"
 #include "../examples/walls/stack.h"
 
@@ -232,6 +233,73 @@ static void test_sky(void)
         near_to("sky closed wider", out[i + 3], wide[i], 0);
 }
 
+/* Bricks of 2 by 1 in courses, each course moved by `shift` against the one
+   below. */
+static int bricks(struct stack_wall *w, struct stones *stock, double shift)
+{
+    enum { LONG = 5, COURSES = 5 };
+    struct stack_options o = stack_defaults();
+    o.width = 12;
+    o.height = 6;
+    stones_make(stock, 0, LONG * COURSES, 1);
+    stock->size = sqrt(2);
+    stock->area = 2;
+    if (stack_open(w, stock, &o)) return -1;
+    for (int c = 0; c < COURSES; c++)
+        for (int i = 0; i < LONG; i++) {
+            double left = 2 * i + (c % 2) * shift;
+            put(w, left, c, left + 2, c + 1);
+        }
+    return 0;
+}
+
+/* Up to 4 of 5 courses a way passes 3 beds, each along half a brick. */
+static void test_masonry(void)
+{
+    const double shift[3] = { 0, 0.5, 0.9 };
+    struct stone s = box(-1, -0.5, 1, 0.5);
+    double aspect;
+    for (int k = 0; k < 3; k++) {
+        struct stones stock;
+        struct stack_wall w;
+        struct masonry m;
+        if (bricks(&w, &stock, shift[k])) return;
+        check(masonry_of(&w.plan.task.s, stock.size, &m) == 0, "masonry", 0, 0);
+        near_to("way through the joints", m.joint, (4 + 3 * shift[k]) / 4,
+                0.03);
+        near_to("no brick on end", m.upright, 0, 0);
+        near_to("bricks without bed", m.bedless, 0, 0);
+        /* of the upper courses one brick in ten hangs over by the shift */
+        near_to("bed of a brick", m.bed,
+                (2 - 4 * shift[k] / 25) / sqrt(2), 1e-9);
+        stack_free(&w);
+        stones_free(&stock);
+    }
+    near_to("axis that lies", masonry_axis(s.v, s.n, s.centre, &aspect), 0,
+            1e-9);
+    near_to("aspect", aspect, 2, 1e-12);
+    stone_turn(&s, stones_vec(3, 4), stones_vec(0.5, -sqrt(3) / 2));
+    near_to("axis turned by 60 degrees",
+            masonry_axis(s.v, s.n, s.centre, &aspect), 60, 1e-9);
+    near_to("aspect, turned", aspect, 2, 1e-12);
+}
+
+static void test_courses(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    struct stone slab = box(0.25, 1, 2.25, 1.5), post = box(2.6, 0, 3, 2);
+    struct stone low = box(1, 0, 1.5, 0.5);
+    if (two_boxes(&w, &stock)) return;
+    near_to("bed of a slab", stack_bed(&w.around, &slab), 1.5, 1e-12);
+    near_to("nothing beside a slab", stack_step_up(&w, &slab), 0.25, 0);
+    near_to("half a box below both", stack_step_up(&w, &low), 0.5, 1e-12);
+    near_to("nothing above its middle", stack_step_up(&w, &post), 0.25, 0);
+    check(stack_on_end(&post) && !stack_on_end(&slab), "a post", 0, 1);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
 /* A square that comes down turned by 30 degrees, beside a box or not. */
 static void test_rest(void)
 {
@@ -356,6 +424,35 @@ static void test_same(void)
     stones_free(&stock);
 }
 
+/* Equal bricks: `best` lays level courses, and no joint runs through. */
+static void test_bricks(void)
+{
+    const kern_vec v[4] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
+    for (int seed = 1; seed <= 3; seed++) {
+        struct stack_options o = stack_defaults();
+        struct stones stock;
+        struct stack_wall w;
+        struct masonry m = { 0, 0, 0, 0 };
+        o.width = 8.5;
+        o.height = 3;
+        o.seed = (uint64_t)seed;
+        stones_make(&stock, 0, 30, 1);
+        for (int i = 0; i < stock.stones; i++) stone_of(&stock.stone[i], v, 4);
+        stock.size = sqrt(2);
+        stock.area = 2;
+        if (stack_open(&w, &stock, &o) || stack_plan(&w)) return;
+        masonry_of(&w.plan.task.s, stock.size, &m);
+        check(w.laid == 12, "bricks that fill the frame", w.laid, 12);
+        for (int i = 0; i < w.laid; i++)
+            near_to("a brick lies in its course", w.stone[i].low.y,
+                    floor(w.stone[i].low.y + 0.5), 1e-3);
+        near_to("no brick on end", m.upright, 0, 0);
+        check(m.joint > 1.15, "joints are crossed", m.joint, 1.15);
+        stack_free(&w);
+        stones_free(&stock);
+    }
+}
+
 /* The filters keep the best of each feature, whatever the thresholds. */
 static void test_filters(void)
 {
@@ -392,10 +489,13 @@ int main(int argc, char **argv)
     test_generator();
     test_features();
     test_sky();
+    test_masonry();
+    test_courses();
     test_rest();
     test_quality();
     test_limit();
     test_filters();
+    test_bricks();
     test_same();
     test_bad_stocks();
     test_walls(argc > 1 ? atoi(argv[1]) : 1);

@@ -17,6 +17,7 @@
 #include "../parts/measures.h"
 #include "../parts/table.h"
 #include "../parts/text.h"
+#include "masonry.h"
 #include "stack.h"
 #include "stones.h"
 
@@ -53,10 +54,11 @@ static const char help[] =
 "      --friction MU     default 0.4\n"
 "      --joints MU       friction in head joints, steeper than 45 degrees, for\n"
 "                        the margin alone; default: that of all contacts\n"
-"      --walls N         best: so many walls are built; default 32, and fewer\n"
+"      --walls N         best: so many walls are built; default 24, and fewer\n"
 "                        where these take more than some seconds\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
-"                        margin, the default, or load\n"
+"                        shaking, the level of collapse that its expected\n"
+"                        drop predicts, the default, or load\n"
 "      --beat F,M        best: a wall with more filling than F and a limit\n"
 "                        multiplier above M is wanted; implies --goal load\n"
 "      --out FILE        the wall; default wall.kern\n"
@@ -164,7 +166,7 @@ static int read_seeds(struct settings *o, const char *word)
 /* An option with a value. Returns 0, or -1 where something is wrong. */
 static int read_option(struct settings *o, const char *name, const char *word)
 {
-    static const char *const goal[] = { "margin", "load" };
+    static const char *const goal[] = { "shaking", "load" };
     struct stack_options *p = &o->plan;
     int k;
     if (!word) return fail(name, "a value is expected");
@@ -310,24 +312,33 @@ static int draw_steps(struct stack_wall *w, const char *name)
 
 /* ---- The table ----------------------------------------------------------- */
 
+/* What the table says of a wall; limit below 0, collapse 0: none. */
+struct row {
+    int stones;
+    double fill, size, limit, collapse;
+    kern_margin m;
+    struct masonry masonry;
+};
+
 static void print_head(void)
 {
-    printf("%-24s %6s %7s %6s %7s %9s %9s %7s\n", "wall", "stones", "filling",
-           "level", "margin", "limit", "collapse", "Q");
+    printf("%-24s %6s %7s %6s %7s %9s %9s %7s %5s %7s %5s\n", "wall", "stones",
+           "filling", "level", "margin", "limit", "collapse", "Q", "bed",
+           "upright", "joint");
 }
 
-static void print_row(const char *name, int stones, double fill,
-                      const kern_margin *m, double size, double limit,
-                      double collapse)
+static void print_row(const char *name, const struct row *r)
 {
-    printf("%-24.24s %6d %7.4f %6d %7.4f ", name, stones, fill, m->level,
-           m->margin);
-    if (limit < 0) printf("%9s ", "none");
-    else printf("%9.4f ", limit);
-    if (collapse <= 0) printf("%9s ", "-");
-    else if (collapse > TABLE_LEVELS) printf("%8s%d ", ">", TABLE_LEVELS);
-    else printf("%9.3g ", collapse);
-    printf("%7.4f\n", stack_quality(m->margin / size, fill));
+    printf("%-24.24s %6d %7.4f %6d %7.4f ", name, r->stones, r->fill,
+           r->m.level, r->m.margin);
+    if (r->limit < 0) printf("%9s ", "none");
+    else printf("%9.4f ", r->limit);
+    if (r->collapse <= 0) printf("%9s ", "-");
+    else if (r->collapse > TABLE_LEVELS) printf("%8s%d ", ">", TABLE_LEVELS);
+    else printf("%9.3g ", r->collapse);
+    printf("%7.4f %5.2f %7.2f %5.2f\n",
+           stack_quality(r->m.margin / r->size, r->fill), r->masonry.bed,
+           r->masonry.upright, r->masonry.joint);
 }
 
 /* The largest filling of a frame that is laid over a wall, wherever it is
@@ -359,57 +370,68 @@ static double fill_of(const struct measures_of *m, double width, double height)
 static int print_other(const struct settings *o, const char *path, double size)
 {
     struct measures_of m;
-    kern_margin out = { 0, 0, 0, 0, 0, 0, 0 };
-    double collapse = 0;
-    int stones = 0;
-    if (measures_load(&m, path) || kern_measure(&m.task, &out, NULL) < 0) {
+    struct row r = { 0 };
+    r.size = size;
+    if (measures_load(&m, path) || kern_measure(&m.task, &r.m, NULL) < 0 ||
+        masonry_of(&m.task.s, size, &r.masonry)) {
         fail(path, m.text.message[0] ? m.text.message : "cannot be measured");
         measures_free(&m);
         return -1;
     }
     for (int i = 0; i < m.task.s.blocks; i++)
-        stones += !m.task.s.block[i].fixed;
-    if (o->shaking && table_once("stack", path, size, &collapse)) collapse = 0;
-    print_row(path, stones, fill_of(&m, o->plan.width, o->plan.height), &out,
-              size, stack_limit(&m.task, m.contact), collapse);
+        r.stones += !m.task.s.block[i].fixed;
+    if (o->shaking && table_once("stack", path, size, &r.collapse))
+        r.collapse = 0;
+    r.fill = fill_of(&m, o->plan.width, o->plan.height);
+    r.limit = stack_limit(&m.task, m.contact);
+    print_row(path, &r);
     measures_free(&m);
     return 0;
 }
 
-/* One line of JSON; null where there was no shaking, or where the wall does
-   not stand without friction in its head joints. */
-static void print_json(const struct settings *o, struct stack_wall *w,
-                       double collapse, double seconds)
+/* One line of JSON; null where there was no shaking, where the wall does not
+   stand without friction in its head joints, or no way leads through them. */
+static void print_json(const struct settings *o, const struct row *r,
+                       double seconds)
 {
-    const double limit = stack_limit(&w->plan.task, w->plan.contact);
     printf("{\"wall\": \"%s\", \"planner\": \"%s\", \"seed\": %d, "
            "\"stones\": %d, \"filling\": %.4f, \"level\": %d, "
            "\"margin\": %.6g, ", o->out,
-           stack_planner_name[o->plan.planner], (int)o->plan.seed, w->laid,
-           stack_fill(w), w->m.level, w->m.margin / w->stock->size);
+           stack_planner_name[o->plan.planner], (int)o->plan.seed, r->stones,
+           r->fill, r->m.level, r->m.margin / r->size);
     if (o->irregularity >= 0)
         printf("\"irregularity\": %g, ", o->irregularity);
-    if (o->shaking) printf("\"collapse\": %g, ", collapse);
+    if (o->shaking) printf("\"collapse\": %g, ", r->collapse);
     else printf("\"collapse\": null, ");
-    if (limit >= 0) printf("\"limit\": %.4g, ", limit);
+    if (r->limit >= 0) printf("\"limit\": %.4g, ", r->limit);
     else printf("\"limit\": null, ");
+    printf("\"bed\": %.4g, \"bedless\": %.4g, \"upright\": %.4g, ",
+           r->masonry.bed, r->masonry.bedless, r->masonry.upright);
+    if (r->masonry.joint < HUGE_VAL)
+        printf("\"joint\": %.4g, ", r->masonry.joint);
+    else printf("\"joint\": null, ");
     printf("\"seconds\": %.2f}\n", seconds);
 }
 
 static int print_result(const struct settings *o, struct stack_wall *w,
                         double seconds)
 {
-    double collapse = 0, size = w->stock->size;
-    if (o->shaking && table_once("stack", o->out, size, &collapse)) return -1;
+    struct row r = { 0 };
+    r.stones = w->laid;
+    r.fill = stack_fill(w);
+    r.size = w->stock->size;
+    r.m = w->m;
+    r.limit = stack_limit(&w->plan.task, w->plan.contact);
+    if (masonry_of(&w->plan.task.s, r.size, &r.masonry) ||
+        (o->shaking && table_once("stack", o->out, r.size, &r.collapse)))
+        return -1;
     if (o->json) {
-        print_json(o, w, collapse, seconds);
+        print_json(o, &r, seconds);
         return 0;
     }
     print_head();
-    print_row(stack_planner_name[o->plan.planner], w->laid, stack_fill(w),
-              &w->m, size, stack_limit(&w->plan.task, w->plan.contact),
-              collapse);
-    return o->against ? print_other(o, o->against, size) : 0;
+    print_row(stack_planner_name[o->plan.planner], &r);
+    return o->against ? print_other(o, o->against, r.size) : 0;
 }
 
 /* ---- All of it ----------------------------------------------------------- */

@@ -5,8 +5,12 @@
        walls/                   every wall, for the program kern
        walls.csv                one line a wall
        fig8.svg                 the walls of the first set, side by side
-       fig9.svg, fig9.csv       quality over irregularity: mean and deviation
-       fig9.md                  differences between planners, with intervals
+       fig9.svg                 quality over irregularity: mean and deviation,
+                                with the level of collapse as the stability
+       fig9-margin.svg          the same with the margin
+       fig9.csv                 both in numbers
+       fig9.md                  means, figures of masonry, differences between
+                                planners with intervals
 
        cc -O2 -ffp-contract=off -o walls examples/walls/walls.c -lm
        mkdir -p out/walls && ./walls out
@@ -19,6 +23,7 @@
 #include "../parts/draw.h"
 #include "../parts/plot.h"
 #include "../parts/table.h"
+#include "masonry.h"
 #include "stack.h"
 #include "stones.h"
 
@@ -38,11 +43,12 @@ static const char help[] =
 
 enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_PATH = 4096 };
 
-/* What quality takes for stability: the first is the one that is meant. */
+/* What quality takes for stability: Eq. (8) of the paper takes the level of
+   collapse. */
 #define WALLS_STABILITY_LIST(X)                                               \
+    X(COLLAPSE, "level of collapse")                                          \
     X(MARGIN, "margin / size")                                                \
-    X(LEVEL, "level")                                                         \
-    X(COLLAPSE, "level of collapse")
+    X(LEVEL, "level")
 
 enum walls_stability {
 #define WALLS_STABILITY_ID(id, words) WALLS_##id,
@@ -64,6 +70,7 @@ struct walls_one {
     int laid;
     double fill, seconds;
     double stability[WALLS_STABILITIES];
+    struct masonry masonry;
     int tried, asked;
     double asking;
 };
@@ -117,6 +124,8 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     one->asking = w->asking;
     snprintf(path, sizeof path, "%s/walls/i%d-%02d-%s.kern", f->folder,
              10 + 10 * level, set + 1, stack_planner_name[planner]);
+    if (masonry_of(&w->plan.task.s, stock->size, &one->masonry))
+        return fail("not enough memory for", "its figures");
     if (stack_write(w, path)) return fail("cannot write", path);
     return table_once("walls", path, 1, &one->stability[WALLS_COLLAPSE]);
 }
@@ -141,8 +150,8 @@ static void walls_draw(const struct walls *f, FILE *out, int level,
           - (v.high.y - v.low.y) * v.scale;
     stack_draw_frame(w, &v);
     for (int i = 0; i < w->laid; i++) stack_draw_stone(w, &v, i);
-    snprintf(text, sizeof text, "filling %.2f, level %d, Q %.3f", one->fill,
-             w->m.level, walls_quality(one, WALLS_MARGIN));
+    snprintf(text, sizeof text, "filling %.2f, collapse at %.0f, joints %.2f",
+             one->fill, one->stability[WALLS_COLLAPSE], one->masonry.joint);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     draw_text(out, v.left + walls_wide / 2 - 14, walls_top
               + level * walls_high + walls_high - 20, 11, "middle", text,
@@ -218,18 +227,24 @@ static double walls_interval(double sd, int n)
     return n > 1 ? t * sd / sqrt(n) : 0;
 }
 
-/* Of a planner at a level; less another's on the same stocks, if that is not
+/* Of the quality of a planner's walls at a level, or without `worth` of their
+   stability alone; less another's on the same stocks, if that is not
    negative. */
 static void walls_sum_up(const struct walls *f, int level, int planner,
-                         int less, int stability, double *mean, double *sd)
+                         int less, int stability, int worth, double *mean,
+                         double *sd)
 {
     double *x = malloc((size_t)f->sets * sizeof *x);
     *mean = *sd = 0;
     if (!x) return;
     for (int i = 0; i < f->sets; i++) {
-        x[i] = walls_quality(walls_at(f, level, i, planner), stability);
-        if (less >= 0)
-            x[i] -= walls_quality(walls_at(f, level, i, less), stability);
+        const struct walls_one *a = walls_at(f, level, i, planner);
+        const struct walls_one *b = less < 0 ? NULL
+                                             : walls_at(f, level, i, less);
+        x[i] = worth ? walls_quality(a, stability) : a->stability[stability];
+        if (b)
+            x[i] -= worth ? walls_quality(b, stability)
+                          : b->stability[stability];
     }
     walls_moments(x, f->sets, mean, sd);
     free(x);
@@ -240,70 +255,89 @@ static int walls_list(const struct walls *f)
     FILE *out = plot_open(f->folder, "walls.csv");
     if (!out) return -1;
     fprintf(out, "irregularity,set,planner,stones,filling,level,margin_sizes,"
-            "collapse,Q,seconds,candidates,asked,asked_a_second\n");
+            "collapse,Q,Q_margin,bed,bedless,upright,joint,seconds,candidates,"
+            "asked,asked_a_second\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int set = 0; set < f->sets; set++)
             for (int p = 0; p < STACK_PLANNERS; p++) {
                 const struct walls_one *o = walls_at(f, l, set, p);
-                fprintf(out, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.3g,%d,%d,"
-                        "%.0f\n", 10 + 10 * l, set + 1, stack_planner_name[p],
+                fprintf(out, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,"
+                        "%.4f,%.4f,%.4f,%.3g,%d,%d,%.0f\n", 10 + 10 * l,
+                        set + 1, stack_planner_name[p],
                         o->laid, o->fill, o->stability[WALLS_LEVEL],
                         o->stability[WALLS_MARGIN],
                         o->stability[WALLS_COLLAPSE],
-                        walls_quality(o, WALLS_MARGIN), o->seconds, o->tried,
-                        o->asked, o->asked / fmax(o->asking, 1e-9));
+                        walls_quality(o, WALLS_COLLAPSE),
+                        walls_quality(o, WALLS_MARGIN), o->masonry.bed,
+                        o->masonry.bedless, o->masonry.upright,
+                        o->masonry.joint, o->seconds, o->tried, o->asked,
+                        o->asked / fmax(o->asking, 1e-9));
             }
     return fclose(out) ? fail("cannot write", "walls.csv") : 0;
 }
 
-/* Differences of two planners, for each choice of stability. */
+static void walls_difference(const struct walls *f, FILE *out, int more,
+                             int less, int stability, int worth)
+{
+    for (int l = 0; l < WALLS_LEVELS; l++) {
+        double mean, sd;
+        walls_sum_up(f, l, more, less, stability, worth, &mean, &sd);
+        fprintf(out, " %.3g ± %.2g |", mean, walls_interval(sd, f->sets));
+    }
+    fprintf(out, "\n");
+}
+
+/* Differences of two planners: in the level of collapse itself, and in Q for
+   each choice of stability. */
 static void walls_differences(const struct walls *f, FILE *out, int more,
                               int less)
 {
-    fprintf(out, "\n%s less %s, mean of the paired differences of Q and its "
-            "95 %% interval:\n\n| stability |", stack_planner_name[more],
+    fprintf(out, "\n%s less %s, mean of the paired differences and its 95 %% "
+            "interval:\n\n| of |", stack_planner_name[more],
             stack_planner_name[less]);
     for (int l = 0; l < WALLS_LEVELS; l++) fprintf(out, " %d |", 10 + 10 * l);
-    fprintf(out, "\n|---|---|---|---|---|---|\n");
+    fprintf(out, "\n|---|---|---|---|---|---|\n| level of collapse |");
+    walls_difference(f, out, more, less, WALLS_COLLAPSE, 0);
     for (int k = 0; k < WALLS_STABILITIES; k++) {
-        fprintf(out, "| %s |", walls_stability_words[k]);
-        for (int l = 0; l < WALLS_LEVELS; l++) {
-            double mean, sd;
-            walls_sum_up(f, l, more, less, k, &mean, &sd);
-            fprintf(out, " %.3g ± %.2g |", mean, walls_interval(sd, f->sets));
-        }
-        fprintf(out, "\n");
+        fprintf(out, "| Q, %s |", walls_stability_words[k]);
+        walls_difference(f, out, more, less, k, 1);
     }
 }
 
-/* Means of what else there is, over all sets of a level. */
+enum { WALLS_FIGURES = 11 };
+
+/* What the table of means has of a wall, from left to right. */
+static void walls_figures(const struct walls_one *o, double x[WALLS_FIGURES])
+{
+    const double all[WALLS_FIGURES] = {
+        o->laid, o->fill, o->stability[WALLS_COLLAPSE],
+        walls_quality(o, WALLS_COLLAPSE), o->stability[WALLS_MARGIN],
+        walls_quality(o, WALLS_MARGIN), o->masonry.bed, o->masonry.bedless,
+        o->masonry.upright, o->masonry.joint, o->seconds
+    };
+    memcpy(x, all, sizeof all);
+}
+
+/* Means over all sets of a level. */
 static void walls_means(const struct walls *f, FILE *out)
 {
-    fprintf(out, "| irregularity | planner | stones | filling | level | "
-            "margin / size | collapse | Q | candidates a stone | asked a stone "
-            "| seconds a stone |\n|---|---|---|---|---|---|---|---|---|---|---|"
-            "\n");
+    fprintf(out, "| irregularity | planner | stones | filling | collapse | "
+            "Q | margin / size | Q, margin | bed | without bed | upright | "
+            "joints | seconds |\n|---|---|---|---|---|---|---|---|---|---|---|"
+            "---|---|\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int p = 0; p < STACK_PLANNERS; p++) {
-            double sum[9] = { 0 };
+            double sum[WALLS_FIGURES] = { 0 }, x[WALLS_FIGURES];
             for (int set = 0; set < f->sets; set++) {
-                const struct walls_one *o = walls_at(f, l, set, p);
-                sum[0] += o->laid;
-                sum[1] += o->fill;
-                sum[2] += o->stability[WALLS_LEVEL];
-                sum[3] += o->stability[WALLS_MARGIN];
-                sum[4] += o->stability[WALLS_COLLAPSE];
-                sum[5] += walls_quality(o, WALLS_MARGIN);
-                sum[6] += o->tried;
-                sum[7] += o->asked;
-                sum[8] += o->seconds;
+                walls_figures(walls_at(f, l, set, p), x);
+                for (int k = 0; k < WALLS_FIGURES; k++)
+                    sum[k] += x[k] / f->sets;
             }
-            fprintf(out, "| %d | %s | %.1f | %.3f | %.1f | %.3f | %.1f | %.3f "
-                    "| %.0f | %.0f | %.3f |\n", 10 + 10 * l,
-                    stack_planner_name[p], sum[0] / f->sets, sum[1] / f->sets,
-                    sum[2] / f->sets, sum[3] / f->sets, sum[4] / f->sets,
-                    sum[5] / f->sets, sum[6] / sum[0], sum[7] / sum[0],
-                    sum[8] / sum[0]);
+            fprintf(out, "| %d | %s | %.1f |", 10 + 10 * l,
+                    stack_planner_name[p], sum[0]);
+            for (int k = 1; k < WALLS_FIGURES; k++)
+                fprintf(out, " %.*f |", k == 2 || k == 10 ? 1 : 3, sum[k]);
+            fprintf(out, "\n");
         }
 }
 
@@ -312,14 +346,19 @@ static int walls_tables(const struct walls *f)
     FILE *csv = plot_open(f->folder, "fig9.csv");
     FILE *md = plot_open(f->folder, "fig9.md");
     if (!csv || !md) return -1;
-    fprintf(csv, "irregularity,planner,sets,mean,deviation,interval\n");
+    fprintf(csv, "irregularity,planner,sets,mean,deviation,interval,"
+            "margin_mean,margin_deviation,margin_interval\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int p = 0; p < STACK_PLANNERS; p++) {
-            double mean, sd;
-            walls_sum_up(f, l, p, -1, WALLS_MARGIN, &mean, &sd);
-            fprintf(csv, "%d,%s,%d,%.5f,%.5f,%.5f\n", 10 + 10 * l,
-                    stack_planner_name[p], f->sets, mean, sd,
-                    walls_interval(sd, f->sets));
+            fprintf(csv, "%d,%s,%d", 10 + 10 * l, stack_planner_name[p],
+                    f->sets);
+            for (int k = WALLS_COLLAPSE; k <= WALLS_MARGIN; k++) {
+                double mean, sd;
+                walls_sum_up(f, l, p, -1, k, 1, &mean, &sd);
+                fprintf(csv, ",%.5f,%.5f,%.5f", mean, sd,
+                        walls_interval(sd, f->sets));
+            }
+            fputs("\n", csv);
         }
     walls_means(f, md);
     walls_differences(f, md, STACK_COMBINED, STACK_HEURISTIC);
@@ -330,7 +369,7 @@ static int walls_tables(const struct walls *f)
 
 /* One planner's curve: a bar of a standard deviation each way. */
 static void walls_curve(const struct walls *f, const struct plot *p,
-                        int planner)
+                        int planner, int stability)
 {
     double x[WALLS_LEVELS], mean[WALLS_LEVELS];
     char style[80];
@@ -338,7 +377,7 @@ static void walls_curve(const struct walls *f, const struct plot *p,
              walls_colour[planner]);
     for (int l = 0; l < WALLS_LEVELS; l++) {
         double sd;
-        walls_sum_up(f, l, planner, -1, WALLS_MARGIN, &mean[l], &sd);
+        walls_sum_up(f, l, planner, -1, stability, 1, &mean[l], &sd);
         x[l] = 10 + 10 * l + 0.7 * (planner - 1); /* bars side by side */
         draw_line(p->out, plot_place(p, x[l], fmax(mean[l] - sd, p->y0)),
                   plot_place(p, x[l], fmin(mean[l] + sd, p->y1)), style);
@@ -351,24 +390,25 @@ static void walls_curve(const struct walls *f, const struct plot *p,
               stack_planner_name[planner]);
 }
 
-static int walls_nine(const struct walls *f)
+static int walls_nine(const struct walls *f, int stability, const char *name,
+                      const char *yname)
 {
-    FILE *out = plot_open(f->folder, "fig9.svg");
+    FILE *out = plot_open(f->folder, name);
     struct plot p = { NULL, 5, 55, 0, 0.1, 0, 0, 0, 0 };
     int bad;
     if (!out) return -1;
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int k = 0; k < STACK_PLANNERS; k++) {
             double mean, sd;
-            walls_sum_up(f, l, k, -1, WALLS_MARGIN, &mean, &sd);
+            walls_sum_up(f, l, k, -1, stability, 1, &mean, &sd);
             p.y1 = fmax(p.y1, mean + sd);
         }
     p.y1 *= 1.25; /* the names stand above */
     plot_begin(&p, out, "Quality of walls: mean and standard deviation",
-               "irregularity, %", "Q = margin / size x f(filling)", 0);
-    for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k);
+               "irregularity, %", yname, 0);
+    for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k, stability);
     bad = plot_end(&p);
-    return fclose(out) | bad ? fail("cannot write", "fig9.svg") : 0;
+    return fclose(out) | bad ? fail("cannot write", name) : 0;
 }
 
 /* All of it, from so many stocks a level. */
@@ -379,7 +419,10 @@ static int walls_all(const char *folder, int sets, int quick)
     f.one = calloc((size_t)(WALLS_LEVELS * sets * STACK_PLANNERS),
                    sizeof *f.one);
     bad = !f.one || walls_make(&f) || walls_list(&f) || walls_tables(&f) ||
-          walls_nine(&f);
+          walls_nine(&f, WALLS_COLLAPSE, "fig9.svg",
+                     "Q = level of collapse x f(filling)") ||
+          walls_nine(&f, WALLS_MARGIN, "fig9-margin.svg",
+                     "Q = margin / size x f(filling)");
     free(f.one);
     return bad;
 }

@@ -1,0 +1,231 @@
+/* masonry.h - what a mason sees in a wall, as figures: beds, stones on end,
+   and the way that a crack takes through the joints.
+
+   Sizes of stones are the square roots of their areas. Gravity points to -y.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef MASONRY_H
+#define MASONRY_H
+
+#include "../../kern.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A program may leave some of these functions unused. */
+#if defined(__GNUC__) || defined(__clang__)
+#define MASONRY_API static __attribute__((unused))
+#else
+#define MASONRY_API static
+#endif
+
+struct masonry {
+    double bed;             /* mean length of a stone's bed, in its sizes   */
+    double bedless;         /* share of stones with a bed below 0.15        */
+    double upright;         /* share of the long stones that stand on end   */
+    double joint;           /* length of the shortest way up through the
+                               joints over its height: 1 is a running joint */
+};
+
+static const double masonry_long = 1.25;  /* aspect of a long stone         */
+static const double masonry_steep = 65;   /* its axis, standing; degrees    */
+static const double masonry_level = 0.866; /* normal of a bed: 30 degrees   */
+static const double masonry_point = 0.15; /* a shorter bed is none          */
+static const double masonry_step = 0.06;  /* of the ways, in mean sizes     */
+static const double masonry_side = 0.6;   /* no way runs nearer to the ends */
+static const double masonry_high = 0.8;   /* of the mean top: the end       */
+
+/* ---- Stones on end ------------------------------------------------------- */
+
+/* The angle of a polygon's long axis against the horizontal, in degrees from
+   0 to 90, and its aspect: the ratio of the axes of the ellipse with the same
+   second moments of area. */
+MASONRY_API double masonry_axis(const kern_vec *v, int n, kern_vec centre,
+                                double *aspect)
+{
+    const double degree = 3.14159265358979323846 / 180;
+    double xx = 0, yy = 0, xy = 0, mean, half;
+    for (int i = 0; i < n; i++) {
+        const kern_vec *a = &v[i], *b = &v[i + 1 < n ? i + 1 : 0];
+        double px = a->x - centre.x, py = a->y - centre.y;
+        double qx = b->x - centre.x, qy = b->y - centre.y;
+        double cross = px * qy - py * qx;
+        xx += cross * (px * px + px * qx + qx * qx);
+        yy += cross * (py * py + py * qy + qy * qy);
+        xy += cross * (2 * px * py + px * qy + qx * py + 2 * qx * qy) / 2;
+    }
+    if (xx < 0) { /* clockwise */
+        xx = -xx;
+        yy = -yy;
+        xy = -xy;
+    }
+    mean = (xx + yy) / 2;
+    half = sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
+    *aspect = sqrt((mean + half) / (mean - half));
+    return fabs(atan2(2 * xy, xx - yy)) / 2 / degree;
+}
+
+/* The share of the long stones whose axis is steep. */
+static double masonry_upright(const kern_structure *s)
+{
+    int longs = 0, upright = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        const kern_block *b = &s->block[i];
+        double aspect, angle;
+        if (b->fixed) continue;
+        angle = masonry_axis(b->vertex, b->vertices, b->centre, &aspect);
+        if (aspect <= masonry_long) continue;
+        longs++;
+        upright += angle > masonry_steep;
+    }
+    return longs > 0 ? (double)upright / longs : 0;
+}
+
+/* ---- Beds ---------------------------------------------------------------- */
+
+/* Mean length of the contacts that carry a stone face to face, at most 30
+   degrees off the level; the share of stones without. */
+static int masonry_beds(const kern_structure *s, struct masonry *m)
+{
+    double *bed = calloc((size_t)s->blocks + 1, sizeof *bed);
+    int stones = 0;
+    if (!bed) return -1;
+    for (int k = 0; k + 1 < s->contacts; k++) {
+        const kern_contact *c = &s->contact[k], *d = c + 1;
+        if (!c->line || !d->line || c->a != d->a || c->b != d->b) continue;
+        k++;
+        if (fabs(c->n.y) >= masonry_level)
+            bed[c->n.y > 0 ? c->b : c->a] += hypot(c->p.x - d->p.x,
+                                                   c->p.y - d->p.y);
+    }
+    m->bed = m->bedless = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        const double sizes = bed[i] / sqrt(fabs(s->block[i].area));
+        if (s->block[i].fixed) continue;
+        stones++;
+        m->bed += sizes;
+        m->bedless += sizes < masonry_point;
+    }
+    free(bed);
+    m->bed /= stones;
+    m->bedless /= stones;
+    return 0;
+}
+
+/* ---- The way through the joints ------------------------------------------ */
+
+struct masonry_place {
+    double x, y;
+    int stone, before, next; /* neighbours on its outline         */
+    double way;              /* from below; what is done is < 0   */
+};
+
+/* Points on the outlines of the stones, so far apart; returns how many, or with
+   at NULL how many there would be. */
+static int masonry_outline(const kern_structure *s, double step,
+                           struct masonry_place *at)
+{
+    int n = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        const kern_block *b = &s->block[i];
+        const int first = n;
+        if (b->fixed) continue;
+        for (int k = 0; k < b->vertices; k++) {
+            kern_vec p = b->vertex[k];
+            kern_vec q = b->vertex[k + 1 < b->vertices ? k + 1 : 0];
+            const int pieces = (int)ceil(hypot(q.x - p.x, q.y - p.y) / step);
+            for (int j = 0; j < pieces; j++, n++) {
+                if (!at) continue;
+                at[n].x = p.x + (q.x - p.x) * j / pieces;
+                at[n].y = p.y + (q.y - p.y) * j / pieces;
+                at[n].stone = i;
+                at[n].before = n - 1;
+                at[n].next = n + 1;
+            }
+        }
+        if (!at || n == first) continue;
+        at[first].before = n - 1;
+        at[n - 1].next = first;
+    }
+    return n;
+}
+
+/* The mean over the width of what is highest. */
+static double masonry_top(const struct masonry_place *at, int n, double left,
+                          double right)
+{
+    enum { COLUMNS = 24 };
+    double top[COLUMNS] = { 0 }, sum = 0;
+    for (int i = 0; i < n; i++) {
+        int c = (int)((at[i].x - left) / (right - left) * COLUMNS);
+        c = c < 0 ? 0 : c < COLUMNS ? c : COLUMNS - 1;
+        top[c] = fmax(top[c], at[i].y);
+    }
+    for (int c = 0; c < COLUMNS; c++) sum += top[c] / COLUMNS;
+    return sum;
+}
+
+/* The shortest way (Dijkstra) along outlines, and from one to another within a
+   step, from the base at y = 0 up to `high`; HUGE_VAL: there is none. */
+static double masonry_climb(struct masonry_place *at, int n, double step,
+                            double left, double right, double high)
+{
+    for (int i = 0; i < n; i++)
+        at[i].way = at[i].y < step && at[i].x > left && at[i].x < right
+                  ? at[i].y : HUGE_VAL;
+    for (;;) {
+        struct masonry_place *p = NULL;
+        double way;
+        for (int i = 0; i < n; i++)
+            if (at[i].way >= 0 && (!p || at[i].way < p->way)) p = &at[i];
+        if (!p || !(p->way < HUGE_VAL)) return HUGE_VAL;
+        if (p->y >= high) return p->way / p->y;
+        way = p->way;
+        p->way = -1;
+        if (p->x < left || p->x > right) continue;
+        for (int i = 0; i < n; i++) {
+            double x = at[i].x - p->x, y = at[i].y - p->y;
+            int beside = i == p->next || i == p->before;
+            if (at[i].way < 0 || (!beside && (at[i].stone == p->stone ||
+                                              x * x + y * y > step * step)))
+                continue;
+            at[i].way = fmin(at[i].way, way + hypot(x, y));
+        }
+    }
+}
+
+static int masonry_joints(const kern_structure *s, double size,
+                          struct masonry *m)
+{
+    const double most = 4000; /* points: time grows with their square */
+    double left = HUGE_VAL, right = -HUGE_VAL, step = masonry_step * size;
+    struct masonry_place *at;
+    int n = masonry_outline(s, step, NULL);
+    if (n > most) step *= n / most;
+    n = masonry_outline(s, step, NULL);
+    at = malloc(((size_t)n + 1) * sizeof *at);
+    if (!at) return -1;
+    masonry_outline(s, step, at);
+    for (int i = 0; i < n; i++) {
+        left = fmin(left, at[i].x);
+        right = fmax(right, at[i].x);
+    }
+    m->joint = masonry_climb(at, n, step, left + masonry_side * size,
+                             right - masonry_side * size,
+                             masonry_high * masonry_top(at, n, left, right)
+                             - 1e-6 * size);
+    free(at);
+    return 0;
+}
+
+/* All figures of a structure with its contacts, whose stones stand on y = 0 and
+   are of this mean size. Returns 0, or -1 where memory is lacking. */
+MASONRY_API int masonry_of(const kern_structure *s, double size,
+                           struct masonry *m)
+{
+    m->upright = masonry_upright(s);
+    return masonry_beds(s, m) || masonry_joints(s, size, m) ? -1 : 0;
+}
+
+#endif /* MASONRY_H */
