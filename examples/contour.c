@@ -104,7 +104,7 @@ static void row(const char *what, const kern_vec *vertex, int n, double e)
     kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
                                   ints, KERN_INTS(BLOCKS, CONTACTS));
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
-    kern_margin m;
+    kern_margin m = { 0, 0, 0, 0, 0, 0, 0 };
     kern_status status = kern_ground_init(&block[0], ground, 4, NULL);
     if (status == KERN_OK)
         status = kern_block_init(&block[1], vertex, n, density * thickness,
