@@ -13,11 +13,14 @@
                             >>config >>method >>rules >>measures >>measured
                             >>limits >>determinism >>misra >>references
      II   Declarations      >>decl >>types >>sizes >>api
-     III  Implementation    >>impl >>tol >>vec >>polygon >>contact >>work >>lp
-                            >>check >>statics >>proof >>model >>part >>least
-                            >>pour >>verdict >>kern >>profile >>critical
-                            >>sensitivity >>raised >>plan >>words
-      IV   Changes           >>changes, and the licence
+     III  The argument      >>impl >>vec >>statics >>kern (Algorithm 1)
+                            >>work >>check >>proof >>model >>engine
+                            >>measure >>profile >>critical >>sensitivity
+     IV   Forces, motions   >>part >>least >>pour >>verdict >>search >>inner
+                            >>raised
+     V    Geometry          >>tol >>polygon >>contact, and >>plan
+     VI   Linear programs   >>lp, and >>words
+     VII  Changes           >>changes, and the licence
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -125,9 +128,9 @@
    Memory as large as KERN_REALS was enough for every structure that was tried.
    KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where a few
    blocks alone decide the margin, as in most walls: 0.4 MB for 1000 blocks
-   instead of 9. Where many blocks move at the margin, as in arches, a call needs
-   more and says so (KERN_NO_SPACE): of 1,900 random structures of 10 to 15
-   blocks 5 % of the verdicts, 36 % of the margins, 26 % of the load factors.
+   instead of 9. Where many blocks move at the margin, as in arches, a call
+   needs more and says so (KERN_NO_SPACE): of 1,900 random structures of 10 to
+   15 blocks 5 % of the verdicts, 36 % of the margins, 26 % of the load factors.
    What lies between serves too: 2.9 MB were enough for every wall of 1000
    blocks that was tried.
 
@@ -314,7 +317,7 @@
        expected drop                                  0.80
 
    A stone that rocks soon meets the next one, or comes down on an edge that
-   was a hair off its bed: contacts that a little motion closes count nearly as
+   was just off its bed: contacts that a little motion closes count nearly as
    much as those that are closed. kern_near() includes them. It is not for
    verdicts, since a gap carries nothing yet. Most stones of a wall stay when a
    few fall far: the expected drop weighs each stone's chance to fall,
@@ -362,20 +365,20 @@
 
    Outline. Simplify it first (Douglas and Peucker), to one to three pixels: raw
    points on a grid touch each other and make KERN_CROSSING. kern_block_init()
-   takes them in either direction; its density is that of the material times
-   the thickness. examples/contour.c shows these steps. Of a rounded stone of
-   10,000 points within 3, 6, 12, 24 mm on 2 m, 56, 35, 29, 19 vertices stay, and
-   the margin is 0.25, 0.33, 0.33, 0.33 m.
-   Error. Tell kern_measured() the standard error e of a stone's place (pixel,
-   simplification and registration together, as squares) and theta of its angle.
-   Of a stone of 40, 200, 1000 vertices the margin is then the same within 2 %;
-   without, it is that of the discretisation.
-   Overlaps beyond the error are modelling errors: kern_overlaps() lists them.
-   Measure the stones again, or accept them: options.overlap.
-   Certainty. kern_certain() says whether a verdict holds within the error. 272
-   structures that stand and 233 from which a stone was taken (226 fall), every
-   pose with Gaussian noise of a share of the mean size and every vertex with
-   half of it, 10 times (tests/noise.c), in per cent; errors of margins in e:
+   takes them in either direction; its density is that of the material times the
+   thickness. examples/contour.c shows these steps. Of a rounded stone of 10,000
+   points within 3, 6, 12, 24 mm on 2 m, 56, 35, 29, 19 vertices stay, and the
+   margin is 0.25, 0.33, 0.33, 0.33 m. Error. Tell kern_measured() the standard
+   error e of a stone's place (pixel, simplification and registration together,
+   as squares) and theta of its angle. Of a stone of 40, 200, 1000 vertices the
+   margin is then the same within 2 %; without, it is that of the
+   discretisation. Overlaps beyond the error are modelling errors:
+   kern_overlaps() lists them. Measure the stones again, or accept them:
+   options.overlap. Certainty. kern_certain() says whether a verdict holds
+   within the error. 272 structures that stand and 233 from which a stone was
+   taken (226 fall), every pose with Gaussian noise of a share of the mean size
+   and every vertex with half of it, 10 times (tests/noise.c), in per cent;
+   errors of margins in e:
 
        noise   verdict right of       certain   of these   median error
                those that                        wrong      of the margin
@@ -486,13 +489,13 @@
 #define KERN_VERSION_NUMBER 100 /* 10000 major + 100 minor + patch */
 
 #if defined(KERN_IMPL) || defined(KERN_IMPLEMENT)
-#error "kern.h: the implementation is asked for with KERN_IMPLEMENTATION"
+#error "kern.h: define KERN_IMPLEMENTATION for the implementation"
 #endif
 #if defined(KERN_FLOAT) || defined(KERN_DOUBLE)
-#error "kern.h: float is asked for with KERN_SINGLE, double is the default"
+#error "kern.h: define KERN_SINGLE for float; double is the default"
 #endif
 #if defined(KERN_GLPK) || defined(USE_GLPK)
-#error "kern.h: GLPK is asked for with KERN_USE_GLPK"
+#error "kern.h: define KERN_USE_GLPK for GLPK"
 #endif
 
 #ifdef KERN_SINGLE
@@ -770,7 +773,7 @@ typedef struct kern_work {
     int indices;          /* KERN_INTS(blocks, contacts)                      */
     /* the library adds up; the caller reads, and sets to 0 as it likes       */
     int pivots;           /* of all linear programs                           */
-    int solves;           /* questions to pouring, and linear programs        */
+    int solves;           /* verdicts by pouring, and linear programs         */
     int units;            /* work of the last call: a unit is some 300
                              multiplications, what it takes to pour one stone.
                              limit + 1 with KERN_LIMIT, else at most the limit.
@@ -1059,13 +1062,14 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
 /* Whether the verdict of a measured structure holds within the error that
-   kern_measured() was told: 1 yes, 0 no. It stands for certain if it also
+   kern_measured() was given: 1 yes, 0 no. It stands for certain if it also
    stands with half the error allowed in gaps and angles and with its kerns
    shrunk by e, and falls for certain if it also falls with twice the error
-   allowed and with its kerns grown by e. verdict is that of kern_verdict() at 0,
-   KERN_STANDS or KERN_FALLS. out[0..room) is for the contacts of that question.
-   Below 0: what kern_contacts() or kern_verdict() returns, KERN_BAD_OPTION where
-   the options are not those of kern_measured() or for any other verdict. */
+   allowed and with its kerns grown by e. verdict is that of kern_verdict() at
+   0, KERN_STANDS or KERN_FALLS. out[0..room) receives the contacts of that
+   query. Below 0: what kern_contacts() or kern_verdict() returns,
+   KERN_BAD_OPTION where the options are not those of kern_measured() or for any
+   other verdict. */
 KERN_API int kern_certain(const kern_task *task, kern_status verdict,
                           kern_contact *out, int room);
 
@@ -1098,20 +1102,19 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
    *out is as it was. [holds, fails] is at most 2e-6 of the mean block size
    wide, more only where no proof can be completed nearer to critical. Kerns of
    line contacts are nested, and the margin is then the only place where the
-   verdict changes. Points of one interface with different normals are not:
-   then the path is searched in steps of most/1001, and the level is the
-   literal scan. The proof is that of the margin: a level is proven by it where
-   kerns are nested, elsewhere each step by a proof of its own that is verified
-   and not handed out.
-   With options.narrow = k every cone narrows as kerns shrink: at shrinkage d > 0
-   friction mu is max(0, (mu - k d) / (1 + mu k d)), the tangent of its angle less
-   that of the slope k d, in every question about shrunk kerns. A robot that
-   places stones within e and theta asks with k = tan(theta) / (2 e): margin /
-   (2 e) is how many times its own error the structure bears; a measure, not a
-   bound. Where k is so large that kerns hardly shrink, k margin is the slope to
-   spare: the least friction at which it stands is that mu.
-   Warm start: from task->known, and the result is remembered there; after
-   KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
+   verdict changes. Points of one interface with different normals are not: then
+   the path is searched in steps of most/1001, and the level is the literal
+   scan. The proof is that of the margin: a level is proven by it where kerns
+   are nested, elsewhere each step by a proof of its own that is verified and
+   not handed out. With options.narrow = k every cone narrows as kerns shrink:
+   at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1 + mu k d)), the
+   tangent of its angle less that of the slope k d, in every question about
+   shrunk kerns. A robot that places stones within e and theta asks with k =
+   tan(theta) / (2 e): margin / (2 e) is how many times its own error the
+   structure bears; a measure, not a bound. Where k is so large that kerns
+   hardly shrink, k margin is the slope to spare: the least friction at which it
+   stands is that mu. Warm start: from task->known, and the result is remembered
+   there; after KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
@@ -1143,7 +1146,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    of them. KERN_FALLS: it falls with all contacts. KERN_LIMIT: *length is the
    largest by which it is proven to stand, -1 if it is not yet. What is
    undecided without a contact needs it. Time: C, and one verdict for each time
-   that the lengths in question are halved, as powers of ten. */
+   that the search halves the interval of lengths, on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
@@ -1206,7 +1209,7 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A planner asks the same of many structures that differ by a stone. No contact
+/* A planner compares many structures that differ by a stone. No contact
    is searched twice, and every measure starts from the last one: at the
    shrinkage where the structure was critical, with the mechanism that it had
    there. kern_measure(&plan.task, ...) measures the plan. Answers are those
@@ -1249,8 +1252,8 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
 
-/* kern_raised() of the plan, or with a block added (NULL: as it is). Below 0 also
-   as kern_plan_add(). The plan stays as it is; the proof as in
+/* kern_raised() of the plan, or with a block added (NULL: as it is). Below 0
+   also as kern_plan_add(). The plan stays as it is; the proof as in
    kern_plan_try(). */
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
@@ -1302,7 +1305,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 
 /* Stop here if you only want to use the library. Below is how it works.      */
 
-/* ==== Part III: Implementation ===================================== >>impl */
+/* ==== Part III: The argument ======================================= >>impl */
 
 #if defined(KERN_IMPLEMENTATION) || defined(KERN_STATIC)
 #ifndef KERN_IMPLEMENTED
@@ -1357,9 +1360,9 @@ extern "C" {
 
 /* Residual that a proof may leave, as a share of what acts on the block. */
 #define KERN_TOL         KERN_PICK(1e-9, 1e-4)
-/* Largest forces that are taken for real, in weights: it ends the jam of
-   blocks that press as hard as they like, and asks of a motion that it closes
-   no contact faster than its power divided by this. */
+/* Largest forces that are taken for real, in weights: the bound
+   excludes jams, whose forces are arbitrarily large; a motion may close no
+   contact faster than its power divided by it. */
 #define KERN_BOUND       KERN_PICK(1e6, 1e3)
 /* What a row of a proof may lose by rounding, as a share of its terms. */
 #define KERN_ROUNDING    (32 * KERN_EPS)
@@ -1372,20 +1375,6 @@ extern "C" {
 #define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
 /* Pivots and gains below this share of the largest are rounding. */
 #define KERN_PIVOT_TOL   KERN_PICK(1e-10, 1e-5)
-/* A column whose part outside of the basis is less depends on it. */
-#define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
-/* Square of the share of a column that must be new to its group's block: an
-   inverse of up to thirty a group. Less makes the base grow from course to
-   course, more fills the dense complement. */
-#define KERN_BASE_TOL    KERN_PICK(1e-3, 1e-2)
-/* Largest entry of an inverse with which three columns are taken as is. */
-#define KERN_BASE_GOOD   KERN_PICK(30, 10)
-/* Determinant of three columns, each about 1 long, for the crash basis. */
-#define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
-/* Residual of the basic solution at which refinement ends, and above which the
-   basis is made anew. */
-#define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
-#define KERN_RENEW_TOL   KERN_PICK(1e-12, 1e-5)
 /* Width of the bracket of a measure, in mean block sizes, and how many times
    wider it may get where neither proof can be completed nearer to critical. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
@@ -1396,35 +1385,9 @@ extern "C" {
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 
-/* Least forces and pouring. What a group may miss, as a share of its load: far
-   less than a proof allows. */
-#define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
-/* Added to the diagonal of their matrix, as a share of its mean. */
-#define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
-/* Pivot of a 3 x 3 matrix, as a share of its trace, that is rounding; and above
-   which its solution needs no second look. */
-#define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
-#define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
-/* Forces, in loads of a unit, beyond which it is said to fall. Larger, and
-   units grow less often, but take more steps. */
-#define KERN_LEAST_MOST  KERN_R(50)
-/* Share of the largest velocity that is no approach. */
-#define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
-#define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
-#define KERN_INNER_BEYOND  3       /* predictions at the end, or no progress  */
-#define KERN_INNER_TRIES   6       /* and of its proofs                       */
-#define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 /* How much stiffer contacts are along t than along n, for >>raised: what sticks
    then slides by 1/KERN_STIFF of its approach at the most. */
 #define KERN_STIFF       KERN_PICK(1e3, 1e1)
-#define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
-#define KERN_POUR_ROUNDS   8       /* of one group                            */
-#define KERN_ROWS_MOST     12      /* contacts of one group                   */
-#define KERN_UNIT_MOST     32      /* groups of a unit                        */
-#define KERN_REGROWN       4       /* times that a unit of three is joined    */
-#define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
-#define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
-#define KERN_PART_ROUNDS   6       /* questions about a part at a time        */
 #define KERN_RAISE_ROUNDS  60      /* prices of contacts: from nothing       */
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_BOLD    6       /* that are not the mean of old and new    */
@@ -1438,14 +1401,22 @@ extern "C" {
 #define KERN_LEAST_SIZE  KERN_PICK(1e-60, 1e-10)
 #define KERN_LEAST       KERN_PICK(1e-290, 1e-35)
 
+/* Largest coordinate and gap: the moment of a polygon is still a number. */
+#define KERN_FAR        KERN_PICK(1e100, 1e10)
+/* Where the least of lengths and areas is looked for: more than any. */
+#define KERN_HUGE       KERN_PICK(DBL_MAX, FLT_MAX)
+/* Share of the mean block size below which a travel is rounding. */
+#define KERN_TRAVEL     KERN_R(1e-9)
+/* Angle [rad] from which an option for the angle is refused: it would take a
+   corner for a face, and the series of kern_sine() would lose digits. */
+#define KERN_ANGLE_MOST KERN_R(0.5)
+/* Share of the fastest block's speed below which a mechanism rests. */
+#define KERN_REST       KERN_R(1e-4)
+#define KERN_OUT (-1)
+
 /* Bounds of loops and counts. */
-#define KERN_RENEW         40      /* least pivots between choices of a base */
-#define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
-#define KERN_EDGE_ROUNDS   200     /* questions to narrow a bracket           */
-#define KERN_CLIMB_ROUNDS  5000    /* questions to find one                   */
-#define KERN_MANY          8       /* pivots between them                     */
+#define KERN_EDGE_ROUNDS   200     /* evaluations to narrow a bracket         */
 #define KERN_FIRST         KERN_R(0.12)
-#define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_FALL_ROUNDS   8       /* of a collapse, and two for each block   */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
@@ -1482,80 +1453,6 @@ static void kern_fault_clear(kern_fault *fault)
     fault->block = fault->other = fault->index = -1;
     fault->value = fault->allowed = KERN_R(0);
 }
-
-/* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* All are shares of a length that the user knows: a gap, a block's size, the
-   largest coordinate. */
-
-/* Share of the largest coordinate below which places are the same: some tens
-   of roundings of a coordinate. No gap is less; smaller, and cubes that were
-   turned and moved would no longer touch. */
-#define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
-/* Largest coordinate and gap: the moment of a polygon is still a number. */
-#define KERN_FAR        KERN_PICK(1e100, 1e10)
-/* Where the least of lengths and areas is looked for: more than any. */
-#define KERN_HUGE       KERN_PICK(DBL_MAX, FLT_MAX)
-/* Turn [rad] below which a vertex is no corner, and within which of a half
-   turn it is a spike. A dropped vertex is off its edge by a millionth of the
-   edge at the most; much larger, and round stones would lose their shape. */
-#define KERN_TURN       KERN_R(1e-6)
-/* Most vertices of a polygon: its mean turn is then well above KERN_TURN. */
-#define KERN_VERTICES_MOST 1000000
-/* Share of the size: the gap that a mason does not see, and the line that he
-   would call a point. */
-#define KERN_GAP        KERN_R(1e-3)
-/* Gap, as a share of the mean size, and angle [rad] of contacts that a little
-   rocking closes: measured against shaking tests; anything from 0.03 to 0.1
-   and from 0.1 to 0.2 predicts them as well. */
-#define KERN_NEAR_GAP   KERN_R(0.04)
-#define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Measured structures, in errors of place and of angle; from structures with
-   noise, see tests/noise.c. The gap of two stones that touch has a standard
-   deviation of about 1.7 errors. */
-#define KERN_ERROR_GAP     KERN_R(4.0)
-#define KERN_ERROR_SWING   KERN_R(5.0)  /* gap, by the distance from a centre */
-#define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_ANGLE   KERN_R(6.5)
-#define KERN_ERROR_FOOT    KERN_R(2.0)  /* beyond the end of an edge          */
-/* Shares of the error that are allowed where a verdict is to be certain. */
-#define KERN_CERTAIN_STANDS KERN_R(0.5)
-#define KERN_CERTAIN_FALLS  KERN_R(2.0)
-/* Share of the size of the smaller free block above which no step is too low
-   to carry, however wide the gap: a pebble keeps its shape. */
-#define KERN_STEP_MOST  KERN_R(0.1)
-/* Most parts of an outline that have a box of their own, and by how many edges
-   they are longer than need be: more take more stack, shorter ones time. */
-#define KERN_PARTS      24
-#define KERN_PART_EDGES 8
-/* Most nested spans of an outline that are kept; more save time. */
-#define KERN_SPANS      16
-/* Length in steps of a way whose direction steps hardly change, and the sine of
-   10 degrees: by so much they still do. */
-#define KERN_STEP_WAY   KERN_R(8.0)
-#define KERN_STEP_SINE  KERN_R(0.17364817766693036)
-/* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
-#define KERN_GOES_ON    KERN_R(0.5)
-/* Share of the size by which a foot must lie inside its edge, so that rounding
-   makes no contacts between diagonal neighbours. */
-#define KERN_FOOT       KERN_R(1e-6)
-/* Share of the gap by which overlap may be deeper unseen, in a place of twice
-   that length. Less takes more steps along an edge. */
-#define KERN_STRIDE     KERN_R(0.0625)
-#define KERN_STRIDES    64 /* before they double, and 8 a vertex; and most
-                              triangles of a size for an inner point */
-/* Cosine of 10 degrees: a vertex at a line contact belongs to it if their
-   normals differ by less; across a real corner they differ by more. */
-#define KERN_SAME_FACE  KERN_R(0.98480775301220806)
-/* Angle [rad] from which an option for the angle is refused: it would take a
-   corner for a face, and the series of kern_sine() would lose digits. */
-#define KERN_ANGLE_MOST KERN_R(0.5)
-/* Share by which the area of a polygon may differ from what the block says,
-   by rounding at large coordinates. */
-#define KERN_STALE_AREA KERN_R(1e-3)
-/* Share of the fastest block's speed below which a mechanism rests. */
-#define KERN_REST       KERN_R(1e-4)
-/* Share of the mean block size below which a travel is rounding. */
-#define KERN_TRAVEL     KERN_R(1e-9)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
@@ -1641,6 +1538,5044 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real at,
     }
 }
 
+static kern_real kern_block_size(const kern_block *block)
+{
+    return KERN_SQRT(kern_abs(block->area));
+}
+
+/* 0 just for a wrench of nothing; a number just for one of numbers. */
+static kern_real kern_wrench_sum(const kern_wrench *w)
+{ return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
+
+static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
+{
+    const kern_real size = kern_block_size(b);
+    const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
+        + kern_abs(b->load.torque) / size
+        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
+    if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
+        return KERN_BAD_NUMBER;
+    if (b->fixed)
+        return KERN_OK;
+    if (!(size >= KERN_LEAST_SIZE))
+        return KERN_NO_AREA;
+    if (!(b->mass >= KERN_LIGHT) || b->mass > KERN_HEAVY)
+        return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
+    return acts <= KERN_HEAVY && (acts >= KERN_LIGHT || !(acts > 0))
+           ? KERN_OK : KERN_BAD_NUMBER;
+}
+
+/* Before anything is in it: every corner is beyond every place. */
+static void kern_box_empty(kern_box *box)
+{
+    box->low.x = box->low.y = KERN_HUGE;
+    box->high.x = box->high.y = -KERN_HUGE;
+}
+
+static void kern_box_add(kern_box *box, kern_vec p)
+{
+    box->low.x = kern_min(box->low.x, p.x);
+    box->low.y = kern_min(box->low.y, p.y);
+    box->high.x = kern_max(box->high.x, p.x);
+    box->high.y = kern_max(box->high.y, p.y);
+}
+
+/* ---- Statics -------------------------------------------------- >>statics */
+/* Eq. (5): every free block is in equilibrium under its weight, its load and
+   contact forces f n + r t with f >= 0 and |r| <= mu f. In the plane the
+   friction cone is spanned by its two edges,
+
+       \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
+        \  |  /              x1, x2 >= 0
+         \ | /
+       ---- p ----  t
+
+   so forces exist just if A x = -w has a solution x >= 0: three rows a free
+   block (force, torque about its centre), two columns a contact point. The
+   same rows turned round are a motion y of every block: y.A >= 0 says that no
+   contact closes, y.w > 0 that the weight drives it. By Farkas' lemma there is
+   either the one or the other. Lengths are measured in the size of the block,
+   forces in the weight of all, so tolerances have no units. */
+
+/* A query: the weights and loads to carry, and how far kerns shrink. */
+typedef struct kern_query {
+    kern_real shrink;
+    int relative;               /* nonzero: a share of each travel            */
+    kern_real narrow;           /* rate at which cones narrow                 */
+    kern_real mean;             /* size of the free blocks                    */
+    kern_vec gravity;
+    const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
+    kern_real factor;           /* of the pattern                             */
+    int side;
+    const kern_real *fallen;    /* a block with a value >= 0 has been taken
+                                   away; NULL: all are there                  */
+    kern_real shortest;         /* a shorter contact carries nothing [m]      */
+} kern_query;
+
+static kern_query kern_query_of(const kern_structure *s,
+                                      const kern_options *o, kern_real shrink)
+{
+    kern_query q;
+    q.shrink = shrink;
+    q.relative = o->relative;
+    q.narrow = o->narrow;
+    q.mean = kern_mean_size(s->block, s->blocks);
+    q.gravity = s->gravity;
+    q.pattern = NULL;
+    q.factor = KERN_R(0);
+    q.side = 0;
+    q.fallen = NULL;
+    q.shortest = KERN_R(0);
+    return q;
+}
+
+/* The tangent by which cones of friction are narrower. */
+static kern_real kern_slope(const kern_query *q)
+{ return kern_max(q->narrow * q->shrink, KERN_R(0)); }
+
+/* Friction of a contact whose cone is narrower: the tangent of its angle less
+   that of the slope. */
+static inline kern_real kern_friction(const kern_contact *c, kern_real slope)
+{
+    return slope > 0 ? kern_max(c->mu - slope, KERN_R(0)) / (1 + c->mu * slope)
+                     : c->mu;
+}
+
+/* Whether one of two blocks has been taken away. */
+static int kern_is_gone(const kern_query *q, int a, int b)
+{ return q->fallen && (q->fallen[a] >= 0 || q->fallen[b] >= 0); }
+
+/* Of its line, or about of its group of points; 0 for a lone point. */
+static kern_real kern_contact_length(const kern_contact *c)
+{ return 2 * kern_abs(c->travel); }
+
+/* Whether a contact carries nothing: one of its blocks is gone, or it is too
+   short. */
+static int kern_is_out(const kern_query *q, const kern_contact *c)
+{
+    const kern_real length = kern_contact_length(c);
+    return kern_is_gone(q, c->a, c->b)
+           || (length > 0 && length < q->shortest);
+}
+
+/* What gravity does to a mass. */
+static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
+{
+    w->fx = gravity.x * mass;
+    w->fy = gravity.y * mass;
+    w->torque = KERN_R(0);
+}
+
+/* The load pattern's share of block i, for a factor of 1. */
+static void kern_pattern_on(const kern_structure *s, const kern_query *q,
+                            int i, kern_wrench *w)
+{
+    if (q->pattern)
+        *w = q->pattern[i];
+    else
+        kern_weigh(kern_vec_turn(s->gravity),
+                   s->block[i].mass * KERN_R(q->side), w);
+}
+
+/* Without the torque. Not 0 where just the squares are. */
+static kern_real kern_force_size(const kern_wrench *w)
+{
+    return kern_max(KERN_SQRT(w->fx * w->fx + w->fy * w->fy),
+                    kern_max(kern_abs(w->fx), kern_abs(w->fy)));
+}
+
+/* Adds a share of what acts on block b; returns its magnitude. */
+static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
+                                 const kern_wrench *w, kern_real share)
+{
+    if (!(kern_wrench_sum(w) > 0))
+        return KERN_R(0);
+    sum->fx += share * w->fx;
+    sum->fy += share * w->fy;
+    sum->torque += share * w->torque;
+    return share * (kern_force_size(w) + kern_abs(w->torque)
+                                         / kern_block_size(b));
+}
+
+/* All that acts on block i besides its contacts. Returns the sum of the
+   magnitudes: what its equilibrium is measured by. */
+static kern_real kern_wrench_on(const kern_structure *s,
+                                const kern_query *q, int i,
+                                kern_wrench *sum)
+{
+    const kern_block *b = s->block + i;
+    kern_wrench pattern;
+    kern_real size;
+    kern_weigh(q->gravity, b->mass, sum);
+    size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, KERN_R(1));
+    if (q->factor > 0) {
+        kern_pattern_on(s, q, i, &pattern);
+        size += kern_wrench_add(sum, b, &pattern, q->factor);
+    }
+    return size;
+}
+
+/* A travel too short to be one counts as none. */
+static kern_real kern_travel(const kern_contact *c, kern_real mean)
+{
+    return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0)
+                                                          : c->travel;
+}
+
+/* How far along t a contact point has moved at a shrinkage, and in `rate` how
+   fast it moves when the shrinkage grows. */
+static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
+                            kern_real *rate)
+{
+    const kern_real sign = travel > 0 ? KERN_R(1) : travel < 0 ? KERN_R(-1)
+                                                               : KERN_R(0);
+    if (relative) {
+        *rate = travel;
+        return shrink * travel;
+    }
+    if (shrink >= kern_abs(travel)) {
+        *rate = KERN_R(0);
+        return travel;
+    }
+    *rate = sign;
+    return shrink * sign;
+}
+
+KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
+                                  int relative)
+{
+    kern_real rate, shift;
+    if (!c)
+        return kern_vec_make(0, 0);
+    shift = kern_shift(c->travel, shrink, relative, &rate);
+    return kern_vec_step(c->p, shift, kern_vec_turn(c->n));
+}
+
+/* From the centres of its blocks, a and b, to where contact c acts. The centre
+   is taken off first, since far from the origin a place has fewer digits than
+   an arm. Returns how far the point has moved along t. Inline where speed
+   counts: a tenth of the time of most evaluations is spent here. */
+static inline kern_real kern_arms(const kern_structure *s,
+                                  const kern_contact *c,
+                                  const kern_query *q, kern_vec arm[2])
+{
+    kern_real rate;
+    const kern_real shift = kern_shift(kern_travel(c, q->mean), q->shrink,
+                                       q->relative, &rate);
+    const kern_vec p = c->p, way = kern_vec_scale(kern_vec_turn(c->n), shift);
+    int end;
+    for (end = 0; end < 2; end++)
+        arm[end] = kern_vec_add(
+            kern_vec_sub(p, s->block[end ? c->b : c->a].centre), way);
+    return shift;
+}
+
+/* ---- The kern -------------------------------------------------- >>kern */
+/* Every measure follows a path s, one-parameter loading: kerns shrink, a load
+   grows, or gravity turns. It is the first place where the structure falls.
+
+   At a place that falls y gives the power -y.rhs > 0, which changes along the
+   path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
+   (Newton's method). It converges quadratically, from the side that falls. Half
+   a tolerance to each side of the critical place the verdict is proven: the
+   bracket is narrow, and both its ends are.
+
+   As long as possible the search evaluates a small part (kern_path_search()),
+   and the whole only where it finds none (kern_path_plain()). */
+
+typedef struct kern_model kern_model; /* the structure in units: >>model      */
+typedef struct kern_part kern_part;   /* some of its blocks: >>part           */
+
+typedef enum kern_path_kind {
+    KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
+} kern_path_kind;
+
+/* What is known before a search: where a structure like it stood and fell, and
+   how. */
+typedef struct kern_seed {
+    kern_real holds, edge, fails; /* fails 0: nothing                         */
+    const kern_motion *motion; /* of all blocks but the last; NULL: they rest */
+    kern_motion last;          /* of the last                                 */
+} kern_seed;
+
+typedef struct kern_path {
+    kern_path_kind kind;
+    kern_query q;          /* at s = 0; what the path changes is replaced  */
+    kern_real unit;           /* of the path: a block's size, or 1            */
+    kern_real tolerance;      /* width of the bracket                         */
+    kern_real start, end;     /* of the path; the first stands                */
+    kern_real holds, fails;   /* the bracket                                  */
+    kern_real edge;           /* where Newton's method sees the edge          */
+    kern_real stood, fell;    /* the farthest that is proven to stand, the
+                                 nearest to fall; -1, infinity: none          */
+    int never;                /* nonzero: it stands to the end                */
+    int closed;               /* nonzero: the bracket is as narrow as it gets */
+    kern_part *part;          /* that fell last                               */
+    const kern_seed *seed;    /* or NULL                                      */
+    int alone;                /* nonzero: the part is evaluated alone         */
+    int begun;                /* nonzero: it is known to stand at the start   */
+    const kern_proof *proof;  /* the caller's: of the last verdict each way   */
+} kern_path;
+
+/* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
+   line contacts are nested: what a smaller one can carry a larger one can.
+   Points that move toward each other along different tangents are not. */
+typedef struct kern_travels {
+    kern_real least, most;
+    int nested;
+} kern_travels;
+
+/* ---- what finds forces and motions ---- */
+/* Declared here, defined behind the argument: >>verdict, >>search, >>inner. */
+
+/* The verdict for a query, proven. */
+static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
+                                  const kern_query *q);
+/* Hands the proof of a verdict to the caller. */
+static void kern_proof_out(const kern_model *m, const kern_proof *proof,
+                           kern_status status);
+/* The same at place s of a path; narrows its bracket. */
+static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
+                                      kern_real s);
+/* Narrows the bracket to the tolerance. */
+static kern_status kern_path_edge(kern_model *m, kern_path *path,
+                                  int rounds);
+/* The travels of all kerns. */
+static kern_travels kern_travels_of(const kern_model *m);
+/* Goes in steps until it falls, and narrows the bracket there. */
+static kern_status kern_path_climb(kern_model *m, kern_path *path,
+                                   kern_real step, int even);
+/* Does block i move in the last mechanism? */
+static int kern_moves(const kern_model *m, int i);
+/* Brackets the first place where it falls, by small parts where it can. */
+static kern_status kern_path_search(kern_model *m, kern_path *path,
+                                    kern_real first, kern_real step);
+/* The largest magnitude of n numbers. */
+static kern_real kern_largest(const kern_real *v, int n);
+
+/* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
+   half a circle by arithmetic alone. */
+static void kern_turn(kern_real s, kern_real *c, kern_real *n)
+{
+    const kern_real d = 1 + s * s;
+    const kern_real c2 = (1 - s * s) / d, n2 = 2 * s / d;
+    *c = c2 * c2 - n2 * n2;
+    *n = 2 * c2 * n2;
+}
+
+static kern_query kern_path_at(const kern_path *path, kern_real s)
+{
+    kern_query q = path->q;
+    if (path->kind == KERN_PATH_SHRINK)
+        q.shrink = s;
+    else if (path->kind == KERN_PATH_LOAD)
+        q.factor = s;
+    else {
+        kern_real c, n;
+        kern_turn(s, &c, &n);
+        n *= KERN_R(q.side);
+        q.gravity.x = c * path->q.gravity.x - n * path->q.gravity.y;
+        q.gravity.y = c * path->q.gravity.y + n * path->q.gravity.x;
+    }
+    return q;
+}
+
+/* How many steps of Algorithm 1 there are until every kern is closed. */
+static kern_status kern_steps(const kern_margin *out, int *last)
+{
+    const kern_real steps = out->most / out->epsilon;
+    if (!(steps <= KERN_R(1000000)))
+        return KERN_BAD_STEP;
+    *last = (int)steps;
+    *last += KERN_R(*last) < steps;
+    return KERN_OK;
+}
+
+/* Algorithm 1 of the paper, from step `first` on: the first k at which kerns
+   shrunk by k steps hold no longer; last + 1 if they always do, -1 if a verdict
+   on the way is undecided. */
+static kern_status kern_level_scan(kern_model *m, const kern_path *path,
+                                   int first, int last, kern_margin *out)
+{
+    kern_status status = KERN_STANDS;
+    int k;
+    for (k = first; k <= last && status == KERN_STANDS; k++) {
+        const kern_query q = kern_path_at(
+            path, kern_min(KERN_R(k) * out->epsilon, out->most));
+        status = kern_model_evaluate(m, path->part, &q);
+    }
+    if (status == KERN_STANDS || status == KERN_FALLS)
+        out->level = status == KERN_FALLS ? k - 1 : last + 1;
+    else
+        out->level = -1;
+    return status == KERN_FALLS || status == KERN_UNDECIDED ? KERN_STANDS
+                                                            : status;
+}
+
+/* The same where kerns are nested: outside of the proven bracket [holds, fails]
+   of the margin the verdicts are known. */
+static kern_status kern_level_nested(kern_model *m, const kern_path *path,
+                                     int last, kern_margin *out)
+{
+    int k = 1;
+    if (path->holds > out->epsilon)
+        k = (int)(path->holds / out->epsilon);
+    while (k <= last && !(KERN_R(k) * out->epsilon > path->holds))
+        k++;
+    if (out->saturated)
+        k = last + 1;
+    if (k <= last && kern_min(KERN_R(k) * out->epsilon, out->most)
+                         < path->fails)
+        return kern_level_scan(m, path, k, last, out);
+    out->level = k;
+    return KERN_STANDS;
+}
+
+/* ---- Work arrays ------------------------------------------------- >>work */
+/* Slices are handed out one after the other. Without arrays (real NULL) they
+   are only counted: one layout function says both what is needed and where it
+   lies, so the two cannot disagree. */
+
+typedef struct kern_take {
+    kern_real *real;
+    int *index;
+    int reals, indices;         /* there are */
+    int used_reals, used_ints;  /* handed out */
+} kern_take;
+
+static void kern_take_open(kern_take *take, const kern_work *work)
+{
+    take->real = work->real;
+    take->index = work->index;
+    take->reals = work->real ? work->reals : 0;
+    take->indices = work->index ? work->indices : 0;
+    take->used_reals = take->used_ints = 0;
+}
+
+static kern_real *kern_take_reals(kern_take *take, int n)
+{
+    const int at = take->used_reals;
+    take->used_reals += n;
+    return take->real && take->used_reals <= take->reals ? take->real + at
+                                                         : NULL;
+}
+
+static int *kern_take_ints(kern_take *take, int n)
+{
+    const int at = take->used_ints;
+    take->used_ints += n;
+    return take->index && take->used_ints <= take->indices ? take->index + at
+                                                           : NULL;
+}
+
+static int kern_take_fits(const kern_take *take)
+{
+    return take->used_reals <= take->reals && take->used_ints <= take->indices;
+}
+
+/* ---- what a call may spend ---- */
+
+static int kern_limit_of(int limit)
+{ return limit > 0 ? limit : KERN_WORK_MOST; }
+
+static void kern_work_begin(kern_work *work)
+{
+    kern_fault_clear(&work->fault);
+    work->units = 0;
+}
+
+/* Counts work that is about to be done. Returns 0 where the call has no more
+   of it left: this and all further work is refused, and the call ends. */
+static int kern_spend(kern_work *work, int limit, int units)
+{
+    const int left = kern_limit_of(limit) - work->units;
+    work->units += units <= left ? units : left + 1;
+    return units <= left;
+}
+
+/* What a call returns: where work was refused on the way that is all there is
+   to say, whatever was found without it. */
+static kern_status kern_spent(const kern_work *work, int limit,
+                              kern_status status)
+{
+    return work->units > kern_limit_of(limit) ? KERN_LIMIT : status;
+}
+
+/* ---- What is handed in ------------------------------------------ >>check */
+/* Everything that the statics reads is looked at once, before any memory is
+   used: numbers are finite and within bounds that the statics can reckon
+   with, indices exist, normals have length 1. */
+
+static kern_status kern_options_check(const kern_options *o)
+{
+    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon) ||
+        !kern_is_finite(o->overlap + o->error + o->turn + o->narrow))
+        return KERN_BAD_NUMBER;
+    if (o->mu < 0)
+        return KERN_BAD_FRICTION;
+    if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
+        || o->overlap < 0 || o->error < 0 || o->turn < 0 || o->narrow < 0
+        || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
+        return KERN_BAD_OPTION;
+    return KERN_OK;
+}
+
+static kern_status kern_contact_check(const kern_contact *c, int blocks)
+{
+    const kern_real n = c->n.x * c->n.x + c->n.y * c->n.y;
+    if (c->a < 0 || c->a >= blocks || c->b < 0 || c->b >= blocks)
+        return KERN_BAD_BLOCK;
+    if (c->a == c->b)
+        return KERN_SAME_BLOCK;
+    if (!kern_vec_is_moderate(c->p) || !kern_vec_is_finite(c->n)
+        || !kern_is_finite(c->mu) || !(kern_abs(c->travel) <= KERN_FAR))
+        return KERN_BAD_NUMBER;
+    if (c->mu < 0)
+        return KERN_BAD_FRICTION;
+    if (kern_abs(n - 1) > KERN_R(64) * KERN_EPS)
+        return KERN_BAD_NORMAL;
+    return KERN_OK;
+}
+
+/* Checks a structure, of which so many of the first blocks and contacts have
+   been checked before. */
+static kern_status kern_structure_check(const kern_structure *s,
+                                        int blocks, int contacts,
+                                        kern_fault *fault, int *free_blocks)
+{
+    kern_status status;
+    int i, n = 0;
+    int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
+    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
+        || s->contacts > KERN_CONTACTS_MOST)
+        return KERN_BAD_COUNT;
+    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
+        return KERN_BAD_POINTER;
+    if (!kern_vec_is_finite(s->gravity))
+        return KERN_BAD_NUMBER;
+    for (i = 0; i < s->blocks; i++) {
+        status = i < blocks ? KERN_OK
+                            : kern_block_check(s->block + i, s->gravity);
+        if (status != KERN_OK) {
+            fault->block = i;
+            return status;
+        }
+        if (s->block[i].fixed)
+            continue;
+        loaded |= kern_wrench_sum(&s->block[i].load) > 0;
+        n++;
+    }
+    if (n == 0)
+        return KERN_NO_FREE;
+    if (!loaded)
+        return KERN_NO_LOAD;
+    for (i = contacts; i < s->contacts; i++) {
+        status = kern_contact_check(s->contact + i, s->blocks);
+        if (status != KERN_OK) {
+            fault->index = i;
+            return status;
+        }
+    }
+    *free_blocks = n;
+    return KERN_OK;
+}
+
+/* The task, and where the answer goes; counts the free blocks. */
+static kern_status kern_task_check(const kern_task *task, const void *out,
+                                   int *free_blocks)
+{
+    kern_status status;
+    if (!task || !task->work || !task->work->real || !task->work->index)
+        return KERN_BAD_POINTER;
+    /* what kern_contacts() returned, and the fault that it left */
+    if (task->s.contacts <= (int)KERN_NO_SPACE
+        && task->s.contacts >= (int)KERN_STATUS_LEAST)
+        return (kern_status)task->s.contacts;
+    kern_work_begin(task->work);
+    status = kern_options_check(&task->options);
+    if (status == KERN_OK)
+        status = kern_structure_check(&task->s, 0, 0, &task->work->fault,
+                                      free_blocks);
+    return status == KERN_OK && !out ? KERN_BAD_POINTER : status;
+}
+
+/* ---- Proofs ----------------------------------------------------- >>proof */
+/* Both checks use the caller's data only, and nothing of the solver. A proof's
+   error is given as a share of what is allowed, so up to 1 it holds.
+
+   Forces prove "stands": each in its cone, the residual of every equilibrium
+   row within KERN_TOL of what acts on the block (or within the rounding of
+   the forces that meet there), all together not above KERN_BOUND times the
+   weight. A motion proves "falls": its power exceeds its own rounding and
+   KERN_BOUND times the weight of what moves times the worst speed at which it
+   closes a contact, taken together: even forces of that size could not hold
+   it. The speed counts with all that rounding may have taken from it, so such
+   a motion is a proof without rounding as well. */
+
+/* What is left over in the rows of all free blocks, under contact forces of
+   `sum`, as a share of what is allowed; in *weight what acts on them. A block
+   whose fourth sum is below 0 is left out. */
+static kern_real kern_prove_rows(const kern_structure *s,
+                                 const kern_query *q, const kern_real *sum,
+                                 kern_real *weight)
+{
+    kern_real error = KERN_R(0);
+    int i;
+    *weight = KERN_R(0);
+    for (i = 0; i < s->blocks; i++, sum += 4)
+        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
+            kern_wrench w;
+            const kern_real size = kern_wrench_on(s, q, i, &w);
+            kern_real x, y, turn, left;
+            *weight += size;
+            if (sum[3] < 0)
+                continue;
+            x = kern_abs(sum[0] + w.fx);
+            y = kern_abs(sum[1] + w.fy);
+            turn = kern_abs(sum[2] + w.torque) / kern_block_size(s->block + i);
+            left = kern_max(kern_max(x, y), turn);
+            if (!(x + y + turn <= KERN_HUGE))
+                return KERN_INFINITY;
+            if (left > 0)
+                error = kern_max(error, left / (KERN_TOL * size
+                                                + KERN_ROUNDING * sum[3]));
+        }
+    return error;
+}
+
+/* `sum` is scratch, four a block. Where `some` is nonzero the fourth is given:
+   0, or below 0 for a block whose rows were verified under the same forces. */
+static kern_real kern_prove_forces(const kern_structure *s,
+                                   const kern_query *q,
+                                   const kern_force *force, kern_real *sum,
+                                   int some)
+{
+    const kern_real slope = kern_slope(q);
+    kern_real total = KERN_R(0), weight, error;
+    int i;
+    for (i = 0; i < 4 * s->blocks; i += 4) {
+        sum[i] = sum[i + 1] = sum[i + 2] = KERN_R(0);
+        if (!some)
+            sum[i + 3] = KERN_R(0);
+    }
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real f = force[i].normal, r = force[i].tangential;
+        const kern_real fx = f * c->n.x - r * c->n.y;
+        const kern_real fy = f * c->n.y + r * c->n.x;
+        kern_vec arm[2];
+        int end;
+        if (kern_is_out(q, c))
+            continue;
+        if (!(f >= 0) || !(kern_abs(r) <= kern_friction(c, slope) * f
+                                           * (1 + 8 * KERN_EPS)))
+            return KERN_INFINITY;
+        total += f;
+        if (sum[4 * c->a + 3] < 0 && sum[4 * c->b + 3] < 0)
+            continue;
+        kern_arms(s, c, q, arm);
+        for (end = 0; end < 2; end++) {
+            kern_real *at = sum + 4 * (end ? c->b : c->a);
+            const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
+            if (at[3] < 0)
+                continue;
+            at[0] += sign * fx;
+            at[1] += sign * fy;
+            at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
+            at[3] = kern_max(at[3], f);
+        }
+    }
+    error = kern_prove_rows(s, q, sum, &weight);
+    weight *= KERN_BOUND;
+    if (!(weight <= KERN_HUGE)) /* too much is allowed to prove anything */
+        return KERN_INFINITY;
+    if (total > 0)
+        error = kern_max(error, total / weight);
+    return error <= 1 ? error : kern_max(error, KERN_R(2));
+}
+
+/* How fast a motion closes contact c at the most, the rounding of this sum
+   included: the worst force of 1 there takes so much power out of the motion.
+   Every operation may lose half of KERN_EPS of its result. Of an arm these are
+   three, those of its three terms; what they lose, the spin multiplies. */
+static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
+                              const kern_query *q,
+                              const kern_motion *motion)
+{
+    kern_vec arm[2], v = kern_vec_make(0, 0), lost = v;
+    const kern_real shift = kern_abs(kern_arms(s, c, q, arm));
+    const kern_real mu = kern_friction(c, kern_slope(q));
+    const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
+    kern_real gap;
+    int end;
+    for (end = 0; end < 2; end++) { /* of b, less that of a */
+        const kern_motion *m = motion + (end ? c->b : c->a);
+        const kern_real x = m->vx - m->spin * arm[end].y;
+        const kern_real y = m->vy + m->spin * arm[end].x;
+        const kern_real spin = 3 * kern_abs(m->spin);
+        v = kern_vec_make(x - v.x, y - v.y);
+        lost.x += kern_abs(x) + spin * (kern_abs(arm[end].y) + shift * nx);
+        lost.y += kern_abs(y) + spin * (kern_abs(arm[end].x) + shift * ny);
+    }
+    lost.x += 5 * kern_abs(v.x);
+    lost.y += 5 * kern_abs(v.y);
+    gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
+    return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
+           + KERN_EPS / 2 * gap + KERN_LEAST;
+}
+
+/* The speed of a block that rests is 0. */
+static kern_real kern_speed(const kern_motion *m)
+{ return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
+
+static kern_real kern_prove_motion(const kern_structure *s,
+                                   const kern_query *q,
+                                   const kern_motion *motion)
+{
+    kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
+    kern_real closing = KERN_R(0);
+    int i;
+    for (i = 0; i < s->blocks; i++) {
+        const kern_motion *m = motion + i;
+        kern_real px, py, pt;
+        kern_wrench w;
+        const kern_real speed = kern_speed(m);
+        if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
+            return KERN_INFINITY;
+        if (!(speed > 0))
+            continue;
+        weight += kern_wrench_on(s, q, i, &w);
+        px = w.fx * m->vx;
+        py = w.fy * m->vy;
+        pt = w.torque * m->spin;
+        power += px + py + pt;
+        terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
+    }
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        kern_real speed;
+        if (kern_is_out(q, c)
+            || !(kern_speed(motion + c->a) + kern_speed(motion + c->b) > 0))
+            continue;
+        speed = kern_closing(s, c, q, motion);
+        if (!(speed <= KERN_HUGE))
+            return KERN_INFINITY;
+        closing = kern_max(closing, speed);
+    }
+    weight *= KERN_BOUND;
+    if (!(power > KERN_LEAST) || !(terms + weight <= KERN_HUGE))
+        return KERN_INFINITY;
+    return (weight * closing + KERN_ROUNDING * terms) / power;
+}
+
+KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
+                                     const kern_force *force)
+{
+    kern_take take;
+    kern_query q;
+    kern_real *sum;
+    int n = 0;
+    if (!force || !kern_is_finite(shrink)
+        || kern_task_check(task, force, &n) != KERN_OK)
+        return KERN_INFINITY;
+    kern_take_open(&take, task->work);
+    sum = kern_take_reals(&take, 4 * task->s.blocks);
+    if (!kern_take_fits(&take))
+        return KERN_INFINITY;
+    q = kern_query_of(&task->s, &task->options, shrink);
+    return kern_prove_forces(&task->s, &q, force, sum, 0);
+}
+
+KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
+                                     const kern_motion *motion)
+{
+    kern_query q;
+    int n = 0;
+    if (!motion || !kern_is_finite(shrink)
+        || kern_task_check(task, motion, &n) != KERN_OK)
+        return KERN_INFINITY;
+    q = kern_query_of(&task->s, &task->options, shrink);
+    return kern_prove_motion(&task->s, &q, motion);
+}
+
+/* ---- The model ------------------------------------------------- >>model */
+/* Free blocks become groups of three rows, numbered from top to bottom as
+   gravity sees them, so that what a group carries has a smaller number. What
+   is fixed, or has been taken away, is the ground, and has the number after
+   the last. A contact belongs to the upper one of its two groups: it carries
+   that group. */
+
+struct kern_model {
+    const kern_structure *s;
+    kern_work *work;
+    int limit;                /* of the work of the call                      */
+    int query_units;          /* units of one, however small the part: its
+                                 proof goes over the whole                    */
+    int relative;
+    kern_real mean;           /* size of the free blocks                      */
+    kern_real weight;         /* unit of force: all that acts on free blocks  */
+    int from;                 /* blocks before it are held                    */
+    int groups;
+    int *group;               /* of a block                                   */
+    int *block;               /* of a group                                   */
+    int *ends;                /* of a contact: groups of its blocks b and a;
+                                 contact i has the ends 2 i and 2 i + 1       */
+    int *touch, *after;       /* first end of a contact at a group, and the end
+                                 at the same group that follows an end        */
+    kern_real *unit;          /* of a group: 1 / the unit of its torques      */
+    kern_real *load;          /* three a group: what contacts must exert      */
+    kern_real *size;          /* of a group: magnitude of all that acts       */
+    kern_real *arm;           /* four a contact: torques of n and t on b, and
+                                 of -n and -t on a, in their units            */
+    kern_force *force;        /* one a contact: of the last verdict           */
+    const kern_force *prior;  /* forces that are known, or NULL: they balance
+                                 all blocks but the last ...                  */
+    kern_real balanced;       /* ... at this shrinkage                        */
+    kern_real narrow, slope;  /* of the options, of the last question         */
+    const kern_query *lazy; /* groups are opened when they are needed; NULL:
+                                  all are                                     */
+    kern_motion *motion;      /* one a block: of the last verdict             */
+    kern_real *sum;           /* scratch of the proof, four a block           */
+    int *leader, *next, *dirty; /* of a group: see >>pour                     */
+    int again;                /* the first leader that became dirty           */
+    int regrown;              /* how often a unit of three or more was joined */
+    int *local;               /* of a group: its number in the open part      */
+    int plain;                /* nonzero: all groups are one part             */
+    int *fell;                /* of a group: whether a part with it fell      */
+    int falls;                /* the mark of the last part                    */
+    int wide;                 /* by how much the next part of them is widened */
+    kern_take common;         /* work memory behind what every method needs   */
+    kern_take rest;           /* work memory that is left                     */
+};
+
+/* Slices of the work arrays that hold structs of numbers. */
+typedef char kern_force_is_two[sizeof(kern_force) == 2 * sizeof(kern_real)
+                               ? 1 : -1];
+typedef char kern_wrench_is_three[sizeof(kern_wrench) == 3 * sizeof(kern_real)
+                                  ? 1 : -1];
+typedef char kern_motion_is_three[sizeof(kern_motion) == 3 * sizeof(kern_real)
+                                  ? 1 : -1];
+
+static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
+{
+    kern_take *take = &m->rest;
+    m->group = kern_take_ints(take, blocks);
+    m->block = kern_take_ints(take, groups);
+    m->ends = kern_take_ints(take, 2 * contacts);
+    m->unit = kern_take_reals(take, groups + 1);
+    m->load = kern_take_reals(take, 3 * groups);
+    m->size = kern_take_reals(take, groups);
+    m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
+    m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
+    m->sum = kern_take_reals(take, 4 * blocks);
+    m->common = *take;
+    m->touch = kern_take_ints(take, groups);
+    m->after = kern_take_ints(take, 2 * contacts);
+    m->leader = kern_take_ints(take, groups);
+    m->next = kern_take_ints(take, groups);
+    m->dirty = kern_take_ints(take, groups);
+    m->local = kern_take_ints(take, groups + 1);
+    m->fell = kern_take_ints(take, groups);
+    m->arm = kern_take_reals(take, 4 * contacts);
+}
+
+KERN_API void kern_work_need(int blocks, int contacts, int *reals,
+                             int *indices)
+{
+    const int fit = blocks >= 0 && blocks <= KERN_BLOCKS_MOST
+                    && contacts >= 0 && contacts <= KERN_CONTACTS_MOST;
+    *reals = fit ? KERN_REALS(blocks, contacts) : 0;
+    *indices = fit ? KERN_INTS(blocks, contacts) : 0;
+}
+
+KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
+                                int indices)
+{
+    kern_work w;
+    w.real = real;
+    w.reals = reals;
+    w.index = index;
+    w.indices = indices;
+    w.pivots = w.solves = 0;
+    w.error = KERN_R(0);
+    kern_work_begin(&w);
+    return w;
+}
+
+KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
+                                const kern_contact *contact, int contacts,
+                                kern_work *work)
+{
+    kern_task task;
+    task.s.block = block;
+    task.s.blocks = blocks;
+    task.s.contact = contact;
+    task.s.contacts = contacts;
+    task.s.gravity = kern_vec_make(0, KERN_R(-9.81));
+    task.options = kern_defaults();
+    task.work = work;
+    task.known = kern_known_of(NULL, NULL);
+    return task;
+}
+
+KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
+{
+    kern_known known;
+    known.motion = motion;
+    known.force = force;
+    known.holds = known.margin = known.fails = KERN_R(0);
+    known.blocks = known.contacts = known.relative = 0;
+    known.gravity = kern_vec_make(0, 0);
+    return known;
+}
+
+/* Orders the blocks of all groups along a direction, those of one height as
+   they were. Shell sort, since it needs neither memory nor recursion. */
+static void kern_model_order(kern_model *m, kern_vec along, int *list)
+{
+    kern_real *depth = m->load; /* not in use here */
+    const int n = m->groups;
+    int gap, i, j;
+    for (i = 0; i < n; i++)
+        depth[i] = kern_vec_dot(m->s->block[list[i]].centre, along);
+    for (gap = 1; gap < n / 9; gap = 3 * gap + 1)
+        continue;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < n; i++) {
+            const kern_real d = depth[i];
+            const int b = list[i];
+            for (j = i; j >= gap; j -= gap) {
+                const int before = list[j - gap];
+                if (depth[j - gap] < d || (depth[j - gap] <= d && before < b))
+                    break;
+                depth[j] = depth[j - gap];
+                list[j] = before;
+            }
+            depth[j] = d;
+            list[j] = b;
+        }
+}
+
+/* Lists the contacts of every group, in their order. */
+static void kern_model_touch(kern_model *m)
+{
+    int g, e;
+    for (g = 0; g < m->groups; g++)
+        m->touch[g] = KERN_OUT;
+    for (e = 2 * m->s->contacts - 1; e >= 0; e--) {
+        g = m->ends[e];
+        if (g < m->groups && g != m->ends[e ^ 1]) {
+            m->after[e] = m->touch[g];
+            m->touch[g] = e;
+        }
+    }
+}
+
+/* Gives every block that is free and has not been taken away a group. */
+static void kern_model_group(kern_model *m, const kern_query *q)
+{
+    const kern_structure *s = m->s;
+    int i, g;
+    m->groups = m->plain = 0;
+    for (i = m->from; i < s->blocks; i++)
+        if (!s->block[i].fixed && !kern_is_gone(q, i, i))
+            m->block[m->groups++] = i;
+    kern_model_order(m, s->gravity, m->block);
+    for (i = 0; i < s->blocks; i++)
+        m->group[i] = m->groups;
+    for (g = 0; g < m->groups; g++)
+        m->group[m->block[g]] = g;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const int gone = kern_is_out(q, c);
+        m->ends[2 * i] = gone ? m->groups : m->group[c->b];
+        m->ends[2 * i + 1] = gone ? m->groups : m->group[c->a];
+    }
+    kern_model_touch(m);
+}
+
+/* Opens the model of a structure that has been checked, with so many free
+   blocks: of all, or of its last block with all others held. */
+static kern_status kern_model_open(kern_model *m, const kern_task *task,
+                                   const kern_query *q, int free_blocks,
+                                   int last_only)
+{
+    const kern_structure *s = &task->s;
+    kern_take_open(&m->rest, task->work);
+    kern_model_lay(m, s->blocks, free_blocks, s->contacts);
+    if (!kern_take_fits(&m->rest))
+        return KERN_NO_SPACE;
+    m->s = s;
+    m->work = task->work;
+    m->limit = task->options.limit;
+    m->query_units = 1 + (s->blocks + s->contacts) / 4;
+    m->relative = task->options.relative;
+    m->mean = kern_mean_size(s->block, s->blocks);
+    m->weight = KERN_R(1);
+    m->from = last_only ? s->blocks - 1 : 0;
+    m->prior = NULL;
+    m->lazy = NULL;
+    m->balanced = KERN_R(0);
+    m->narrow = q->narrow;
+    m->slope = KERN_R(0);
+    kern_model_group(m, q);
+    return KERN_OK;
+}
+
+/* A block of its own group: neither ground, nor taken away. */
+static int kern_is_free(const kern_model *m, int block)
+{ return m->group[block] < m->groups; }
+
+/* The torques of contact i for a query. Of all that a contact has in Eq. (5)
+   only they depend on the shrinkage. */
+static inline void kern_model_arm(const kern_model *m, const kern_query *q,
+                                  int i, kern_real to[4])
+{
+    const kern_contact *c = m->s->contact + i;
+    const kern_real ub = m->unit[m->ends[2 * i]];
+    const kern_real ua = m->unit[m->ends[2 * i + 1]];
+    kern_vec arm[2];
+    kern_arms(m->s, c, q, arm);
+    to[0] = kern_vec_cross(arm[1], c->n) * ub;
+    to[1] = kern_vec_dot(arm[1], c->n) * ub;
+    to[2] = -kern_vec_cross(arm[0], c->n) * ua;
+    to[3] = -kern_vec_dot(arm[0], c->n) * ua;
+}
+
+/* The unit of a group's torques is the size of its block, or where kerns have
+   grown beyond it, how far. */
+static void kern_model_unit(kern_model *m, const kern_query *q, int g)
+{
+    const kern_real size = kern_block_size(m->s->block + m->block[g]);
+    const kern_real grown = kern_max(-q->shrink, KERN_R(0));
+    m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
+}
+
+static inline kern_real kern_model_mu(const kern_model *m, int i)
+{ return kern_friction(m->s->contact + i, m->slope); }
+
+/* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
+static void kern_model_load(kern_model *m, const kern_query *q, int g)
+{
+    kern_real *load = m->load + 3 * (size_t)g;
+    kern_wrench w;
+    m->size[g] = kern_wrench_on(m->s, q, m->block[g], &w);
+    load[0] = -w.fx;
+    load[1] = -w.fy;
+    load[2] = -w.torque * m->unit[g];
+}
+
+/* The same in units of force. */
+static void kern_model_scale(kern_model *m, int g)
+{
+    const kern_real one = 1 / m->weight;
+    m->load[3 * g] *= one;
+    m->load[3 * g + 1] *= one;
+    m->load[3 * g + 2] *= one;
+    m->size[g] *= one;
+}
+
+/* All of the model for a query. */
+static void kern_model_set(kern_model *m, const kern_query *q)
+{
+    int i, g;
+    m->slope = kern_slope(q);
+    m->weight = KERN_R(0);
+    m->lazy = NULL;
+    for (g = 0; g < m->groups; g++) {
+        kern_model_unit(m, q, g);
+        kern_model_load(m, q, g);
+        m->weight += m->size[g];
+    }
+    if (!(m->weight > 0))
+        m->weight = KERN_R(1);
+    m->unit[m->groups] = KERN_R(0);
+    for (g = 0; g <= m->groups; g++)
+        m->local[g] = KERN_OUT;
+    for (g = 0; g < m->groups; g++)
+        kern_model_scale(m, g);
+    for (i = 0; i < m->s->contacts; i++)
+        kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
+}
+
+static int kern_model_spend(const kern_model *m, int units)
+{ return kern_spend(m->work, m->limit, units); }
+
+/* Makes forces at the shrinkage where the known ones balance into forces at a
+   smaller one: those of a line move outward, and exert the same. Those of
+   points that travel do not, which the proof finds out. */
+static void kern_force_widen(kern_model *m, kern_real shrink)
+{
+    const kern_structure *s = m->s;
+    int i, k, line;
+    for (i = 0; i < s->contacts; i += 1 + line) {
+        const kern_contact *c = s->contact + i;
+        kern_force *f = m->force + i;
+        const kern_real travel = kern_travel(c, m->mean);
+        const kern_real mu = kern_model_mu(m, i);
+        kern_real rate, was, is, sum, more, along;
+        line = c->line && i + 1 < s->contacts && c[1].line;
+        sum = line ? f[0].normal + f[1].normal : KERN_R(0);
+        if (!(sum > 0))
+            continue;
+        was = travel - kern_shift(travel, m->balanced, m->relative, &rate);
+        is = travel - kern_shift(travel, shrink, m->relative, &rate);
+        along = (f[0].tangential + f[1].tangential) / sum;
+        along = kern_min(kern_max(along, -mu), mu);
+        more = f[0].normal - f[1].normal;
+        if (kern_abs(is) > 0)
+            more *= was / is;
+        for (k = 0; k < 2; k++, more = -more) {
+            f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
+            f[k].tangential = along * f[k].normal;
+        }
+    }
+}
+
+/* The model for a query whose forces are known but for those on the last
+   block. Groups keep theirs until they are opened. */
+static void kern_model_keep(kern_model *m, const kern_force *known,
+                            const kern_query *q)
+{
+    int i, g;
+    m->weight = KERN_R(1);
+    m->lazy = q;
+    m->slope = kern_slope(q);
+    for (g = 0; g < m->groups; g++) {
+        kern_model_unit(m, q, g);
+        m->leader[g] = g;
+        m->next[g] = KERN_OUT;
+        m->dirty[g] = 0;
+    }
+    m->unit[m->groups] = KERN_R(0);
+    for (g = 0; g <= m->groups; g++)
+        m->local[g] = KERN_OUT;
+    for (i = 0; i < m->s->contacts; i++)
+        m->force[i] = known[i];
+    if (q->shrink < m->balanced)
+        kern_force_widen(m, q->shrink);
+    m->prior = m->force; /* the least change of what is there is found */
+}
+
+/* Opens a group that keeps its forces: they may change from now on. */
+static void kern_model_loosen(kern_model *m, int g)
+{
+    int e;
+    if (m->next[g] != KERN_OUT)
+        return;
+    kern_model_load(m, m->lazy, g);
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int i = e >> 1, other = m->ends[e ^ 1];
+        if (other == m->groups || m->next[other] == KERN_OUT)
+            kern_model_arm(m, m->lazy, i, m->arm + 4 * (size_t)i);
+    }
+    m->next[g] = g;
+}
+
+/* ---- Parts and programs ---------------------------------------- >>engine */
+/* What the argument holds by value; the fields belong to the chapters named. */
+
+typedef struct kern_program {
+    int rows, cols;
+    const kern_real *a;     /* dense: rows x cols by columns; network: 4 a
+                               column, (u, v, r) in the head's rows and
+                               (-u, -v, s) in the tail's                      */
+    const kern_real *rhs;
+    const kern_real *cost;  /* or NULL                                        */
+    const int *ends;        /* network: head and tail group of columns 2 i and
+                               2 i + 1, rows / 3 for none; NULL: dense        */
+    kern_real most;         /* what a variable can be at the most; 0: all     */
+    int limit;              /* of the work of the call                        */
+} kern_program;
+
+typedef struct kern_simplex {
+    const kern_program *lp;
+    int groups;             /* of a network, else 0                           */
+    int room;               /* most extras, and the stride of inv             */
+    int extras;             /* in use: the size of S                          */
+    int pivots;             /* since the base was chosen                      */
+    int ray;                /* unbounded: the column that rises without end   */
+    int started;            /* there is a basis                               */
+    const kern_real *prior; /* a solution like the one looked for, or NULL    */
+    int stale;              /* the matrix has changed since                   */
+    int cramped;            /* columns had to leave for want of room          */
+    int settled;            /* no pivot since the values were refined         */
+    int violated;           /* variables, when prices were last made          */
+    kern_real unit;         /* what counts as 1 in the right-hand side        */
+    int *base;              /* position: its variable, a column, or cols + row
+                               of a filler, a unit vector                     */
+    int *spare;             /* slot: its row of S, or -1 where it is basic    */
+    int *off;               /* slot: the group that its column leads to       */
+    int *slot;              /* slot of a row of S                             */
+    int *place;             /* column: its position, or KERN_OUT              */
+    int *link;              /* scratch: groups + 1 + 2 rows                   */
+    kern_real *block;       /* 18 a group: D^-1, and what its columns do to
+                               the groups that they lead to                   */
+    kern_real *inv;         /* S^-1                                           */
+    kern_real *value;       /* position: of its variable; 0 in spare slots    */
+    kern_real *alpha;       /* position: of the entering column               */
+    kern_real *row;         /* position: its price; then the prices y of rows */
+    kern_real *across;      /* of a row of the inverse, at the spare slots    */
+    kern_real *temp;        /* scratch; rows + room                           */
+} kern_simplex;
+
+struct kern_part {
+    kern_model *m;
+    int groups, contacts;
+    int own;                  /* contacts that carry a group of the part come
+                                 first, then those by which others rest on it */
+    int *group;               /* of the part, ascending                       */
+    int *contact;             /* of the part                                  */
+    int *ends;                /* of a contact: groups of the part, or none    */
+    kern_take rest;           /* work memory behind these                     */
+    /* least forces */
+    int *first, *offset;      /* of a group: first column of its rows in the
+                                 factor, and where these begin                */
+    kern_real *u, *step, *left; /* three a group, and three of 0              */
+    kern_real *b;             /* loads, three a group                         */
+    kern_real *way;           /* four a contact: u and step along n and t     */
+    kern_real *factor;
+    const kern_real *price;   /* one a contact: see >>raised; or NULL         */
+    int cost;                 /* of a step, in products                       */
+    int rounds;               /* that the last forces took                    */
+    /* the linear program */
+    kern_program lp;
+    kern_real *arc, *rhs, *x, *y;
+    kern_status found;        /* what the program said, proven or not         */
+    kern_simplex simplex;
+};
+
+
+/* The engine, in >>lp. */
+
+static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
+static void kern_certificate_lift(kern_simplex *sx, kern_real *y);
+static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
+                             kern_take *take);
+static kern_status kern_program_solve(kern_simplex *sx, int own,
+                                      kern_real *x, kern_real *y,
+                                      kern_work *work);
+
+
+/* ---- The measures --------------------------------------------- >>measure */
+static kern_real kern_step(const kern_model *m, const kern_options *o)
+{
+    if (o->epsilon > 0)
+        return o->epsilon;
+    return m->relative ? KERN_R(0.05) : KERN_R(0.02) * m->mean;
+}
+
+/* Opens the model of a task that has been checked, and a path in it along which
+   kerns shrink. */
+static kern_status kern_path_begin(kern_path *path, kern_model *m,
+                                   kern_part *part, const kern_task *task,
+                                   int free_blocks, int last_only)
+{
+    path->kind = KERN_PATH_SHRINK;
+    path->part = part;
+    path->proof = NULL;
+    path->q = kern_query_of(&task->s, &task->options, KERN_R(0));
+    path->seed = NULL;
+    path->alone = path->begun = 0;
+    path->unit = task->options.relative ? 1 : path->q.mean;
+    path->tolerance = KERN_WIDTH * path->unit;
+    path->start = path->end = KERN_R(0);
+    path->holds = path->fails = path->edge = KERN_R(0);
+    path->stood = KERN_R(-1);
+    path->fell = KERN_INFINITY;
+    path->never = path->closed = 0;
+    return kern_model_open(m, task, &path->q, free_blocks, last_only);
+}
+
+/* Along the path a load grows or gravity turns instead. */
+static void kern_path_push(kern_path *path, kern_path_kind kind,
+                           const kern_wrench *pattern, kern_side side)
+{
+    path->kind = kind;
+    path->q.pattern = pattern;
+    path->q.side = side;
+    path->unit = KERN_R(1);
+    path->tolerance = KERN_WIDTH;
+}
+
+/* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
+   where the answer goes. */
+static kern_status kern_path_open(kern_path *path, kern_model *m,
+                                  kern_part *part, const kern_task *task,
+                                  kern_real shrink, const void *out)
+{
+    int free_blocks = 0;
+    kern_status status = kern_task_check(task, out, &free_blocks);
+    if (status == KERN_OK && !kern_is_finite(shrink))
+        status = KERN_BAD_NUMBER;
+    if (status != KERN_OK)
+        return status;
+    status = kern_path_begin(path, m, part, task, free_blocks, 0);
+    path->q.shrink = shrink;
+    return status;
+}
+
+KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
+                                  const kern_proof *proof)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_status status = kern_path_open(&path, &m, &part, task, shrink, task);
+    if (status != KERN_OK)
+        return status;
+    status = kern_model_evaluate(&m, &part, &path.q);
+    kern_proof_out(&m, proof, status);
+    return kern_spent(task->work, task->options.limit, status);
+}
+
+/* The margin, and with it the level. Where kerns are nested the verdicts beside
+   the margin tell the level; where they are not the literal scan comes first,
+   and the margin is looked for before the place where it ends. */
+static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
+                                     int last, kern_margin *out)
+{
+    kern_status status;
+    if (nested)
+        status = kern_path_search(m, path, path->unit * KERN_FIRST,
+                                  path->unit * KERN_FIRST);
+    else {
+        status = kern_path_evaluate(m, path, KERN_R(0));
+        if (status == KERN_STANDS)
+            status = kern_level_scan(m, path, 1, last, out);
+        if (out->level > 0)
+            path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
+        if (status == KERN_STANDS)
+            status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
+    }
+    if (path->never && path->end < out->most) /* where the scan said it falls */
+        return KERN_UNDECIDED;
+    if (status != KERN_STANDS)
+        return status;
+    out->margin = path->edge;
+    out->holds = path->holds;
+    out->fails = path->fails;
+    out->saturated = path->never;
+    return nested ? kern_level_nested(m, path, last, out) : status;
+}
+
+/* The measure of what falls at once, and how many steps of Algorithm 1 there
+   would be. */
+static kern_status kern_measure_none(const kern_model *m,
+                                     const kern_options *o, kern_margin *out,
+                                     int *last)
+{
+    out->most = kern_travels_of(m).most;
+    out->epsilon = kern_step(m, o);
+    out->margin = out->holds = out->fails = KERN_R(0);
+    out->level = out->saturated = 0;
+    return kern_steps(out, last);
+}
+
+/* The measure along a path that has been opened. */
+static kern_status kern_measure_along(kern_model *m, kern_path *path,
+                                      const kern_options *o, kern_margin *out)
+{
+    kern_margin r;
+    int last = 0;
+    kern_status status = kern_measure_none(m, o, &r, &last);
+    if (status != KERN_OK)
+        return status;
+    path->end = r.most;
+    status = kern_spent(m->work, m->limit, kern_measure_path(
+        m, path, kern_travels_of(m).nested, last, &r));
+    if (status == KERN_LIMIT) {
+        r.fails = kern_min(path->fell, r.most);
+        r.margin = r.holds = kern_min(path->stood, r.fails);
+        r.level = -1;
+        r.saturated = 0;
+    }
+    if (status == KERN_STANDS || status == KERN_FALLS || status == KERN_LIMIT)
+        *out = r;
+    return status;
+}
+
+/* What is known of a task; its last block may have been added since. It is
+   used as a guess alone: the numbers must be in order, the rest is verified. */
+static kern_seed kern_known_seed(const kern_task *task)
+{
+    const kern_known *known = &task->known;
+    kern_seed seed;
+    seed.holds = known->holds;
+    seed.edge = known->margin;
+    seed.fails = known->holds >= 0 && known->holds <= known->margin
+                 && known->margin <= known->fails
+                 && known->fails < KERN_INFINITY ? known->fails : KERN_R(0);
+    seed.motion = task->known.motion;
+    seed.last = task->known.motion[task->s.blocks - 1];
+    return seed;
+}
+
+/* Remembers a measure, whose proof is in the arrays of what is known, and
+   copies the proof to where it is wanted. */
+static void kern_known_set(kern_task *task, kern_status status,
+                           const kern_margin *out, const kern_proof *proof)
+{
+    kern_known *known = &task->known;
+    int i;
+    known->fails = KERN_R(0);
+    for (i = 0; i < task->s.contacts && proof && proof->force; i++)
+        proof->force[i] = known->force[i];
+    for (i = 0; i < task->s.blocks; i++) {
+        kern_motion *v = known->motion + i;
+        if (status == KERN_STANDS && out->saturated)
+            v->vx = v->vy = v->spin = KERN_R(0);
+        else if (proof && proof->motion)
+            proof->motion[i] = *v;
+    }
+    if (status == KERN_STANDS) {
+        known->holds = out->holds;
+        known->margin = out->margin;
+        known->fails = out->fails;
+        known->blocks = task->s.blocks;
+        known->contacts = task->s.contacts;
+        known->gravity = task->s.gravity;
+        known->relative = task->options.relative;
+    }
+}
+
+KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
+                                  const kern_proof *proof)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_seed seed;
+    kern_proof kept;
+    const int warm = task && task->known.motion && task->known.force;
+    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0), out);
+    if (status != KERN_OK)
+        return status;
+    path.proof = proof;
+    if (warm) {
+        kept.force = task->known.force;
+        kept.motion = task->known.motion;
+        path.proof = &kept;
+        seed = kern_known_seed(task);
+        path.seed = &seed;
+    }
+    status = kern_measure_along(&m, &path, &task->options, out);
+    if (warm && status != KERN_BAD_STEP) /* forces may have changed */
+        task->known.blocks = 0;
+    if (warm && status >= 0)
+        kern_known_set(task, status, out, proof);
+    else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
+        /* its proof has been written over */
+        task->known.fails = KERN_R(0);
+    return status;
+}
+
+/* The extent: the longest side of the box around the free blocks. */
+static kern_real kern_extent(const kern_structure *s)
+{
+    kern_box whole;
+    kern_vec side;
+    int i;
+    kern_box_empty(&whole);
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *b = s->block + i;
+        const kern_real half = kern_block_size(b) / 2;
+        if (b->fixed)
+            continue;
+        if (b->vertices) {
+            kern_box_add(&whole, b->box.low);
+            kern_box_add(&whole, b->box.high);
+        } else {
+            kern_box_add(&whole, kern_vec_make(b->centre.x - half,
+                                               b->centre.y - half));
+            kern_box_add(&whole, kern_vec_make(b->centre.x + half,
+                                               b->centre.y + half));
+        }
+    }
+    side = kern_vec_sub(whole.high, whole.low);
+    return kern_max(side.x, side.y);
+}
+
+/* Grows the kerns of what falls until it stands, and finds the edge. */
+static kern_status kern_grow(kern_model *m, kern_path *path,
+                             kern_real *deficit)
+{
+    const kern_travels travels = kern_travels_of(m);
+    const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
+    kern_real limit = 1000 * kern_extent(m->s), grown;
+    kern_status status;
+    if (m->relative)
+        limit = travels.least < KERN_INFINITY ? limit / travels.least
+                                              : KERN_R(1);
+    path->start = -limit;
+    for (grown = path->unit * KERN_R(0.001); ;
+         grown = kern_min(grown * growth, limit)) {
+        status = kern_path_evaluate(m, path, -grown);
+        if (status != KERN_FALLS && status != KERN_UNDECIDED)
+            break;
+        if (grown >= limit) {
+            *deficit = KERN_INFINITY;
+            return status;
+        }
+    }
+    if (status == KERN_STANDS)
+        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+    *deficit = -path->edge;
+    return status == KERN_STANDS ? KERN_FALLS : status;
+}
+
+KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_real grown = KERN_R(0);
+    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
+                                        deficit);
+    if (status != KERN_OK)
+        return status;
+    status = kern_path_evaluate(&m, &path, KERN_R(0));
+    if (status == KERN_FALLS)
+        status = kern_grow(&m, &path, &grown);
+    status = kern_spent(task->work, task->options.limit, status);
+    if (status == KERN_LIMIT)
+        grown = path.fell <= 0 ? -path.fell : KERN_R(-1);
+    if (status >= 0 || status == KERN_LIMIT)
+        *deficit = grown;
+    return status;
+}
+
+/* The length of a contact between lo and hi, about in the middle of those that
+   there are, as powers of ten; 0: there is none. */
+static kern_real kern_length_between(const kern_structure *s, kern_real lo,
+                                     kern_real hi)
+{
+    kern_real least = hi, most = lo, middle, best;
+    int i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_real length = kern_contact_length(s->contact + i);
+        if (length > lo && length < hi) {
+            least = kern_min(least, length);
+            most = kern_max(most, length);
+        }
+    }
+    if (!(most > lo))
+        return KERN_R(0);
+    middle = KERN_SQRT(least) * KERN_SQRT(most);
+    best = most;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_real length = kern_contact_length(s->contact + i);
+        if (length > lo && length >= middle)
+            best = kern_min(best, length);
+    }
+    return best;
+}
+
+KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
+                                  const kern_proof *proof)
+{
+    kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    int round;
+    kern_status status = kern_path_open(&path, &m, &part, task, at, length);
+    if (status != KERN_OK)
+        return status;
+    status = KERN_STANDS;
+    for (round = 0; status == KERN_STANDS && (round < 2 || at > 0); round++) {
+        path.q.shortest = at;
+        kern_model_group(&m, &path.q);
+        status = kern_model_evaluate(&m, &part, &path.q);
+        kern_proof_out(&m, proof, status);
+        if (status == KERN_STANDS)
+            lo = at;
+        else if (round > 0
+                 && (status == KERN_FALLS || status == KERN_UNDECIDED)) {
+            hi = at;
+            status = KERN_STANDS;
+        }
+        at = round == 0 ? KERN_INFINITY
+                        : kern_length_between(&task->s, lo, hi);
+    }
+    status = kern_spent(task->work, task->options.limit, status);
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        *length = lo;
+    return status;
+}
+
+/* Gravity and a side to turn it to. */
+static int kern_has_side(const kern_structure *s, kern_side side)
+{
+    return (side == KERN_RIGHT || side == KERN_LEFT)
+           && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
+}
+
+/* The angle whose tangent is s >= 0: halved twice, then the series. */
+static kern_real kern_angle_of(kern_real s)
+{
+    kern_real sum = KERN_R(0), t2;
+    int i;
+    for (i = 0; i < 3; i++)
+        s = s / (1 + KERN_SQRT(1 + s * s));
+    t2 = s * s;
+    for (i = 25; i > 0; i -= 2)
+        sum = KERN_R(1) / KERN_R(i) - t2 * sum;
+    return 8 * s * sum;
+}
+
+/* What grows along a path: a pattern of loads, a horizontal load to a side
+   where that is NULL, or the tilt to a side. */
+typedef struct kern_growth {
+    kern_path_kind kind;
+    const kern_wrench *pattern;
+    kern_side side;
+} kern_growth;
+
+/* How a load grows or gravity turns: a verdict where the path begins, the
+   climb, the proofs. Under loads that stay a tilt may stand again after it
+   fell: then in even steps. */
+static kern_status kern_push(const kern_task *task, kern_real shrink,
+                             const kern_growth *growth, kern_real *out,
+                             const kern_proof *proof)
+{
+    const int tilt = growth->kind == KERN_PATH_TILT;
+    const kern_wrench *pattern = growth->pattern;
+    const kern_structure *s;
+    kern_real step = KERN_R(0.05);
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    int i, loaded = 0;
+    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
+    if (status != KERN_OK)
+        return status;
+    s = &task->s;
+    if (!pattern && !kern_has_side(s, growth->side))
+        return KERN_BAD_OPTION;
+    for (i = 0; i < s->blocks; i++) {
+        if (!kern_is_free(&m, i))
+            continue;
+        loaded |= tilt && kern_wrench_sum(&s->block[i].load) > 0;
+        if (pattern && !kern_is_finite(kern_wrench_sum(pattern + i))) {
+            task->work->fault.block = i;
+            return KERN_BAD_NUMBER;
+        }
+    }
+    kern_path_push(&path, growth->kind, pattern, growth->side);
+    path.proof = proof;
+    path.end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
+    if (tilt)
+        step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
+    status = kern_path_evaluate(&m, &path, KERN_R(0));
+    path.begun = status == KERN_STANDS;
+    if (status == KERN_STANDS)
+        status = loaded ? kern_path_climb(&m, &path, step, 1)
+                        : kern_path_search(&m, &path, step, step);
+    status = kern_spent(task->work, task->options.limit, status);
+    if (status == KERN_LIMIT)
+        path.edge = path.stood;
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        *out = tilt ? 4 * kern_angle_of(path.edge)
+                    : path.never ? KERN_INFINITY : path.edge;
+    return status;
+}
+
+KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
+                                      kern_side side, kern_real *factor,
+                                      const kern_proof *proof)
+{
+    kern_growth growth;
+    growth.kind = KERN_PATH_LOAD;
+    growth.pattern = NULL;
+    growth.side = side;
+    return kern_push(task, shrink, &growth, factor, proof);
+}
+
+KERN_API kern_status kern_load_factor_of(const kern_task *task,
+                                         kern_real shrink,
+                                         const kern_wrench *pattern,
+                                         kern_real *factor,
+                                         const kern_proof *proof)
+{
+    kern_growth growth;
+    growth.kind = KERN_PATH_LOAD;
+    growth.pattern = pattern;
+    growth.side = KERN_SHRINK;
+    return pattern ? kern_push(task, shrink, &growth, factor, proof)
+                   : KERN_BAD_POINTER;
+}
+
+KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
+                               kern_side side, kern_real *angle,
+                               const kern_proof *proof)
+{
+    kern_growth growth;
+    growth.kind = KERN_PATH_TILT;
+    growth.pattern = NULL;
+    growth.side = side;
+    return kern_push(task, shrink, &growth, angle, proof);
+}
+
+/* ---- The profile --------------------------------------------- >>profile */
+/* Progressive collapse: the path goes on after its first edge. What moves in
+   the mechanism there is taken away with its contacts, and the rest goes on
+   from the same place, until nothing is left or the path ends. A model of fewer
+   blocks is the same model with fewer groups: it needs no memory of its own,
+   and its programs grow smaller. */
+
+typedef struct kern_fall {
+    int weak;                 /* places in the weaker half that are not taken */
+    kern_real sum, weak_sum;  /* of the values of all that fell, of that half */
+    kern_real *value;         /* of each block, -1 as long as it stands       */
+} kern_fall;
+
+static void kern_fall_add(kern_fall *fall, int i, kern_real at)
+{
+    fall->value[i] = at;
+    fall->sum += at;
+    if (fall->weak-- > 0)
+        fall->weak_sum += at;
+}
+
+/* Takes away the blocks that move in the last mechanism. */
+static void kern_fall_take(kern_model *m, const kern_query *q,
+                           kern_fall *fall, kern_real at)
+{
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
+        if (kern_is_free(m, i) && kern_moves(m, i))
+            kern_fall_add(fall, i, at);
+    kern_model_group(m, q);
+}
+
+/* Evaluates where the structure fell last, and a little farther as long as
+   that is too near to critical to tell. */
+static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
+{
+    kern_real beyond = path->fails;
+    kern_status status = kern_path_evaluate(m, path, beyond);
+    int tries;
+    for (tries = 0; status == KERN_UNDECIDED && tries < 8; tries++) {
+        beyond += path->tolerance;
+        status = kern_path_evaluate(m, path, beyond);
+    }
+    return status;
+}
+
+/* Takes away what falls at the edge, and what then falls at the same place,
+   until the rest stands just beyond it. The last verdict was that it falls,
+   and its motion has been proven. */
+static kern_status kern_fall_at(kern_model *m, kern_path *path,
+                                kern_fall *fall, kern_real at)
+{
+    kern_status status = KERN_FALLS;
+    while (status == KERN_FALLS) {
+        kern_fall_take(m, &path->q, fall, at);
+        if (m->groups == 0)
+            return KERN_STANDS;
+        status = kern_fall_beyond(m, path);
+    }
+    return status;
+}
+
+/* To the next edge, in the steps that its measure takes by itself, and to the
+   proven mechanism there: the search for the edge may have ended with another
+   verdict. */
+static kern_status kern_fall_climb(kern_model *m, kern_path *path,
+                                   kern_real *at)
+{
+    kern_real step = KERN_R(0.05);
+    kern_status status;
+    int even = 0;
+    if (path->kind == KERN_PATH_SHRINK) {
+        even = !kern_travels_of(m).nested;
+        step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
+    }
+    status = even ? kern_path_climb(m, path, step, 1)
+                  : kern_path_search(m, path, step, step);
+    *at = path->edge;
+    if (status == KERN_STANDS && !path->never)
+        status = kern_fall_beyond(m, path);
+    return status;
+}
+
+/* The whole collapse along a path: from edge to edge. Where both proofs hold at
+   one place a round may take nothing away: there may be so many of these. */
+static kern_status kern_fall_follow(kern_model *m, kern_path *path,
+                                    kern_fall *fall)
+{
+    kern_real at = KERN_R(0);
+    kern_status status = kern_path_evaluate(m, path, at);
+    int i, rounds = 2 * m->groups + KERN_FALL_ROUNDS;
+    while (m->groups > 0 && !path->never) {
+        if (rounds-- == 0)
+            return KERN_UNDECIDED;
+        if (status == KERN_FALLS)
+            status = kern_fall_at(m, path, fall, at);
+        if (status != KERN_STANDS)
+            return status;
+        if (m->groups > 0)
+            status = kern_fall_climb(m, path, &at);
+    }
+    for (i = 0; i < m->s->blocks; i++)
+        if (kern_is_free(m, i))
+            kern_fall_add(fall, i, path->end);
+    return KERN_STANDS;
+}
+
+/* e^-x for x >= 0, the first terms of its series squared ten times: libm may
+   differ from machine to machine. Within 2e-4 of itself up to x = 10. */
+static kern_real kern_decay(kern_real x)
+{
+    const kern_real t = x / KERN_R(1024);
+    kern_real y = 1 - t + t * t / 2;
+    int i;
+    if (x > 40)
+        return KERN_R(0);
+    for (i = 0; i < 10; i++)
+        y *= y;
+    return y;
+}
+
+/* A stone's chance to fall times how far. */
+static kern_real kern_expected_drop(const kern_model *m,
+                                    const kern_real *value)
+{
+    const kern_structure *s = m->s;
+    const kern_real pull = kern_vec_length(s->gravity);
+    kern_real base = KERN_INFINITY, sum = KERN_R(0);
+    int i, n = 0;
+    for (i = 0; i < s->blocks; i++)
+        if (!s->block[i].fixed)
+            base = kern_min(base, -kern_vec_dot(s->block[i].centre, s->gravity)
+                                      / pull
+                                  - kern_block_size(s->block + i) / 2);
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *b = s->block + i;
+        if (b->fixed)
+            continue;
+        sum += kern_max(KERN_DROP_HEIGHT,
+                        (-kern_vec_dot(b->centre, s->gravity) / pull - base)
+                        / m->mean)
+               * kern_decay(value[i] / KERN_DROP_LOAD);
+        n++;
+    }
+    return sum / KERN_R(n);
+}
+
+KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
+                                  kern_real *value, kern_collapse *out)
+{
+    const kern_structure *s;
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_fall fall;
+    int i, free_blocks, half;
+    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
+                                        value ? out : NULL);
+    if (status != KERN_OK)
+        return status;
+    s = &task->s;
+    if (side != KERN_SHRINK && !kern_has_side(s, side))
+        return KERN_BAD_OPTION;
+    if (side != KERN_SHRINK)
+        kern_path_push(&path, KERN_PATH_LOAD, NULL, side);
+    path.q.fallen = value;
+    path.end = side ? KERN_PROFILE_MOST : kern_travels_of(&m).most;
+    free_blocks = m.groups;
+    half = (free_blocks + 1) / 2;
+    fall.weak = half;
+    fall.sum = fall.weak_sum = KERN_R(0);
+    fall.value = value;
+    for (i = 0; i < s->blocks; i++)
+        value[i] = KERN_R(-1);
+    status = kern_spent(task->work, task->options.limit,
+                        kern_fall_follow(&m, &path, &fall));
+    for (i = 0; i < s->blocks; i++)
+        if (s->block[i].fixed)
+            value[i] = KERN_INFINITY;
+    if (status != KERN_STANDS)
+        return status;
+    out->least = value[0];
+    for (i = 1; i < s->blocks; i++)
+        out->least = kern_min(out->least, value[i]);
+    out->mean = fall.sum / KERN_R(free_blocks);
+    out->weak = fall.weak_sum / KERN_R(half);
+    out->drop = side ? kern_expected_drop(&m, value) : KERN_R(0);
+    return KERN_OK;
+}
+
+/* ---- What is critical ---------------------------------------- >>critical */
+
+/* Velocity of block b relative to block a where contact point c acts. */
+static kern_motion kern_meeting_motion(const kern_structure *s,
+                                       const kern_query *q,
+                                       const kern_contact *c,
+                                       const kern_motion *motion)
+{
+    const kern_motion a = motion[c->a], b = motion[c->b];
+    kern_motion v;
+    kern_vec arm[2];
+    kern_arms(s, c, q, arm);
+    v.vx = b.vx - b.spin * arm[1].y - (a.vx - a.spin * arm[0].y);
+    v.vy = b.vy + b.spin * arm[1].x - (a.vy + a.spin * arm[0].x);
+    v.spin = b.spin - a.spin;
+    return v;
+}
+
+static kern_meeting kern_meeting_of(const kern_contact *c, kern_motion v,
+                                    kern_real size)
+{
+    const kern_vec u = kern_vec_make(v.vx, v.vy);
+    const kern_real along = kern_abs(kern_vec_cross(c->n, u));
+    if (kern_vec_dot(c->n, u) > c->mu * along + KERN_REST)
+        return KERN_OPENS;
+    if (along > KERN_REST)
+        return KERN_SLIDES;
+    return kern_abs(v.spin) * size > KERN_REST ? KERN_HINGES : KERN_RESTS;
+}
+
+/* How much a contact point limits, by the first of: the power f w that moving
+   inward with a force f costs while the blocks turn at w, unless its kern is
+   closed; the rate of a hinge; the speed of sliding. */
+static kern_real kern_limit_by(int by, const kern_contact *c, kern_motion v,
+                               kern_meeting meeting, const kern_force *force,
+                               const kern_query *q)
+{
+    kern_real way = c->travel;
+    if (by == 1)
+        return meeting == KERN_HINGES ? kern_abs(v.spin) : KERN_R(0);
+    if (by == 2)
+        return meeting == KERN_SLIDES
+               ? KERN_SQRT(v.vx * v.vx + v.vy * v.vy) : KERN_R(0);
+    if (!force || meeting == KERN_OPENS)
+        return KERN_R(0);
+    if (!q->relative)
+        way = !(kern_abs(way) > q->shrink) ? KERN_R(0)
+              : way > 0 ? KERN_R(1) : KERN_R(-1);
+    return kern_max(-v.spin * way * force->normal, KERN_R(0));
+}
+
+static void kern_critical_contacts(const kern_task *task,
+                                   const kern_query *q,
+                                   const kern_proof *proof, kern_critical *out)
+{
+    const kern_structure *s = &task->s;
+    const kern_real size = kern_mean_size(s->block, s->blocks);
+    kern_real most = KERN_R(0);
+    int by, i;
+    for (by = 0; by < 3 && out->contact < 0; by++)
+        for (i = 0; i < s->contacts; i++) {
+            const kern_contact *c = s->contact + i;
+            const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
+            const kern_meeting meeting = kern_meeting_of(c, v, size);
+            const kern_real limit = kern_limit_by(
+                by, c, v, meeting, proof->force ? proof->force + i : NULL, q);
+            if (out->meeting)
+                out->meeting[i] = meeting;
+            if (out->limit)
+                out->limit[i] = limit;
+            if (limit > most * (1 + KERN_REST)) {
+                most = limit;
+                out->contact = i;
+            }
+        }
+    for (i = 0; i < s->contacts && out->limit && most > 0; i++)
+        out->limit[i] /= most;
+}
+
+/* The larger of a block's speed and that of its turning. */
+static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
+{
+    return kern_max(KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
+                    kern_abs(v->spin) * kern_block_size(b));
+}
+
+/* Whether two blocks move as one rigid body. */
+static int kern_as_one(const kern_structure *s, const kern_motion *motion,
+                       int i, int j)
+{
+    const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
+    const kern_motion v = motion[i], w = motion[j];
+    const kern_real x = v.vx - v.spin * r.y - w.vx;
+    const kern_real y = v.vy + v.spin * r.x - w.vy;
+    const kern_real turn = (v.spin - w.spin) * kern_vec_length(r);
+    return KERN_SQRT(x * x + y * y) < KERN_REST && kern_abs(turn) < KERN_REST;
+}
+
+/* Groups around the fastest block that is in none. */
+static void kern_critical_blocks(const kern_structure *s,
+                                 const kern_motion *motion, kern_critical *out)
+{
+    const int none = s->blocks;
+    int i, lead = 0;
+    for (i = 0; i < s->blocks; i++)
+        out->group[i] = kern_block_speed(s->block + i, motion + i) < KERN_REST
+                        ? -1 : none;
+    for (; lead >= 0; out->groups += lead >= 0) {
+        kern_real most = KERN_R(0);
+        lead = -1;
+        for (i = 0; i < s->blocks; i++) {
+            const kern_real speed = kern_block_speed(s->block + i, motion + i);
+            if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
+                most = speed;
+                lead = i;
+            }
+        }
+        for (i = 0; i < s->blocks && lead >= 0; i++)
+            if (out->group[i] == none
+                && (i == lead || kern_as_one(s, motion, lead, i)))
+                out->group[i] = out->groups;
+    }
+}
+
+KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
+                                      const kern_proof *proof,
+                                      kern_critical *out)
+{
+    kern_query q;
+    int i, free_blocks = 0;
+    kern_status status = kern_task_check(
+        task, proof && proof->motion ? out : NULL, &free_blocks);
+    if (status == KERN_OK && !kern_is_finite(shrink))
+        status = KERN_BAD_NUMBER;
+    for (i = 0; status == KERN_OK && i < task->s.blocks; i++)
+        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
+            task->work->fault.block = i;
+            status = KERN_BAD_NUMBER;
+        }
+    if (status != KERN_OK)
+        return status;
+    q = kern_query_of(&task->s, &task->options, shrink);
+    out->contact = -1;
+    out->groups = 0;
+    kern_critical_contacts(task, &q, proof, out);
+    if (out->group)
+        kern_critical_blocks(&task->s, proof->motion, out);
+    return KERN_OK;
+}
+
+/* ---- Sensitivity --------------------------------------------- >>sensitivity
+   */
+/* At the margin d* the power G of forces and loads on the mechanism is 0,
+   whatever small change of a datum q it is asked after: d*' = -G_q / G_d, with
+   the forces and the motion of the margin's proof. */
+
+/* G_q of contact i, and its share of G_d. */
+static kern_real kern_contact_gain(const kern_task *task,
+                                   const kern_query *q, int i,
+                                   const kern_proof *proof,
+                                   kern_contact_rate *out)
+{
+    const kern_contact *c = task->s.contact + i;
+    const kern_vec t = kern_vec_turn(c->n);
+    const kern_motion v = kern_meeting_motion(&task->s, q, c, proof->motion);
+    const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
+    const kern_vec force = kern_vec_make(f * c->n.x + r * t.x,
+                                         f * c->n.y + r * t.y);
+    const kern_vec u = kern_vec_make(v.vx, v.vy);
+    const kern_real travel = kern_travel(c, q->mean);
+    kern_real rate;
+    const kern_real shift = kern_shift(travel, q->shrink, q->relative, &rate);
+    const int closed = !q->relative && q->shrink >= kern_abs(travel);
+    out->p = kern_vec_make(v.spin * force.y, -v.spin * force.x);
+    out->turn = kern_vec_cross(force, u) - shift * v.spin * r;
+    out->mu = c->mu > 0 ? r / c->mu * kern_vec_dot(u, t) : KERN_R(0);
+    out->travel = -v.spin * f * (q->relative ? q->shrink
+                                             : closed ? KERN_R(1) : KERN_R(0));
+    return -rate * v.spin * f;
+}
+
+static void kern_block_gain(const kern_structure *s, int i,
+                            const kern_motion *motion, kern_block_rate *out)
+{
+    const kern_block *b = s->block + i;
+    const kern_motion v = motion[i];
+    kern_wrench w;
+    kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
+    out->centre = kern_vec_make(v.spin * w.fy, -v.spin * w.fx);
+    out->mass = s->gravity.x * v.vx + s->gravity.y * v.vy;
+    out->load.fx = v.vx;
+    out->load.fy = v.vy;
+    out->load.torque = v.spin;
+    out->place = out->centre;
+}
+
+/* Whether a corner of the block lies at p. */
+static int kern_owns(const kern_block *b, kern_vec p)
+{
+    const kern_real same = KERN_R(2e-3) * kern_block_size(b);
+    int i;
+    for (i = 0; i < b->vertices; i++)
+        if (kern_vec_largest(kern_vec_sub(b->vertex[i], p)) <= same)
+            return 1;
+    return 0;
+}
+
+/* What the corners of a block own moves with it, and the middle of a line by
+   half of that. */
+static void kern_place_gain(const kern_structure *s,
+                            const kern_contact_rate *rate, int i, int b,
+                            kern_block_rate *out)
+{
+    const kern_contact *c = s->contact + i;
+    const kern_vec t = kern_vec_turn(c->n);
+    const int other = !c->line ? i : i > 0 && c[-1].line && c[-1].a == c->a
+                      && c[-1].b == c->b && c->travel * c[-1].travel < 0
+                      ? i - 1 : i + 1;
+    kern_real half = KERN_R(0);
+    if (!kern_owns(s->block + b, c->p))
+        return;
+    if (other != i)
+        half = (rate[other].travel - rate[i].travel) / 2;
+    out[b].place.x += rate[i].p.x + half * t.x;
+    out[b].place.y += rate[i].p.y + half * t.y;
+}
+
+KERN_API kern_status kern_sensitivity(const kern_task *task,
+                                      const kern_margin *margin,
+                                      const kern_proof *proof,
+                                      kern_contact_rate *contact,
+                                      kern_block_rate *block)
+{
+    kern_query q;
+    kern_real gain = KERN_R(0), most = KERN_R(0), one;
+    int i, n = 0;
+    kern_status status = kern_task_check(
+        task, margin && proof && proof->force && proof->motion && contact
+              ? block : NULL, &n);
+    if (status != KERN_OK)
+        return status;
+    q = kern_query_of(&task->s, &task->options, margin->margin);
+    for (i = 0; i < task->s.contacts; i++) {
+        const kern_real g = kern_contact_gain(task, &q, i, proof, contact + i);
+        gain += g;
+        most += kern_abs(g);
+    }
+    if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
+        return KERN_UNDECIDED;
+    for (i = 0; i < task->s.blocks; i++)
+        kern_block_gain(&task->s, i, proof->motion, block + i);
+    for (i = 0; i < task->s.contacts; i++) {
+        kern_place_gain(&task->s, contact, i, task->s.contact[i].a, block);
+        kern_place_gain(&task->s, contact, i, task->s.contact[i].b, block);
+    }
+    one = -1 / gain;
+    for (i = 0; i < task->s.contacts; i++) {
+        kern_contact_rate *c = contact + i;
+        c->p = kern_vec_scale(c->p, one);
+        c->turn *= one;
+        c->mu *= one;
+        c->travel *= one;
+    }
+    for (i = 0; i < task->s.blocks; i++) {
+        kern_block_rate *b = block + i;
+        b->centre = kern_vec_scale(b->centre, one);
+        b->place = kern_vec_scale(b->place, one);
+        b->mass *= one;
+        b->load.fx *= one;
+        b->load.fy *= one;
+        b->load.torque *= one;
+    }
+    return KERN_OK;
+}
+
+/* ==== Part IV: How forces and motions are found ========================== */
+
+/* ---- Parts ------------------------------------------------------ >>part */
+/* Some of the groups with all contacts that touch them, all other blocks held.
+   What is held can exert whatever is needed, so where a part falls the whole
+   falls: the motion of the part, and none of the others, proves it. */
+
+/* The groups of the part at the ends of its contacts. */
+static void kern_part_ends(kern_part *p)
+{
+    const kern_model *m = p->m;
+    int k;
+    for (k = 0; k < 2 * p->contacts; k++) {
+        const int g = m->ends[2 * p->contact[k >> 1] + (k & 1)];
+        p->ends[k] = m->local[g] == KERN_OUT ? p->groups : m->local[g];
+    }
+}
+
+/* Lists the contacts of the part by which its groups are carried, or those by
+   which others rest on them. */
+static void kern_part_list(kern_part *p, int own)
+{
+    const kern_model *m = p->m;
+    int n, e;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n];
+        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+            const int other = m->ends[e ^ 1];
+            if (own ? other > g : other < g && m->local[other] == KERN_OUT)
+                p->contact[p->contacts++] = e >> 1;
+        }
+    }
+}
+
+/* Opens the part of the `groups` groups that m->local marks, the last of which
+   is `last`. Returns 0 if the work memory does not hold it. */
+static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
+{
+    int g, e, n = groups, most = 0;
+    KERN_ASSERT(groups > 0 && !m->plain);
+    p->m = m;
+    p->rest = m->rest;
+    p->groups = groups;
+    p->group = kern_take_ints(&p->rest, groups);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    for (g = last; n > 0; g--)
+        if (m->local[g] != KERN_OUT) {
+            m->local[g] = --n;
+            p->group[n] = g;
+            for (e = m->touch[g]; e >= 0; e = m->after[e])
+                most++;
+        }
+    p->contact = kern_take_ints(&p->rest, most);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    p->contacts = 0;
+    kern_part_list(p, 1);
+    p->own = p->contacts;
+    kern_part_list(p, 0);
+    p->rest.used_ints -= most - p->contacts; /* listed by both its ends */
+    p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    kern_part_ends(p);
+    return 1;
+}
+
+/* ---- Least forces ----------------------------------------------- >>least */
+/* Of all admissible forces on a part, those of least squares:
+
+       min |x|^2 / 2,  A x = b,  x >= 0.
+
+   Its dual is max b.u - |max(0, A'u)|^2 / 2 in three unknowns a group, concave
+   and of piecewise constant curvature, and x = max(0, A'u). Newton's method
+   ends after a few steps: the matrix A_S A_S' of the rays S that are pressed
+   has the pattern of the part's groups, and is factored (Cholesky) in their
+   order, row by row from the first column that is not zero. Where no forces
+   exist the dual grows without limit. */
+
+/* Least forces and pouring. What a group may miss, as a share of its load: far
+   less than a proof allows. */
+#define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
+/* Added to the diagonal of their matrix, as a share of its mean. */
+#define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
+/* Pivot of a 3 x 3 matrix, as a share of its trace, that is rounding; and above
+   which its solution needs no second look. */
+#define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
+#define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
+/* Forces, in loads of a unit, beyond which it is said to fall. Larger, and
+   units grow less often, but take more steps. */
+#define KERN_LEAST_MOST  KERN_R(50)
+/* Share of the largest velocity that is no approach. */
+#define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
+#define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
+#define KERN_POUR_ROUNDS   8       /* of one group                            */
+#define KERN_ROWS_MOST     12      /* contacts of one group                   */
+#define KERN_UNIT_MOST     32      /* groups of a unit                        */
+#define KERN_REGROWN       4       /* times that a unit of three is joined    */
+#define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
+#define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
+
+/* What a contact's two rays make of the motion (wn, wt) along n and t: force
+   and its derivative. */
+typedef struct kern_spring {
+    kern_real f, r;           /* normal and tangential                        */
+    kern_real nn, nt, tt;
+} kern_spring;
+
+static inline kern_spring kern_spring_of(kern_real wn, kern_real wt,
+                                         kern_real mu)
+{
+    const kern_real plus = wn + mu * wt, minus = wn - mu * wt;
+    kern_spring s;
+    s.f = s.r = s.nn = s.nt = s.tt = KERN_R(0);
+    if (plus > 0) {
+        s.f = plus;
+        s.r = mu * plus;
+        s.nn = KERN_R(1);
+        s.nt = mu;
+        s.tt = mu * mu;
+    }
+    if (minus > 0) {
+        s.f += minus;
+        s.r -= mu * minus;
+        s.nn += KERN_R(1);
+        s.nt -= mu;
+        s.tt += mu * mu;
+    }
+    return s;
+}
+
+/* The same for a contact that answers what presses it by a force of its own,
+   and what shears it by KERN_STIFF times as much: see >>raised. */
+static inline kern_spring kern_spring_press(kern_real wn, kern_real wt,
+                                            kern_real mu, kern_real stiff)
+{
+    const kern_real side = wt > 0 ? mu : -mu;
+    const int sticks = wn > 0 && KERN_STIFF * kern_abs(wt) <= wn;
+    kern_spring s;
+    s.f = s.r = s.nn = s.nt = s.tt = KERN_R(0);
+    if (sticks) {
+        s.nn = stiff;
+        s.tt = KERN_STIFF * mu * stiff;
+        s.f = stiff * wn;
+        s.r = s.tt * wt;
+    } else if (wn + side * wt > 0) {
+        s.nn = stiff / (1 + mu / KERN_STIFF);
+        s.nt = side * s.nn;
+        s.tt = side * s.nt;
+        s.f = s.nn * (wn + side * wt);
+        s.r = side * s.f;
+    }
+    return s;
+}
+
+/* Where the motion of contact i begins: its spring then exerts the force that
+   is known, so what is found is the least change of that. */
+static inline void kern_model_prior(const kern_model *m, int i,
+                                    kern_real *wn, kern_real *wt)
+{
+    const kern_real mu = kern_model_mu(m, i), one = KERN_R(0.5) / m->weight;
+    *wn = *wt = KERN_R(0);
+    if (!m->prior)
+        return;
+    *wn = m->prior[i].normal * one;
+    if (mu > 0)
+        *wt = m->prior[i].tangential * one / (mu * mu);
+}
+
+/* A contact is as stiff as it is long, a point as one of a tenth. */
+static inline kern_real kern_stiffness(const kern_contact *c, kern_real mean)
+{ return KERN_R(0.1) + (c->line ? kern_abs(c->travel) / mean : KERN_R(0)); }
+
+/* Contact i's n and t as rows of the group at an end: 0 is block b, 1 is a. */
+static inline void kern_model_rows(const kern_model *m, int i, int end,
+                                   kern_real n[3], kern_real t[3])
+{
+    const kern_vec v = m->s->contact[i].n;
+    const kern_real *arm = m->arm + 4 * (size_t)i + 2 * end;
+    n[0] = end ? -v.x : v.x;
+    n[1] = end ? -v.y : v.y;
+    n[2] = arm[0];
+    t[0] = -n[1];
+    t[1] = n[0];
+    t[2] = arm[1];
+}
+
+/* v -= sign times the force of contact i, in the rows of the group at an end */
+static inline void kern_model_carry(const kern_model *m, int i, int end,
+                                    kern_real f, kern_real r, kern_real *v)
+{
+    kern_real n[3], t[3];
+    kern_model_rows(m, i, end, n, t);
+    v[0] -= f * n[0] + r * t[0];
+    v[1] -= f * n[1] + r * t[1];
+    v[2] -= f * n[2] + r * t[2];
+}
+
+static inline kern_spring kern_part_spring(const kern_part *p, int k,
+                                           kern_real wn, kern_real wt)
+{
+    const kern_contact *c = p->m->s->contact + p->contact[k];
+    const kern_real mu = kern_friction(c, p->m->slope);
+    return p->price
+           ? kern_spring_press(wn, wt, mu, kern_stiffness(c, p->m->mean))
+           : kern_spring_of(wn, wt, mu);
+}
+
+/* Lays out what the least forces of the part need; 0 if there is no room. */
+static int kern_least_lay(kern_part *p, kern_take *take)
+{
+    const int n = 3 * p->groups + 3;
+    int g, k, end = 0;
+    p->price = NULL;
+    p->first = kern_take_ints(take, p->groups);
+    p->offset = kern_take_ints(take, p->groups);
+    p->u = kern_take_reals(take, n);
+    p->step = kern_take_reals(take, n);
+    p->left = kern_take_reals(take, n);
+    p->b = kern_take_reals(take, n);
+    p->way = kern_take_reals(take, 4 * p->contacts);
+    if (!kern_take_fits(take))
+        return 0;
+    for (g = 0; g < p->groups; g++)
+        p->first[g] = g;
+    for (k = 0; k < p->own; k++) {
+        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+        const int low = h < t ? h : t, high = h < t ? t : h;
+        if (high < p->groups && low < p->first[high])
+            p->first[high] = low;
+    }
+    p->cost = 100 * p->contacts;
+    for (g = 0; g < p->groups; g++) {
+        const int width = g - p->first[g] + 1;
+        p->offset[g] = end;
+        end += 9 * width;
+        p->cost += 14 * width * width;
+    }
+    p->factor = kern_take_reals(take, end);
+    return kern_take_fits(take);
+}
+
+/* How v moves the contacts along n and t: to p->way from `to` on. */
+static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
+                            int to)
+{
+    int k;
+    for (k = 0; k < contacts; k++) {
+        const kern_real *h = v + 3 * p->ends[2 * k];
+        const kern_real *t = v + 3 * p->ends[2 * k + 1];
+        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
+        const kern_vec n = p->m->s->contact[p->contact[k]].n;
+        const kern_real x = h[0] - t[0], y = h[1] - t[1];
+        kern_real *way = p->way + 4 * (size_t)k + to, wn = 0, wt = 0;
+        if (to == 0 && p->price)
+            wn = -p->price[k];
+        else if (to == 0)
+            kern_model_prior(p->m, p->contact[k], &wn, &wt);
+        way[0] = wn + n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
+        way[1] = wt + n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
+    }
+}
+
+/* The gradient of the dual at u, to p->left: b less what the forces of u exert.
+   Returns its value, and in *most the largest force. */
+static kern_real kern_least_left(kern_part *p, const kern_real *b,
+                                 int contacts, kern_real *most)
+{
+    kern_real value = KERN_R(0);
+    int i, k, end;
+    *most = KERN_R(0);
+    for (i = 0; i < 3 * p->groups; i++) {
+        p->left[i] = b[i];
+        value += b[i] * p->u[i];
+    }
+    for (k = 0; k < contacts; k++) {
+        const int c = p->contact[k];
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
+        if (!(s.f > 0))
+            continue;
+        *most = kern_max(*most, s.f);
+        value -= (s.f * w[0] + s.r * w[1]) / 2;
+        for (end = 0; end < 2; end++)
+            if (p->ends[2 * k + end] < p->groups)
+                kern_model_carry(p->m, c, end, s.f, s.r,
+                                 p->left + 3 * p->ends[2 * k + end]);
+    }
+    return value;
+}
+
+static void kern_least_clear(kern_part *p)
+{
+    const int last = p->groups - 1;
+    const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
+    int i;
+    for (i = 0; i < size; i++)
+        p->factor[i] = KERN_R(0);
+}
+
+/* Adds the 3 x 3 block a n' + b t' to the rows of group g in the columns of h;
+   of the diagonal block its lower half is enough. */
+static inline void kern_least_add(kern_part *p, int g, int h,
+                                  kern_real v[4][3], kern_real w[4][3])
+{
+    const int length = 3 * (g - p->first[g] + 1);
+    kern_real *to = p->factor + p->offset[g] + 3 * (h - p->first[g]);
+    kern_real *next = to + length, *last = next + length;
+    to[0] += v[2][0] * w[0][0] + v[3][0] * w[1][0];
+    next[0] += v[2][1] * w[0][0] + v[3][1] * w[1][0];
+    next[1] += v[2][1] * w[0][1] + v[3][1] * w[1][1];
+    last[0] += v[2][2] * w[0][0] + v[3][2] * w[1][0];
+    last[1] += v[2][2] * w[0][1] + v[3][2] * w[1][1];
+    last[2] += v[2][2] * w[0][2] + v[3][2] * w[1][2];
+    if (g == h)
+        return;
+    to[1] += v[2][0] * w[0][1] + v[3][0] * w[1][1];
+    to[2] += v[2][0] * w[0][2] + v[3][0] * w[1][2];
+    next[2] += v[2][1] * w[0][2] + v[3][1] * w[1][2];
+}
+
+/* Adds what the spring of contact k makes of the motions of its groups. Of an
+   end these are n, t, and what the spring makes of them. */
+static void kern_least_spring(kern_part *p, int k, const kern_spring *s)
+{
+    const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+    kern_real v[2][4][3];
+    int end, r;
+    for (end = 0; end < 2; end++) {
+        kern_model_rows(p->m, p->contact[k], end, v[end][0], v[end][1]);
+        for (r = 0; r < 3; r++) {
+            const kern_real n = v[end][0][r], u = v[end][1][r];
+            v[end][2][r] = s->nn * n + s->nt * u;
+            v[end][3][r] = s->nt * n + s->tt * u;
+        }
+    }
+    if (h < p->groups)
+        kern_least_add(p, h, h, v[0], v[0]);
+    if (t < p->groups)
+        kern_least_add(p, t, t, v[1], v[1]);
+    if (h < p->groups && t < p->groups) {
+        if (h > t)
+            kern_least_add(p, h, t, v[0], v[1]);
+        else
+            kern_least_add(p, t, h, v[1], v[0]);
+    }
+}
+
+/* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
+static void kern_least_matrix(kern_part *p, int contacts, int all)
+{
+    kern_real trace = KERN_R(0);
+    int i, k, g;
+    kern_least_clear(p);
+    for (k = 0; k < contacts; k++) {
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
+                                               all ? KERN_R(0) : w[1]);
+        if (s.nn > 0)
+            kern_least_spring(p, k, &s);
+    }
+    for (i = 0; i < 2; i++) /* first its mean, then a share of it */
+        for (g = 0; g < p->groups; g++) {
+            const int length = 3 * (g - p->first[g] + 1);
+            kern_real *d = p->factor + p->offset[g] + length - 3;
+            for (k = 0; k < 3; k++, d += length + 1) {
+                if (i == 0)
+                    trace += *d;
+                else
+                    *d += KERN_LEAST_SHIFT * trace / KERN_R(3 * p->groups);
+            }
+        }
+}
+
+/* sum of a[i] b[i] */
+static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
+{
+    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
+    int i;
+    for (i = 0; i + 4 <= n; i += 4) {
+        s0 += a[i] * b[i];
+        s1 += a[i + 1] * b[i + 1];
+        s2 += a[i + 2] * b[i + 2];
+        s3 += a[i + 3] * b[i + 3];
+    }
+    for (; i < n; i++)
+        s0 += a[i] * b[i];
+    return s0 + s1 + (s2 + s3);
+}
+
+/* Row i of the factor, as if from column 0 on; *from is its first column. */
+static kern_real *kern_least_row(const kern_part *p, int i, int *from)
+{
+    const int g = i / 3, length = 3 * (g - p->first[g] + 1);
+    *from = 3 * p->first[g];
+    return p->factor + p->offset[g] + (i - 3 * g) * length;
+}
+
+/* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
+   columns. The rows are `wide_a` and `wide_b` apart. */
+static void kern_least_common(kern_real *c, const kern_real *a, int wide_a,
+                              const kern_real *b, int wide_b, int n)
+{
+    const kern_real *a1 = a + wide_a, *a2 = a1 + wide_a;
+    const kern_real *b1 = b + wide_b, *b2 = b1 + wide_b;
+    kern_real *c1 = c + wide_a, *c2 = c1 + wide_a;
+    kern_real s00 = c[0], s01 = c[1], s02 = c[2];
+    kern_real s10 = c1[0], s11 = c1[1], s12 = c1[2];
+    kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
+    int i;
+    for (i = 0; i < n; i++) {
+        const kern_real x = b[i], y = b1[i], z = b2[i];
+        s00 -= a[i] * x; s01 -= a[i] * y; s02 -= a[i] * z;
+        s10 -= a1[i] * x; s11 -= a1[i] * y; s12 -= a1[i] * z;
+        s20 -= a2[i] * x; s21 -= a2[i] * y; s22 -= a2[i] * z;
+    }
+    c[0] = s00; c[1] = s01; c[2] = s02;
+    c1[0] = s10; c1[1] = s11; c1[2] = s12;
+    c2[0] = s20; c2[1] = s21; c2[2] = s22;
+}
+
+/* Cholesky's L of the matrix where it stands, block by block. */
+static void kern_least_factor(kern_part *p)
+{
+    int g, h, r, k;
+    for (g = 0; g < p->groups; g++) {
+        const int wide = 3 * (g - p->first[g] + 1);
+        kern_real *row = p->factor + p->offset[g], *d = row + wide - 3;
+        const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
+        for (h = p->first[g]; h <= g; h++) {
+            const int from = p->first[g] > p->first[h] ? p->first[g]
+                                                       : p->first[h];
+            const int wide_h = 3 * (h - p->first[h] + 1);
+            const kern_real *other = p->factor + p->offset[h];
+            const kern_real *l = other + wide_h - 3;
+            kern_real *c = row + 3 * (h - p->first[g]);
+            kern_least_common(c, row + 3 * (from - p->first[g]), wide,
+                              other + 3 * (from - p->first[h]), wide_h,
+                              3 * (h - from));
+            for (r = 0; h < g && r < 3; r++, c += wide) {
+                c[0] /= l[0];
+                c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
+                c[2] = (c[2] - c[0] * l[2 * wide_h]
+                        - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
+            }
+        }
+        for (r = 0; r < 3; r++)
+            for (k = 0; k <= r; k++) {
+                kern_real *e = d + r * wide + k;
+                for (h = 0; h < k; h++)
+                    *e -= d[r * wide + h] * d[k * wide + h];
+                if (k < r)
+                    *e /= d[k * wide + k];
+                else
+                    *e = KERN_SQRT(kern_max(*e, KERN_EPS * (KERN_EPS
+                                                            + was[r])));
+            }
+    }
+}
+
+/* out := what the matrix makes of it is b. */
+static void kern_least_solve(const kern_part *p, const kern_real *b,
+                             kern_real *out)
+{
+    int i, j, from;
+    for (i = 0; i < 3 * p->groups; i++) {
+        const kern_real *row = kern_least_row(p, i, &from);
+        out[i] = (b[i] - kern_dot(row, out + from, i - from)) / row[i - from];
+    }
+    for (i = 3 * p->groups - 1; i >= 0; i--) {
+        const kern_real *row = kern_least_row(p, i, &from);
+        out[i] /= row[i - from];
+        for (j = from; j < i; j++)
+            out[j] -= out[i] * row[j - from];
+    }
+}
+
+/* The slope of the dual at u + share * step. */
+static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
+                                  int contacts, kern_real share)
+{
+    kern_real slope = KERN_R(0);
+    int i, k;
+    for (i = 0; i < 3 * p->groups; i++)
+        slope += b[i] * p->step[i];
+    for (k = 0; k < contacts; k++) {
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_part_spring(
+            p, k, w[0] + share * w[2], w[1] + share * w[3]);
+        slope -= s.f * w[2] + s.r * w[3];
+    }
+    return slope;
+}
+
+/* How far to go along the step: where the dual is largest, to a few percent. */
+static kern_real kern_least_share(const kern_part *p, const kern_real *b,
+                                  int contacts)
+{
+    const kern_real first = kern_least_slope(p, b, contacts, KERN_R(0));
+    kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
+    const int most = p->price ? KERN_LEAST_ROUNDS : 12; /* stiffness varies */
+    int round;
+    at_hi = kern_least_slope(p, b, contacts, hi);
+    for (round = 0; round < 12 && at_hi > first / 8; round++) {
+        lo = hi;
+        at_lo = at_hi;
+        hi *= 4;
+        at_hi = kern_least_slope(p, b, contacts, hi);
+    }
+    if (at_hi >= -first / 8)
+        return hi;
+    for (round = 0; round < most; round++) {
+        const kern_real share = kern_min(kern_max(at_lo / (at_lo - at_hi),
+                                                  KERN_R(0.1)), KERN_R(0.9));
+        kern_real slope;
+        at = lo + (hi - lo) * share;
+        slope = kern_least_slope(p, b, contacts, at);
+        if (kern_abs(slope) <= first / 8)
+            break;
+        if (slope > 0) {
+            lo = at;
+            at_lo = slope;
+        } else {
+            hi = at;
+            at_hi = slope;
+        }
+    }
+    return at;
+}
+
+/* Least forces of a part under the loads b, by rounds [first, end); after round
+   0 u goes on from what it is. KERN_STANDS with u; KERN_FALLS, which is no
+   proof, where they would be larger than `bound`; or KERN_UNDECIDED. */
+static kern_status kern_least_find(kern_part *p, const kern_real *b,
+                                   int contacts, kern_real tolerance,
+                                   kern_real bound, int first, int end)
+{
+    const int n = 3 * p->groups;
+    int i, round;
+    p->rounds = 0;
+    for (i = 0; i < n + 3 && first == 0; i++)
+        p->u[i] = p->step[i] = KERN_R(0);
+    for (round = first; round < end; round++) {
+        kern_real most, value, share;
+        kern_least_ways(p, p->u, contacts, 0);
+        value = kern_least_left(p, b, contacts, &most);
+        if (kern_largest(p->left, n) <= tolerance + 4 * KERN_EPS * most)
+            return KERN_STANDS;
+        if (!(value <= bound * bound / 2))
+            return KERN_FALLS;
+        if (!kern_model_spend(p->m, 1 + p->cost / 300))
+            return KERN_LIMIT;
+        kern_least_matrix(p, contacts, round == 0);
+        kern_least_factor(p);
+        kern_least_solve(p, p->left, p->step);
+        kern_least_ways(p, p->step, contacts, 2);
+        p->rounds = round + 1;
+        share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
+        for (i = 0; i < n; i++)
+            p->u[i] += share * p->step[i];
+    }
+    return KERN_UNDECIDED;
+}
+
+/* ---- Pouring ----------------------------------------------------- >>pour */
+/* Whether a wall stands, group by group from top to bottom: each passes what
+   it carries on to what carries it by its least forces, in three unknowns.
+   Groups that cannot do so alone form a unit with those that rest on them.
+   Forces found so balance every group, and prove that the structure stands. A
+   unit that cannot be balanced, and moves away from what rests on it, is a part
+   that falls: nothing else could hold it.
+
+   leader[g] is the last group of g's unit, next[g] another group of the unit in
+   a circle, dirty[g] says of a leader that its unit must be balanced again. */
+
+/* Writes the force of contact i, and marks what it rests on if that is new.
+   What keeps its forces keeps them to the last bit. */
+static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
+                            kern_real r, kern_real tolerance)
+{
+    kern_force *to = m->force + i;
+    const kern_real change = kern_abs(f - to->normal)
+                             + kern_abs(r - to->tangential);
+    if (on < m->groups && change > tolerance) {
+        const int last = m->leader[on];
+        kern_model_loosen(m, on);
+        m->dirty[last] = 1;
+        m->again = last < m->again ? last : m->again;
+    }
+    if (on == m->groups || m->next[on] != KERN_OUT) {
+        to->normal = f;
+        to->tangential = r;
+    }
+}
+
+/* The load of group g and of what rests on it, but for members of its own
+   unit. */
+static void kern_pour_load(const kern_model *m, int g, kern_real *b)
+{
+    int e;
+    b[0] = m->load[3 * g];
+    b[1] = m->load[3 * g + 1];
+    b[2] = m->load[3 * g + 2];
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const kern_force *f = m->force + (e >> 1);
+        const int other = m->ends[e ^ 1];
+        if (other < g && m->leader[other] != m->leader[g])
+            kern_model_carry(m, e >> 1, e & 1, f->normal, f->tangential, b);
+    }
+}
+
+/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. A direction in
+   which there is nothing but rounding is left out. Returns whether the matrix
+   is far from singular. */
+static int kern_pour_three(const kern_real h[6], const kern_real b[3],
+                            kern_real x[3])
+{
+    const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
+    const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
+    const kern_real l1 = h[1] * i0, l3 = h[3] * i0;
+    const kern_real d1 = h[2] - l1 * h[1], e = h[4] - l3 * h[1];
+    const kern_real i1 = d1 > least ? 1 / d1 : KERN_R(0);
+    const kern_real l4 = e * i1;
+    const kern_real d2 = h[5] - l3 * h[3] - l4 * e;
+    const kern_real i2 = d2 > least ? 1 / d2 : KERN_R(0);
+    const kern_real y1 = b[1] - l1 * b[0];
+    const kern_real y2 = b[2] - l3 * b[0] - l4 * y1;
+    x[2] = y2 * i2;
+    x[1] = y1 * i1 - l4 * x[2];
+    x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
+    return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
+}
+
+typedef struct kern_row { /* a contact that carries the group */
+    kern_real n[3], turn, mu, wn, wt; /* t is (-n[1], n[0], turn)             */
+    int end, mask;
+} kern_row;
+
+static inline kern_real kern_three(const kern_real *a, const kern_real *b)
+{ return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static inline kern_real kern_row_along(const kern_row *c, const kern_real *u)
+{ return -c->n[1] * u[0] + c->n[0] * u[1] + c->turn * u[2]; }
+
+/* Lists the contacts that carry group g; returns how many, or one more than
+   there is room for. */
+static int kern_pour_rows(const kern_model *m, int g,
+                          kern_row row[KERN_ROWS_MOST])
+{
+    kern_real t[3];
+    int e, n = 0;
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int i = e >> 1, other = m->ends[e ^ 1];
+        if (other < g)
+            continue;
+        if (n == KERN_ROWS_MOST)
+            return n + 1;
+        kern_model_rows(m, i, e & 1, row[n].n, t);
+        row[n].turn = t[2];
+        row[n].mu = kern_model_mu(m, i);
+        row[n].end = e;
+        row[n].mask = 3;
+        kern_model_prior(m, i, &row[n].wn, &row[n].wt);
+        n++;
+    }
+    return n;
+}
+
+/* What the rays in the masks exert under u, less b; and their matrix. */
+static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
+                          const kern_real b[3], kern_real left[3],
+                          kern_real h[6])
+{
+    int k, j;
+    for (j = 0; j < 6; j++)
+        h[j] = KERN_R(0);
+    left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
+    for (k = 0; k < n; k++) {
+        const kern_row *c = row + k;
+        const kern_real plus = c->mask & 1 ? KERN_R(1) : KERN_R(0);
+        const kern_real minus = c->mask & 2 ? KERN_R(1) : KERN_R(0);
+        const kern_real nn = plus + minus, nt = c->mu * (plus - minus);
+        const kern_real tt = c->mu * c->mu * nn;
+        const kern_real t[3] = {-c->n[1], c->n[0], c->turn};
+        kern_real wn, wt, v[3], w[3];
+        if (c->mask == 0)
+            continue;
+        wn = c->wn + kern_three(c->n, u);
+        wt = c->wt + kern_row_along(c, u);
+        for (j = 0; j < 3; j++) {
+            v[j] = nn * c->n[j] + nt * t[j];
+            w[j] = nt * c->n[j] + tt * t[j];
+            left[j] -= v[j] * wn + w[j] * wt;
+        }
+        h[0] += v[0] * c->n[0] + w[0] * t[0];
+        h[1] += v[1] * c->n[0] + w[1] * t[0];
+        h[2] += v[1] * c->n[1] + w[1] * t[1];
+        h[3] += v[2] * c->n[0] + w[2] * t[0];
+        h[4] += v[2] * c->n[1] + w[2] * t[1];
+        h[5] += v[2] * c->n[2] + w[2] * t[2];
+    }
+}
+
+/* Balances group g alone, by Newton's method with full steps. KERN_FALLS where
+   that ends with something left; KERN_UNDECIDED where it does not end soon. */
+static kern_status kern_pour_alone(kern_model *m, int g)
+{
+    kern_row row[KERN_ROWS_MOST];
+    kern_real b[3], u[3], left[3], h[6], step[3];
+    kern_real most = KERN_R(0), tolerance = KERN_POUR_TOL * m->size[g];
+    const int n = kern_pour_rows(m, g, row);
+    int k, j, round, changed = 1, good = 0;
+    if (n > KERN_ROWS_MOST)
+        return KERN_UNDECIDED;
+    kern_pour_load(m, g, b);
+    u[0] = u[1] = u[2] = KERN_R(0);
+    for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
+        kern_pour_sum(row, n, u, b, left, h);
+        good = kern_pour_three(h, left, step);
+        for (j = 0; j < 3; j++)
+            u[j] += step[j];
+        changed = 0;
+        for (k = 0; k < n; k++) {
+            const kern_real wn = row[k].wn + kern_three(row[k].n, u);
+            const kern_real wt = row[k].mu
+                                 * (row[k].wt + kern_row_along(row + k, u));
+            const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
+            changed |= mask != row[k].mask;
+            row[k].mask = mask;
+        }
+    }
+    for (round = 0; round < 3 && !(good && !changed); round++) {
+        kern_pour_sum(row, n, u, b, left, h);
+        most = kern_largest(u, 3);
+        if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
+            break;
+        if (changed)
+            return KERN_UNDECIDED;
+        if (round == 2)
+            return KERN_FALLS;
+        kern_pour_three(h, left, step);
+        for (j = 0; j < 3; j++)
+            u[j] += step[j];
+    }
+    for (k = 0; k < n; k++) {
+        const kern_spring s = kern_spring_of(
+            row[k].wn + kern_three(row[k].n, u),
+            row[k].wt + kern_row_along(row + k, u), row[k].mu);
+        kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f, s.r,
+                        tolerance);
+    }
+    return KERN_STANDS;
+}
+
+/* Joins two units; returns the last group of both. */
+static int kern_pour_join(kern_model *m, int g, int h)
+{
+    const int swap = m->next[g];
+    const int last = m->leader[g] > m->leader[h] ? m->leader[g]
+                                                 : m->leader[h];
+    int i = g;
+    m->dirty[m->leader[g]] = m->dirty[m->leader[h]] = 0;
+    m->next[g] = m->next[h];
+    m->next[h] = swap;
+    do {
+        m->leader[i] = last;
+        i = m->next[i];
+    } while (i != g);
+    return last;
+}
+
+/* Sets the mark of every group of g's unit that has none; returns how many. */
+static int kern_pour_mark(kern_model *m, int g, int mark)
+{
+    int i = g, n = 0;
+    do {
+        if (m->local[i] == KERN_OUT) {
+            m->local[i] = mark;
+            n++;
+        }
+        i = m->next[i];
+    } while (i != g);
+    return n;
+}
+
+/* Adds to the unit of `last` those that rest on it, `levels` of them. Returns
+   how many groups have been added; they are marked. */
+static int kern_pour_grow(kern_model *m, int *last, int levels)
+{
+    int g, e, added = 0;
+    kern_pour_mark(m, *last, 0);
+    for (g = *last; g >= 0; g--) {
+        if (m->local[g] == KERN_OUT || m->local[g] >= levels)
+            continue;
+        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+            const int h = m->ends[e ^ 1];
+            if (h < g && m->local[h] == KERN_OUT) {
+                int joined;
+                kern_model_loosen(m, h);
+                joined = kern_pour_mark(m, h, m->local[g] + 1);
+                m->regrown += joined > 2;
+                added += joined;
+                *last = kern_pour_join(m, g, h);
+            }
+        }
+    }
+    return added;
+}
+
+/* Takes the marks of a unit back. */
+static void kern_pour_unmark(kern_model *m, int g)
+{
+    int i = g;
+    do {
+        m->local[i] = KERN_OUT;
+        i = m->next[i];
+    } while (i != g);
+}
+
+/* What is found out about a unit. */
+typedef enum kern_poured {
+    KERN_POURED,              /* its groups are balanced                      */
+    KERN_POUR_FALLS,          /* a part that seems to fall is open            */
+    KERN_POUR_LATER,          /* it has grown to groups that come later       */
+    KERN_POUR_DRY             /* out of work memory or budget                 */
+} kern_poured;
+
+/* Writes the least forces of a part. */
+static void kern_pour_keep(kern_part *p, kern_real tolerance)
+{
+    kern_model *m = p->m;
+    int k;
+    for (k = 0; k < p->own; k++) {
+        const int i = p->contact[k];
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
+        const int low = m->ends[2 * i] > m->ends[2 * i + 1] ? 0 : 1;
+        const int on = m->ends[2 * i + low];
+        const int inside = p->ends[2 * k + low] < p->groups;
+        kern_pour_write(m, i, inside ? m->groups : on, s.f, s.r, tolerance);
+    }
+}
+
+/* Whether the part, which cannot be balanced under what rests on it, moves away
+   from that along u, and is driven by its own loads: then no other forces from
+   above would help. */
+static int kern_pour_parts(kern_part *p)
+{
+    const kern_model *m = p->m;
+    const kern_real most = KERN_PARTING * kern_largest(p->u, 3 * p->groups);
+    kern_real power = KERN_R(0);
+    int n, j, k;
+    for (n = 0; n < p->groups; n++)
+        for (j = 0; j < 3; j++)
+            power += p->u[3 * n + j] * m->load[3 * p->group[n] + j];
+    kern_least_ways(p, p->u, p->contacts, 2);
+    for (k = p->own; k < p->contacts; k++) {
+        const kern_real *w = p->way + 4 * (size_t)k + 2;
+        if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
+            return 0;
+    }
+    return power > 0;
+}
+
+/* Least forces of the open part, written if they balance it. KERN_FALLS where
+   no forces would, all else held. */
+static kern_status kern_pour_part(kern_part *p, int *budget)
+{
+    const kern_model *m = p->m;
+    kern_real load = KERN_R(0), least = KERN_INFINITY;
+    kern_status status;
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        least = kern_min(least, m->size[p->group[n]]);
+        load += m->size[p->group[n]];
+        kern_pour_load(m, p->group[n], p->b + 3 * n);
+    }
+    for (n = 0; n < 3 * p->groups; n++)
+        load += kern_abs(p->b[n]);
+    status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
+                             KERN_LEAST_MOST * load, 0, KERN_LEAST_ROUNDS);
+    *budget -= p->rounds * p->cost;
+    if (status == KERN_STANDS)
+        kern_pour_keep(p, KERN_POUR_TOL * least);
+    if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
+        status = KERN_UNDECIDED;
+    return status;
+}
+
+/* Balances the unit of `last`, and lets it grow until it can be balanced, or a
+   part of it is seen to fall. */
+static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
+                                  int failed, int *budget)
+{
+    const int begun = last;
+    int groups = kern_pour_mark(m, last, 0), levels;
+    for (levels = 1; ; levels *= 2) {
+        kern_status status = KERN_NO_SPACE;
+        kern_take take;
+        int added, open = kern_part_open(p, m, groups, last);
+        take = p->rest;
+        if (open && kern_least_lay(p, &take) && p->cost <= *budget)
+            status = failed && groups == 1
+                     ? p->own < p->contacts ? KERN_UNDECIDED : KERN_FALLS
+                     : kern_pour_part(p, budget);
+        if (status == KERN_FALLS)
+            return KERN_POUR_FALLS;
+        kern_pour_unmark(m, last);
+        if (status == KERN_STANDS)
+            return KERN_POURED;
+        if (status == KERN_NO_SPACE || status == KERN_LIMIT)
+            return KERN_POUR_DRY;
+        added = kern_pour_grow(m, &last, levels);
+        groups += added;
+        if (added == 0 || groups > KERN_UNIT_MOST
+            || m->regrown > KERN_REGROWN)
+            return KERN_POUR_DRY;
+        if (last > begun) {
+            kern_pour_unmark(m, last);
+            m->dirty[last] = 1;
+            return KERN_POUR_LATER;
+        }
+    }
+}
+
+/* All groups must be balanced, and there are no forces. */
+static void kern_pour_begin(kern_model *m)
+{
+    int g;
+    for (g = 0; g < m->groups; g++) {
+        m->leader[g] = m->next[g] = g;
+        m->dirty[g] = 1;
+    }
+    for (g = 0; g < m->s->contacts; g++)
+        m->force[g].normal = m->force[g].tangential = KERN_R(0);
+}
+
+/* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
+   with an open part, or KERN_POUR_DRY. */
+static kern_poured kern_pour(kern_model *m, kern_part *p)
+{
+    const int size = m->s->contacts + m->groups;
+    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
+                                     ? size : KERN_POUR_LARGEST);
+    int at;
+    m->regrown = 0;
+    for (at = 0; at < m->groups; ) {
+        kern_poured found;
+        kern_status alone = KERN_UNDECIDED;
+        if (!m->dirty[at]) {
+            at++;
+            continue;
+        }
+        if (!kern_model_spend(m, 1))
+            return KERN_POUR_DRY;
+        m->dirty[at] = 0;
+        m->again = m->groups;
+        if (m->next[at] == at)
+            alone = kern_pour_alone(m, at);
+        if (alone != KERN_STANDS) {
+            found = kern_pour_unit(m, p, at, alone == KERN_FALLS, &budget);
+            if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
+                return found;
+        }
+        budget -= 300;
+        if (budget < 0)
+            return KERN_POUR_DRY;
+        at = m->again < at + 1 ? m->again : at + 1;
+    }
+    return KERN_POURED;
+}
+
+/* ---- Verdicts ------------------------------------------------- >>verdict */
+
+/* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
+static kern_status kern_part_lay(kern_part *p)
+{
+    const int n = p->groups;
+    int room = KERN_EXTRAS(n);
+    p->lp.rows = 3 * n;
+    p->lp.cols = 2 * p->contacts;
+    p->lp.ends = p->ends;
+    p->lp.cost = NULL;
+    p->lp.most = KERN_BOUND;
+    p->lp.limit = p->m->limit;
+    for (; room >= KERN_LEAN_EXTRAS(n); room--) {
+        kern_take take = p->rest;
+        p->lp.a = p->arc = kern_take_reals(&take, 8 * p->contacts);
+        p->lp.rhs = p->rhs = kern_take_reals(&take, 3 * n);
+        p->x = kern_take_reals(&take, 2 * p->contacts);
+        p->y = kern_take_reals(&take, 3 * n + 3);
+        kern_simplex_lay(&p->simplex, &p->lp, room, &take);
+        if (kern_take_fits(&take)) {
+            p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
+            return KERN_STANDS;
+        }
+    }
+    return KERN_NO_SPACE;
+}
+
+/* Eq. (5) for a query: two columns a contact, along the edges n + mu t and
+   n - mu t of its friction cone, and the loads on the right. */
+static void kern_part_set(kern_part *p, const kern_query *q)
+{
+    kern_model *m = p->m;
+    int n, k, edge, j;
+    KERN_ASSERT(p->lp.rows == 3 * p->groups && p->own <= p->contacts);
+    m->slope = kern_slope(q);
+    for (n = 0; n < p->groups; n++) {
+        kern_model_unit(m, q, p->group[n]);
+        kern_model_load(m, q, p->group[n]);
+        kern_model_scale(m, p->group[n]);
+        for (j = 0; j < 3; j++)
+            p->rhs[3 * n + j] = m->load[3 * p->group[n] + j];
+    }
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
+        const kern_contact *c = m->s->contact + i;
+        kern_real *f = p->arc + 8 * (size_t)k, mu = kern_model_mu(m, i), arm[4];
+        kern_model_arm(m, q, i, arm);
+        for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
+            const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
+            f[0] = ray.x;
+            f[1] = ray.y;
+            f[2] = arm[0] + mu * arm[1];
+            f[3] = arm[2] + mu * arm[3];
+        }
+    }
+    p->simplex.stale = 1;
+}
+
+/* y as a motion of the part, its fastest block at speed 1. */
+static void kern_part_motion(kern_part *p)
+{
+    kern_model *m = p->m;
+    kern_real *part = (kern_real *)(void *)m->motion, most = KERN_R(0);
+    int i, n;
+    for (i = 0; i < 3 * m->s->blocks; i++)
+        part[i] = KERN_R(0);
+    for (n = 0; n < p->groups; n++) {
+        const int b = m->block[p->group[n]];
+        kern_motion *v = m->motion + b;
+        *v = ((const kern_motion *)(const void *)p->y)[n];
+        v->spin *= m->unit[p->group[n]];
+        most = kern_max(most, kern_max(
+            KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
+            kern_abs(v->spin) * kern_block_size(m->s->block + b)));
+    }
+    for (n = 0; n < p->groups && most > 0; n++) {
+        kern_motion *v = m->motion + m->block[p->group[n]];
+        v->vx /= most;
+        v->vy /= most;
+        v->spin /= most;
+    }
+}
+
+/* Whether the part is all there is: then forces on it prove that it stands. */
+static int kern_part_is_whole(const kern_part *p)
+{ return p->groups == p->m->groups && p->m->from == 0; }
+
+/* The forces of a program of all groups. What is negative by rounding is
+   nothing. */
+static void kern_part_forces(kern_part *p)
+{
+    kern_model *m = p->m;
+    int k;
+    for (k = 0; k < m->s->contacts; k++)
+        m->force[k].normal = m->force[k].tangential = KERN_R(0);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
+        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
+        const int i = p->contact[k];
+        m->force[i].normal = (x1 + x2) * m->weight;
+        m->force[i].tangential = kern_model_mu(m, i) * (x1 - x2) * m->weight;
+    }
+}
+
+/* The proof of a verdict, and the verdict itself only if the proof holds. That
+   a part stands is no verdict, and needs no proof. */
+static kern_status kern_part_prove(kern_part *p, const kern_query *q,
+                                   kern_status status)
+{
+    kern_model *m = p->m;
+    kern_real error = KERN_INFINITY;
+    int lift;
+    if (status == KERN_STANDS && !kern_part_is_whole(p))
+        return status;
+    for (lift = 0; status == KERN_FALLS && !(error <= 1)
+                   && lift <= p->simplex.started; lift++) {
+        if (lift)
+            kern_certificate_lift(&p->simplex, p->y);
+        kern_part_motion(p);
+        error = kern_prove_motion(m->s, q, m->motion);
+    }
+    if (!(error <= 1) && kern_part_is_whole(p)) {
+        /* forces may still do, within the tolerance */
+        status = KERN_STANDS;
+        kern_part_forces(p);
+        error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
+    }
+    if (!(error <= 1))
+        return KERN_UNDECIDED;
+    m->work->error = kern_max(m->work->error, error);
+    return status;
+}
+
+/* Sum of the solution: of all normal forces, in weights. */
+static kern_real kern_part_total(const kern_part *p)
+{
+    kern_real total = KERN_R(0);
+    int i;
+    for (i = 0; i < p->lp.cols; i++)
+        total += p->x[i];
+    return total;
+}
+
+/* Forces were found, but larger than is allowed: the least there are, by
+   costs of 1. If they still are too large their prices are a motion that shows
+   that no smaller ones exist. */
+static kern_status kern_part_least(kern_part *p, int own)
+{
+    kern_real *one = (kern_real *)(void *)p->m->force; /* not in use here */
+    kern_status status;
+    int i;
+    if (!(kern_part_total(p) > KERN_BOUND))
+        return KERN_STANDS;
+    for (i = 0; i < p->lp.cols; i++)
+        one[i] = KERN_R(1);
+    p->lp.cost = one;
+    status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
+    p->lp.cost = NULL;
+    if (status != KERN_LP_OPTIMAL)
+        return status < 0 ? status : KERN_UNDECIDED;
+    for (i = 0; i < p->lp.rows; i++)
+        p->y[i] = -p->y[i];
+    return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
+}
+
+/* The verdict on a part by the simplex method. */
+static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
+{
+    kern_status status = KERN_UNDECIDED;
+    int own;
+    p->found = KERN_UNDECIDED;
+    if (!kern_model_spend(p->m, p->m->query_units))
+        return KERN_LIMIT;
+    kern_part_set(p, q);
+    for (own = 0; own < 2 && status != KERN_LIMIT; own++) {
+        status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
+        if (status == KERN_LP_OPTIMAL)
+            status = kern_part_least(p, own);
+        else if (status == KERN_LP_INFEASIBLE)
+            status = KERN_FALLS;
+        p->found = status;
+        if (status >= 0)
+            status = kern_part_prove(p, q, status);
+        if (status >= 0)
+            break;
+        /* once more from the crash basis */
+        p->simplex.started = 0;
+        p->simplex.prior = NULL;
+    }
+    return status;
+}
+
+/* Opens all groups as one part, in the place of what pouring needs. */
+static kern_status kern_part_all(kern_part *p, kern_model *m)
+{
+    int g, k;
+    p->m = m;
+    p->rest = m->common;
+    p->groups = m->groups;
+    p->contacts = p->own = m->s->contacts;
+    p->ends = m->ends;
+    p->group = kern_take_ints(&p->rest, p->groups);
+    p->contact = kern_take_ints(&p->rest, p->contacts);
+    if (!kern_take_fits(&p->rest))
+        return KERN_NO_SPACE;
+    for (g = 0; g < p->groups; g++)
+        p->group[g] = g;
+    for (k = 0; k < p->contacts; k++)
+        p->contact[k] = k;
+    if (kern_part_lay(p) != KERN_STANDS)
+        return KERN_NO_SPACE;
+    for (k = 0; k < p->contacts && m->prior; k++) {
+        const kern_real f = m->prior[k].normal / m->weight;
+        const kern_real mu = kern_model_mu(m, k);
+        const kern_real r = mu > 0 ? m->prior[k].tangential / (m->weight * mu)
+                                   : f;
+        p->x[2 * k] = (f + r) / 2;
+        p->x[2 * k + 1] = (f - r) / 2;
+    }
+    if (m->prior)
+        p->simplex.prior = p->x;
+    return KERN_STANDS;
+}
+
+static void kern_falls_clear(kern_model *m)
+{
+    int g;
+    m->wide = m->falls = 0;
+    for (g = 0; g < m->groups; g++)
+        m->fell[g] = 0;
+}
+
+/* Notes a part as what falls, and lays out its linear program; KERN_NO_SPACE
+   also where it is not much less than the whole. */
+static kern_status kern_part_note(kern_part *p)
+{
+    kern_model *m = p->m;
+    int n;
+    if (m->groups > KERN_WIDE_SMALL && 2 * p->groups > m->groups)
+        return KERN_NO_SPACE;
+    m->falls++;
+    for (n = 0; n < p->groups; n++)
+        m->fell[p->group[n]] = m->falls;
+    return kern_part_lay(p);
+}
+
+/* Notes what falls. Where a part falls that has groups in common with one that
+   fell before, the mechanism is larger than either: it is widened by its
+   neighbours, each time twice as far; and in a small structure by all others.
+   Lays out its linear program. */
+static kern_status kern_part_widen(kern_part *p)
+{
+    kern_model *m = p->m;
+    int e, n, again = 0, last = p->group[p->groups - 1], levels;
+    int groups = p->groups;
+    for (n = 0; n < groups; n++)
+        again |= m->fell[p->group[n]];
+    again |= m->groups <= KERN_WIDE_SMALL / 2 && 2 * groups > m->groups;
+    if (again)
+        m->wide = groups * 2 <= m->groups && m->groups > KERN_WIDE_SMALL
+                  ? 2 * m->wide + 1 : m->groups;
+    for (levels = again ? m->wide : 0; levels > 0 && groups < m->groups;
+         levels--) {
+        for (n = 0; n < p->groups; n++)
+            for (e = m->touch[p->group[n]]; e >= 0; e = m->after[e]) {
+                const int h = m->ends[e ^ 1];
+                if (h < m->groups && m->local[h] == KERN_OUT) {
+                    m->local[h] = 0;
+                    last = h > last ? h : last;
+                    groups++;
+                }
+            }
+        if (!kern_part_open(p, m, groups, last))
+            return KERN_NO_SPACE;
+    }
+    return kern_part_note(p);
+}
+
+/* Opens the part again that kern_part_widen() noted last. */
+static kern_status kern_part_again(kern_part *p, kern_model *m)
+{
+    int g, last = 0, groups = 0;
+    for (g = 0; g < m->groups; g++) {
+        m->local[g] = KERN_OUT;
+        if (m->fell[g] == m->falls) {
+            m->local[g] = 0;
+            last = g;
+            groups++;
+        }
+    }
+    if (!kern_part_open(p, m, groups, last))
+        return KERN_NO_SPACE;
+    return kern_part_lay(p);
+}
+
+/* Whether the last block stands by a change of forces that balance all others,
+   which is looked for below it, and proven where they changed. */
+static int kern_model_change(kern_model *m, kern_part *p,
+                             const kern_query *q)
+{
+    const int last = m->group[m->s->blocks - 1];
+    const kern_force *known = m->prior;
+    kern_poured poured;
+    kern_real error;
+    int i;
+    if (!known || !(q->shrink <= m->balanced))
+        return 0;
+    kern_model_keep(m, known, q);
+    if (last < m->groups) {
+        kern_model_loosen(m, last);
+        m->dirty[last] = 1;
+    }
+    poured = kern_pour(m, p);
+    m->prior = known;
+    if (poured != KERN_POURED)
+        return 0;
+    for (i = 0; i < m->s->blocks; i++) {
+        const int g = m->group[i];
+        m->sum[4 * i + 3] = g < m->groups && m->next[g] != KERN_OUT
+                            ? KERN_R(0) : KERN_R(-1);
+    }
+    error = kern_prove_forces(m->s, q, m->force, m->sum,
+                              q->shrink >= m->balanced);
+    if (!(error <= 1))
+        return 0;
+    m->work->error = kern_max(m->work->error, error);
+    p->found = KERN_STANDS;
+    return 1;
+}
+
+/* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
+   open part that seems to fall; or KERN_UNDECIDED. */
+static kern_status kern_model_pour(kern_model *m, kern_part *p,
+                                   const kern_query *q, int proven)
+{
+    kern_poured poured;
+    kern_real error, total = KERN_R(0);
+    int i;
+    if (!kern_model_spend(m, m->query_units))
+        return KERN_LIMIT;
+    m->work->solves++;
+    if (kern_model_change(m, p, q))
+        return KERN_STANDS;
+    kern_model_set(m, q);
+    kern_pour_begin(m);
+    poured = kern_pour(m, p);
+    switch (poured) {
+    case KERN_POURED: break;
+    case KERN_POUR_FALLS: return KERN_FALLS;
+    default: return KERN_UNDECIDED;
+    }
+    for (i = 0; i < m->s->contacts; i++)
+        total += m->force[i].normal;
+    if (total > KERN_BOUND / 2)
+        return KERN_UNDECIDED;
+    p->found = KERN_STANDS;
+    if (!proven || m->from > 0)
+        return KERN_STANDS;
+    for (i = 0; i < m->s->contacts; i++) {
+        m->force[i].normal *= m->weight;
+        m->force[i].tangential *= m->weight;
+    }
+    error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
+    if (!(error <= 1))
+        return KERN_UNDECIDED;
+    m->work->error = kern_max(m->work->error, error);
+    return KERN_STANDS;
+}
+
+/* From now on the linear program of all groups answers every query; it starts
+   from its last basis. */
+static kern_status kern_model_plain(kern_model *m, kern_part *p,
+                                    const kern_query *q)
+{
+    kern_status status;
+    kern_model_set(m, q);
+    status = kern_part_all(p, m);
+    m->plain = status == KERN_STANDS;
+    return status;
+}
+
+/* The verdict for a query, with a proof or none: by the poured forces, by the
+   motion of the part that falls, or else by the linear program of the whole.
+   After KERN_FALLS the part that falls is open. */
+static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
+                                  const kern_query *q)
+{
+    kern_status status;
+    p->found = KERN_UNDECIDED;
+    if (!m->plain) {
+        status = kern_model_pour(m, p, q, 1);
+        if (status == KERN_STANDS)
+            return status;
+        if (status == KERN_FALLS && kern_part_lay(p) == KERN_STANDS
+            && kern_part_evaluate(p, q) == KERN_FALLS)
+            return KERN_FALLS;
+        status = kern_model_plain(m, p, q);
+        if (status != KERN_STANDS)
+            return status;
+    }
+    return kern_part_evaluate(p, q);
+}
+
+/* ---- Searching a path ------------------------------------------ >>search */
+/* Verdicts along a path, and the bracket of the place where they change. */
+
+#define KERN_PART_ROUNDS   6       /* evaluations of a part at a time         */
+#define KERN_CLIMB_ROUNDS  5000    /* evaluations to find one                 */
+#define KERN_MANY          8       /* pivots between them                     */
+#define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
+
+/* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
+   if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
+   closes. One that was closed opens to the side that helps. In *rate how fast
+   it changes at `to`. */
+static kern_real kern_shrink_power(const kern_part *p, kern_real from,
+                                   kern_real to, kern_real *rate)
+{
+    const kern_model *m = p->m;
+    kern_real sum = KERN_R(0);
+    int i;
+    *rate = KERN_R(0);
+    for (i = 0; i < p->contacts; i++) {
+        const kern_contact *c = m->s->contact + p->contact[i];
+        const kern_real travel = kern_travel(c, m->mean);
+        const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
+        const kern_real mu = kern_model_mu(m, p->contact[i]);
+        const int head = m->ends[2 * p->contact[i]];
+        const int tail = m->ends[2 * p->contact[i] + 1];
+        kern_real was, is, work;
+        if (!(n > 0 || n < 0))
+            continue;
+        /* the arm grows along t, and t x (f n + r t) = -f */
+        work = n * (p->y[3 * p->ends[2 * i] + 2] * m->unit[head]
+                    - p->y[3 * p->ends[2 * i + 1] + 2] * m->unit[tail]);
+        if (!m->relative && from >= kern_abs(travel))
+            work = travel > 0 ? -kern_abs(work) : kern_abs(work);
+        sum -= work * kern_shift(travel, from, m->relative, &was);
+        sum += work * kern_shift(travel, to, m->relative, &is);
+        *rate += work * is;
+        if (m->narrow > 0 && mu > 0) { /* the slope of `from` is set */
+            const kern_real slope = kern_max(m->narrow * to, KERN_R(0));
+            const kern_real narrow = kern_friction(c, slope);
+            const kern_real one = 1 + c->mu * slope;
+            work = (p->x[2 * i] - p->x[2 * i + 1])
+                   * (kern_lp_dot(&p->lp, 2 * i, p->y)
+                      - kern_lp_dot(&p->lp, 2 * i + 1, p->y)) / (2 * mu);
+            sum += work * (mu - narrow);
+            if (narrow > 0)
+                *rate += work * m->narrow * (1 + c->mu * c->mu) / (one * one);
+        }
+    }
+    return sum;
+}
+
+/* Where the mechanism y that falls at s, by `power` < 0, stops to fall: its
+   power is straight but for bends where kerns close. Returns `holds` where it
+   is not seen to stop after that. */
+static kern_real kern_shrink_edge(const kern_part *p, kern_real holds,
+                                  kern_real s, kern_real power)
+{
+    const kern_real same = KERN_SAME_EDGE
+                           * (p->m->relative ? 1 : p->m->mean) / 8;
+    kern_real lo = holds, hi = s, at = s, rate, left = power;
+    int round;
+    kern_shrink_power(p, s, s, &rate);
+    for (round = 0; round < KERN_BENDS; round++) {
+        const kern_real step = left / rate;
+        if (kern_abs(step) <= same)
+            return at - step;
+        at -= step;
+        if (!(at > lo && at < hi))
+            at = lo + (hi - lo) / 2;
+        left = power + kern_shrink_power(p, s, at, &rate);
+        if (left < 0)
+            hi = at;
+        else
+            lo = at;
+    }
+    return holds;
+}
+
+/* How the wrench on block i changes along a path on which a load grows or
+   gravity turns. */
+static void kern_path_rate(const kern_path *path, const kern_model *m,
+                           const kern_query *q, kern_real s, int i,
+                           kern_wrench *w)
+{
+    if (path->kind == KERN_PATH_LOAD)
+        kern_pattern_on(m->s, q, i, w);
+    else
+        kern_weigh(kern_vec_turn(q->gravity),
+                   4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), w);
+}
+
+/* y.rhs' there. */
+static kern_real kern_load_rate(const kern_path *path,
+                                const kern_query *q, kern_real s)
+{
+    const kern_part *p = path->part;
+    const kern_model *m = p->m;
+    kern_real sum = KERN_R(0);
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n];
+        const kern_real *y = p->y + 3 * n;
+        kern_wrench w;
+        kern_path_rate(path, m, q, s, m->block[g], &w);
+        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[g])
+               / m->weight;
+    }
+    return sum;
+}
+
+/* Hands the proof of a verdict to the caller. */
+static void kern_proof_out(const kern_model *m, const kern_proof *proof,
+                           kern_status status)
+{
+    int i;
+    if (!proof)
+        return;
+    if (status == KERN_STANDS && proof->force)
+        for (i = 0; i < m->s->contacts; i++)
+            proof->force[i] = m->force[i];
+    if (status == KERN_FALLS && proof->motion)
+        for (i = 0; i < m->s->blocks; i++)
+            proof->motion[i] = m->motion[i];
+}
+
+/* Notes a verdict about the whole at s, and hands its proof to the caller. */
+static void kern_path_note(const kern_model *m, kern_path *path,
+                           kern_status status, kern_real s)
+{
+    if (status == KERN_STANDS)
+        path->stood = kern_max(path->stood, s);
+    if (status == KERN_FALLS)
+        path->fell = kern_min(path->fell, s);
+    kern_proof_out(m, path->proof, status);
+}
+
+/* Asks at s. Where it falls Newton's method says where that ends. */
+static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
+                                      kern_real s)
+{
+    const kern_query q = kern_path_at(path, s);
+    kern_part *p = path->part;
+    const kern_status status = path->alone ? kern_part_evaluate(p, &q)
+                                           : kern_model_evaluate(m, p, &q);
+    kern_real power = KERN_R(0);
+    int i;
+    if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
+        kern_path_note(m, path, status, s);
+    if (status == KERN_STANDS)
+        path->holds = s;
+    if (status == KERN_FALLS)
+        path->fails = s;
+    /* near to critical even a certificate that proves nothing tells where */
+    if (status == KERN_STANDS || p->found != KERN_FALLS)
+        return status;
+    for (i = 0; i < p->lp.rows; i++)
+        power += p->y[i] * p->rhs[i];
+    path->edge = path->kind == KERN_PATH_SHRINK
+                 ? kern_shrink_edge(p, path->holds, s, power)
+                 : s - power / kern_load_rate(path, &q, s);
+    return status;
+}
+
+/* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
+   it where the verdict changes. It is asked a little beyond where Newton's
+   method points to. What falls there by another mechanism points farther; what
+   falls by the same one has its edge there. Then it is asked as far before it,
+   so that verdicts at both ends are beyond doubt. If one variable of one basis
+   changed its sign between them that is the edge; if not, it is asked at the
+   edge too, where yet another mechanism may fall. What stands beyond an edge
+   is nearer to the true one than thought: then in steps that grow. */
+static kern_status kern_path_edge(kern_model *m, kern_path *path,
+                                  int rounds)
+{
+    const kern_real half = path->tolerance * KERN_R(0.45);
+    const kern_real same = path->unit * KERN_SAME_EDGE;
+    const kern_proof *proof = path->proof;
+    kern_real aside = half, under = half;
+    kern_real share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
+    int round, known = 0;
+    path->closed = 0;
+    for (round = 0; round < rounds; round++) {
+        const kern_real lo = path->holds, hi = path->fails, r = path->edge;
+        const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
+        const int inside = r >= lo && r <= hi;
+        const int close = inside && hi - r <= aside * KERN_R(1.05);
+        const int closed = close && r - lo <= under * KERN_R(1.05)
+                           && (r - lo >= under / 2 || lo <= path->start);
+        const int pivots = m->work->pivots;
+        const int single = path->part->simplex.violated == 1;
+        kern_real at;
+        kern_status status;
+        if ((known && closed) || hi - lo <= half / 8
+            || aside + under > path->tolerance * KERN_WIDEST)
+            break;
+        if (close)
+            at = closed ? r : kern_max(r - under, path->start);
+        else if (inside && r + kern_max(aside, error) < hi)
+            at = r + kern_max(aside, error);
+        else {
+            at = lo + kern_max((hi - lo) * share, half);
+            share = kern_min(2 * share, KERN_R(0.5));
+        }
+        if (!close && !(at > lo && at < hi))
+            at = lo + (hi - lo) / 2;
+        path->proof = closed ? NULL : proof; /* only of the ends */
+        status = kern_path_evaluate(m, path, at);
+        path->proof = proof;
+        if (status < 0 && status != KERN_UNDECIDED)
+            return status;
+        if (closed) {
+            known = status != KERN_FALLS || path->edge > r - same;
+            if (known)
+                path->edge = r;
+            path->holds = lo;
+            path->fails = hi;
+        } else if (status == KERN_FALLS && at < lo) {
+            path->fails = hi; /* both proofs hold, within their tolerances */
+            path->edge = r;
+            under *= 2;
+            continue;
+        } else if (status == KERN_UNDECIDED) {
+            if (close)
+                under *= 2;
+            else if (inside)
+                aside *= 2;
+            else if (hi - lo <= path->tolerance * KERN_WIDEST)
+                break; /* a jam: neither proof comes nearer */
+            else
+                share *= KERN_R(0.7);
+        }
+        if (!closed && !close && status == KERN_STANDS
+            && rounds < KERN_EDGE_ROUNDS)
+            return KERN_STANDS; /* the whole is evaluated there first */
+        if (!closed && status == KERN_STANDS)
+            known = close && single && pivots == m->work->pivots;
+        if (!closed && status == KERN_FALLS)
+            share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
+    }
+    if (round == rounds && rounds < KERN_EDGE_ROUNDS)
+        return KERN_STANDS;
+    path->closed = 1;
+    if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
+        return KERN_UNDECIDED;
+    path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
+    return KERN_STANDS;
+}
+
+static kern_travels kern_travels_of(const kern_model *m)
+{
+    kern_travels t;
+    int i;
+    t.least = KERN_INFINITY;
+    t.most = KERN_R(0);
+    t.nested = 1;
+    for (i = 0; i < m->s->contacts; i++) {
+        const kern_contact *c = m->s->contact + i;
+        const kern_real travel = kern_abs(kern_travel(c, m->mean));
+        if ((!kern_is_free(m, c->a) && !kern_is_free(m, c->b))
+            || !(travel > 0))
+            continue;
+        t.least = kern_min(t.least, travel);
+        t.most = kern_max(t.most, travel);
+        t.nested &= c->line != 0;
+    }
+    if (m->relative)
+        t.most = KERN_R(1);
+    return t;
+}
+
+/* Goes from a place that stands toward the end, until it falls; then finds the
+   edge. Steps grow as long as they need few pivots (far beyond the edge the
+   simplex has much to do that is of no use), or are `even` where verdicts may
+   change more than once. */
+static kern_status kern_path_climb(kern_model *m, kern_path *path,
+                                   kern_real step, int even)
+{
+    const kern_real end = path->end, least = step / 4;
+    kern_real at = path->holds;
+    int round, tries;
+    for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
+        const kern_real next = kern_min(end, at + step);
+        const int before = m->work->pivots;
+        kern_status status = kern_path_evaluate(m, path, next);
+        int pivots;
+        /* too near to critical to tell: a little aside */
+        for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
+            status = kern_path_evaluate(m, path,
+                kern_max(next - path->tolerance * KERN_R(tries) / 4,
+                         at + (next - at) / 2));
+        if (status == KERN_FALLS)
+            return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (status != KERN_STANDS)
+            return status;
+        if (next >= end) {
+            path->never = 1;
+            path->edge = path->fails = end;
+            return KERN_STANDS;
+        }
+        at = next;
+        pivots = m->work->pivots - before;
+        if (!even && 3 * pivots < KERN_MANY)
+            step *= KERN_R(1.6);
+        else if (!even && pivots < KERN_MANY)
+            step *= KERN_R(1.25);
+        else if (!even && pivots > 2 * KERN_MANY)
+            step *= KERN_R(0.7);
+        if (!even)
+            step = kern_max(step, kern_max(least, at / 16));
+    }
+    return KERN_UNDECIDED;
+}
+
+/* Whether the motion that is known still proves that it falls where it did. */
+static int kern_path_still_falls(kern_model *m, kern_path *path)
+{
+    const kern_seed *seed = path->seed;
+    const kern_query q = kern_path_at(path, seed->fails);
+    const int last = m->s->blocks - 1;
+    kern_real error;
+    int i;
+    for (i = 0; i < m->s->blocks; i++) {
+        kern_motion *v = m->motion + i;
+        v->vx = v->vy = v->spin = KERN_R(0);
+        if (i == last)
+            *v = seed->last;
+        else if (seed->motion)
+            *v = seed->motion[i];
+    }
+    error = kern_prove_motion(m->s, &q, m->motion);
+    if (!(error <= 1) || seed->fails - path->holds > path->tolerance)
+        return 0;
+    m->work->error = kern_max(m->work->error, error);
+    kern_path_note(m, path, KERN_FALLS, seed->fails);
+    path->fails = seed->fails;
+    path->edge = seed->edge;
+    return 1;
+}
+
+/* ---- Interior point -------------------------------------------- >>inner */
+/* The first place on a path where a large part falls, in some ten
+   factorisations. The place s is a variable of the program
+
+       max s,  A(s) x = b(s),  x >= 0,
+
+   which is linear in x and s together where a load grows, and nearly so where
+   kerns shrink or gravity turns. With g the derivative of A(s) x - b(s) along
+   the path it is at its end where
+
+       A x = b,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
+
+   y is the mechanism, and b.y the place where it falls less s. A primal-dual
+   interior-point method follows x z = mu > 0 to mu = 0. A step is Newton's,
+
+       M dy - g ds = A x~ - A x + b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
+
+   with x~ the forces that mu demands. M has the pattern of the least forces
+   of the part and is factored as theirs is. Each step is solved twice with one
+   factor: mu and what is not linear are corrected by what the first solution,
+   with mu = 0, predicts. */
+
+#define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
+#define KERN_INNER_BEYOND  3       /* predictions at the end, or no progress  */
+#define KERN_INNER_TRIES   6       /* and of its proofs                       */
+#define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
+
+typedef struct kern_inner {
+    kern_part *p;             /* all groups; its u is y                       */
+    const kern_path *path;
+    kern_real s;              /* the place                                    */
+    kern_real low, high;      /* it stays between these                       */
+    kern_real ahead;          /* where the prediction sees the edge           */
+    kern_real at;             /* the place of the matrix where that is held,
+                                 else s                                       */
+    int held;                 /* nonzero: matrix and g stay, s is linear      */
+    kern_real gap;            /* sum of x z: how far s can be from the edge   */
+    kern_real least;          /* gap that is small enough                     */
+    kern_real *x, *z;         /* of a ray: force and closing, both > 0        */
+    kern_real *dx, *dz;       /* their steps; before, dx is x~ - D A'y        */
+    kern_real *over;          /* of a row: A x - b                            */
+    kern_real *g;             /* of a row                                     */
+    kern_real *gain;          /* M^-1 g                                       */
+} kern_inner;
+
+/* out := A'v, two rays a contact */
+static void kern_inner_ways(const kern_part *p, const kern_real *v,
+                            kern_real *out)
+{
+    int k;
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real *h = v + 3 * p->ends[2 * k];
+        const kern_real *t = v + 3 * p->ends[2 * k + 1];
+        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
+        const kern_contact *c = p->m->s->contact + p->contact[k];
+        const kern_real x = h[0] - t[0], y = h[1] - t[1];
+        const kern_real wn = c->n.x * x + c->n.y * y + arm[0] * h[2]
+                             + arm[2] * t[2];
+        const kern_real wt = c->mu * (c->n.x * y - c->n.y * x + arm[1] * h[2]
+                                      + arm[3] * t[2]);
+        out[2 * k] = wn + wt;
+        out[2 * k + 1] = wn - wt;
+    }
+}
+
+/* out += A x */
+static void kern_inner_carry(const kern_part *p, const kern_real *x,
+                             kern_real *out)
+{
+    int k, end;
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
+        const kern_real f = x[2 * k] + x[2 * k + 1];
+        const kern_real r = p->m->s->contact[i].mu * (x[2 * k] - x[2 * k + 1]);
+        for (end = 0; end < 2; end++)
+            if (p->ends[2 * k + end] < p->groups)
+                kern_model_carry(p->m, i, end, -f, -r,
+                                 out + 3 * p->ends[2 * k + end]);
+    }
+}
+
+/* out += share times what the shrinking of kerns makes of forces x */
+static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
+                              kern_real share, kern_real *out)
+{
+    const kern_part *p = in->p;
+    const kern_model *m = p->m;
+    int k;
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
+        const kern_real f = share * (x[2 * k] + x[2 * k + 1]);
+        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+        kern_real rate;
+        kern_shift(kern_travel(m->s->contact + i, m->mean), in->s,
+                   m->relative, &rate);
+        if (h < p->groups) /* t x (f n + r t) = -f */
+            out[3 * h + 2] -= rate * f * m->unit[m->ends[2 * i]];
+        if (t < p->groups)
+            out[3 * t + 2] += rate * f * m->unit[m->ends[2 * i + 1]];
+    }
+}
+
+/* The derivative of A(s) x - b(s) along the path, to in->g. */
+static void kern_inner_rate(kern_inner *in)
+{
+    const kern_query q = kern_path_at(in->path, in->s);
+    const kern_part *p = in->p;
+    const kern_model *m = p->m;
+    const int shrink = in->path->kind == KERN_PATH_SHRINK;
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        kern_wrench w;
+        w.fx = w.fy = w.torque = KERN_R(0);
+        if (!shrink)
+            kern_path_rate(in->path, m, &q, in->s, m->block[p->group[n]], &w);
+        in->g[3 * n] = w.fx / m->weight;
+        in->g[3 * n + 1] = w.fy / m->weight;
+        in->g[3 * n + 2] = w.torque * m->unit[p->group[n]] / m->weight;
+    }
+    if (shrink)
+        kern_inner_shrink(in, in->x, KERN_R(1), in->g);
+}
+
+/* The matrix and the loads at a place. */
+static void kern_inner_place(kern_inner *in, kern_real place)
+{
+    kern_part *p = in->p;
+    kern_model *m = p->m;
+    const kern_query q = kern_path_at(in->path, place);
+    int n, k;
+    in->at = place;
+    for (n = 0; n < p->groups; n++) {
+        kern_model_unit(m, &q, p->group[n]);
+        kern_model_load(m, &q, p->group[n]);
+        kern_model_scale(m, p->group[n]);
+    }
+    for (k = 0; k < p->contacts; k++)
+        kern_model_arm(m, &q, p->contact[k],
+                       m->arm + 4 * (size_t)p->contact[k]);
+}
+
+/* A(s) x - b(s), and unless they are held the matrix and g. */
+static void kern_inner_set(kern_inner *in)
+{
+    kern_part *p = in->p;
+    int n, j;
+    if (!in->held) {
+        kern_inner_place(in, in->s);
+        kern_inner_rate(in);
+    }
+    for (n = 0; n < p->groups; n++)
+        for (j = 0; j < 3; j++)
+            in->over[3 * n + j] = (in->s - in->at) * in->g[3 * n + j]
+                                  - p->m->load[3 * p->group[n] + j];
+    kern_inner_carry(p, in->x, in->over);
+}
+
+/* M's factor, and M^-1 g; with D = 1 if `even`. */
+static void kern_inner_factor(kern_inner *in, int even)
+{
+    kern_part *p = in->p;
+    int k;
+    kern_least_clear(p);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real mu = p->m->s->contact[p->contact[k]].mu;
+        const kern_real plus = even ? KERN_R(1) : in->x[2 * k] / in->z[2 * k];
+        const kern_real minus = even ? KERN_R(1)
+            : in->x[2 * k + 1] / in->z[2 * k + 1];
+        kern_spring s;
+        s.f = s.r = KERN_R(0);
+        s.nn = plus + minus;
+        s.nt = mu * (plus - minus);
+        s.tt = mu * mu * s.nn;
+        kern_least_spring(p, k, &s);
+    }
+    kern_least_factor(p);
+    kern_least_solve(p, in->g, in->gain);
+    p->m->work->pivots++;
+}
+
+/* How much of a step keeps v above 0; at most all of it. */
+static kern_real kern_inner_share(const kern_real *v, const kern_real *step,
+                                  int n)
+{
+    kern_real share = KERN_R(1);
+    int i;
+    for (i = 0; i < n; i++)
+        if (v[i] < -share * step[i])
+            share = v[i] / -step[i];
+    return share;
+}
+
+/* Solves for dy = p->step, dx, and dz; returns ds. p->left has A x - b, dx has
+   x~ - D A'y, p->way has A'y. */
+static kern_real kern_inner_step(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real *turn = p->way + rays, ds;
+    int i;
+    kern_inner_carry(p, in->dx, p->left);
+    kern_least_solve(p, p->left, p->step);
+    ds = (1 - kern_dot(in->g, p->u, n) - kern_dot(in->g, p->step, n))
+         / kern_dot(in->g, in->gain, n);
+    if (in->held) /* s does not pass the place */
+        ds = kern_min(ds, in->at - in->s);
+    else
+        ds = kern_max(kern_min(ds, in->high - in->s), in->low - in->s);
+    for (i = 0; i < n; i++)
+        p->step[i] += ds * in->gain[i];
+    kern_inner_ways(p, p->step, turn);
+    for (i = 0; i < rays; i++) {
+        in->dx[i] -= in->x[i] / in->z[i] * turn[i];
+        in->dz[i] = p->way[i] + turn[i] - in->z[i];
+    }
+    return ds;
+}
+
+/* Goes along the steps as far as x, z > 0 let it. Where the matrix is held s
+   does not pass its place. Else, where s moves at all, it goes only so far that
+   A x comes nearer to b, or stays as near as the gap wants it. */
+static void kern_inner_move(kern_inner *in, kern_real ds)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    const kern_real most = kern_max(KERN_R(0.7) * kern_largest(in->over, n),
+                                    in->gap * kern_largest(in->g, n));
+    const kern_real from = in->s;
+    kern_real of_x = KERN_INNER_SHARE
+                     * kern_inner_share(in->x, in->dx, rays);
+    kern_real of_z = KERN_INNER_SHARE
+                     * kern_inner_share(in->z, in->dz, rays);
+    int i, tries;
+    for (i = 0; i < rays; i++)
+        in->x[i] += of_x * in->dx[i];
+    for (tries = 0; ; tries++) {
+        in->s = from + of_x * ds;
+        kern_inner_set(in);
+        if (in->held || tries == KERN_INNER_TRIES
+            || kern_abs(of_x * ds) <= in->least
+            || kern_largest(in->over, n) <= most)
+            break;
+        of_x /= 2;
+        of_z /= 2;
+        for (i = 0; i < rays; i++)
+            in->x[i] -= of_x * in->dx[i];
+    }
+    for (i = 0; i < rays; i++)
+        in->z[i] += of_z * in->dz[i];
+    for (i = 0; i < n; i++)
+        p->u[i] += of_z * p->step[i];
+    in->gap = kern_dot(in->x, in->z, rays);
+}
+
+/* One step of the method; 0 if the call has no more work for it. */
+static int kern_inner_advance(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    const int shrink = in->path->kind == KERN_PATH_SHRINK && !in->held;
+    kern_real of_x, of_z, ds, left = KERN_R(0), mu;
+    int i;
+    if (!kern_model_spend(p->m, 1 + p->cost / 150))
+        return 0;
+    kern_inner_factor(in, 0);
+    kern_inner_ways(p, p->u, p->way);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = -in->x[i] / in->z[i] * p->way[i];
+    for (i = 0; i < n; i++)
+        p->left[i] = in->over[i];
+    ds = kern_inner_step(in);
+    in->ahead = in->s + ds;
+    of_x = kern_inner_share(in->x, in->dx, rays);
+    of_z = kern_inner_share(in->z, in->dz, rays);
+    for (i = 0; i < rays; i++)
+        left += (in->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
+    left /= in->gap;
+    mu = kern_max(in->gap * left * left * left, kern_max(in->least / 2,
+        kern_largest(in->over, n) / kern_largest(in->g, n)));
+    mu = kern_min(mu, in->gap) / KERN_R(rays);
+    for (i = 0; i < n; i++)
+        p->left[i] = in->over[i];
+    if (shrink)
+        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->left);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->way[i])
+                    / in->z[i];
+    ds = kern_inner_step(in);
+    kern_inner_move(in, ds);
+    return 1;
+}
+
+/* v += what lifts its least entry to half of what it is below 0, and a little
+   of the largest */
+static void kern_inner_lift(kern_real *v, int n)
+{
+    kern_real lift = KERN_R(0);
+    int i;
+    for (i = 0; i < n; i++)
+        lift = kern_max(lift, KERN_R(-1.5) * v[i]);
+    lift += KERN_R(1e-3) * kern_largest(v, n);
+    for (i = 0; i < n; i++)
+        v[i] += lift;
+}
+
+/* Where the method begins: least forces of both signs, and least motions,
+   lifted above 0. Returns 0 where nothing depends on the place. */
+static int kern_inner_begin(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real power, x = KERN_R(0), z = KERN_R(0);
+    int i;
+    for (i = 0; i < n + 3; i++)
+        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = KERN_R(0);
+    for (i = 0; i < rays; i++)
+        in->x[i] = KERN_R(0);
+    kern_inner_set(in);
+    kern_inner_factor(in, 1);
+    for (i = 0; i < n; i++)
+        p->left[i] = -in->over[i];
+    kern_least_solve(p, p->left, p->u);
+    kern_inner_ways(p, p->u, in->x);
+    kern_inner_lift(in->x, rays);
+    kern_inner_set(in);
+    kern_least_solve(p, in->g, in->gain);
+    power = kern_dot(in->g, in->gain, n);
+    if (!(power > 0))
+        return 0;
+    for (i = 0; i < n; i++)
+        p->u[i] = in->gain[i] / power;
+    kern_inner_ways(p, p->u, in->z);
+    kern_inner_lift(in->z, rays);
+    in->gap = kern_dot(in->x, in->z, rays);
+    for (i = 0; i < rays; i++) {
+        x += in->x[i];
+        z += in->z[i];
+    }
+    for (i = 0; i < rays; i++) {
+        in->x[i] += in->gap / z / 2;
+        in->z[i] += in->gap / x / 2;
+    }
+    kern_inner_set(in);
+    in->gap = kern_dot(in->x, in->z, rays);
+    return 1;
+}
+
+/* Lists the groups in the order in which a search by breadth from `start`
+   meets them, and then from the next that it does not meet. Returns the last
+   group of the first search. */
+static int kern_inner_visit(kern_part *p, int start)
+{
+    kern_model *m = p->m;
+    int done = 0, n = 0, g, e, next = 0, last = KERN_OUT;
+    for (g = 0; g <= m->groups; g++)
+        m->local[g] = KERN_OUT;
+    for (g = start; n < p->groups; g = next) {
+        m->local[g] = n;
+        p->group[n++] = g;
+        for (; done < n; done++)
+            for (e = m->touch[p->group[done]]; e >= 0; e = m->after[e]) {
+                const int other = m->ends[e ^ 1];
+                if (other < m->groups && m->local[other] == KERN_OUT) {
+                    m->local[other] = n;
+                    p->group[n++] = other;
+                }
+            }
+        last = last == KERN_OUT ? p->group[n - 1] : last;
+        while (next < m->groups && m->local[next] != KERN_OUT)
+            next++;
+    }
+    return last;
+}
+
+/* Opens all groups for a search from path->holds on; 0 if there is no room, or
+   nothing to search. */
+static int kern_inner_open(kern_inner *in, kern_model *m,
+                           const kern_path *path)
+{
+    const kern_query q = kern_path_at(path, path->holds);
+    kern_part *p = path->part;
+    int g, rays;
+    if (m->plain)
+        kern_model_touch(m);
+    m->plain = 0;
+    kern_model_set(m, &q);
+    for (g = 0; g < m->groups; g++)
+        m->local[g] = 0;
+    if (!kern_part_open(p, m, m->groups, m->groups - 1) || p->contacts == 0)
+        return 0;
+    kern_inner_visit(p, kern_inner_visit(p, 0)); /* for a narrow factor */
+    kern_part_ends(p);
+    if (!kern_least_lay(p, &p->rest))
+        return 0;
+    rays = 2 * p->contacts;
+    in->p = p;
+    in->path = path;
+    in->x = kern_take_reals(&p->rest, rays);
+    in->z = kern_take_reals(&p->rest, rays);
+    in->dx = kern_take_reals(&p->rest, rays);
+    in->dz = kern_take_reals(&p->rest, rays);
+    in->g = kern_take_reals(&p->rest, 3 * p->groups);
+    in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
+    in->over = p->b;
+    in->held = 0;
+    in->s = path->holds;
+    in->low = path->holds - KERN_R(0.1) * path->unit;
+    in->least = path->tolerance * KERN_R(0.45);
+    return kern_take_fits(&p->rest) && kern_inner_begin(in);
+}
+
+/* Whether the forces are a proof that it stands at s. */
+static int kern_inner_holds(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const kern_query q = kern_path_at(in->path, in->s);
+    kern_real error;
+    p->x = in->x;
+    kern_part_forces(p);
+    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum, 0);
+    if (error <= 1)
+        p->m->work->error = kern_max(p->m->work->error, error);
+    return error <= 1;
+}
+
+/* Whether the motion is a proof that it falls at the place of the matrix. */
+static int kern_inner_falls(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const kern_query q = kern_path_at(in->path, in->at);
+    kern_real error;
+    p->y = p->u;
+    kern_part_motion(p);
+    error = kern_prove_motion(p->m->s, &q, p->m->motion);
+    if (error <= 1)
+        p->m->work->error = kern_max(p->m->work->error, error);
+    return error <= 1;
+}
+
+/* The verdict at a place, which is held from now on. */
+static kern_status kern_inner_verdict(kern_inner *in, kern_real place)
+{
+    int round;
+    kern_inner_place(in, place);
+    in->held = 1;
+    kern_inner_set(in);
+    for (round = 0; round < KERN_INNER_ROUNDS; round++) {
+        if (!kern_inner_advance(in))
+            return KERN_LIMIT;
+        if (in->s >= place ? kern_inner_holds(in) : kern_inner_falls(in))
+            return in->s >= place ? KERN_STANDS : KERN_FALLS;
+    }
+    return KERN_UNDECIDED;
+}
+
+/* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
+   where it is not found. It is known to lie before `high`. Where the
+   prediction lies beyond that again and again, `last` is evaluated: if it
+   stands there, the search is over. */
+static kern_status kern_inner_search(kern_model *m, kern_path *path,
+                                     kern_real last, kern_real high)
+{
+    const kern_real same = 4 * path->unit * KERN_SAME_EDGE;
+    kern_inner in;
+    kern_real edge, holds;
+    int round, beyond = 0, stalled = 0;
+    if (m->from > 0 || m->narrow > 0 || !kern_inner_open(&in, m, path))
+        return KERN_UNDECIDED;
+    in.high = high;
+    for (round = 0; !(in.gap <= in.least) && beyond < KERN_INNER_BEYOND;
+         round++) {
+        const kern_real gap = in.gap;
+        if (round == KERN_INNER_ROUNDS || stalled == KERN_INNER_BEYOND
+            || !(gap <= KERN_HUGE) || !kern_inner_advance(&in))
+            return KERN_UNDECIDED;
+        beyond = in.ahead > high - in.least ? beyond + 1 : 0;
+        stalled = kern_abs(in.gap - gap) < gap / 32 ? stalled + 1 : 0;
+    }
+    if (beyond == KERN_INNER_BEYOND) {
+        if (kern_inner_verdict(&in, last) != KERN_STANDS)
+            return KERN_UNDECIDED;
+        kern_path_note(m, path, KERN_STANDS, last);
+        path->holds = last;
+        path->never = high >= path->end;
+        if (path->never)
+            path->fails = high;
+        path->edge = path->never ? high : kern_max(path->edge, last);
+        return KERN_STANDS;
+    }
+    for (round = 0; !kern_inner_holds(&in); round++)
+        if (round == KERN_INNER_TRIES || !kern_inner_advance(&in))
+            return KERN_UNDECIDED;
+    if (in.s < path->start)
+        return KERN_UNDECIDED;
+    kern_path_note(m, path, KERN_STANDS, in.s);
+    holds = in.s;
+    edge = kern_min(kern_max(in.ahead, holds), holds + in.gap);
+    if (kern_inner_verdict(&in, kern_min(edge + in.least, path->end))
+        != KERN_FALLS)
+        return KERN_UNDECIDED;
+    kern_path_note(m, path, KERN_FALLS, in.at);
+    for (round = 0; round < KERN_INNER_TRIES
+                    && kern_abs(in.ahead - edge) > same; round++) {
+        edge = in.ahead;
+        if (!kern_inner_advance(&in))
+            break;
+    }
+    path->holds = holds;
+    path->fails = in.at;
+    path->edge = kern_min(kern_max(in.ahead, holds), in.at);
+    return KERN_STANDS;
+}
+
+static int kern_moves(const kern_model *m, int i)
+{
+    const kern_motion *v = m->motion + i;
+    const kern_real size = kern_block_size(m->s->block + i);
+    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
+           || kern_abs(v->spin) * size > KERN_AT_REST;
+}
+
+/* Asks whether what moves in m->motion falls with the last block on it at
+   places beyond the one that fails, all other blocks held. */
+static kern_status kern_path_moved(kern_model *m, kern_path *path,
+                                   kern_real step)
+{
+    const kern_real fails = path->seed->fails;
+    const kern_query q = kern_path_at(path, fails);
+    kern_status status = KERN_UNDECIDED;
+    int i, last = 0, groups = 0, tries;
+    kern_model_set(m, &q);
+    for (i = 0; i < m->s->blocks; i++) {
+        const int g = m->group[i];
+        if (g < m->groups && (i + 1 == m->s->blocks || kern_moves(m, i))) {
+            m->local[g] = 0;
+            last = g > last ? g : last;
+            groups++;
+        }
+    }
+    if (groups < 2 || !kern_part_open(path->part, m, groups, last)
+        || kern_part_note(path->part) != KERN_OK)
+        return status;
+    path->alone = 1;
+    for (tries = 0; tries < 2 && status != KERN_FALLS; tries++, step *= 4)
+        status = kern_path_evaluate(m, path,
+                                    kern_min(path->end, fails + step / 2));
+    path->alone = path->closed = 0;
+    return status;
+}
+
+/* As kern_path_search(), by the interior point, or else by the linear program
+   of the whole. Where something is known it begins at `at`, where that
+   stands. Else, or if it is not decided there, it climbs from path->holds. */
+static kern_status kern_path_plain(kern_model *m, kern_path *path,
+                                   kern_real step, kern_real at, int fell)
+{
+    const kern_real holds = path->holds;
+    const kern_query q = kern_path_at(path, holds);
+    const int seeded = !fell && path->seed && path->seed->fails > at;
+    const int closed = fell && path->closed;
+    /* The walls' kerns close one after the other, and beyond a closed kern the
+       interior point sees no gradient: there the simplex method takes half of
+       the instructions; of an arch it takes three times as many. */
+    const int smooth = path->kind != KERN_PATH_SHRINK
+                       || m->s->contacts <= 3 * m->groups;
+    kern_status status = KERN_UNDECIDED;
+    if (smooth && !seeded) /* else one verdict from the known forces may do */
+        status = kern_inner_search(m, path, closed ? at : path->end,
+                                   closed ? path->fails : path->end);
+    if (status == KERN_STANDS)
+        return status;
+    status = kern_model_plain(m, path->part, &q);
+    if (status != KERN_STANDS)
+        return status;
+    if (at > holds && seeded) {
+        status = kern_path_evaluate(m, path, at);
+        if (status == KERN_STANDS)
+            return kern_path_still_falls(m, path)
+                   ? status : kern_path_climb(m, path, step, 0);
+        if (status == KERN_FALLS)
+            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (status == KERN_STANDS && path->holds > holds)
+            return status;
+        path->holds = holds;
+    }
+    status = kern_path_evaluate(m, path, holds);
+    if (status == KERN_FALLS && holds > path->start)
+        status = kern_path_evaluate(m, path, path->start);
+    return status == KERN_STANDS ? kern_path_climb(m, path, step, 0) : status;
+}
+
+/* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
+   shows neither. */
+static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
+                                  int proven)
+{
+    const kern_query q = kern_path_at(path, s);
+    kern_status status = kern_model_pour(m, path->part, &q, proven);
+    if (status == KERN_STANDS) {
+        if (proven)
+            kern_path_note(m, path, status, s);
+        path->holds = s;
+    }
+    if (status != KERN_FALLS)
+        return status;
+    if (kern_part_widen(path->part) != KERN_STANDS)
+        return KERN_UNDECIDED;
+    path->alone = 1;
+    status = kern_path_evaluate(m, path, s);
+    path->alone = 0;
+    return status == KERN_FALLS ? status : KERN_UNDECIDED;
+}
+
+/* Narrows the bracket of the open part alone, in a few evaluations. */
+static kern_status kern_path_part(kern_model *m, kern_path *path)
+{
+    kern_status status;
+    path->alone = 1;
+    status = kern_path_edge(m, path, kern_part_is_whole(path->part)
+                                     ? KERN_EDGE_ROUNDS : KERN_PART_ROUNDS);
+    path->alone = 0;
+    return status;
+}
+
+/* The first edge of a path on which the verdict changes but once. What falls
+   at some place is a part, most often a small one, and no edge of the whole
+   lies beyond that of a part, all else held. So the path is poured where the
+   part that fell last is seen to stand, until nothing falls there. Then the
+   edge of that part is found exactly, and poured before. */
+static kern_status kern_path_search(kern_model *m, kern_path *path,
+                                    kern_real first, kern_real step)
+{
+    const kern_real start = path->holds;
+    const kern_seed *seed = path->seed;
+    int seeded = seed && seed->fails > start && seed->fails <= path->end;
+    kern_real holds = start, at = kern_min(start + first, path->end);
+    int round, fell = 0;
+    if (seeded)
+        at = kern_max(start, seed->holds);
+    path->start = start;
+    if (m->plain)
+        return kern_path_plain(m, path, step, start, 0);
+    kern_falls_clear(m);
+    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
+        const int last = fell ? path->closed : seeded || at >= path->end;
+        kern_status status = kern_path_pour(m, path, at, last);
+        if (status == KERN_STANDS) {
+            holds = at;
+            if (fell && last) {
+                path->edge = kern_min(kern_max(path->edge, at), path->fails);
+                return status;
+            }
+            if (seeded && kern_path_still_falls(m, path))
+                return status;
+            if (at >= path->end) {
+                path->never = 1;
+                path->edge = path->fails = at;
+                return status;
+            }
+            if (fell)
+                status = kern_part_again(path->part, m);
+            else if (seeded && kern_path_moved(m, path, first) == KERN_FALLS)
+                fell = 1;
+            else
+                at = kern_min(path->end, seed && seed->fails > 0
+                                         ? at + first
+                                         : start + 2 * (at - start));
+        } else if (status == KERN_FALLS) {
+            if (at <= start && !path->begun)
+                return status;
+            if (at <= start)
+                break;
+            fell = 1;
+            path->closed = 0;
+            status = KERN_STANDS;
+        }
+        seeded = 0;
+        path->holds = holds;
+        if (status == KERN_STANDS && fell
+            && path->edge > start + path->tolerance) {
+            status = kern_path_part(m, path);
+            at = path->holds;
+            if (status == KERN_STANDS && kern_part_is_whole(path->part)
+                && at > holds && path->closed)
+                return status;
+        } else if (fell) {
+            const kern_real next = kern_max(start, kern_min(path->edge, at)
+                                                   - path->tolerance / 2);
+            if (!(next < at))
+                break; /* critical where it starts */
+            at = next;
+        }
+        if (status != KERN_STANDS)
+            break;
+    }
+    path->holds = holds;
+    return kern_path_plain(m, path, step, at, fell);
+}
+
+/* ---- Raised ----------------------------------------------------- >>raised */
+/* Forces that a load puts on unstressed contacts of some stiffness: f >= 0 just
+   where blocks approach, sticking where |r| < mu f, else sliding against r.
+   They are looked for as least forces of stiff contacts (>>least), a program
+   with a solution wherever forces exist, but with the flow of limit analysis,
+   which parts where it slides: f = k (approach + mu slip). A price mu slip on
+   each contact takes that away (the fixed point of Acary, Cadoux, Lemarechal
+   and Malick). Prices need not be exact: where every loaded contact approaches,
+   the forces and the displacement are a proof, for contacts of other
+   stiffnesses. */
+
+static kern_real kern_prove_raised(const kern_structure *s,
+                                   const kern_query *q,
+                                   const kern_force *force,
+                                   const kern_motion *motion, kern_real *sum)
+{
+    kern_real error = kern_prove_forces(s, q, force, sum, 0);
+    int i, end;
+    for (i = 0; i < s->blocks; i++)
+        if (s->block[i].fixed && !(kern_speed(motion + i) <= 0))
+            return KERN_INFINITY;
+    for (i = 0; i < s->contacts && error <= 1; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real f = force[i].normal, r = force[i].tangential;
+        const kern_motion v = kern_meeting_motion(s, q, c, motion);
+        const kern_real mu = kern_friction(c, kern_slope(q));
+        const kern_real press = -(c->n.x * v.vx + c->n.y * v.vy);
+        const kern_real slide = c->n.x * v.vy - c->n.y * v.vx;
+        kern_real least = KERN_HUGE;
+        for (end = 0; end < 2 && f > 0; end++) {
+            const int b = end ? c->b : c->a;
+            kern_wrench w;
+            if (!s->block[b].fixed)
+                least = kern_min(least, kern_wrench_on(s, q, b, &w));
+        }
+        if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
+            continue;
+        if (!(press > KERN_ROUNDING * (kern_speed(motion + c->a)
+                                       + kern_speed(motion + c->b))))
+            return KERN_INFINITY;
+        if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
+            error = kern_max(error, kern_abs(slide) * KERN_STIFF / (2 * press));
+    }
+    return error;
+}
+
+/* One look at the set of blocks with a value >= 0: takes out those that a
+   contact with a block outside presses against gravity. Returns how many. */
+static int kern_hang_pass(const kern_structure *s, kern_real *value, int back)
+{
+    const kern_real least = KERN_R(1e-9)
+                            * KERN_SQRT(kern_vec_dot(s->gravity, s->gravity));
+    int k, out = 0;
+    for (k = 0; k < s->contacts; k++) {
+        const kern_contact *c = s->contact + (back ? s->contacts - 1 - k : k);
+        const kern_real up = -kern_vec_dot(c->n, s->gravity);
+        const int held = up > 0 ? c->b : c->a, by = up > 0 ? c->a : c->b;
+        if (kern_abs(up) > least && value[held] >= 0 && !(value[by] >= 0)) {
+            value[held] = KERN_R(-1);
+            out++;
+        }
+    }
+    return out;
+}
+
+/* Marks the largest set of blocks that nothing outside presses against gravity,
+   by a value >= 0. Returns how many there are. */
+static int kern_hang_find(const kern_structure *s, kern_real *value)
+{
+    const int weighs = kern_vec_dot(s->gravity, s->gravity) > 0;
+    int i, n = 0, round = 0;
+    for (i = 0; i < s->blocks; i++)
+        value[i] = weighs && !s->block[i].fixed
+                   && !(kern_wrench_sum(&s->block[i].load) > 0)
+                   ? KERN_R(1) : KERN_R(-1);
+    while (kern_hang_pass(s, value, round & 1))
+        round++;
+    for (i = 0; i < s->blocks; i++)
+        n += value[i] >= 0;
+    return n;
+}
+
+typedef struct kern_raise {
+    kern_model *m;
+    kern_part *p;             /* all groups, in an order of its own           */
+    const kern_query *q;
+    kern_real tolerance;      /* of a group's equilibrium                     */
+    kern_real *price;         /* of each contact of the part                  */
+    kern_real *begin, *best;  /* u and prices: without a push, with the largest
+                                 so far                                       */
+} kern_raise;
+
+/* Opens all groups as one part, along the longer side of the structure: the
+   rows of the factor are then as short as it is thin. 0 if there is no room. */
+static int kern_raise_open(kern_raise *r)
+{
+    const kern_structure *s = r->m->s;
+    kern_model *m = r->m;
+    kern_part *p = r->p;
+    const kern_vec down = s->gravity, side = kern_vec_turn(down);
+    kern_box box;
+    int g, i;
+    p->m = m;
+    p->rest = m->rest;
+    p->groups = m->groups;
+    p->group = kern_take_ints(&p->rest, p->groups);
+    p->contact = kern_take_ints(&p->rest, s->contacts);
+    p->ends = kern_take_ints(&p->rest, 2 * s->contacts);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    kern_box_empty(&box);
+    for (g = 0; g < p->groups; g++) {
+        const kern_vec c = s->block[m->block[g]].centre;
+        kern_box_add(&box, kern_vec_make(kern_vec_dot(c, down),
+                                         kern_vec_dot(c, side)));
+        p->group[g] = m->block[g];
+    }
+    kern_model_order(m, box.high.x - box.low.x > box.high.y - box.low.y
+                        ? down : side, p->group);
+    for (g = 0; g < p->groups; g++) {
+        p->group[g] = m->group[p->group[g]];
+        m->local[p->group[g]] = g;
+    }
+    p->contacts = 0;
+    for (i = 0; i < s->contacts; i++) {
+        m->force[i].normal = m->force[i].tangential = KERN_R(0);
+        if (m->ends[2 * i] != m->ends[2 * i + 1])
+            p->contact[p->contacts++] = i;
+    }
+    p->own = p->contacts;
+    kern_part_ends(p);
+    r->price = kern_take_reals(&p->rest, p->contacts);
+    r->begin = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
+    r->best = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
+    if (!kern_take_fits(&p->rest) || !kern_least_lay(p, &p->rest))
+        return 0;
+    for (i = 0; i < p->contacts; i++)
+        r->price[i] = KERN_R(0);
+    p->price = r->price;
+    return 1;
+}
+
+/* The loads of a query. */
+static void kern_raise_load(kern_raise *r, const kern_query *q)
+{
+    kern_part *p = r->p;
+    kern_real least = KERN_INFINITY;
+    int n, j;
+    r->q = q;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n];
+        kern_model_load(r->m, q, g);
+        kern_model_scale(r->m, g);
+        least = kern_min(least, r->m->size[g]);
+        for (j = 0; j < 3; j++)
+            p->b[3 * n + j] = r->m->load[3 * g + j];
+    }
+    r->tolerance = KERN_FEAS_TOL * least;
+}
+
+/* Writes the forces, and makes new prices: the mean of old and new, or just the
+   new ones. Returns whether every loaded contact approaches. */
+static int kern_raise_price(kern_raise *r, int bold)
+{
+    kern_part *p = r->p;
+    kern_model *m = r->m;
+    int k, pressed = 1;
+    kern_least_ways(p, p->u, p->contacts, 0);
+    for (k = 0; k < p->contacts; k++) {
+        const int i = p->contact[k];
+        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
+        const kern_real approach = w[0] + r->price[k];
+        const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
+                                                / KERN_STIFF;
+        const kern_real price = kern_model_mu(m, i) * kern_max(slip, 0);
+        m->force[i].normal = s.f * m->weight;
+        m->force[i].tangential = s.r * m->weight;
+        pressed &= !(s.f > r->tolerance) || approach > 0;
+        r->price[k] = bold ? price : (r->price[k] + price) / 2;
+    }
+    return pressed;
+}
+
+static int kern_raise_proven(kern_raise *r)
+{
+    kern_part *p = r->p;
+    kern_real error;
+    int i;
+    p->y = p->step;
+    for (i = 0; i < 3 * p->groups; i++)
+        p->y[i] = -p->u[i];
+    kern_part_motion(p);
+    error = kern_prove_raised(r->m->s, r->q, r->m->force, r->m->motion,
+                              r->m->sum);
+    if (!(error <= 1))
+        return 0;
+    r->m->work->error = kern_max(r->m->work->error, error);
+    return 1;
+}
+
+/* Looks for a proof, from nothing or from u and prices as they are. */
+static int kern_raise_settle(kern_raise *r, int cold, int rounds)
+{
+    int round;
+    for (round = 0; round < rounds; round++) {
+        const kern_status found = kern_least_find(
+            r->p, r->p->b, r->p->contacts, r->tolerance, 4 * KERN_LEAST_MOST,
+            cold && round == 0 ? 0 : 1, KERN_RAISE_STEPS
+                                        + (cold && round == 0 ? 10 : 1));
+        if (found != KERN_STANDS && found != KERN_UNDECIDED)
+            return 0;
+        if (kern_raise_price(r, round < KERN_RAISE_BOLD)
+            && found == KERN_STANDS && kern_raise_proven(r))
+            return 1;
+    }
+    return 0;
+}
+
+static void kern_raise_save(const kern_raise *r, kern_real *to)
+{
+    int i;
+    for (i = 0; i < 3 * r->p->groups; i++)
+        *to++ = r->p->u[i];
+    for (i = 0; i < r->p->contacts; i++)
+        *to++ = r->price[i];
+}
+
+static void kern_raise_restore(kern_raise *r, const kern_real *from)
+{
+    int i;
+    for (i = 0; i < 3 * r->p->groups; i++)
+        r->p->u[i] = *from++;
+    for (i = 0; i < r->p->contacts; i++)
+        r->price[i] = *from++;
+}
+
+/* The largest of a sequence of shares of gravity that push it sideways, to
+   either side, and leave it raised; each from the largest found before. */
+static kern_real kern_raise_reserve(kern_raise *r)
+{
+    static const kern_real share[] = {
+        KERN_R(0), KERN_R(0.001), KERN_R(0.002), KERN_R(0.003), KERN_R(0.004),
+        KERN_R(0.005), KERN_R(0.006), KERN_R(0.007), KERN_R(0.008),
+        KERN_R(0.01), KERN_R(0.012), KERN_R(0.015), KERN_R(0.02), KERN_R(0.03),
+        KERN_R(0.05), KERN_R(0.1)
+    };
+    kern_query q = *r->q;
+    int most = (int)(sizeof share / sizeof share[0]) - 1;
+    kern_raise_save(r, r->begin);
+    for (q.side = 1; q.side >= -1; q.side -= 2) {
+        int low = 0, high = most + 1, at = q.side > 0 ? high / 2 : most;
+        kern_raise_save(r, r->best);
+        for (; high - low > 1; at = (low + high) / 2) {
+            kern_raise_restore(r, r->best);
+            q.factor = share[at];
+            kern_raise_load(r, &q);
+            if (kern_raise_settle(r, 0, KERN_RAISE_WARM)) {
+                low = at;
+                kern_raise_save(r, r->best);
+            } else
+                high = at;
+        }
+        most = low;
+        kern_raise_restore(r, r->begin);
+    }
+    return share[most];
+}
+
+/* Whether the blocks with a value >= 0 hang: the others stand without them. The
+   proof is of the others, and the fall of these. */
+static kern_status kern_hang_ask(kern_model *m, kern_part *p,
+                                 const kern_query *q,
+                                 const kern_real *value)
+{
+    const kern_vec g = m->s->gravity;
+    const kern_real one = 1 / KERN_SQRT(kern_vec_dot(g, g));
+    kern_query rest = *q;
+    kern_status status = KERN_STANDS;
+    int i;
+    rest.fallen = value;
+    kern_model_group(m, &rest);
+    for (i = 0; i < m->s->contacts; i++)
+        m->force[i].normal = m->force[i].tangential = KERN_R(0);
+    if (m->groups > 0)
+        status = kern_model_evaluate(m, p, &rest);
+    kern_model_group(m, q);
+    for (i = 0; i < m->s->blocks && status == KERN_STANDS; i++) {
+        m->motion[i].vx = value[i] >= 0 ? g.x * one : KERN_R(0);
+        m->motion[i].vy = value[i] >= 0 ? g.y * one : KERN_R(0);
+        m->motion[i].spin = KERN_R(0);
+    }
+    return status;
+}
+
+/* Whether the structure hangs: blocks that nothing holds up, and forces for the
+   others. KERN_UNDECIDED where that is not so. */
+static kern_status kern_raise_hangs(kern_raise *r, const kern_query *q,
+                                    const kern_proof *proof)
+{
+    kern_model *m = r->m;
+    kern_status status;
+    kern_real *value;
+    m->rest.reals -= m->s->blocks; /* at the end of the work memory */
+    m->common.reals = m->rest.reals;
+    if (!kern_take_fits(&m->rest))
+        return KERN_NO_SPACE;
+    value = m->rest.real + m->rest.reals;
+    if (!kern_hang_find(m->s, value))
+        return KERN_UNDECIDED;
+    status = kern_model_evaluate(m, r->p, q);
+    if (status != KERN_STANDS) {
+        kern_proof_out(m, proof, status);
+        return status;
+    }
+    if (kern_hang_ask(m, r->p, q, value) != KERN_STANDS)
+        return KERN_UNDECIDED;
+    kern_proof_out(m, proof, KERN_STANDS);
+    kern_proof_out(m, proof, KERN_FALLS);
+    return KERN_STANDS;
+}
+
+/* The verdict of a structure that does not hang; a reserve unless that is
+   NULL. */
+static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
+                                  kern_raising *out, kern_real *reserve,
+                                  const kern_proof *proof)
+{
+    kern_model *m = r->m;
+    kern_status status = KERN_STANDS;
+    kern_model_set(m, q);
+    if (!kern_raise_open(r))
+        return KERN_NO_SPACE;
+    kern_raise_load(r, q);
+    if (kern_raise_settle(r, 1, KERN_RAISE_ROUNDS)) {
+        *out = KERN_RAISED;
+        kern_proof_out(m, proof, KERN_STANDS);
+        kern_proof_out(m, proof, KERN_FALLS);
+        if (reserve)
+            *reserve = kern_raise_reserve(r);
+        return status;
+    }
+    *out = KERN_NOT_SHOWN;
+    status = kern_model_evaluate(m, r->p, q);
+    kern_proof_out(m, proof, status);
+    return status;
+}
+
+KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
+                                 kern_raising *out, kern_real *reserve,
+                                 const kern_proof *proof)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_raise r;
+    kern_raising raising = KERN_HANGS;
+    kern_real share = KERN_R(0);
+    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
+    if (status != KERN_OK)
+        return status;
+    if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
+        return KERN_BAD_OPTION;
+    r.m = &m;
+    r.p = &part;
+    status = kern_raise_hangs(&r, &path.q, proof);
+    if (status == KERN_UNDECIDED)
+        status = kern_raise_ask(&r, &path.q, &raising, reserve ? &share : NULL,
+                                proof);
+    status = kern_spent(task->work, task->options.limit, status);
+    if (status == KERN_STANDS)
+        *out = raising;
+    if (status == KERN_STANDS && reserve)
+        *reserve = share;
+    return status;
+}
+
+KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
+                                     kern_raising raising,
+                                     const kern_proof *proof)
+{
+    const kern_structure *s;
+    kern_take take;
+    kern_query q;
+    kern_real *sum, *value;
+    int i, n = 0;
+    if (!proof || !proof->force || !proof->motion || !kern_is_finite(shrink)
+        || kern_task_check(task, proof, &n) != KERN_OK)
+        return KERN_INFINITY;
+    s = &task->s;
+    kern_take_open(&take, task->work);
+    sum = kern_take_reals(&take, 4 * s->blocks);
+    value = kern_take_reals(&take, s->blocks);
+    if (!kern_take_fits(&take) || raising == KERN_NOT_SHOWN)
+        return KERN_INFINITY;
+    q = kern_query_of(s, &task->options, shrink);
+    if (raising == KERN_RAISED)
+        return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
+    for (n = 0, i = 0; i < s->blocks; i++) {
+        const int falls = kern_speed(proof->motion + i) > 0;
+        value[i] = falls ? KERN_R(1) : KERN_R(-1);
+        n += falls;
+        if (falls && (s->block[i].fixed
+                      || kern_wrench_sum(&s->block[i].load) > 0))
+            return KERN_INFINITY;
+    }
+    if (n == 0 || !kern_has_side(s, KERN_RIGHT)
+        || kern_hang_pass(s, value, 0) > 0)
+        return KERN_INFINITY;
+    q.fallen = value;
+    return kern_prove_forces(s, &q, proof->force, sum, 0);
+}
+
+/* ==== Part V: Geometry and planning ====================================== */
+
+/* ---- Tolerances of the geometry ----------------------------------- >>tol */
+/* All are shares of a length that the user knows: a gap, a block's size, the
+   largest coordinate. */
+
+/* Share of the largest coordinate below which places are the same: some tens
+   of roundings of a coordinate. No gap is less; smaller, and cubes that were
+   turned and moved would no longer touch. */
+#define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
+/* Turn [rad] below which a vertex is no corner, and within which of a half
+   turn it is a spike. A dropped vertex is off its edge by a millionth of the
+   edge at the most; much larger, and round stones would lose their shape. */
+#define KERN_TURN       KERN_R(1e-6)
+/* Most vertices of a polygon: its mean turn is then well above KERN_TURN. */
+#define KERN_VERTICES_MOST 1000000
+/* Share of the size: the gap that a mason does not see, and the line that he
+   would call a point. */
+#define KERN_GAP        KERN_R(1e-3)
+/* Gap, as a share of the mean size, and angle [rad] of contacts that a little
+   rocking closes: measured against shaking tests; anything from 0.03 to 0.1
+   and from 0.1 to 0.2 predicts them as well. */
+#define KERN_NEAR_GAP   KERN_R(0.04)
+#define KERN_NEAR_ANGLE KERN_R(0.15)
+/* Measured structures, in errors of place and of angle; from structures with
+   noise, see tests/noise.c. The gap of two stones that touch has a standard
+   deviation of about 1.7 errors. */
+#define KERN_ERROR_GAP     KERN_R(4.0)
+#define KERN_ERROR_SWING   KERN_R(5.0)  /* gap, by the distance from a centre */
+#define KERN_ERROR_OVERLAP KERN_R(8.0)
+#define KERN_ERROR_ANGLE   KERN_R(6.5)
+#define KERN_ERROR_FOOT    KERN_R(2.0)  /* beyond the end of an edge          */
+/* Shares of the error that are allowed where a verdict is to be certain. */
+#define KERN_CERTAIN_STANDS KERN_R(0.5)
+#define KERN_CERTAIN_FALLS  KERN_R(2.0)
+/* Share of the size of the smaller free block above which no step is too low
+   to carry, however wide the gap: a pebble keeps its shape. */
+#define KERN_STEP_MOST  KERN_R(0.1)
+/* Most parts of an outline that have a box of their own, and by how many edges
+   they are longer than need be: more take more stack, shorter ones time. */
+#define KERN_PARTS      24
+#define KERN_PART_EDGES 8
+/* Most nested spans of an outline that are kept; more save time. */
+#define KERN_SPANS      16
+/* Length in steps of a way whose direction steps hardly change, and the sine of
+   10 degrees: by so much they still do. */
+#define KERN_STEP_WAY   KERN_R(8.0)
+#define KERN_STEP_SINE  KERN_R(0.17364817766693036)
+/* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
+#define KERN_GOES_ON    KERN_R(0.5)
+/* Share of the size by which a foot must lie inside its edge, so that rounding
+   makes no contacts between diagonal neighbours. */
+#define KERN_FOOT       KERN_R(1e-6)
+/* Share of the gap by which overlap may be deeper unseen, in a place of twice
+   that length. Less takes more steps along an edge. */
+#define KERN_STRIDE     KERN_R(0.0625)
+#define KERN_STRIDES    64 /* before they double, and 8 a vertex; and most
+                              triangles of a size for an inner point */
+/* Cosine of 10 degrees: a vertex at a line contact belongs to it if their
+   normals differ by less; across a real corner they differ by more. */
+#define KERN_SAME_FACE  KERN_R(0.98480775301220806)
+/* Share by which the area of a polygon may differ from what the block says,
+   by rounding at large coordinates. */
+#define KERN_STALE_AREA KERN_R(1e-3)
+
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* A polygon is read counter-clockwise, whichever way it was written. Vertices
    that hardly turn are no corners. */
@@ -1698,26 +6633,11 @@ static int kern_polygon_corner_after(const kern_block *block, int i)
 
 /* ---- boxes ---- */
 
-static void kern_box_add(kern_box *box, kern_vec p)
-{
-    box->low.x = kern_min(box->low.x, p.x);
-    box->low.y = kern_min(box->low.y, p.y);
-    box->high.x = kern_max(box->high.x, p.x);
-    box->high.y = kern_max(box->high.y, p.y);
-}
-
 /* The least box with p and q in it. */
 static void kern_box_set(kern_box *box, kern_vec p, kern_vec q)
 {
     box->low = box->high = p;
     kern_box_add(box, q);
-}
-
-/* Before anything is in it: every corner is beyond every place. */
-static void kern_box_empty(kern_box *box)
-{
-    box->low.x = box->low.y = KERN_HUGE;
-    box->high.x = box->high.y = -KERN_HUGE;
 }
 
 /* Are they no farther apart than the gap? Below 0: do they overlap by more? */
@@ -2003,11 +6923,6 @@ KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
     block->load.fx += force.x;
     block->load.fy += force.y;
     block->load.torque += kern_vec_cross(arm, force) + torque;
-}
-
-static kern_real kern_block_size(const kern_block *block)
-{
-    return KERN_SQRT(kern_abs(block->area));
 }
 
 KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
@@ -2889,7 +7804,7 @@ static int kern_block_is_stale(const kern_block *block)
                     <= KERN_STALE_AREA * kern_abs(block->area)));
 }
 
-/* Lists the pair if it overlaps. Each round asks for more than was found: the
+/* Lists the pair if it overlaps. Each round looks for more than was found: the
    last depth is that of the whole but for a stride. */
 static void kern_search_list(kern_search *s)
 {
@@ -3050,20 +7965,6 @@ static int kern_search_close(const kern_search *s)
 }
 
 /* ---- input ---- */
-
-static kern_status kern_options_check(const kern_options *o)
-{
-    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon) ||
-        !kern_is_finite(o->overlap + o->error + o->turn + o->narrow))
-        return KERN_BAD_NUMBER;
-    if (o->mu < 0)
-        return KERN_BAD_FRICTION;
-    if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
-        || o->overlap < 0 || o->error < 0 || o->turn < 0 || o->narrow < 0
-        || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
-        return KERN_BAD_OPTION;
-    return KERN_OK;
-}
 
 /* Checks what the search reads of a block. */
 static kern_status kern_search_check(const kern_block *block)
@@ -3308,74 +8209,357 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
     }
 }
 
-/* ---- Work arrays ------------------------------------------------- >>work */
-/* Slices are handed out one after the other. Without arrays (real NULL) they
-   are only counted: one layout function says both what is needed and where it
-   lies, so the two cannot disagree. */
+/* ---- Planning ---------------------------------------------------- >>plan */
+/* What is known of a structure is the bracket of its last margin, with forces
+   at the near end of it and a mechanism at the other end. A stone that does not
+   touch what moves there leaves the mechanism as it is: the old motion proves
+   it again. The forces change only below the stone: it is opened, and what it
+   rests on more heavily, and so on (kern_model_change()). Forces on blocks that
+   are not opened stay the same to the last bit, so their rows, which the
+   measure has verified, hold as before; the rows of all others, every cone, and
+   the sum of all forces are verified anew, on the caller's data. Where a stone
+   raises the margin, the blocks that moved are evaluated with the stone on
+   them, all else held, and the search goes on from there.
 
-typedef struct kern_take {
-    kern_real *real;
-    int *index;
-    int reals, indices;         /* there are */
-    int used_reals, used_ints;  /* handed out */
-} kern_take;
+   This holds for a plan that has not been changed since it was measured; of any
+   other only the bracket and the motion are a hint. What was measured is not
+   checked again. */
 
-static void kern_take_open(kern_take *take, const kern_work *work)
+KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
+                                kern_contact *contact, int contacts,
+                                kern_known known, kern_work *work)
 {
-    take->real = work->real;
-    take->index = work->index;
-    take->reals = work->real ? work->reals : 0;
-    take->indices = work->index ? work->indices : 0;
-    take->used_reals = take->used_ints = 0;
+    kern_plan plan;
+    plan.task = kern_task_of(block, 0, contact, 0, work);
+    plan.task.known = known;
+    plan.block = block;
+    plan.block_room = blocks;
+    plan.contact = contact;
+    plan.contact_room = contacts;
+    plan.area = plan.arm = KERN_R(0);
+    kern_box_empty(&plan.box);
+    return plan;
 }
 
-static kern_real *kern_take_reals(kern_take *take, int n)
+/* Whether all that a plan needs was given. */
+static int kern_plan_is_whole(const kern_plan *plan)
 {
-    const int at = take->used_reals;
-    take->used_reals += n;
-    return take->real && take->used_reals <= take->reals ? take->real + at
-                                                         : NULL;
+    return plan && plan->block && plan->contact && plan->task.known.motion
+           && plan->task.known.force && plan->task.work;
 }
 
-static int *kern_take_ints(kern_take *take, int n)
+/* Lays a block behind the others and finds its contacts, as kern_touch() does;
+   the plan does not have them before they are counted. */
+static int kern_plan_touch(kern_plan *plan, const kern_block *block,
+                           kern_search *search)
 {
-    const int at = take->used_ints;
-    take->used_ints += n;
-    return take->index && take->used_ints <= take->indices ? take->index + at
-                                                           : NULL;
+    kern_status status;
+    int last;
+    if (!kern_plan_is_whole(plan) || !block)
+        return (int)KERN_BAD_POINTER;
+    last = plan->task.s.blocks;
+    kern_work_begin(plan->task.work);
+    if (last >= plan->block_room)
+        return (int)KERN_NO_SPACE;
+    plan->block[last] = *block;
+    search->from = last;
+    status = kern_search_open(search, plan->block, last + 1,
+                              &plan->task.options,
+                              plan->contact + plan->task.s.contacts,
+                              plan->contact_room - plan->task.s.contacts,
+                              plan->task.work);
+    search->box = plan->box;
+    search->area = plan->area;
+    search->arm = plan->arm;
+    if (status >= 0)
+        status = kern_search_see(search, last);
+    if (status < 0)
+        return (int)status;
+    status = kern_search_last(search);
+    return status < 0 ? (int)status : kern_search_close(search);
 }
 
-static int kern_take_fits(const kern_take *take)
+/* Counts the block that has been added, at rest, and its contacts. */
+static void kern_plan_count(kern_plan *plan, int found)
 {
-    return take->used_reals <= take->reals && take->used_ints <= take->indices;
+    kern_structure *s = &plan->task.s;
+    kern_motion *rest = plan->task.known.motion + s->blocks++;
+    kern_force *force = plan->task.known.force;
+    int k;
+    rest->vx = rest->vy = rest->spin = KERN_R(0);
+    for (k = s->contacts; k < s->contacts + found; k++)
+        force[k].normal = force[k].tangential = KERN_R(0);
+    s->contacts += found;
 }
 
-/* ---- what a call may spend ---- */
-
-static int kern_limit_of(int limit) { return limit > 0 ? limit : KERN_WORK_MOST; }
-
-static void kern_work_begin(kern_work *work)
+KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 {
-    kern_fault_clear(&work->fault);
-    work->units = 0;
+    kern_search search;
+    const int found = kern_plan_touch(plan, block, &search);
+    if (found < 0)
+        return found;
+    kern_plan_count(plan, found);
+    plan->box = search.box;
+    plan->area = search.area;
+    plan->arm = search.arm;
+    return found;
 }
 
-/* Counts work that is about to be done. Returns 0 where the call has no more
-   of it left: this and all further work is refused, and the call ends. */
-static int kern_spend(kern_work *work, int limit, int units)
+KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 {
-    const int left = kern_limit_of(limit) - work->units;
-    work->units += units <= left ? units : left + 1;
-    return units <= left;
+    kern_structure *s;
+    kern_search search;
+    int k, n = 0;
+    if (!kern_plan_is_whole(plan))
+        return KERN_BAD_POINTER;
+    s = &plan->task.s;
+    kern_fault_clear(&plan->task.work->fault);
+    if (i < 0 || i >= s->blocks)
+        return KERN_BAD_BLOCK;
+    for (k = 0; k < s->contacts; k++) {
+        kern_contact *c = &plan->contact[k];
+        if (c->a == i || c->b == i)
+            continue;
+        c->a -= c->a > i;
+        c->b -= c->b > i;
+        plan->contact[n++] = *c;
+    }
+    for (k = i; k + 1 < s->blocks; k++) {
+        plan->block[k] = plan->block[k + 1];
+        plan->task.known.motion[k] = plan->task.known.motion[k + 1];
+    }
+    s->contacts = n;
+    s->blocks--;
+    plan->task.known.blocks = 0;
+    search.block = s->block;
+    search.blocks = search.from = s->blocks;
+    search.fault = &plan->task.work->fault;
+    kern_search_survey(&search);
+    plan->box = search.box;
+    plan->area = search.area;
+    plan->arm = search.arm;
+    return KERN_OK;
 }
 
-/* What a call returns: where work was refused on the way that is all there is
-   to say, whatever was found without it. */
-static kern_status kern_spent(const kern_work *work, int limit,
-                              kern_status status)
+/* A block that is tried: the last of the plan as long as it is. */
+typedef struct kern_trial {
+    kern_plan *plan;
+    int found;                /* contacts of the block                        */
+    int free_blocks;
+    int balanced;             /* nonzero: known forces balance all others     */
+} kern_trial;
+
+static void kern_trial_close(const kern_trial *t)
 {
-    return work->units > kern_limit_of(limit) ? KERN_LIMIT : status;
+    t->plan->task.s.blocks--;
+    t->plan->task.s.contacts -= t->found;
 }
+
+/* Adds the block. What the last measure has seen is not checked again. */
+static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
+                                   const kern_block *block, const void *out)
+{
+    const kern_known *known;
+    const kern_structure *s;
+    kern_search search;
+    kern_status status;
+    t->plan = plan;
+    t->found = kern_plan_touch(plan, block, &search);
+    if (t->found < 0)
+        return (kern_status)t->found;
+    known = &plan->task.known;
+    s = &plan->task.s;
+    t->balanced = known->fails > 0 && !(plan->task.options.narrow > 0)
+                  && known->blocks == s->blocks
+                  && known->contacts == s->contacts
+                  && known->relative == plan->task.options.relative
+                  && !(kern_vec_largest(kern_vec_sub(known->gravity,
+                                                     s->gravity)) > 0);
+    kern_plan_count(plan, t->found);
+    status = kern_structure_check(s, t->balanced ? known->blocks : 0,
+                                  t->balanced ? known->contacts : 0,
+                                  &plan->task.work->fault, &t->free_blocks);
+    if (status == KERN_OK && !out)
+        status = KERN_BAD_POINTER;
+    if (status != KERN_OK)
+        kern_trial_close(t);
+    return status;
+}
+
+/* Opens the model of the plan's last block alone, with its contacts, on
+   neighbours that are held: it cannot stand better than that on neighbours that
+   give way, and its motion proves that the whole falls. */
+static kern_status kern_trial_alone(const kern_trial *t, kern_path *path,
+                                    kern_model *m, kern_part *part,
+                                    kern_task *task)
+{
+    const kern_task *whole = &t->plan->task;
+    task->s = whole->s; /* part by part: firmware may lack memcpy() */
+    task->options = whole->options;
+    task->work = whole->work;
+    task->s.contact += task->s.contacts - t->found;
+    task->s.contacts = t->found;
+    return kern_path_begin(path, m, part, task, 1, 1);
+}
+
+/* Where the last block falls alone: what is known of it to *seed, if that is
+   nearer than what is known there. KERN_FALLS where it falls at once. */
+static kern_status kern_trial_nearer(const kern_trial *t,
+                                     const kern_proof *proof, kern_seed *seed)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_task task;
+    kern_travels travels;
+    kern_query q;
+    kern_status status = kern_trial_alone(t, &path, &m, &part, &task);
+    if (status != KERN_OK)
+        return status;
+    travels = kern_travels_of(&m);
+    if (!travels.nested)
+        return KERN_STANDS;
+    path.end = seed->fails;
+    q = kern_path_at(&path, path.end);
+    if (kern_model_pour(&m, &part, &q, 0) == KERN_STANDS)
+        return KERN_STANDS;
+    path.proof = proof;
+    status = kern_path_search(&m, &path, path.end, path.unit * KERN_FIRST);
+    if (status == KERN_STANDS && !path.never && path.fails < seed->fails) {
+        seed->holds = path.holds;
+        seed->edge = path.edge;
+        seed->fails = path.fails;
+        seed->motion = NULL;
+        seed->last = m.motion[task.s.blocks - 1];
+    }
+    return status == KERN_FALLS ? status : KERN_STANDS;
+}
+
+/* Opens the model of the plan with the block. */
+static kern_status kern_trial_whole(const kern_trial *t, kern_path *path,
+                                    kern_model *m, kern_part *part)
+{
+    const kern_task *task = &t->plan->task;
+    const kern_status status =
+        kern_path_begin(path, m, part, task, t->free_blocks, 0);
+    if (status == KERN_OK && t->balanced) {
+        m->prior = task->known.force;
+        m->balanced = task->known.holds;
+    }
+    return status;
+}
+
+/* The measure of the plan with the block from what is known of it; `falls`: it
+   is known to fall at once. */
+static kern_status kern_trial_measure(const kern_trial *t,
+                                      const kern_seed *seed, int falls,
+                                      kern_margin *out,
+                                      const kern_proof *proof)
+{
+    const kern_options *o = &t->plan->task.options;
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    int last;
+    kern_status status = kern_trial_whole(t, &path, &m, &part);
+    path.proof = proof;
+    path.seed = seed;
+    if (status != KERN_OK)
+        return status;
+    if (!falls)
+        return kern_measure_along(&m, &path, o, out);
+    status = kern_measure_none(&m, o, out, &last);
+    return status == KERN_OK ? KERN_FALLS : status;
+}
+
+KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
+                                   kern_margin *out, const kern_proof *proof)
+{
+    kern_trial t;
+    kern_seed seed;
+    int falls = 0;
+    kern_status status = kern_trial_open(&t, plan, block, out);
+    if (status != KERN_OK)
+        return status;
+    seed = kern_known_seed(&plan->task);
+    if (!block->fixed && seed.fails > 0)
+        falls = kern_trial_nearer(&t, proof, &seed) == KERN_FALLS;
+    status = kern_trial_measure(&t, &seed, falls, out, proof);
+    kern_trial_close(&t);
+    return kern_spent(plan->task.work, plan->task.options.limit, status);
+}
+
+/* The verdict of the plan with the block at a shrinkage, or of the block alone
+   on neighbours that are held; *nested says whether it is the same up to
+   there. */
+static kern_status kern_trial_stands(const kern_trial *t, int alone,
+                                     kern_real shrink, int *nested,
+                                     const kern_proof *proof)
+{
+    kern_model m;
+    kern_part part;
+    kern_path path;
+    kern_task task;
+    kern_query q;
+    kern_status status = alone
+                         ? kern_trial_alone(t, &path, &m, &part, &task)
+                         : kern_trial_whole(t, &path, &m, &part);
+    if (status != KERN_OK)
+        return status;
+    *nested = kern_travels_of(&m).nested;
+    if (!*nested)
+        return KERN_STANDS;
+    q = kern_path_at(&path, shrink);
+    status = kern_model_evaluate(&m, &part, &q);
+    if (!alone || status == KERN_FALLS)
+        kern_proof_out(&m, proof, status);
+    return status;
+}
+
+KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
+                                     kern_real margin, const kern_proof *proof)
+{
+    kern_margin r;
+    kern_trial t;
+    int nested = 1;
+    kern_status status = kern_trial_open(&t, plan, block, plan);
+    if (status != KERN_OK)
+        return status;
+    if (!(margin >= 0 && kern_is_finite(margin)))
+        status = KERN_BAD_NUMBER;
+    if (status == KERN_OK && !block->fixed)
+        status = kern_trial_stands(&t, 1, margin, &nested, proof);
+    if (nested && (status == KERN_OK || status == KERN_STANDS
+                   || status == KERN_UNDECIDED))
+        status = kern_trial_stands(&t, 0, margin, &nested, proof);
+    kern_trial_close(&t);
+    status = kern_spent(plan->task.work, plan->task.options.limit, status);
+    if (nested || status < 0)
+        return status;
+    status = kern_plan_try(plan, block, &r, proof);
+    return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS
+                                                          : status;
+}
+
+KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
+                                      kern_raising *out, kern_real *reserve,
+                                      const kern_proof *proof)
+{
+    kern_trial t;
+    kern_status status = KERN_BAD_POINTER;
+    if (block)
+        status = kern_trial_open(&t, plan, block, out);
+    else if (kern_plan_is_whole(plan))
+        status = KERN_OK;
+    if (status != KERN_OK)
+        return status;
+    status = kern_raised(&plan->task, KERN_R(0), out, reserve, proof);
+    if (block)
+        kern_trial_close(&t);
+    return status;
+}
+
+/* ==== Part VI: Linear programs =========================================== */
 
 /* ---- The LP room --------------------------------------------------- >>lp */
 /* minimise cost . x  where  A x = rhs,  x >= 0.
@@ -3404,57 +8588,29 @@ static kern_status kern_spent(const kern_work *work, int limit,
 
    Vectors over the rows have three more places at their end: there lie the
    rows of the group that a column leads to which leads to none. Reading it
-   gives 0, what is written to it is forgotten, and no loop asks. */
+   gives 0, writing to it has no effect, and no loop tests for it. */
 
-typedef struct kern_program {
-    int rows, cols;
-    const kern_real *a;     /* dense: rows x cols by columns; network: 4 a
-                               column, (u, v, r) in the head's rows and
-                               (-u, -v, s) in the tail's                      */
-    const kern_real *rhs;
-    const kern_real *cost;  /* or NULL                                        */
-    const int *ends;        /* network: head and tail group of columns 2 i and
-                               2 i + 1, rows / 3 for none; NULL: dense        */
-    kern_real most;         /* what a variable can be at the most; 0: all     */
-    int limit;              /* of the work of the call                        */
-} kern_program;
+/* A column whose part outside of the basis is less depends on it. */
+#define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
+/* Square of the share of a column that must be new to its group's block: an
+   inverse of up to thirty a group. Less makes the base grow from course to
+   course, more fills the dense complement. */
+#define KERN_BASE_TOL    KERN_PICK(1e-3, 1e-2)
+/* Largest entry of an inverse with which three columns are taken as is. */
+#define KERN_BASE_GOOD   KERN_PICK(30, 10)
+/* Determinant of three columns, each about 1 long, for the crash basis. */
+#define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
+/* Residual of the basic solution at which refinement ends, and above which the
+   basis is made anew. */
+#define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
+#define KERN_REFACTOR_TOL   KERN_PICK(1e-12, 1e-5)
+#define KERN_REFACTOR      40      /* least pivots between factorisations     */
+#define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 
-typedef struct kern_simplex {
-    const kern_program *lp;
-    int groups;             /* of a network, else 0                           */
-    int room;               /* most extras, and the stride of inv             */
-    int extras;             /* in use: the size of S                          */
-    int pivots;             /* since the base was chosen                      */
-    int ray;                /* unbounded: the column that rises without end   */
-    int started;            /* there is a basis                               */
-    const kern_real *prior; /* a solution like the one looked for, or NULL    */
-    int stale;              /* the matrix has changed since                   */
-    int cramped;            /* columns had to leave for want of room          */
-    int settled;            /* no pivot since the values were refined         */
-    int violated;           /* variables, when prices were last made          */
-    kern_real unit;         /* what counts as 1 in the right-hand side        */
-    int *base;              /* position: its variable, a column, or cols + row
-                               of a filler, a unit vector                     */
-    int *spare;             /* slot: its row of S, or -1 where it is basic    */
-    int *off;               /* slot: the group that its column leads to       */
-    int *slot;              /* slot of a row of S                             */
-    int *place;             /* column: its position, or KERN_OUT              */
-    int *link;              /* scratch: groups + 1 + 2 rows                   */
-    kern_real *block;       /* 18 a group: D^-1, and what its columns do to
-                               the groups that they lead to                   */
-    kern_real *inv;         /* S^-1                                           */
-    kern_real *value;       /* position: of its variable; 0 in spare slots    */
-    kern_real *alpha;       /* position: of the entering column               */
-    kern_real *row;         /* position: its price; then the prices y of rows */
-    kern_real *across;      /* of a row of the inverse, at the spare slots    */
-    kern_real *temp;        /* scratch; rows + room                           */
-} kern_simplex;
-
-#define KERN_OUT (-1)
 
 /* A position in the basis is a slot, which is as many as there are rows, or
-   that of extra e. Between them lie three for the rows of none, with fillers that
-   stay 0: what goes over positions goes straight through. */
+   that of extra e. Between them lie three for the rows of none, with fillers
+   that stay 0: what goes over positions goes straight through. */
 static inline int kern_extra(const kern_simplex *sx, int e)
 { return sx->lp->rows + 3 + e; }
 
@@ -3823,7 +8979,8 @@ static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
    in which groups carry each other, so that loads pass through the base in one
    direction, and lets every group take three. What is left over goes to `over`;
    returns how many columns are. */
-static int kern_base_choose(kern_simplex *sx, const int *list, int n, int *over)
+static int kern_factor_choose(kern_simplex *sx, const int *list, int n,
+                              int *over)
 {
     int *end = sx->link;  /* of a group's columns in `over`: a counting sort */
     int i, g, left = 0;
@@ -3958,7 +9115,7 @@ static void kern_basis_choose(kern_simplex *sx)
         sx->spare[i] = -1;
     }
     if (sx->groups > 0)
-        left = kern_base_choose(sx, list, n, over);
+        left = kern_factor_choose(sx, list, n, over);
     else
         for (left = 0; left < n; left++)
             over[left] = list[left];
@@ -4022,12 +9179,12 @@ static int kern_basis_values(kern_simplex *sx)
         left = kern_basis_residual(sx);
     }
     sx->settled = 1;
-    return left <= KERN_RENEW_TOL;
+    return left <= KERN_REFACTOR_TOL;
 }
 
 /* Begins anew from the basic columns: after a change of the matrix, and when
    pivots have made S larger or less accurate than it needs to be. */
-static void kern_basis_renew(kern_simplex *sx)
+static void kern_basis_refactorise(kern_simplex *sx)
 {
     int i;
     kern_basis_choose(sx);
@@ -4042,7 +9199,7 @@ static void kern_basis_renew(kern_simplex *sx)
 static int kern_basis_worn(const kern_simplex *sx)
 {
     return sx->extras == sx->room
-           || sx->pivots >= KERN_RENEW + sx->extras / 2;
+           || sx->pivots >= KERN_REFACTOR + sx->extras / 2;
 }
 
 /* ---- exchanging columns ---- */
@@ -4205,11 +9362,11 @@ static int kern_is_basic(const kern_simplex *sx, int j)
    tell by y.A_j > 0 how fast the sum falls when column j enters. When no
    column lowers it and it is not zero, -y is a Farkas certificate, and the one
    that shows the largest sum of violations: what a step of Newton's method
-   wants. */
+   needs. */
 
 /* What a unit of variable j costs where it has the value v: columns may not be
    negative, fillers must be zero. */
-static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v)
+static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v)
 {
     kern_real w;
     if (v > 0 ? j < sx->lp->cols : !(v < 0))
@@ -4222,7 +9379,7 @@ static kern_real kern_violation(const kern_simplex *sx, int j, kern_real v)
 static kern_real kern_price_at(const kern_simplex *sx, int p)
 {
     return kern_is_spare(sx, p)
-           ? KERN_R(0) : kern_violation(sx, sx->base[p], sx->value[p]);
+           ? KERN_R(0) : kern_infeasibility(sx, sx->base[p], sx->value[p]);
 }
 
 /* y to sx->row; returns the sum of violations. */
@@ -4344,7 +9501,7 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int j = sx->base[p], filler = j >= sx->lp->cols;
     const kern_real v = sx->value[p], a = sx->alpha[p];
-    const kern_real price = kern_violation(sx, j, v);
+    const kern_real price = kern_infeasibility(sx, j, v);
     *at = KERN_R(0);
     if (price < 0 || price > 0) {
         if ((price < 0) != (a < 0))
@@ -4523,7 +9680,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
             if (sx->settled)
                 return KERN_UNDECIDED;
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx);
+                kern_basis_refactorise(sx);
             continue;
         }
         if (sx->cramped || (sx->extras == sx->room && position < sx->lp->rows
@@ -4537,7 +9694,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
         work->pivots++;
         count++;
         if (kern_basis_worn(sx))
-            kern_basis_renew(sx);
+            kern_basis_refactorise(sx);
     }
     return KERN_UNDECIDED;
 }
@@ -4601,7 +9758,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
             return KERN_LP_OPTIMAL;
         if (q == KERN_OUT) {
             if (!kern_basis_values(sx))
-                kern_basis_renew(sx);
+                kern_basis_refactorise(sx);
             continue;
         }
         kern_basis_column(sx, q);
@@ -4621,15 +9778,15 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
         work->pivots++;
         count++;
         if (kern_basis_worn(sx))
-            kern_basis_renew(sx);
+            kern_basis_refactorise(sx);
     }
     return KERN_UNDECIDED;
 }
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays the arrays of a simplex out in work memory. Called with real NULL it
-   only counts, so that what is asked for and what is used cannot differ. */
+/* Lays the arrays of a simplex out in work memory. With real NULL it only
+   counts them, so that the size that is announced is the size that is used. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
@@ -4804,7 +9961,7 @@ static void kern_simplex_crash(kern_simplex *sx)
     sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
-    kern_basis_renew(sx);
+    kern_basis_refactorise(sx);
 }
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
@@ -4823,11 +9980,11 @@ static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 #include "kern_lp.h"
 #endif
 
-/* The door of the room: everything outside asks here. Starts from the last
+/* The one entry of the engine. Starts from the last
    basis, or from the crash basis. x is written for every verdict: one that
    falls leaves A x = rhs in it, with what is negative about it, which tells
    how the verdict changes with the matrix. y is written for KERN_LP_INFEASIBLE,
-   and with costs for KERN_LP_OPTIMAL. `own` keeps the question from the
+   and with costs for KERN_LP_OPTIMAL. `own` keeps the program from the
    backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_real *x, kern_real *y,
@@ -4848,7 +10005,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     if (!sx->started)
         kern_simplex_crash(sx);
     else if (sx->stale)
-        kern_basis_renew(sx);
+        kern_basis_refactorise(sx);
     else
         kern_basis_values(sx);
     for (i = 0; i <= sx->extras / 4; i++) /* as much as so many pivots */
@@ -5031,5082 +10188,6 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
 }
 
-/* ---- What is handed in ------------------------------------------ >>check */
-/* Everything that the statics reads is looked at once, before any memory is
-   used: numbers are finite and within bounds that the statics can reckon
-   with, indices exist, normals have length 1. */
-
-/* 0 just for a wrench of nothing; a number just for one of numbers. */
-static kern_real kern_wrench_sum(const kern_wrench *w)
-{ return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
-
-static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
-{
-    const kern_real size = kern_block_size(b);
-    const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
-        + kern_abs(b->load.torque) / size
-        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
-    if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
-        return KERN_BAD_NUMBER;
-    if (b->fixed)
-        return KERN_OK;
-    if (!(size >= KERN_LEAST_SIZE))
-        return KERN_NO_AREA;
-    if (!(b->mass >= KERN_LIGHT) || b->mass > KERN_HEAVY)
-        return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
-    return acts <= KERN_HEAVY && (acts >= KERN_LIGHT || !(acts > 0))
-           ? KERN_OK : KERN_BAD_NUMBER;
-}
-
-static kern_status kern_contact_check(const kern_contact *c, int blocks)
-{
-    const kern_real n = c->n.x * c->n.x + c->n.y * c->n.y;
-    if (c->a < 0 || c->a >= blocks || c->b < 0 || c->b >= blocks)
-        return KERN_BAD_BLOCK;
-    if (c->a == c->b)
-        return KERN_SAME_BLOCK;
-    if (!kern_vec_is_moderate(c->p) || !kern_vec_is_finite(c->n)
-        || !kern_is_finite(c->mu) || !(kern_abs(c->travel) <= KERN_FAR))
-        return KERN_BAD_NUMBER;
-    if (c->mu < 0)
-        return KERN_BAD_FRICTION;
-    if (kern_abs(n - 1) > KERN_R(64) * KERN_EPS)
-        return KERN_BAD_NORMAL;
-    return KERN_OK;
-}
-
-/* Checks a structure, of which so many of the first blocks and contacts have
-   been checked before. */
-static kern_status kern_structure_check(const kern_structure *s,
-                                        int blocks, int contacts,
-                                        kern_fault *fault, int *free_blocks)
-{
-    kern_status status;
-    int i, n = 0;
-    int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
-    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
-        || s->contacts > KERN_CONTACTS_MOST)
-        return KERN_BAD_COUNT;
-    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
-        return KERN_BAD_POINTER;
-    if (!kern_vec_is_finite(s->gravity))
-        return KERN_BAD_NUMBER;
-    for (i = 0; i < s->blocks; i++) {
-        status = i < blocks ? KERN_OK
-                            : kern_block_check(s->block + i, s->gravity);
-        if (status != KERN_OK) {
-            fault->block = i;
-            return status;
-        }
-        if (s->block[i].fixed)
-            continue;
-        loaded |= kern_wrench_sum(&s->block[i].load) > 0;
-        n++;
-    }
-    if (n == 0)
-        return KERN_NO_FREE;
-    if (!loaded)
-        return KERN_NO_LOAD;
-    for (i = contacts; i < s->contacts; i++) {
-        status = kern_contact_check(s->contact + i, s->blocks);
-        if (status != KERN_OK) {
-            fault->index = i;
-            return status;
-        }
-    }
-    *free_blocks = n;
-    return KERN_OK;
-}
-
-/* The task, and where the answer goes; counts the free blocks. */
-static kern_status kern_task_check(const kern_task *task, const void *out,
-                                   int *free_blocks)
-{
-    kern_status status;
-    if (!task || !task->work || !task->work->real || !task->work->index)
-        return KERN_BAD_POINTER;
-    /* what kern_contacts() returned, and the fault that it left */
-    if (task->s.contacts <= (int)KERN_NO_SPACE
-        && task->s.contacts >= (int)KERN_STATUS_LEAST)
-        return (kern_status)task->s.contacts;
-    kern_work_begin(task->work);
-    status = kern_options_check(&task->options);
-    if (status == KERN_OK)
-        status = kern_structure_check(&task->s, 0, 0, &task->work->fault,
-                                      free_blocks);
-    return status == KERN_OK && !out ? KERN_BAD_POINTER : status;
-}
-
-/* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5): every free block is in equilibrium under its weight, its load and
-   contact forces f n + r t with f >= 0 and |r| <= mu f. In the plane the
-   friction cone is spanned by its two edges,
-
-       \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
-        \  |  /              x1, x2 >= 0
-         \ | /
-       ---- p ----  t
-
-   so forces exist just if A x = -w has a solution x >= 0: three rows a free
-   block (force, torque about its centre), two columns a contact point. The
-   same rows turned round are a motion y of every block: y.A >= 0 says that no
-   contact closes, y.w > 0 that the weight drives it. By Farkas' lemma there is
-   either the one or the other. Lengths are measured in the size of the block,
-   forces in the weight of all, so tolerances have no units. */
-
-/* What is asked: the weights and loads to carry and how far kerns shrink. */
-typedef struct kern_question {
-    kern_real shrink;
-    int relative;               /* nonzero: a share of each travel            */
-    kern_real narrow;           /* rate at which cones narrow                 */
-    kern_real mean;             /* size of the free blocks                    */
-    kern_vec gravity;
-    const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
-    kern_real factor;           /* of the pattern                             */
-    int side;
-    const kern_real *fallen;    /* a block with a value >= 0 has been taken
-                                   away; NULL: all are there                  */
-    kern_real shortest;         /* a shorter contact carries nothing [m]      */
-} kern_question;
-
-static kern_question kern_question_of(const kern_structure *s,
-                                      const kern_options *o, kern_real shrink)
-{
-    kern_question q;
-    q.shrink = shrink;
-    q.relative = o->relative;
-    q.narrow = o->narrow;
-    q.mean = kern_mean_size(s->block, s->blocks);
-    q.gravity = s->gravity;
-    q.pattern = NULL;
-    q.factor = KERN_R(0);
-    q.side = 0;
-    q.fallen = NULL;
-    q.shortest = KERN_R(0);
-    return q;
-}
-
-/* The tangent by which cones of friction are narrower. */
-static kern_real kern_slope(const kern_question *q)
-{ return kern_max(q->narrow * q->shrink, KERN_R(0)); }
-
-/* Friction of a contact whose cone is narrower: the tangent of its angle less
-   that of the slope. */
-static inline kern_real kern_friction(const kern_contact *c, kern_real slope)
-{
-    return slope > 0 ? kern_max(c->mu - slope, KERN_R(0)) / (1 + c->mu * slope)
-                     : c->mu;
-}
-
-/* Whether one of two blocks has been taken away. */
-static int kern_is_gone(const kern_question *q, int a, int b)
-{ return q->fallen && (q->fallen[a] >= 0 || q->fallen[b] >= 0); }
-
-/* Of its line, or about of its group of points; 0 for a lone point. */
-static kern_real kern_contact_length(const kern_contact *c)
-{ return 2 * kern_abs(c->travel); }
-
-/* Whether a contact carries nothing: one of its blocks is gone, or it is too
-   short. */
-static int kern_is_out(const kern_question *q, const kern_contact *c)
-{
-    const kern_real length = kern_contact_length(c);
-    return kern_is_gone(q, c->a, c->b)
-           || (length > 0 && length < q->shortest);
-}
-
-/* What gravity does to a mass. */
-static void kern_weigh(kern_vec gravity, kern_real mass, kern_wrench *w)
-{
-    w->fx = gravity.x * mass;
-    w->fy = gravity.y * mass;
-    w->torque = KERN_R(0);
-}
-
-/* The load pattern's share of block i, for a factor of 1. */
-static void kern_pattern_on(const kern_structure *s, const kern_question *q,
-                            int i, kern_wrench *w)
-{
-    if (q->pattern)
-        *w = q->pattern[i];
-    else
-        kern_weigh(kern_vec_turn(s->gravity),
-                   s->block[i].mass * KERN_R(q->side), w);
-}
-
-/* Without the torque. Not 0 where just the squares are. */
-static kern_real kern_force_size(const kern_wrench *w)
-{
-    return kern_max(KERN_SQRT(w->fx * w->fx + w->fy * w->fy),
-                    kern_max(kern_abs(w->fx), kern_abs(w->fy)));
-}
-
-/* Adds a share of what acts on block b; returns its magnitude. */
-static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
-                                 const kern_wrench *w, kern_real share)
-{
-    if (!(kern_wrench_sum(w) > 0))
-        return KERN_R(0);
-    sum->fx += share * w->fx;
-    sum->fy += share * w->fy;
-    sum->torque += share * w->torque;
-    return share * (kern_force_size(w) + kern_abs(w->torque)
-                                         / kern_block_size(b));
-}
-
-/* All that acts on block i besides its contacts. Returns the sum of the
-   magnitudes: what its equilibrium is measured by. */
-static kern_real kern_wrench_on(const kern_structure *s,
-                                const kern_question *q, int i,
-                                kern_wrench *sum)
-{
-    const kern_block *b = s->block + i;
-    kern_wrench pattern;
-    kern_real size;
-    kern_weigh(q->gravity, b->mass, sum);
-    size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, KERN_R(1));
-    if (q->factor > 0) {
-        kern_pattern_on(s, q, i, &pattern);
-        size += kern_wrench_add(sum, b, &pattern, q->factor);
-    }
-    return size;
-}
-
-/* A travel too short to be one counts as none. */
-static kern_real kern_travel(const kern_contact *c, kern_real mean)
-{
-    return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0)
-                                                          : c->travel;
-}
-
-/* How far along t a contact point has moved at a shrinkage, and in `rate` how
-   fast it moves when the shrinkage grows. */
-static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
-                            kern_real *rate)
-{
-    const kern_real sign = travel > 0 ? KERN_R(1) : travel < 0 ? KERN_R(-1)
-                                                               : KERN_R(0);
-    if (relative) {
-        *rate = travel;
-        return shrink * travel;
-    }
-    if (shrink >= kern_abs(travel)) {
-        *rate = KERN_R(0);
-        return travel;
-    }
-    *rate = sign;
-    return shrink * sign;
-}
-
-KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
-                                  int relative)
-{
-    kern_real rate, shift;
-    if (!c)
-        return kern_vec_make(0, 0);
-    shift = kern_shift(c->travel, shrink, relative, &rate);
-    return kern_vec_step(c->p, shift, kern_vec_turn(c->n));
-}
-
-/* From the centres of its blocks, a and b, to where contact c acts. The centre
-   is taken off first, since far from the origin a place has fewer digits than
-   an arm. Returns how far the point has moved along t. Inline where speed is
-   asked for: most questions spend a tenth of their time here. */
-static inline kern_real kern_arms(const kern_structure *s,
-                                  const kern_contact *c,
-                                  const kern_question *q, kern_vec arm[2])
-{
-    kern_real rate;
-    const kern_real shift = kern_shift(kern_travel(c, q->mean), q->shrink,
-                                       q->relative, &rate);
-    const kern_vec p = c->p, way = kern_vec_scale(kern_vec_turn(c->n), shift);
-    int end;
-    for (end = 0; end < 2; end++)
-        arm[end] = kern_vec_add(
-            kern_vec_sub(p, s->block[end ? c->b : c->a].centre), way);
-    return shift;
-}
-
-/* ---- Proofs ----------------------------------------------------- >>proof */
-/* Both checks use the caller's data only, and nothing of the solver. A proof's
-   error is given as a share of what is allowed, so up to 1 it holds.
-
-   Forces prove "stands": each in its cone, the residual of every equilibrium
-   row within KERN_TOL of what acts on the block (or within the rounding of
-   the forces that meet there), all together not above KERN_BOUND times the
-   weight. A motion proves "falls": its power exceeds its own rounding and
-   KERN_BOUND times the weight of what moves times the worst speed at which it
-   closes a contact, taken together: even forces of that size could not hold
-   it. The speed counts with all that rounding may have taken from it, so such
-   a motion is a proof without rounding as well. */
-
-/* What is left over in the rows of all free blocks, under contact forces of
-   `sum`, as a share of what is allowed; in *weight what acts on them. A block
-   whose fourth sum is below 0 is left out. */
-static kern_real kern_prove_rows(const kern_structure *s,
-                                 const kern_question *q, const kern_real *sum,
-                                 kern_real *weight)
-{
-    kern_real error = KERN_R(0);
-    int i;
-    *weight = KERN_R(0);
-    for (i = 0; i < s->blocks; i++, sum += 4)
-        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
-            kern_wrench w;
-            const kern_real size = kern_wrench_on(s, q, i, &w);
-            kern_real x, y, turn, left;
-            *weight += size;
-            if (sum[3] < 0)
-                continue;
-            x = kern_abs(sum[0] + w.fx);
-            y = kern_abs(sum[1] + w.fy);
-            turn = kern_abs(sum[2] + w.torque) / kern_block_size(s->block + i);
-            left = kern_max(kern_max(x, y), turn);
-            if (!(x + y + turn <= KERN_HUGE))
-                return KERN_INFINITY;
-            if (left > 0)
-                error = kern_max(error, left / (KERN_TOL * size
-                                                + KERN_ROUNDING * sum[3]));
-        }
-    return error;
-}
-
-/* `sum` is scratch, four a block. Where `some` is nonzero the fourth is given:
-   0, or below 0 for a block whose rows were verified under the same forces. */
-static kern_real kern_prove_forces(const kern_structure *s,
-                                   const kern_question *q,
-                                   const kern_force *force, kern_real *sum,
-                                   int some)
-{
-    const kern_real slope = kern_slope(q);
-    kern_real total = KERN_R(0), weight, error;
-    int i;
-    for (i = 0; i < 4 * s->blocks; i += 4) {
-        sum[i] = sum[i + 1] = sum[i + 2] = KERN_R(0);
-        if (!some)
-            sum[i + 3] = KERN_R(0);
-    }
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        const kern_real f = force[i].normal, r = force[i].tangential;
-        const kern_real fx = f * c->n.x - r * c->n.y;
-        const kern_real fy = f * c->n.y + r * c->n.x;
-        kern_vec arm[2];
-        int end;
-        if (kern_is_out(q, c))
-            continue;
-        if (!(f >= 0) || !(kern_abs(r) <= kern_friction(c, slope) * f
-                                           * (1 + 8 * KERN_EPS)))
-            return KERN_INFINITY;
-        total += f;
-        if (sum[4 * c->a + 3] < 0 && sum[4 * c->b + 3] < 0)
-            continue;
-        kern_arms(s, c, q, arm);
-        for (end = 0; end < 2; end++) {
-            kern_real *at = sum + 4 * (end ? c->b : c->a);
-            const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-            if (at[3] < 0)
-                continue;
-            at[0] += sign * fx;
-            at[1] += sign * fy;
-            at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
-            at[3] = kern_max(at[3], f);
-        }
-    }
-    error = kern_prove_rows(s, q, sum, &weight);
-    weight *= KERN_BOUND;
-    if (!(weight <= KERN_HUGE)) /* too much is allowed to prove anything */
-        return KERN_INFINITY;
-    if (total > 0)
-        error = kern_max(error, total / weight);
-    return error <= 1 ? error : kern_max(error, KERN_R(2));
-}
-
-/* How fast a motion closes contact c at the most, the rounding of this sum
-   included: the worst force of 1 there takes so much power out of the motion.
-   Every operation may lose half of KERN_EPS of its result. Of an arm these are
-   three, those of its three terms; what they lose, the spin multiplies. */
-static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
-                              const kern_question *q,
-                              const kern_motion *motion)
-{
-    kern_vec arm[2], v = kern_vec_make(0, 0), lost = v;
-    const kern_real shift = kern_abs(kern_arms(s, c, q, arm));
-    const kern_real mu = kern_friction(c, kern_slope(q));
-    const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
-    kern_real gap;
-    int end;
-    for (end = 0; end < 2; end++) { /* of b, less that of a */
-        const kern_motion *m = motion + (end ? c->b : c->a);
-        const kern_real x = m->vx - m->spin * arm[end].y;
-        const kern_real y = m->vy + m->spin * arm[end].x;
-        const kern_real spin = 3 * kern_abs(m->spin);
-        v = kern_vec_make(x - v.x, y - v.y);
-        lost.x += kern_abs(x) + spin * (kern_abs(arm[end].y) + shift * nx);
-        lost.y += kern_abs(y) + spin * (kern_abs(arm[end].x) + shift * ny);
-    }
-    lost.x += 5 * kern_abs(v.x);
-    lost.y += 5 * kern_abs(v.y);
-    gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
-    return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
-           + KERN_EPS / 2 * gap + KERN_LEAST;
-}
-
-/* The speed of a block that rests is 0. */
-static kern_real kern_speed(const kern_motion *m)
-{ return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
-
-static kern_real kern_prove_motion(const kern_structure *s,
-                                   const kern_question *q,
-                                   const kern_motion *motion)
-{
-    kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
-    kern_real closing = KERN_R(0);
-    int i;
-    for (i = 0; i < s->blocks; i++) {
-        const kern_motion *m = motion + i;
-        kern_real px, py, pt;
-        kern_wrench w;
-        const kern_real speed = kern_speed(m);
-        if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
-            return KERN_INFINITY;
-        if (!(speed > 0))
-            continue;
-        weight += kern_wrench_on(s, q, i, &w);
-        px = w.fx * m->vx;
-        py = w.fy * m->vy;
-        pt = w.torque * m->spin;
-        power += px + py + pt;
-        terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
-    }
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        kern_real speed;
-        if (kern_is_out(q, c)
-            || !(kern_speed(motion + c->a) + kern_speed(motion + c->b) > 0))
-            continue;
-        speed = kern_closing(s, c, q, motion);
-        if (!(speed <= KERN_HUGE))
-            return KERN_INFINITY;
-        closing = kern_max(closing, speed);
-    }
-    weight *= KERN_BOUND;
-    if (!(power > KERN_LEAST) || !(terms + weight <= KERN_HUGE))
-        return KERN_INFINITY;
-    return (weight * closing + KERN_ROUNDING * terms) / power;
-}
-
-KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
-                                     const kern_force *force)
-{
-    kern_take take;
-    kern_question q;
-    kern_real *sum;
-    int n = 0;
-    if (!force || !kern_is_finite(shrink)
-        || kern_task_check(task, force, &n) != KERN_OK)
-        return KERN_INFINITY;
-    kern_take_open(&take, task->work);
-    sum = kern_take_reals(&take, 4 * task->s.blocks);
-    if (!kern_take_fits(&take))
-        return KERN_INFINITY;
-    q = kern_question_of(&task->s, &task->options, shrink);
-    return kern_prove_forces(&task->s, &q, force, sum, 0);
-}
-
-KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
-                                     const kern_motion *motion)
-{
-    kern_question q;
-    int n = 0;
-    if (!motion || !kern_is_finite(shrink)
-        || kern_task_check(task, motion, &n) != KERN_OK)
-        return KERN_INFINITY;
-    q = kern_question_of(&task->s, &task->options, shrink);
-    return kern_prove_motion(&task->s, &q, motion);
-}
-
-/* ---- The model ------------------------------------------------- >>model */
-/* Free blocks become groups of three rows, numbered from top to bottom as
-   gravity sees them, so that what a group carries has a smaller number. What
-   is fixed, or has been taken away, is the ground, and has the number after
-   the last. A contact belongs to the upper one of its two groups: it carries
-   that group. */
-
-typedef struct kern_model {
-    const kern_structure *s;
-    kern_work *work;
-    int limit;                /* of the work of the call                      */
-    int question;             /* units of one, however small the part: its
-                                 proof goes over the whole                    */
-    int relative;
-    kern_real mean;           /* size of the free blocks                      */
-    kern_real weight;         /* unit of force: all that acts on free blocks  */
-    int from;                 /* blocks before it are held                    */
-    int groups;
-    int *group;               /* of a block                                   */
-    int *block;               /* of a group                                   */
-    int *ends;                /* of a contact: groups of its blocks b and a;
-                                 contact i has the ends 2 i and 2 i + 1       */
-    int *touch, *after;       /* first end of a contact at a group, and the end
-                                 at the same group that follows an end        */
-    kern_real *unit;          /* of a group: 1 / the unit of its torques      */
-    kern_real *load;          /* three a group: what contacts must exert      */
-    kern_real *size;          /* of a group: magnitude of all that acts       */
-    kern_real *arm;           /* four a contact: torques of n and t on b, and
-                                 of -n and -t on a, in their units            */
-    kern_force *force;        /* one a contact: of the last verdict           */
-    const kern_force *prior;  /* forces that are known, or NULL: they balance
-                                 all blocks but the last ...                  */
-    kern_real balanced;       /* ... at this shrinkage                        */
-    kern_real narrow, slope;  /* of the options, of the last question         */
-    const kern_question *lazy; /* groups are opened when they are needed; NULL:
-                                  all are                                     */
-    kern_motion *motion;      /* one a block: of the last verdict             */
-    kern_real *sum;           /* scratch of the proof, four a block           */
-    int *leader, *next, *dirty; /* of a group: see >>pour                     */
-    int again;                /* the first leader that became dirty           */
-    int regrown;              /* how often a unit of three or more was joined */
-    int *local;               /* of a group: its number in the open part      */
-    int plain;                /* nonzero: all groups are one part             */
-    int *fell;                /* of a group: whether a part with it fell      */
-    int falls;                /* the mark of the last part                    */
-    int wide;                 /* by how much the next part of them is widened */
-    kern_take common;         /* work memory behind what every method needs   */
-    kern_take rest;           /* work memory that is left                     */
-} kern_model;
-
-/* Slices of the work arrays that hold structs of numbers. */
-typedef char kern_force_is_two[sizeof(kern_force) == 2 * sizeof(kern_real)
-                               ? 1 : -1];
-typedef char kern_wrench_is_three[sizeof(kern_wrench) == 3 * sizeof(kern_real)
-                                  ? 1 : -1];
-typedef char kern_motion_is_three[sizeof(kern_motion) == 3 * sizeof(kern_real)
-                                  ? 1 : -1];
-
-static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
-{
-    kern_take *take = &m->rest;
-    m->group = kern_take_ints(take, blocks);
-    m->block = kern_take_ints(take, groups);
-    m->ends = kern_take_ints(take, 2 * contacts);
-    m->unit = kern_take_reals(take, groups + 1);
-    m->load = kern_take_reals(take, 3 * groups);
-    m->size = kern_take_reals(take, groups);
-    m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
-    m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
-    m->sum = kern_take_reals(take, 4 * blocks);
-    m->common = *take;
-    m->touch = kern_take_ints(take, groups);
-    m->after = kern_take_ints(take, 2 * contacts);
-    m->leader = kern_take_ints(take, groups);
-    m->next = kern_take_ints(take, groups);
-    m->dirty = kern_take_ints(take, groups);
-    m->local = kern_take_ints(take, groups + 1);
-    m->fell = kern_take_ints(take, groups);
-    m->arm = kern_take_reals(take, 4 * contacts);
-}
-
-KERN_API void kern_work_need(int blocks, int contacts, int *reals,
-                             int *indices)
-{
-    const int fit = blocks >= 0 && blocks <= KERN_BLOCKS_MOST
-                    && contacts >= 0 && contacts <= KERN_CONTACTS_MOST;
-    *reals = fit ? KERN_REALS(blocks, contacts) : 0;
-    *indices = fit ? KERN_INTS(blocks, contacts) : 0;
-}
-
-KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
-                                int indices)
-{
-    kern_work w;
-    w.real = real;
-    w.reals = reals;
-    w.index = index;
-    w.indices = indices;
-    w.pivots = w.solves = 0;
-    w.error = KERN_R(0);
-    kern_work_begin(&w);
-    return w;
-}
-
-KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
-                                const kern_contact *contact, int contacts,
-                                kern_work *work)
-{
-    kern_task task;
-    task.s.block = block;
-    task.s.blocks = blocks;
-    task.s.contact = contact;
-    task.s.contacts = contacts;
-    task.s.gravity = kern_vec_make(0, KERN_R(-9.81));
-    task.options = kern_defaults();
-    task.work = work;
-    task.known = kern_known_of(NULL, NULL);
-    return task;
-}
-
-KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
-{
-    kern_known known;
-    known.motion = motion;
-    known.force = force;
-    known.holds = known.margin = known.fails = KERN_R(0);
-    known.blocks = known.contacts = known.relative = 0;
-    known.gravity = kern_vec_make(0, 0);
-    return known;
-}
-
-/* Orders the blocks of all groups along a direction, those of one height as they
-   were. Shell sort, since it needs neither memory nor recursion. */
-static void kern_model_order(kern_model *m, kern_vec along, int *list)
-{
-    kern_real *depth = m->load; /* not in use here */
-    const int n = m->groups;
-    int gap, i, j;
-    for (i = 0; i < n; i++)
-        depth[i] = kern_vec_dot(m->s->block[list[i]].centre, along);
-    for (gap = 1; gap < n / 9; gap = 3 * gap + 1)
-        continue;
-    for (; gap > 0; gap /= 3)
-        for (i = gap; i < n; i++) {
-            const kern_real d = depth[i];
-            const int b = list[i];
-            for (j = i; j >= gap; j -= gap) {
-                const int before = list[j - gap];
-                if (depth[j - gap] < d || (depth[j - gap] <= d && before < b))
-                    break;
-                depth[j] = depth[j - gap];
-                list[j] = before;
-            }
-            depth[j] = d;
-            list[j] = b;
-        }
-}
-
-/* Lists the contacts of every group, in their order. */
-static void kern_model_touch(kern_model *m)
-{
-    int g, e;
-    for (g = 0; g < m->groups; g++)
-        m->touch[g] = KERN_OUT;
-    for (e = 2 * m->s->contacts - 1; e >= 0; e--) {
-        g = m->ends[e];
-        if (g < m->groups && g != m->ends[e ^ 1]) {
-            m->after[e] = m->touch[g];
-            m->touch[g] = e;
-        }
-    }
-}
-
-/* Gives every block that is free and has not been taken away a group. */
-static void kern_model_group(kern_model *m, const kern_question *q)
-{
-    const kern_structure *s = m->s;
-    int i, g;
-    m->groups = m->plain = 0;
-    for (i = m->from; i < s->blocks; i++)
-        if (!s->block[i].fixed && !kern_is_gone(q, i, i))
-            m->block[m->groups++] = i;
-    kern_model_order(m, s->gravity, m->block);
-    for (i = 0; i < s->blocks; i++)
-        m->group[i] = m->groups;
-    for (g = 0; g < m->groups; g++)
-        m->group[m->block[g]] = g;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        const int gone = kern_is_out(q, c);
-        m->ends[2 * i] = gone ? m->groups : m->group[c->b];
-        m->ends[2 * i + 1] = gone ? m->groups : m->group[c->a];
-    }
-    kern_model_touch(m);
-}
-
-/* Opens the model of a structure that has been checked, with so many free
-   blocks: of all, or of its last block with all others held. */
-static kern_status kern_model_open(kern_model *m, const kern_task *task,
-                                   const kern_question *q, int free_blocks,
-                                   int last_only)
-{
-    const kern_structure *s = &task->s;
-    kern_take_open(&m->rest, task->work);
-    kern_model_lay(m, s->blocks, free_blocks, s->contacts);
-    if (!kern_take_fits(&m->rest))
-        return KERN_NO_SPACE;
-    m->s = s;
-    m->work = task->work;
-    m->limit = task->options.limit;
-    m->question = 1 + (s->blocks + s->contacts) / 4;
-    m->relative = task->options.relative;
-    m->mean = kern_mean_size(s->block, s->blocks);
-    m->weight = KERN_R(1);
-    m->from = last_only ? s->blocks - 1 : 0;
-    m->prior = NULL;
-    m->lazy = NULL;
-    m->balanced = KERN_R(0);
-    m->narrow = q->narrow;
-    m->slope = KERN_R(0);
-    kern_model_group(m, q);
-    return KERN_OK;
-}
-
-/* A block of its own group: neither ground, nor taken away. */
-static int kern_is_free(const kern_model *m, int block)
-{ return m->group[block] < m->groups; }
-
-/* The torques of contact i for a question. Of all that a contact has in Eq. (5)
-   only they depend on the shrinkage. */
-static inline void kern_model_arm(const kern_model *m, const kern_question *q,
-                                  int i, kern_real to[4])
-{
-    const kern_contact *c = m->s->contact + i;
-    const kern_real ub = m->unit[m->ends[2 * i]];
-    const kern_real ua = m->unit[m->ends[2 * i + 1]];
-    kern_vec arm[2];
-    kern_arms(m->s, c, q, arm);
-    to[0] = kern_vec_cross(arm[1], c->n) * ub;
-    to[1] = kern_vec_dot(arm[1], c->n) * ub;
-    to[2] = -kern_vec_cross(arm[0], c->n) * ua;
-    to[3] = -kern_vec_dot(arm[0], c->n) * ua;
-}
-
-/* The unit of a group's torques is the size of its block, or where kerns have
-   grown beyond it, how far. */
-static void kern_model_unit(kern_model *m, const kern_question *q, int g)
-{
-    const kern_real size = kern_block_size(m->s->block + m->block[g]);
-    const kern_real grown = kern_max(-q->shrink, KERN_R(0));
-    m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
-}
-
-static inline kern_real kern_model_mu(const kern_model *m, int i)
-{ return kern_friction(m->s->contact + i, m->slope); }
-
-/* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
-static void kern_model_load(kern_model *m, const kern_question *q, int g)
-{
-    kern_real *load = m->load + 3 * (size_t)g;
-    kern_wrench w;
-    m->size[g] = kern_wrench_on(m->s, q, m->block[g], &w);
-    load[0] = -w.fx;
-    load[1] = -w.fy;
-    load[2] = -w.torque * m->unit[g];
-}
-
-/* The same in units of force. */
-static void kern_model_scale(kern_model *m, int g)
-{
-    const kern_real one = 1 / m->weight;
-    m->load[3 * g] *= one;
-    m->load[3 * g + 1] *= one;
-    m->load[3 * g + 2] *= one;
-    m->size[g] *= one;
-}
-
-/* All of the model for a question. */
-static void kern_model_set(kern_model *m, const kern_question *q)
-{
-    int i, g;
-    m->slope = kern_slope(q);
-    m->weight = KERN_R(0);
-    m->lazy = NULL;
-    for (g = 0; g < m->groups; g++) {
-        kern_model_unit(m, q, g);
-        kern_model_load(m, q, g);
-        m->weight += m->size[g];
-    }
-    if (!(m->weight > 0))
-        m->weight = KERN_R(1);
-    m->unit[m->groups] = KERN_R(0);
-    for (g = 0; g <= m->groups; g++)
-        m->local[g] = KERN_OUT;
-    for (g = 0; g < m->groups; g++)
-        kern_model_scale(m, g);
-    for (i = 0; i < m->s->contacts; i++)
-        kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
-}
-
-static int kern_model_spend(const kern_model *m, int units)
-{ return kern_spend(m->work, m->limit, units); }
-
-/* Makes forces at the shrinkage where the known ones balance into forces at a
-   smaller one: those of a line move outward, and exert the same. Those of
-   points that travel do not, which the proof finds out. */
-static void kern_force_widen(kern_model *m, kern_real shrink)
-{
-    const kern_structure *s = m->s;
-    int i, k, line;
-    for (i = 0; i < s->contacts; i += 1 + line) {
-        const kern_contact *c = s->contact + i;
-        kern_force *f = m->force + i;
-        const kern_real travel = kern_travel(c, m->mean);
-        const kern_real mu = kern_model_mu(m, i);
-        kern_real rate, was, is, sum, more, along;
-        line = c->line && i + 1 < s->contacts && c[1].line;
-        sum = line ? f[0].normal + f[1].normal : KERN_R(0);
-        if (!(sum > 0))
-            continue;
-        was = travel - kern_shift(travel, m->balanced, m->relative, &rate);
-        is = travel - kern_shift(travel, shrink, m->relative, &rate);
-        along = (f[0].tangential + f[1].tangential) / sum;
-        along = kern_min(kern_max(along, -mu), mu);
-        more = f[0].normal - f[1].normal;
-        if (kern_abs(is) > 0)
-            more *= was / is;
-        for (k = 0; k < 2; k++, more = -more) {
-            f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
-            f[k].tangential = along * f[k].normal;
-        }
-    }
-}
-
-/* The model for a question of which the forces are known but for those of the
-   last block. Groups keep theirs until they are opened. */
-static void kern_model_keep(kern_model *m, const kern_force *known,
-                            const kern_question *q)
-{
-    int i, g;
-    m->weight = KERN_R(1);
-    m->lazy = q;
-    m->slope = kern_slope(q);
-    for (g = 0; g < m->groups; g++) {
-        kern_model_unit(m, q, g);
-        m->leader[g] = g;
-        m->next[g] = KERN_OUT;
-        m->dirty[g] = 0;
-    }
-    m->unit[m->groups] = KERN_R(0);
-    for (g = 0; g <= m->groups; g++)
-        m->local[g] = KERN_OUT;
-    for (i = 0; i < m->s->contacts; i++)
-        m->force[i] = known[i];
-    if (q->shrink < m->balanced)
-        kern_force_widen(m, q->shrink);
-    m->prior = m->force; /* the least change of what is there is found */
-}
-
-/* Opens a group that keeps its forces: they may change from now on. */
-static void kern_model_loosen(kern_model *m, int g)
-{
-    int e;
-    if (m->next[g] != KERN_OUT)
-        return;
-    kern_model_load(m, m->lazy, g);
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int i = e >> 1, other = m->ends[e ^ 1];
-        if (other == m->groups || m->next[other] == KERN_OUT)
-            kern_model_arm(m, m->lazy, i, m->arm + 4 * (size_t)i);
-    }
-    m->next[g] = g;
-}
-
-/* ---- Parts ------------------------------------------------------ >>part */
-/* Some of the groups with all contacts that touch them, all other blocks held.
-   What is held can exert whatever is needed, so where a part falls the whole
-   falls: the motion of the part, and none of the others, proves it. */
-
-typedef struct kern_part {
-    kern_model *m;
-    int groups, contacts;
-    int own;                  /* contacts that carry a group of the part come
-                                 first, then those by which others rest on it */
-    int *group;               /* of the part, ascending                       */
-    int *contact;             /* of the part                                  */
-    int *ends;                /* of a contact: groups of the part, or none    */
-    kern_take rest;           /* work memory behind these                     */
-    /* least forces */
-    int *first, *offset;      /* of a group: first column of its rows in the
-                                 factor, and where these begin                */
-    kern_real *u, *step, *left; /* three a group, and three of 0              */
-    kern_real *b;             /* loads, three a group                         */
-    kern_real *way;           /* four a contact: u and step along n and t     */
-    kern_real *factor;
-    const kern_real *price;   /* one a contact: see >>raised; NULL: least forces */
-    int cost;                 /* of a step, in products                       */
-    int rounds;               /* that the last forces took                    */
-    /* the linear program */
-    kern_program lp;
-    kern_real *arc, *rhs, *x, *y;
-    kern_status found;        /* what the program said, proven or not         */
-    kern_simplex simplex;
-} kern_part;
-
-/* The groups of the part at the ends of its contacts. */
-static void kern_part_ends(kern_part *p)
-{
-    const kern_model *m = p->m;
-    int k;
-    for (k = 0; k < 2 * p->contacts; k++) {
-        const int g = m->ends[2 * p->contact[k >> 1] + (k & 1)];
-        p->ends[k] = m->local[g] == KERN_OUT ? p->groups : m->local[g];
-    }
-}
-
-/* Lists the contacts of the part by which its groups are carried, or those by
-   which others rest on them. */
-static void kern_part_list(kern_part *p, int own)
-{
-    const kern_model *m = p->m;
-    int n, e;
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-            const int other = m->ends[e ^ 1];
-            if (own ? other > g : other < g && m->local[other] == KERN_OUT)
-                p->contact[p->contacts++] = e >> 1;
-        }
-    }
-}
-
-/* Opens the part of the `groups` groups that m->local marks, the last of which
-   is `last`. Returns 0 if the work memory does not hold it. */
-static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
-{
-    int g, e, n = groups, most = 0;
-    KERN_ASSERT(groups > 0 && !m->plain);
-    p->m = m;
-    p->rest = m->rest;
-    p->groups = groups;
-    p->group = kern_take_ints(&p->rest, groups);
-    if (!kern_take_fits(&p->rest))
-        return 0;
-    for (g = last; n > 0; g--)
-        if (m->local[g] != KERN_OUT) {
-            m->local[g] = --n;
-            p->group[n] = g;
-            for (e = m->touch[g]; e >= 0; e = m->after[e])
-                most++;
-        }
-    p->contact = kern_take_ints(&p->rest, most);
-    if (!kern_take_fits(&p->rest))
-        return 0;
-    p->contacts = 0;
-    kern_part_list(p, 1);
-    p->own = p->contacts;
-    kern_part_list(p, 0);
-    p->rest.used_ints -= most - p->contacts; /* listed by both its ends */
-    p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
-    if (!kern_take_fits(&p->rest))
-        return 0;
-    kern_part_ends(p);
-    return 1;
-}
-
-/* ---- Least forces ----------------------------------------------- >>least */
-/* Of all admissible forces on a part, those of least squares:
-
-       min |x|^2 / 2,  A x = b,  x >= 0.
-
-   Its dual is max b.u - |max(0, A'u)|^2 / 2 in three unknowns a group, concave
-   and of piecewise constant curvature, and x = max(0, A'u). Newton's method
-   ends after a few steps: the matrix A_S A_S' of the rays S that are pressed
-   has the pattern of the part's groups, and is factored (Cholesky) in their
-   order, row by row from the first column that is not zero. Where no forces
-   exist the dual grows without limit. */
-
-/* What a contact's two rays make of the motion (wn, wt) along n and t: force
-   and its derivative. */
-typedef struct kern_spring {
-    kern_real f, r;           /* normal and tangential                        */
-    kern_real nn, nt, tt;
-} kern_spring;
-
-static inline kern_spring kern_spring_of(kern_real wn, kern_real wt,
-                                         kern_real mu)
-{
-    const kern_real plus = wn + mu * wt, minus = wn - mu * wt;
-    kern_spring s;
-    s.f = s.r = s.nn = s.nt = s.tt = KERN_R(0);
-    if (plus > 0) {
-        s.f = plus;
-        s.r = mu * plus;
-        s.nn = KERN_R(1);
-        s.nt = mu;
-        s.tt = mu * mu;
-    }
-    if (minus > 0) {
-        s.f += minus;
-        s.r -= mu * minus;
-        s.nn += KERN_R(1);
-        s.nt -= mu;
-        s.tt += mu * mu;
-    }
-    return s;
-}
-
-/* The same for a contact that answers what presses it by a force of its own, and
-   what shears it by KERN_STIFF times as much: see >>raised. */
-static inline kern_spring kern_spring_press(kern_real wn, kern_real wt,
-                                            kern_real mu, kern_real stiff)
-{
-    const kern_real side = wt > 0 ? mu : -mu;
-    const int sticks = wn > 0 && KERN_STIFF * kern_abs(wt) <= wn;
-    kern_spring s;
-    s.f = s.r = s.nn = s.nt = s.tt = KERN_R(0);
-    if (sticks) {
-        s.nn = stiff;
-        s.tt = KERN_STIFF * mu * stiff;
-        s.f = stiff * wn;
-        s.r = s.tt * wt;
-    } else if (wn + side * wt > 0) {
-        s.nn = stiff / (1 + mu / KERN_STIFF);
-        s.nt = side * s.nn;
-        s.tt = side * s.nt;
-        s.f = s.nn * (wn + side * wt);
-        s.r = side * s.f;
-    }
-    return s;
-}
-
-/* Where the motion of contact i begins: its spring then exerts the force that
-   is known, so what is found is the least change of that. */
-static inline void kern_model_prior(const kern_model *m, int i,
-                                    kern_real *wn, kern_real *wt)
-{
-    const kern_real mu = kern_model_mu(m, i), one = KERN_R(0.5) / m->weight;
-    *wn = *wt = KERN_R(0);
-    if (!m->prior)
-        return;
-    *wn = m->prior[i].normal * one;
-    if (mu > 0)
-        *wt = m->prior[i].tangential * one / (mu * mu);
-}
-
-/* A contact is as stiff as it is long, a point as one of a tenth. */
-static inline kern_real kern_stiffness(const kern_contact *c, kern_real mean)
-{ return KERN_R(0.1) + (c->line ? kern_abs(c->travel) / mean : KERN_R(0)); }
-
-/* Contact i's n and t as rows of the group at an end: 0 is block b, 1 is a. */
-static inline void kern_model_rows(const kern_model *m, int i, int end,
-                                   kern_real n[3], kern_real t[3])
-{
-    const kern_vec v = m->s->contact[i].n;
-    const kern_real *arm = m->arm + 4 * (size_t)i + 2 * end;
-    n[0] = end ? -v.x : v.x;
-    n[1] = end ? -v.y : v.y;
-    n[2] = arm[0];
-    t[0] = -n[1];
-    t[1] = n[0];
-    t[2] = arm[1];
-}
-
-/* v -= sign times the force of contact i, in the rows of the group at an end */
-static inline void kern_model_carry(const kern_model *m, int i, int end,
-                                    kern_real f, kern_real r, kern_real *v)
-{
-    kern_real n[3], t[3];
-    kern_model_rows(m, i, end, n, t);
-    v[0] -= f * n[0] + r * t[0];
-    v[1] -= f * n[1] + r * t[1];
-    v[2] -= f * n[2] + r * t[2];
-}
-
-static inline kern_spring kern_part_spring(const kern_part *p, int k,
-                                           kern_real wn, kern_real wt)
-{
-    const kern_contact *c = p->m->s->contact + p->contact[k];
-    const kern_real mu = kern_friction(c, p->m->slope);
-    return p->price
-           ? kern_spring_press(wn, wt, mu, kern_stiffness(c, p->m->mean))
-           : kern_spring_of(wn, wt, mu);
-}
-
-/* Lays out what the least forces of the part need; 0 if there is no room. */
-static int kern_least_lay(kern_part *p, kern_take *take)
-{
-    const int n = 3 * p->groups + 3;
-    int g, k, end = 0;
-    p->price = NULL;
-    p->first = kern_take_ints(take, p->groups);
-    p->offset = kern_take_ints(take, p->groups);
-    p->u = kern_take_reals(take, n);
-    p->step = kern_take_reals(take, n);
-    p->left = kern_take_reals(take, n);
-    p->b = kern_take_reals(take, n);
-    p->way = kern_take_reals(take, 4 * p->contacts);
-    if (!kern_take_fits(take))
-        return 0;
-    for (g = 0; g < p->groups; g++)
-        p->first[g] = g;
-    for (k = 0; k < p->own; k++) {
-        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-        const int low = h < t ? h : t, high = h < t ? t : h;
-        if (high < p->groups && low < p->first[high])
-            p->first[high] = low;
-    }
-    p->cost = 100 * p->contacts;
-    for (g = 0; g < p->groups; g++) {
-        const int width = g - p->first[g] + 1;
-        p->offset[g] = end;
-        end += 9 * width;
-        p->cost += 14 * width * width;
-    }
-    p->factor = kern_take_reals(take, end);
-    return kern_take_fits(take);
-}
-
-/* How v moves the contacts along n and t: to p->way from `to` on. */
-static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
-                            int to)
-{
-    int k;
-    for (k = 0; k < contacts; k++) {
-        const kern_real *h = v + 3 * p->ends[2 * k];
-        const kern_real *t = v + 3 * p->ends[2 * k + 1];
-        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
-        const kern_vec n = p->m->s->contact[p->contact[k]].n;
-        const kern_real x = h[0] - t[0], y = h[1] - t[1];
-        kern_real *way = p->way + 4 * (size_t)k + to, wn = 0, wt = 0;
-        if (to == 0 && p->price)
-            wn = -p->price[k];
-        else if (to == 0)
-            kern_model_prior(p->m, p->contact[k], &wn, &wt);
-        way[0] = wn + n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
-        way[1] = wt + n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
-    }
-}
-
-/* The gradient of the dual at u, to p->left: b less what the forces of u exert.
-   Returns its value, and in *most the largest force. */
-static kern_real kern_least_left(kern_part *p, const kern_real *b,
-                                 int contacts, kern_real *most)
-{
-    kern_real value = KERN_R(0);
-    int i, k, end;
-    *most = KERN_R(0);
-    for (i = 0; i < 3 * p->groups; i++) {
-        p->left[i] = b[i];
-        value += b[i] * p->u[i];
-    }
-    for (k = 0; k < contacts; k++) {
-        const int c = p->contact[k];
-        const kern_real *w = p->way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
-        if (!(s.f > 0))
-            continue;
-        *most = kern_max(*most, s.f);
-        value -= (s.f * w[0] + s.r * w[1]) / 2;
-        for (end = 0; end < 2; end++)
-            if (p->ends[2 * k + end] < p->groups)
-                kern_model_carry(p->m, c, end, s.f, s.r,
-                                 p->left + 3 * p->ends[2 * k + end]);
-    }
-    return value;
-}
-
-static void kern_least_clear(kern_part *p)
-{
-    const int last = p->groups - 1;
-    const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
-    int i;
-    for (i = 0; i < size; i++)
-        p->factor[i] = KERN_R(0);
-}
-
-/* Adds the 3 x 3 block a n' + b t' to the rows of group g in the columns of h;
-   of the diagonal block its lower half is enough. */
-static inline void kern_least_add(kern_part *p, int g, int h,
-                                  kern_real v[4][3], kern_real w[4][3])
-{
-    const int length = 3 * (g - p->first[g] + 1);
-    kern_real *to = p->factor + p->offset[g] + 3 * (h - p->first[g]);
-    kern_real *next = to + length, *last = next + length;
-    to[0] += v[2][0] * w[0][0] + v[3][0] * w[1][0];
-    next[0] += v[2][1] * w[0][0] + v[3][1] * w[1][0];
-    next[1] += v[2][1] * w[0][1] + v[3][1] * w[1][1];
-    last[0] += v[2][2] * w[0][0] + v[3][2] * w[1][0];
-    last[1] += v[2][2] * w[0][1] + v[3][2] * w[1][1];
-    last[2] += v[2][2] * w[0][2] + v[3][2] * w[1][2];
-    if (g == h)
-        return;
-    to[1] += v[2][0] * w[0][1] + v[3][0] * w[1][1];
-    to[2] += v[2][0] * w[0][2] + v[3][0] * w[1][2];
-    next[2] += v[2][1] * w[0][2] + v[3][1] * w[1][2];
-}
-
-/* Adds what the spring of contact k makes of the motions of its groups. Of an
-   end these are n, t, and what the spring makes of them. */
-static void kern_least_spring(kern_part *p, int k, const kern_spring *s)
-{
-    const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-    kern_real v[2][4][3];
-    int end, r;
-    for (end = 0; end < 2; end++) {
-        kern_model_rows(p->m, p->contact[k], end, v[end][0], v[end][1]);
-        for (r = 0; r < 3; r++) {
-            const kern_real n = v[end][0][r], u = v[end][1][r];
-            v[end][2][r] = s->nn * n + s->nt * u;
-            v[end][3][r] = s->nt * n + s->tt * u;
-        }
-    }
-    if (h < p->groups)
-        kern_least_add(p, h, h, v[0], v[0]);
-    if (t < p->groups)
-        kern_least_add(p, t, t, v[1], v[1]);
-    if (h < p->groups && t < p->groups) {
-        if (h > t)
-            kern_least_add(p, h, t, v[0], v[1]);
-        else
-            kern_least_add(p, t, h, v[1], v[0]);
-    }
-}
-
-/* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
-static void kern_least_matrix(kern_part *p, int contacts, int all)
-{
-    kern_real trace = KERN_R(0);
-    int i, k, g;
-    kern_least_clear(p);
-    for (k = 0; k < contacts; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
-                                               all ? KERN_R(0) : w[1]);
-        if (s.nn > 0)
-            kern_least_spring(p, k, &s);
-    }
-    for (i = 0; i < 2; i++) /* first its mean, then a share of it */
-        for (g = 0; g < p->groups; g++) {
-            const int length = 3 * (g - p->first[g] + 1);
-            kern_real *d = p->factor + p->offset[g] + length - 3;
-            for (k = 0; k < 3; k++, d += length + 1) {
-                if (i == 0)
-                    trace += *d;
-                else
-                    *d += KERN_LEAST_SHIFT * trace / KERN_R(3 * p->groups);
-            }
-        }
-}
-
-/* sum of a[i] b[i] */
-static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
-{
-    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
-    int i;
-    for (i = 0; i + 4 <= n; i += 4) {
-        s0 += a[i] * b[i];
-        s1 += a[i + 1] * b[i + 1];
-        s2 += a[i + 2] * b[i + 2];
-        s3 += a[i + 3] * b[i + 3];
-    }
-    for (; i < n; i++)
-        s0 += a[i] * b[i];
-    return s0 + s1 + (s2 + s3);
-}
-
-/* Row i of the factor, as if from column 0 on; *from is its first column. */
-static kern_real *kern_least_row(const kern_part *p, int i, int *from)
-{
-    const int g = i / 3, length = 3 * (g - p->first[g] + 1);
-    *from = 3 * p->first[g];
-    return p->factor + p->offset[g] + (i - 3 * g) * length;
-}
-
-/* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
-   columns. The rows are `wide_a` and `wide_b` apart. */
-static void kern_least_common(kern_real *c, const kern_real *a, int wide_a,
-                              const kern_real *b, int wide_b, int n)
-{
-    const kern_real *a1 = a + wide_a, *a2 = a1 + wide_a;
-    const kern_real *b1 = b + wide_b, *b2 = b1 + wide_b;
-    kern_real *c1 = c + wide_a, *c2 = c1 + wide_a;
-    kern_real s00 = c[0], s01 = c[1], s02 = c[2];
-    kern_real s10 = c1[0], s11 = c1[1], s12 = c1[2];
-    kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
-    int i;
-    for (i = 0; i < n; i++) {
-        const kern_real x = b[i], y = b1[i], z = b2[i];
-        s00 -= a[i] * x; s01 -= a[i] * y; s02 -= a[i] * z;
-        s10 -= a1[i] * x; s11 -= a1[i] * y; s12 -= a1[i] * z;
-        s20 -= a2[i] * x; s21 -= a2[i] * y; s22 -= a2[i] * z;
-    }
-    c[0] = s00; c[1] = s01; c[2] = s02;
-    c1[0] = s10; c1[1] = s11; c1[2] = s12;
-    c2[0] = s20; c2[1] = s21; c2[2] = s22;
-}
-
-/* Cholesky's L of the matrix where it stands, block by block. */
-static void kern_least_factor(kern_part *p)
-{
-    int g, h, r, k;
-    for (g = 0; g < p->groups; g++) {
-        const int wide = 3 * (g - p->first[g] + 1);
-        kern_real *row = p->factor + p->offset[g], *d = row + wide - 3;
-        const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
-        for (h = p->first[g]; h <= g; h++) {
-            const int from = p->first[g] > p->first[h] ? p->first[g]
-                                                       : p->first[h];
-            const int wide_h = 3 * (h - p->first[h] + 1);
-            const kern_real *other = p->factor + p->offset[h];
-            const kern_real *l = other + wide_h - 3;
-            kern_real *c = row + 3 * (h - p->first[g]);
-            kern_least_common(c, row + 3 * (from - p->first[g]), wide,
-                              other + 3 * (from - p->first[h]), wide_h,
-                              3 * (h - from));
-            for (r = 0; h < g && r < 3; r++, c += wide) {
-                c[0] /= l[0];
-                c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
-                c[2] = (c[2] - c[0] * l[2 * wide_h]
-                        - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
-            }
-        }
-        for (r = 0; r < 3; r++)
-            for (k = 0; k <= r; k++) {
-                kern_real *e = d + r * wide + k;
-                for (h = 0; h < k; h++)
-                    *e -= d[r * wide + h] * d[k * wide + h];
-                if (k < r)
-                    *e /= d[k * wide + k];
-                else
-                    *e = KERN_SQRT(kern_max(*e, KERN_EPS * (KERN_EPS
-                                                            + was[r])));
-            }
-    }
-}
-
-/* out := what the matrix makes of it is b. */
-static void kern_least_solve(const kern_part *p, const kern_real *b,
-                             kern_real *out)
-{
-    int i, j, from;
-    for (i = 0; i < 3 * p->groups; i++) {
-        const kern_real *row = kern_least_row(p, i, &from);
-        out[i] = (b[i] - kern_dot(row, out + from, i - from)) / row[i - from];
-    }
-    for (i = 3 * p->groups - 1; i >= 0; i--) {
-        const kern_real *row = kern_least_row(p, i, &from);
-        out[i] /= row[i - from];
-        for (j = from; j < i; j++)
-            out[j] -= out[i] * row[j - from];
-    }
-}
-
-/* The slope of the dual at u + share * step. */
-static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
-                                  int contacts, kern_real share)
-{
-    kern_real slope = KERN_R(0);
-    int i, k;
-    for (i = 0; i < 3 * p->groups; i++)
-        slope += b[i] * p->step[i];
-    for (k = 0; k < contacts; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(
-            p, k, w[0] + share * w[2], w[1] + share * w[3]);
-        slope -= s.f * w[2] + s.r * w[3];
-    }
-    return slope;
-}
-
-/* How far to go along the step: where the dual is largest, to a few percent. */
-static kern_real kern_least_share(const kern_part *p, const kern_real *b,
-                                  int contacts)
-{
-    const kern_real first = kern_least_slope(p, b, contacts, KERN_R(0));
-    kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
-    const int most = p->price ? KERN_LEAST_ROUNDS : 12; /* stiffness varies */
-    int round;
-    at_hi = kern_least_slope(p, b, contacts, hi);
-    for (round = 0; round < 12 && at_hi > first / 8; round++) {
-        lo = hi;
-        at_lo = at_hi;
-        hi *= 4;
-        at_hi = kern_least_slope(p, b, contacts, hi);
-    }
-    if (at_hi >= -first / 8)
-        return hi;
-    for (round = 0; round < most; round++) {
-        const kern_real share = kern_min(kern_max(at_lo / (at_lo - at_hi),
-                                                  KERN_R(0.1)), KERN_R(0.9));
-        kern_real slope;
-        at = lo + (hi - lo) * share;
-        slope = kern_least_slope(p, b, contacts, at);
-        if (kern_abs(slope) <= first / 8)
-            break;
-        if (slope > 0) {
-            lo = at;
-            at_lo = slope;
-        } else {
-            hi = at;
-            at_hi = slope;
-        }
-    }
-    return at;
-}
-
-/* Least forces of a part under the loads b, by rounds [first, end); after round
-   0 u goes on from what it is. KERN_STANDS with u; KERN_FALLS, which is no
-   proof, where they would be larger than `bound`; or KERN_UNDECIDED. */
-static kern_status kern_least_find(kern_part *p, const kern_real *b,
-                                   int contacts, kern_real tolerance,
-                                   kern_real bound, int first, int end)
-{
-    const int n = 3 * p->groups;
-    int i, round;
-    p->rounds = 0;
-    for (i = 0; i < n + 3 && first == 0; i++)
-        p->u[i] = p->step[i] = KERN_R(0);
-    for (round = first; round < end; round++) {
-        kern_real most, value, share;
-        kern_least_ways(p, p->u, contacts, 0);
-        value = kern_least_left(p, b, contacts, &most);
-        if (kern_largest(p->left, n) <= tolerance + 4 * KERN_EPS * most)
-            return KERN_STANDS;
-        if (!(value <= bound * bound / 2))
-            return KERN_FALLS;
-        if (!kern_model_spend(p->m, 1 + p->cost / 300))
-            return KERN_LIMIT;
-        kern_least_matrix(p, contacts, round == 0);
-        kern_least_factor(p);
-        kern_least_solve(p, p->left, p->step);
-        kern_least_ways(p, p->step, contacts, 2);
-        p->rounds = round + 1;
-        share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
-        for (i = 0; i < n; i++)
-            p->u[i] += share * p->step[i];
-    }
-    return KERN_UNDECIDED;
-}
-
-/* ---- Pouring ----------------------------------------------------- >>pour */
-/* Whether a wall stands, group by group from top to bottom: each passes what
-   it carries on to what carries it by its least forces, in three unknowns.
-   Groups that cannot do so alone form a unit with those that rest on them.
-   Forces found so balance every group, and prove that the structure stands. A
-   unit that cannot be balanced, and moves away from what rests on it, is a part
-   that falls: nothing else could hold it.
-
-   leader[g] is the last group of g's unit, next[g] another group of the unit in
-   a circle, dirty[g] says of a leader that its unit must be balanced again. */
-
-/* Writes the force of contact i, and marks what it rests on if that is new.
-   What keeps its forces keeps them to the last bit. */
-static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
-                            kern_real r, kern_real tolerance)
-{
-    kern_force *to = m->force + i;
-    const kern_real change = kern_abs(f - to->normal)
-                             + kern_abs(r - to->tangential);
-    if (on < m->groups && change > tolerance) {
-        const int last = m->leader[on];
-        kern_model_loosen(m, on);
-        m->dirty[last] = 1;
-        m->again = last < m->again ? last : m->again;
-    }
-    if (on == m->groups || m->next[on] != KERN_OUT) {
-        to->normal = f;
-        to->tangential = r;
-    }
-}
-
-/* The load of group g and of what rests on it, but for members of its own
-   unit. */
-static void kern_pour_load(const kern_model *m, int g, kern_real *b)
-{
-    int e;
-    b[0] = m->load[3 * g];
-    b[1] = m->load[3 * g + 1];
-    b[2] = m->load[3 * g + 2];
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const kern_force *f = m->force + (e >> 1);
-        const int other = m->ends[e ^ 1];
-        if (other < g && m->leader[other] != m->leader[g])
-            kern_model_carry(m, e >> 1, e & 1, f->normal, f->tangential, b);
-    }
-}
-
-/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. A direction in
-   which there is nothing but rounding is left out. Returns whether the matrix
-   is far from singular. */
-static int kern_pour_three(const kern_real h[6], const kern_real b[3],
-                            kern_real x[3])
-{
-    const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
-    const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
-    const kern_real l1 = h[1] * i0, l3 = h[3] * i0;
-    const kern_real d1 = h[2] - l1 * h[1], e = h[4] - l3 * h[1];
-    const kern_real i1 = d1 > least ? 1 / d1 : KERN_R(0);
-    const kern_real l4 = e * i1;
-    const kern_real d2 = h[5] - l3 * h[3] - l4 * e;
-    const kern_real i2 = d2 > least ? 1 / d2 : KERN_R(0);
-    const kern_real y1 = b[1] - l1 * b[0];
-    const kern_real y2 = b[2] - l3 * b[0] - l4 * y1;
-    x[2] = y2 * i2;
-    x[1] = y1 * i1 - l4 * x[2];
-    x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
-    return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
-}
-
-typedef struct kern_row { /* a contact that carries the group */
-    kern_real n[3], turn, mu, wn, wt; /* t is (-n[1], n[0], turn)             */
-    int end, mask;
-} kern_row;
-
-static inline kern_real kern_three(const kern_real *a, const kern_real *b)
-{ return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-static inline kern_real kern_row_along(const kern_row *c, const kern_real *u)
-{ return -c->n[1] * u[0] + c->n[0] * u[1] + c->turn * u[2]; }
-
-/* Lists the contacts that carry group g; returns how many, or one more than
-   there is room for. */
-static int kern_pour_rows(const kern_model *m, int g,
-                          kern_row row[KERN_ROWS_MOST])
-{
-    kern_real t[3];
-    int e, n = 0;
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int i = e >> 1, other = m->ends[e ^ 1];
-        if (other < g)
-            continue;
-        if (n == KERN_ROWS_MOST)
-            return n + 1;
-        kern_model_rows(m, i, e & 1, row[n].n, t);
-        row[n].turn = t[2];
-        row[n].mu = kern_model_mu(m, i);
-        row[n].end = e;
-        row[n].mask = 3;
-        kern_model_prior(m, i, &row[n].wn, &row[n].wt);
-        n++;
-    }
-    return n;
-}
-
-/* What the rays in the masks exert under u, less b; and their matrix. */
-static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
-                          const kern_real b[3], kern_real left[3],
-                          kern_real h[6])
-{
-    int k, j;
-    for (j = 0; j < 6; j++)
-        h[j] = KERN_R(0);
-    left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
-    for (k = 0; k < n; k++) {
-        const kern_row *c = row + k;
-        const kern_real plus = c->mask & 1 ? KERN_R(1) : KERN_R(0);
-        const kern_real minus = c->mask & 2 ? KERN_R(1) : KERN_R(0);
-        const kern_real nn = plus + minus, nt = c->mu * (plus - minus);
-        const kern_real tt = c->mu * c->mu * nn;
-        const kern_real t[3] = {-c->n[1], c->n[0], c->turn};
-        kern_real wn, wt, v[3], w[3];
-        if (c->mask == 0)
-            continue;
-        wn = c->wn + kern_three(c->n, u);
-        wt = c->wt + kern_row_along(c, u);
-        for (j = 0; j < 3; j++) {
-            v[j] = nn * c->n[j] + nt * t[j];
-            w[j] = nt * c->n[j] + tt * t[j];
-            left[j] -= v[j] * wn + w[j] * wt;
-        }
-        h[0] += v[0] * c->n[0] + w[0] * t[0];
-        h[1] += v[1] * c->n[0] + w[1] * t[0];
-        h[2] += v[1] * c->n[1] + w[1] * t[1];
-        h[3] += v[2] * c->n[0] + w[2] * t[0];
-        h[4] += v[2] * c->n[1] + w[2] * t[1];
-        h[5] += v[2] * c->n[2] + w[2] * t[2];
-    }
-}
-
-/* Balances group g alone, by Newton's method with full steps. KERN_FALLS where
-   that ends with something left; KERN_UNDECIDED where it does not end soon. */
-static kern_status kern_pour_alone(kern_model *m, int g)
-{
-    kern_row row[KERN_ROWS_MOST];
-    kern_real b[3], u[3], left[3], h[6], step[3];
-    kern_real most = KERN_R(0), tolerance = KERN_POUR_TOL * m->size[g];
-    const int n = kern_pour_rows(m, g, row);
-    int k, j, round, changed = 1, good = 0;
-    if (n > KERN_ROWS_MOST)
-        return KERN_UNDECIDED;
-    kern_pour_load(m, g, b);
-    u[0] = u[1] = u[2] = KERN_R(0);
-    for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
-        kern_pour_sum(row, n, u, b, left, h);
-        good = kern_pour_three(h, left, step);
-        for (j = 0; j < 3; j++)
-            u[j] += step[j];
-        changed = 0;
-        for (k = 0; k < n; k++) {
-            const kern_real wn = row[k].wn + kern_three(row[k].n, u);
-            const kern_real wt = row[k].mu
-                                 * (row[k].wt + kern_row_along(row + k, u));
-            const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
-            changed |= mask != row[k].mask;
-            row[k].mask = mask;
-        }
-    }
-    for (round = 0; round < 3 && !(good && !changed); round++) {
-        kern_pour_sum(row, n, u, b, left, h);
-        most = kern_largest(u, 3);
-        if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
-            break;
-        if (changed)
-            return KERN_UNDECIDED;
-        if (round == 2)
-            return KERN_FALLS;
-        kern_pour_three(h, left, step);
-        for (j = 0; j < 3; j++)
-            u[j] += step[j];
-    }
-    for (k = 0; k < n; k++) {
-        const kern_spring s = kern_spring_of(
-            row[k].wn + kern_three(row[k].n, u),
-            row[k].wt + kern_row_along(row + k, u), row[k].mu);
-        kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f, s.r,
-                        tolerance);
-    }
-    return KERN_STANDS;
-}
-
-/* Joins two units; returns the last group of both. */
-static int kern_pour_join(kern_model *m, int g, int h)
-{
-    const int swap = m->next[g];
-    const int last = m->leader[g] > m->leader[h] ? m->leader[g]
-                                                 : m->leader[h];
-    int i = g;
-    m->dirty[m->leader[g]] = m->dirty[m->leader[h]] = 0;
-    m->next[g] = m->next[h];
-    m->next[h] = swap;
-    do {
-        m->leader[i] = last;
-        i = m->next[i];
-    } while (i != g);
-    return last;
-}
-
-/* Sets the mark of every group of g's unit that has none; returns how many. */
-static int kern_pour_mark(kern_model *m, int g, int mark)
-{
-    int i = g, n = 0;
-    do {
-        if (m->local[i] == KERN_OUT) {
-            m->local[i] = mark;
-            n++;
-        }
-        i = m->next[i];
-    } while (i != g);
-    return n;
-}
-
-/* Adds to the unit of `last` those that rest on it, `levels` of them. Returns
-   how many groups have been added; they are marked. */
-static int kern_pour_grow(kern_model *m, int *last, int levels)
-{
-    int g, e, added = 0;
-    kern_pour_mark(m, *last, 0);
-    for (g = *last; g >= 0; g--) {
-        if (m->local[g] == KERN_OUT || m->local[g] >= levels)
-            continue;
-        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-            const int h = m->ends[e ^ 1];
-            if (h < g && m->local[h] == KERN_OUT) {
-                int joined;
-                kern_model_loosen(m, h);
-                joined = kern_pour_mark(m, h, m->local[g] + 1);
-                m->regrown += joined > 2;
-                added += joined;
-                *last = kern_pour_join(m, g, h);
-            }
-        }
-    }
-    return added;
-}
-
-/* Takes the marks of a unit back. */
-static void kern_pour_unmark(kern_model *m, int g)
-{
-    int i = g;
-    do {
-        m->local[i] = KERN_OUT;
-        i = m->next[i];
-    } while (i != g);
-}
-
-/* What is found out about a unit. */
-typedef enum kern_poured {
-    KERN_POURED,              /* its groups are balanced                      */
-    KERN_POUR_FALLS,          /* a part that seems to fall is open            */
-    KERN_POUR_LATER,          /* it has grown to groups that come later       */
-    KERN_POUR_DRY             /* out of work memory or budget                 */
-} kern_poured;
-
-/* Writes the least forces of a part. */
-static void kern_pour_keep(kern_part *p, kern_real tolerance)
-{
-    kern_model *m = p->m;
-    int k;
-    for (k = 0; k < p->own; k++) {
-        const int i = p->contact[k];
-        const kern_real *w = p->way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
-        const int low = m->ends[2 * i] > m->ends[2 * i + 1] ? 0 : 1;
-        const int on = m->ends[2 * i + low];
-        const int inside = p->ends[2 * k + low] < p->groups;
-        kern_pour_write(m, i, inside ? m->groups : on, s.f, s.r, tolerance);
-    }
-}
-
-/* Whether the part, which cannot be balanced under what rests on it, moves away
-   from that along u, and is driven by its own loads: then no other forces from
-   above would help. */
-static int kern_pour_parts(kern_part *p)
-{
-    const kern_model *m = p->m;
-    const kern_real most = KERN_PARTING * kern_largest(p->u, 3 * p->groups);
-    kern_real power = KERN_R(0);
-    int n, j, k;
-    for (n = 0; n < p->groups; n++)
-        for (j = 0; j < 3; j++)
-            power += p->u[3 * n + j] * m->load[3 * p->group[n] + j];
-    kern_least_ways(p, p->u, p->contacts, 2);
-    for (k = p->own; k < p->contacts; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k + 2;
-        if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
-            return 0;
-    }
-    return power > 0;
-}
-
-/* Least forces of the open part, written if they balance it. KERN_FALLS where
-   no forces would, all else held. */
-static kern_status kern_pour_part(kern_part *p, int *budget)
-{
-    const kern_model *m = p->m;
-    kern_real load = KERN_R(0), least = KERN_INFINITY;
-    kern_status status;
-    int n;
-    for (n = 0; n < p->groups; n++) {
-        least = kern_min(least, m->size[p->group[n]]);
-        load += m->size[p->group[n]];
-        kern_pour_load(m, p->group[n], p->b + 3 * n);
-    }
-    for (n = 0; n < 3 * p->groups; n++)
-        load += kern_abs(p->b[n]);
-    status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
-                             KERN_LEAST_MOST * load, 0, KERN_LEAST_ROUNDS);
-    *budget -= p->rounds * p->cost;
-    if (status == KERN_STANDS)
-        kern_pour_keep(p, KERN_POUR_TOL * least);
-    if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
-        status = KERN_UNDECIDED;
-    return status;
-}
-
-/* Balances the unit of `last`, and lets it grow until it can be balanced, or a
-   part of it is seen to fall. */
-static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
-                                  int failed, int *budget)
-{
-    const int begun = last;
-    int groups = kern_pour_mark(m, last, 0), levels;
-    for (levels = 1; ; levels *= 2) {
-        kern_status status = KERN_NO_SPACE;
-        kern_take take;
-        int added, open = kern_part_open(p, m, groups, last);
-        take = p->rest;
-        if (open && kern_least_lay(p, &take) && p->cost <= *budget)
-            status = failed && groups == 1
-                     ? p->own < p->contacts ? KERN_UNDECIDED : KERN_FALLS
-                     : kern_pour_part(p, budget);
-        if (status == KERN_FALLS)
-            return KERN_POUR_FALLS;
-        kern_pour_unmark(m, last);
-        if (status == KERN_STANDS)
-            return KERN_POURED;
-        if (status == KERN_NO_SPACE || status == KERN_LIMIT)
-            return KERN_POUR_DRY;
-        added = kern_pour_grow(m, &last, levels);
-        groups += added;
-        if (added == 0 || groups > KERN_UNIT_MOST
-            || m->regrown > KERN_REGROWN)
-            return KERN_POUR_DRY;
-        if (last > begun) {
-            kern_pour_unmark(m, last);
-            m->dirty[last] = 1;
-            return KERN_POUR_LATER;
-        }
-    }
-}
-
-/* All groups must be balanced, and there are no forces. */
-static void kern_pour_begin(kern_model *m)
-{
-    int g;
-    for (g = 0; g < m->groups; g++) {
-        m->leader[g] = m->next[g] = g;
-        m->dirty[g] = 1;
-    }
-    for (g = 0; g < m->s->contacts; g++)
-        m->force[g].normal = m->force[g].tangential = KERN_R(0);
-}
-
-/* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
-   with an open part, or KERN_POUR_DRY. */
-static kern_poured kern_pour(kern_model *m, kern_part *p)
-{
-    const int size = m->s->contacts + m->groups;
-    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
-                                     ? size : KERN_POUR_LARGEST);
-    int at;
-    m->regrown = 0;
-    for (at = 0; at < m->groups; ) {
-        kern_poured found;
-        kern_status alone = KERN_UNDECIDED;
-        if (!m->dirty[at]) {
-            at++;
-            continue;
-        }
-        if (!kern_model_spend(m, 1))
-            return KERN_POUR_DRY;
-        m->dirty[at] = 0;
-        m->again = m->groups;
-        if (m->next[at] == at)
-            alone = kern_pour_alone(m, at);
-        if (alone != KERN_STANDS) {
-            found = kern_pour_unit(m, p, at, alone == KERN_FALLS, &budget);
-            if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
-                return found;
-        }
-        budget -= 300;
-        if (budget < 0)
-            return KERN_POUR_DRY;
-        at = m->again < at + 1 ? m->again : at + 1;
-    }
-    return KERN_POURED;
-}
-
-/* ---- Verdicts ------------------------------------------------- >>verdict */
-
-/* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
-static kern_status kern_part_lay(kern_part *p)
-{
-    const int n = p->groups;
-    int room = KERN_EXTRAS(n);
-    p->lp.rows = 3 * n;
-    p->lp.cols = 2 * p->contacts;
-    p->lp.ends = p->ends;
-    p->lp.cost = NULL;
-    p->lp.most = KERN_BOUND;
-    p->lp.limit = p->m->limit;
-    for (; room >= KERN_LEAN_EXTRAS(n); room--) {
-        kern_take take = p->rest;
-        p->lp.a = p->arc = kern_take_reals(&take, 8 * p->contacts);
-        p->lp.rhs = p->rhs = kern_take_reals(&take, 3 * n);
-        p->x = kern_take_reals(&take, 2 * p->contacts);
-        p->y = kern_take_reals(&take, 3 * n + 3);
-        kern_simplex_lay(&p->simplex, &p->lp, room, &take);
-        if (kern_take_fits(&take)) {
-            p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
-            return KERN_STANDS;
-        }
-    }
-    return KERN_NO_SPACE;
-}
-
-/* Eq. (5) for a question: two columns a contact, along the edges n + mu t and
-   n - mu t of its friction cone, and the loads on the right. */
-static void kern_part_set(kern_part *p, const kern_question *q)
-{
-    kern_model *m = p->m;
-    int n, k, edge, j;
-    KERN_ASSERT(p->lp.rows == 3 * p->groups && p->own <= p->contacts);
-    m->slope = kern_slope(q);
-    for (n = 0; n < p->groups; n++) {
-        kern_model_unit(m, q, p->group[n]);
-        kern_model_load(m, q, p->group[n]);
-        kern_model_scale(m, p->group[n]);
-        for (j = 0; j < 3; j++)
-            p->rhs[3 * n + j] = m->load[3 * p->group[n] + j];
-    }
-    for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
-        const kern_contact *c = m->s->contact + i;
-        kern_real *f = p->arc + 8 * (size_t)k, mu = kern_model_mu(m, i), arm[4];
-        kern_model_arm(m, q, i, arm);
-        for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
-            const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
-            f[0] = ray.x;
-            f[1] = ray.y;
-            f[2] = arm[0] + mu * arm[1];
-            f[3] = arm[2] + mu * arm[3];
-        }
-    }
-    p->simplex.stale = 1;
-}
-
-/* y as a motion of the part, its fastest block at speed 1. */
-static void kern_part_motion(kern_part *p)
-{
-    kern_model *m = p->m;
-    kern_real *part = (kern_real *)(void *)m->motion, most = KERN_R(0);
-    int i, n;
-    for (i = 0; i < 3 * m->s->blocks; i++)
-        part[i] = KERN_R(0);
-    for (n = 0; n < p->groups; n++) {
-        const int b = m->block[p->group[n]];
-        kern_motion *v = m->motion + b;
-        *v = ((const kern_motion *)(const void *)p->y)[n];
-        v->spin *= m->unit[p->group[n]];
-        most = kern_max(most, kern_max(
-            KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
-            kern_abs(v->spin) * kern_block_size(m->s->block + b)));
-    }
-    for (n = 0; n < p->groups && most > 0; n++) {
-        kern_motion *v = m->motion + m->block[p->group[n]];
-        v->vx /= most;
-        v->vy /= most;
-        v->spin /= most;
-    }
-}
-
-/* Whether the part is all there is: then forces on it prove that it stands. */
-static int kern_part_is_whole(const kern_part *p)
-{ return p->groups == p->m->groups && p->m->from == 0; }
-
-/* The forces of a program of all groups. What is negative by rounding is
-   nothing. */
-static void kern_part_forces(kern_part *p)
-{
-    kern_model *m = p->m;
-    int k;
-    for (k = 0; k < m->s->contacts; k++)
-        m->force[k].normal = m->force[k].tangential = KERN_R(0);
-    for (k = 0; k < p->contacts; k++) {
-        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
-        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
-        const int i = p->contact[k];
-        m->force[i].normal = (x1 + x2) * m->weight;
-        m->force[i].tangential = kern_model_mu(m, i) * (x1 - x2) * m->weight;
-    }
-}
-
-/* The proof of a verdict, and the verdict itself only if the proof holds. That
-   a part stands is no verdict, and needs no proof. */
-static kern_status kern_part_prove(kern_part *p, const kern_question *q,
-                                   kern_status status)
-{
-    kern_model *m = p->m;
-    kern_real error = KERN_INFINITY;
-    int lift;
-    if (status == KERN_STANDS && !kern_part_is_whole(p))
-        return status;
-    for (lift = 0; status == KERN_FALLS && !(error <= 1)
-                   && lift <= p->simplex.started; lift++) {
-        if (lift)
-            kern_certificate_lift(&p->simplex, p->y);
-        kern_part_motion(p);
-        error = kern_prove_motion(m->s, q, m->motion);
-    }
-    if (!(error <= 1) && kern_part_is_whole(p)) {
-        /* forces may still do, within the tolerance */
-        status = KERN_STANDS;
-        kern_part_forces(p);
-        error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
-    }
-    if (!(error <= 1))
-        return KERN_UNDECIDED;
-    m->work->error = kern_max(m->work->error, error);
-    return status;
-}
-
-/* Sum of the solution: of all normal forces, in weights. */
-static kern_real kern_part_total(const kern_part *p)
-{
-    kern_real total = KERN_R(0);
-    int i;
-    for (i = 0; i < p->lp.cols; i++)
-        total += p->x[i];
-    return total;
-}
-
-/* Forces were found, but larger than is allowed: the least there are, by
-   costs of 1. If they still are too large their prices are a motion that shows
-   that no smaller ones exist. */
-static kern_status kern_part_least(kern_part *p, int own)
-{
-    kern_real *one = (kern_real *)(void *)p->m->force; /* not in use here */
-    kern_status status;
-    int i;
-    if (!(kern_part_total(p) > KERN_BOUND))
-        return KERN_STANDS;
-    for (i = 0; i < p->lp.cols; i++)
-        one[i] = KERN_R(1);
-    p->lp.cost = one;
-    status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
-    p->lp.cost = NULL;
-    if (status != KERN_LP_OPTIMAL)
-        return status < 0 ? status : KERN_UNDECIDED;
-    for (i = 0; i < p->lp.rows; i++)
-        p->y[i] = -p->y[i];
-    return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
-}
-
-/* Answers a question about a part by the simplex method. */
-static kern_status kern_part_ask(kern_part *p, const kern_question *q)
-{
-    kern_status status = KERN_UNDECIDED;
-    int own;
-    p->found = KERN_UNDECIDED;
-    if (!kern_model_spend(p->m, p->m->question))
-        return KERN_LIMIT;
-    kern_part_set(p, q);
-    for (own = 0; own < 2 && status != KERN_LIMIT; own++) {
-        status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
-        if (status == KERN_LP_OPTIMAL)
-            status = kern_part_least(p, own);
-        else if (status == KERN_LP_INFEASIBLE)
-            status = KERN_FALLS;
-        p->found = status;
-        if (status >= 0)
-            status = kern_part_prove(p, q, status);
-        if (status >= 0)
-            break;
-        /* once more from the crash basis */
-        p->simplex.started = 0;
-        p->simplex.prior = NULL;
-    }
-    return status;
-}
-
-/* Opens all groups as one part, in the place of what pouring needs. */
-static kern_status kern_part_all(kern_part *p, kern_model *m)
-{
-    int g, k;
-    p->m = m;
-    p->rest = m->common;
-    p->groups = m->groups;
-    p->contacts = p->own = m->s->contacts;
-    p->ends = m->ends;
-    p->group = kern_take_ints(&p->rest, p->groups);
-    p->contact = kern_take_ints(&p->rest, p->contacts);
-    if (!kern_take_fits(&p->rest))
-        return KERN_NO_SPACE;
-    for (g = 0; g < p->groups; g++)
-        p->group[g] = g;
-    for (k = 0; k < p->contacts; k++)
-        p->contact[k] = k;
-    if (kern_part_lay(p) != KERN_STANDS)
-        return KERN_NO_SPACE;
-    for (k = 0; k < p->contacts && m->prior; k++) {
-        const kern_real f = m->prior[k].normal / m->weight;
-        const kern_real mu = kern_model_mu(m, k);
-        const kern_real r = mu > 0 ? m->prior[k].tangential / (m->weight * mu)
-                                   : f;
-        p->x[2 * k] = (f + r) / 2;
-        p->x[2 * k + 1] = (f - r) / 2;
-    }
-    if (m->prior)
-        p->simplex.prior = p->x;
-    return KERN_STANDS;
-}
-
-static void kern_falls_clear(kern_model *m)
-{
-    int g;
-    m->wide = m->falls = 0;
-    for (g = 0; g < m->groups; g++)
-        m->fell[g] = 0;
-}
-
-/* Notes a part as what falls, and lays out its linear program; KERN_NO_SPACE
-   also where it is not much less than the whole. */
-static kern_status kern_part_note(kern_part *p)
-{
-    kern_model *m = p->m;
-    int n;
-    if (m->groups > KERN_WIDE_SMALL && 2 * p->groups > m->groups)
-        return KERN_NO_SPACE;
-    m->falls++;
-    for (n = 0; n < p->groups; n++)
-        m->fell[p->group[n]] = m->falls;
-    return kern_part_lay(p);
-}
-
-/* Notes what falls. Where a part falls that has groups in common with one that
-   fell before, the mechanism is larger than either: it is widened by its
-   neighbours, each time twice as far; and in a small structure by all others.
-   Lays out its linear program. */
-static kern_status kern_part_widen(kern_part *p)
-{
-    kern_model *m = p->m;
-    int e, n, again = 0, last = p->group[p->groups - 1], levels;
-    int groups = p->groups;
-    for (n = 0; n < groups; n++)
-        again |= m->fell[p->group[n]];
-    again |= m->groups <= KERN_WIDE_SMALL / 2 && 2 * groups > m->groups;
-    if (again)
-        m->wide = groups * 2 <= m->groups && m->groups > KERN_WIDE_SMALL
-                  ? 2 * m->wide + 1 : m->groups;
-    for (levels = again ? m->wide : 0; levels > 0 && groups < m->groups;
-         levels--) {
-        for (n = 0; n < p->groups; n++)
-            for (e = m->touch[p->group[n]]; e >= 0; e = m->after[e]) {
-                const int h = m->ends[e ^ 1];
-                if (h < m->groups && m->local[h] == KERN_OUT) {
-                    m->local[h] = 0;
-                    last = h > last ? h : last;
-                    groups++;
-                }
-            }
-        if (!kern_part_open(p, m, groups, last))
-            return KERN_NO_SPACE;
-    }
-    return kern_part_note(p);
-}
-
-/* Opens the part again that kern_part_widen() noted last. */
-static kern_status kern_part_again(kern_part *p, kern_model *m)
-{
-    int g, last = 0, groups = 0;
-    for (g = 0; g < m->groups; g++) {
-        m->local[g] = KERN_OUT;
-        if (m->fell[g] == m->falls) {
-            m->local[g] = 0;
-            last = g;
-            groups++;
-        }
-    }
-    if (!kern_part_open(p, m, groups, last))
-        return KERN_NO_SPACE;
-    return kern_part_lay(p);
-}
-
-/* Whether the last block stands by a change of forces that balance all others,
-   which is looked for below it, and proven where they changed. */
-static int kern_model_change(kern_model *m, kern_part *p,
-                             const kern_question *q)
-{
-    const int last = m->group[m->s->blocks - 1];
-    const kern_force *known = m->prior;
-    kern_poured poured;
-    kern_real error;
-    int i;
-    if (!known || !(q->shrink <= m->balanced))
-        return 0;
-    kern_model_keep(m, known, q);
-    if (last < m->groups) {
-        kern_model_loosen(m, last);
-        m->dirty[last] = 1;
-    }
-    poured = kern_pour(m, p);
-    m->prior = known;
-    if (poured != KERN_POURED)
-        return 0;
-    for (i = 0; i < m->s->blocks; i++) {
-        const int g = m->group[i];
-        m->sum[4 * i + 3] = g < m->groups && m->next[g] != KERN_OUT
-                            ? KERN_R(0) : KERN_R(-1);
-    }
-    error = kern_prove_forces(m->s, q, m->force, m->sum,
-                              q->shrink >= m->balanced);
-    if (!(error <= 1))
-        return 0;
-    m->work->error = kern_max(m->work->error, error);
-    p->found = KERN_STANDS;
-    return 1;
-}
-
-/* What is poured for a question: KERN_STANDS with a proof; KERN_FALLS with an
-   open part that seems to fall; or KERN_UNDECIDED. */
-static kern_status kern_model_pour(kern_model *m, kern_part *p,
-                                   const kern_question *q, int proven)
-{
-    kern_poured poured;
-    kern_real error, total = KERN_R(0);
-    int i;
-    if (!kern_model_spend(m, m->question))
-        return KERN_LIMIT;
-    m->work->solves++;
-    if (kern_model_change(m, p, q))
-        return KERN_STANDS;
-    kern_model_set(m, q);
-    kern_pour_begin(m);
-    poured = kern_pour(m, p);
-    switch (poured) {
-    case KERN_POURED: break;
-    case KERN_POUR_FALLS: return KERN_FALLS;
-    default: return KERN_UNDECIDED;
-    }
-    for (i = 0; i < m->s->contacts; i++)
-        total += m->force[i].normal;
-    if (total > KERN_BOUND / 2)
-        return KERN_UNDECIDED;
-    p->found = KERN_STANDS;
-    if (!proven || m->from > 0)
-        return KERN_STANDS;
-    for (i = 0; i < m->s->contacts; i++) {
-        m->force[i].normal *= m->weight;
-        m->force[i].tangential *= m->weight;
-    }
-    error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
-    if (!(error <= 1))
-        return KERN_UNDECIDED;
-    m->work->error = kern_max(m->work->error, error);
-    return KERN_STANDS;
-}
-
-/* All questions from now on go to the linear program of all groups, which
-   starts from its last basis. */
-static kern_status kern_model_plain(kern_model *m, kern_part *p,
-                                    const kern_question *q)
-{
-    kern_status status;
-    kern_model_set(m, q);
-    status = kern_part_all(p, m);
-    m->plain = status == KERN_STANDS;
-    return status;
-}
-
-/* Answers a question with a proof, or not at all: by the forces that are
-   poured, or the motion of the part that falls then, or else by the linear
-   program of the whole. After KERN_FALLS the part that falls is open. */
-static kern_status kern_model_ask(kern_model *m, kern_part *p,
-                                  const kern_question *q)
-{
-    kern_status status;
-    p->found = KERN_UNDECIDED;
-    if (!m->plain) {
-        status = kern_model_pour(m, p, q, 1);
-        if (status == KERN_STANDS)
-            return status;
-        if (status == KERN_FALLS && kern_part_lay(p) == KERN_STANDS
-            && kern_part_ask(p, q) == KERN_FALLS)
-            return KERN_FALLS;
-        status = kern_model_plain(m, p, q);
-        if (status != KERN_STANDS)
-            return status;
-    }
-    return kern_part_ask(p, q);
-}
-
-/* ---- The kern -------------------------------------------------- >>kern */
-/* Every measure asks along a path s: kerns shrink, a load grows, gravity
-   turns. What is wanted is the first place where the structure falls.
-
-   At a place that falls y gives the power -y.rhs > 0, which changes along the
-   path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
-   (Newton's method). It converges quadratically, from the side that falls. Half
-   a tolerance to each side of the edge is asked at the end: the bracket is
-   narrow, and both ends are proven.
-
-   What is asked about is a small part as long as possible (kern_path_search()),
-   and the whole only where none is found (kern_path_plain()). */
-
-typedef enum kern_path_kind {
-    KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
-} kern_path_kind;
-
-/* What is known before a search: where a structure like it stood and fell, and
-   how. */
-typedef struct kern_seed {
-    kern_real holds, edge, fails; /* fails 0: nothing                         */
-    const kern_motion *motion; /* of all blocks but the last; NULL: they rest */
-    kern_motion last;          /* of the last                                 */
-} kern_seed;
-
-typedef struct kern_path {
-    kern_path_kind kind;
-    kern_question q;          /* at s = 0; what the path changes is replaced  */
-    kern_real unit;           /* of the path: a block's size, or 1            */
-    kern_real tolerance;      /* width of the bracket                         */
-    kern_real start, end;     /* of the path; the first stands                */
-    kern_real holds, fails;   /* the bracket                                  */
-    kern_real edge;           /* where Newton's method sees the edge          */
-    kern_real stood, fell;    /* the farthest that is proven to stand, the
-                                 nearest to fall; -1, infinity: none          */
-    int never;                /* nonzero: it stands to the end                */
-    int closed;               /* nonzero: the bracket is as narrow as it gets */
-    kern_part *part;          /* that fell last                               */
-    const kern_seed *seed;    /* or NULL                                      */
-    int alone;                /* nonzero: it is asked about the part alone    */
-    int begun;                /* nonzero: it is known to stand at the start   */
-    const kern_proof *proof;  /* the caller's: of the last verdict each way   */
-} kern_path;
-
-/* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
-   half a circle by arithmetic alone. */
-static void kern_turn(kern_real s, kern_real *c, kern_real *n)
-{
-    const kern_real d = 1 + s * s;
-    const kern_real c2 = (1 - s * s) / d, n2 = 2 * s / d;
-    *c = c2 * c2 - n2 * n2;
-    *n = 2 * c2 * n2;
-}
-
-static kern_question kern_path_at(const kern_path *path, kern_real s)
-{
-    kern_question q = path->q;
-    if (path->kind == KERN_PATH_SHRINK)
-        q.shrink = s;
-    else if (path->kind == KERN_PATH_LOAD)
-        q.factor = s;
-    else {
-        kern_real c, n;
-        kern_turn(s, &c, &n);
-        n *= KERN_R(q.side);
-        q.gravity.x = c * path->q.gravity.x - n * path->q.gravity.y;
-        q.gravity.y = c * path->q.gravity.y + n * path->q.gravity.x;
-    }
-    return q;
-}
-
-/* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
-   if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
-   closes. One that was closed opens to the side that helps. In *rate how fast
-   it changes at `to`. */
-static kern_real kern_shrink_power(const kern_part *p, kern_real from,
-                                   kern_real to, kern_real *rate)
-{
-    const kern_model *m = p->m;
-    kern_real sum = KERN_R(0);
-    int i;
-    *rate = KERN_R(0);
-    for (i = 0; i < p->contacts; i++) {
-        const kern_contact *c = m->s->contact + p->contact[i];
-        const kern_real travel = kern_travel(c, m->mean);
-        const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
-        const kern_real mu = kern_model_mu(m, p->contact[i]);
-        const int head = m->ends[2 * p->contact[i]];
-        const int tail = m->ends[2 * p->contact[i] + 1];
-        kern_real was, is, work;
-        if (!(n > 0 || n < 0))
-            continue;
-        /* the arm grows along t, and t x (f n + r t) = -f */
-        work = n * (p->y[3 * p->ends[2 * i] + 2] * m->unit[head]
-                    - p->y[3 * p->ends[2 * i + 1] + 2] * m->unit[tail]);
-        if (!m->relative && from >= kern_abs(travel))
-            work = travel > 0 ? -kern_abs(work) : kern_abs(work);
-        sum -= work * kern_shift(travel, from, m->relative, &was);
-        sum += work * kern_shift(travel, to, m->relative, &is);
-        *rate += work * is;
-        if (m->narrow > 0 && mu > 0) { /* the slope of `from` is set */
-            const kern_real slope = kern_max(m->narrow * to, KERN_R(0));
-            const kern_real narrow = kern_friction(c, slope);
-            const kern_real one = 1 + c->mu * slope;
-            work = (p->x[2 * i] - p->x[2 * i + 1])
-                   * (kern_lp_dot(&p->lp, 2 * i, p->y)
-                      - kern_lp_dot(&p->lp, 2 * i + 1, p->y)) / (2 * mu);
-            sum += work * (mu - narrow);
-            if (narrow > 0)
-                *rate += work * m->narrow * (1 + c->mu * c->mu) / (one * one);
-        }
-    }
-    return sum;
-}
-
-/* Where the mechanism y that falls at s, by `power` < 0, stops to fall: its
-   power is straight but for bends where kerns close. Returns `holds` where it
-   is not seen to stop after that. */
-static kern_real kern_shrink_edge(const kern_part *p, kern_real holds,
-                                  kern_real s, kern_real power)
-{
-    const kern_real same = KERN_SAME_EDGE
-                           * (p->m->relative ? 1 : p->m->mean) / 8;
-    kern_real lo = holds, hi = s, at = s, rate, left = power;
-    int round;
-    kern_shrink_power(p, s, s, &rate);
-    for (round = 0; round < KERN_BENDS; round++) {
-        const kern_real step = left / rate;
-        if (kern_abs(step) <= same)
-            return at - step;
-        at -= step;
-        if (!(at > lo && at < hi))
-            at = lo + (hi - lo) / 2;
-        left = power + kern_shrink_power(p, s, at, &rate);
-        if (left < 0)
-            hi = at;
-        else
-            lo = at;
-    }
-    return holds;
-}
-
-/* How the wrench on block i changes along a path on which a load grows or
-   gravity turns. */
-static void kern_path_rate(const kern_path *path, const kern_model *m,
-                           const kern_question *q, kern_real s, int i,
-                           kern_wrench *w)
-{
-    if (path->kind == KERN_PATH_LOAD)
-        kern_pattern_on(m->s, q, i, w);
-    else
-        kern_weigh(kern_vec_turn(q->gravity),
-                   4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), w);
-}
-
-/* y.rhs' there. */
-static kern_real kern_load_rate(const kern_path *path,
-                                const kern_question *q, kern_real s)
-{
-    const kern_part *p = path->part;
-    const kern_model *m = p->m;
-    kern_real sum = KERN_R(0);
-    int n;
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        const kern_real *y = p->y + 3 * n;
-        kern_wrench w;
-        kern_path_rate(path, m, q, s, m->block[g], &w);
-        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[g])
-               / m->weight;
-    }
-    return sum;
-}
-
-/* Hands the proof of a verdict to the caller. */
-static void kern_proof_out(const kern_model *m, const kern_proof *proof,
-                           kern_status status)
-{
-    int i;
-    if (!proof)
-        return;
-    if (status == KERN_STANDS && proof->force)
-        for (i = 0; i < m->s->contacts; i++)
-            proof->force[i] = m->force[i];
-    if (status == KERN_FALLS && proof->motion)
-        for (i = 0; i < m->s->blocks; i++)
-            proof->motion[i] = m->motion[i];
-}
-
-/* Notes a verdict about the whole at s, and hands its proof to the caller. */
-static void kern_path_note(const kern_model *m, kern_path *path,
-                           kern_status status, kern_real s)
-{
-    if (status == KERN_STANDS)
-        path->stood = kern_max(path->stood, s);
-    if (status == KERN_FALLS)
-        path->fell = kern_min(path->fell, s);
-    kern_proof_out(m, path->proof, status);
-}
-
-/* Asks at s. Where it falls Newton's method says where that ends. */
-static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_question q = kern_path_at(path, s);
-    kern_part *p = path->part;
-    const kern_status status = path->alone ? kern_part_ask(p, &q)
-                                           : kern_model_ask(m, p, &q);
-    kern_real power = KERN_R(0);
-    int i;
-    if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
-        kern_path_note(m, path, status, s);
-    if (status == KERN_STANDS)
-        path->holds = s;
-    if (status == KERN_FALLS)
-        path->fails = s;
-    /* near to critical even a certificate that proves nothing tells where */
-    if (status == KERN_STANDS || p->found != KERN_FALLS)
-        return status;
-    for (i = 0; i < p->lp.rows; i++)
-        power += p->y[i] * p->rhs[i];
-    path->edge = path->kind == KERN_PATH_SHRINK
-                 ? kern_shrink_edge(p, path->holds, s, power)
-                 : s - power / kern_load_rate(path, &q, s);
-    return status;
-}
-
-/* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
-   it where the verdict changes. It is asked a little beyond where Newton's
-   method points to. What falls there by another mechanism points farther; what
-   falls by the same one has its edge there. Then it is asked as far before it,
-   so that verdicts at both ends are beyond doubt. If one variable of one basis
-   changed its sign between them that is the edge; if not, it is asked at the
-   edge too, where yet another mechanism may fall. What stands beyond an edge
-   is nearer to the true one than thought: then in steps that grow. */
-static kern_status kern_path_edge(kern_model *m, kern_path *path,
-                                  int rounds)
-{
-    const kern_real half = path->tolerance * KERN_R(0.45);
-    const kern_real same = path->unit * KERN_SAME_EDGE;
-    const kern_proof *proof = path->proof;
-    kern_real aside = half, under = half;
-    kern_real share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
-    int round, known = 0;
-    path->closed = 0;
-    for (round = 0; round < rounds; round++) {
-        const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-        const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
-        const int inside = r >= lo && r <= hi;
-        const int close = inside && hi - r <= aside * KERN_R(1.05);
-        const int closed = close && r - lo <= under * KERN_R(1.05)
-                           && (r - lo >= under / 2 || lo <= path->start);
-        const int pivots = m->work->pivots;
-        const int single = path->part->simplex.violated == 1;
-        kern_real at;
-        kern_status status;
-        if ((known && closed) || hi - lo <= half / 8
-            || aside + under > path->tolerance * KERN_WIDEST)
-            break;
-        if (close)
-            at = closed ? r : kern_max(r - under, path->start);
-        else if (inside && r + kern_max(aside, error) < hi)
-            at = r + kern_max(aside, error);
-        else {
-            at = lo + kern_max((hi - lo) * share, half);
-            share = kern_min(2 * share, KERN_R(0.5));
-        }
-        if (!close && !(at > lo && at < hi))
-            at = lo + (hi - lo) / 2;
-        path->proof = closed ? NULL : proof; /* only of the ends */
-        status = kern_path_ask(m, path, at);
-        path->proof = proof;
-        if (status < 0 && status != KERN_UNDECIDED)
-            return status;
-        if (closed) {
-            known = status != KERN_FALLS || path->edge > r - same;
-            if (known)
-                path->edge = r;
-            path->holds = lo;
-            path->fails = hi;
-        } else if (status == KERN_FALLS && at < lo) {
-            path->fails = hi; /* both proofs hold, within their tolerances */
-            path->edge = r;
-            under *= 2;
-            continue;
-        } else if (status == KERN_UNDECIDED) {
-            if (close)
-                under *= 2;
-            else if (inside)
-                aside *= 2;
-            else if (hi - lo <= path->tolerance * KERN_WIDEST)
-                break; /* a jam: neither proof comes nearer */
-            else
-                share *= KERN_R(0.7);
-        }
-        if (!closed && !close && status == KERN_STANDS
-            && rounds < KERN_EDGE_ROUNDS)
-            return KERN_STANDS; /* the whole is asked there first */
-        if (!closed && status == KERN_STANDS)
-            known = close && single && pivots == m->work->pivots;
-        if (!closed && status == KERN_FALLS)
-            share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
-    }
-    if (round == rounds && rounds < KERN_EDGE_ROUNDS)
-        return KERN_STANDS;
-    path->closed = 1;
-    if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
-        return KERN_UNDECIDED;
-    path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
-    return KERN_STANDS;
-}
-
-/* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
-   line contacts are nested: what a smaller one can carry a larger one can.
-   Points that move toward each other along different tangents are not. */
-typedef struct kern_travels {
-    kern_real least, most;
-    int nested;
-} kern_travels;
-
-static kern_travels kern_travels_of(const kern_model *m)
-{
-    kern_travels t;
-    int i;
-    t.least = KERN_INFINITY;
-    t.most = KERN_R(0);
-    t.nested = 1;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_contact *c = m->s->contact + i;
-        const kern_real travel = kern_abs(kern_travel(c, m->mean));
-        if ((!kern_is_free(m, c->a) && !kern_is_free(m, c->b))
-            || !(travel > 0))
-            continue;
-        t.least = kern_min(t.least, travel);
-        t.most = kern_max(t.most, travel);
-        t.nested &= c->line != 0;
-    }
-    if (m->relative)
-        t.most = KERN_R(1);
-    return t;
-}
-
-/* Goes from a place that stands toward the end, until it falls; then finds the
-   edge. Steps grow as long as they need few pivots (far beyond the edge the
-   simplex has much to do that is of no use), or are `even` where verdicts may
-   change more than once. */
-static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step, int even)
-{
-    const kern_real end = path->end, least = step / 4;
-    kern_real at = path->holds;
-    int round, tries;
-    for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real next = kern_min(end, at + step);
-        const int before = m->work->pivots;
-        kern_status status = kern_path_ask(m, path, next);
-        int pivots;
-        /* too near to critical to tell: a little aside */
-        for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
-            status = kern_path_ask(m, path,
-                kern_max(next - path->tolerance * KERN_R(tries) / 4,
-                         at + (next - at) / 2));
-        if (status == KERN_FALLS)
-            return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (status != KERN_STANDS)
-            return status;
-        if (next >= end) {
-            path->never = 1;
-            path->edge = path->fails = end;
-            return KERN_STANDS;
-        }
-        at = next;
-        pivots = m->work->pivots - before;
-        if (!even && 3 * pivots < KERN_MANY)
-            step *= KERN_R(1.6);
-        else if (!even && pivots < KERN_MANY)
-            step *= KERN_R(1.25);
-        else if (!even && pivots > 2 * KERN_MANY)
-            step *= KERN_R(0.7);
-        if (!even)
-            step = kern_max(step, kern_max(least, at / 16));
-    }
-    return KERN_UNDECIDED;
-}
-
-/* Whether the motion that is known still proves that it falls where it did. */
-static int kern_path_still_falls(kern_model *m, kern_path *path)
-{
-    const kern_seed *seed = path->seed;
-    const kern_question q = kern_path_at(path, seed->fails);
-    const int last = m->s->blocks - 1;
-    kern_real error;
-    int i;
-    for (i = 0; i < m->s->blocks; i++) {
-        kern_motion *v = m->motion + i;
-        v->vx = v->vy = v->spin = KERN_R(0);
-        if (i == last)
-            *v = seed->last;
-        else if (seed->motion)
-            *v = seed->motion[i];
-    }
-    error = kern_prove_motion(m->s, &q, m->motion);
-    if (!(error <= 1) || seed->fails - path->holds > path->tolerance)
-        return 0;
-    m->work->error = kern_max(m->work->error, error);
-    kern_path_note(m, path, KERN_FALLS, seed->fails);
-    path->fails = seed->fails;
-    path->edge = seed->edge;
-    return 1;
-}
-
-/* ---- Interior point -------------------------------------------- >>inner */
-/* The first place on a path where a large part falls, in some ten
-   factorisations. The place s is a variable of the program
-
-       max s,  A(s) x = b(s),  x >= 0,
-
-   which is linear in x and s together where a load grows, and nearly so where
-   kerns shrink or gravity turns. With g the derivative of A(s) x - b(s) along
-   the path it is at its end where
-
-       A x = b,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
-
-   y is the mechanism, and b.y the place where it falls less s. A primal-dual
-   interior-point method follows x z = mu > 0 to mu = 0. A step is Newton's,
-
-       M dy - g ds = A x~ - A x + b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
-
-   with x~ the forces that mu asks for. M has the pattern of the least forces
-   of the part and is factored as theirs is. Each step is solved twice with one
-   factor: mu and what is not linear are corrected by what the first solution,
-   with mu = 0, predicts. */
-
-typedef struct kern_inner {
-    kern_part *p;             /* all groups; its u is y                       */
-    const kern_path *path;
-    kern_real s;              /* the place                                    */
-    kern_real low, high;      /* it stays between these                       */
-    kern_real ahead;          /* where the prediction sees the edge           */
-    kern_real at;             /* the place of the matrix where that is held,
-                                 else s                                       */
-    int held;                 /* nonzero: matrix and g stay, s is linear      */
-    kern_real gap;            /* sum of x z: how far s can be from the edge   */
-    kern_real least;          /* gap that is small enough                     */
-    kern_real *x, *z;         /* of a ray: force and closing, both > 0        */
-    kern_real *dx, *dz;       /* their steps; before, dx is x~ - D A'y        */
-    kern_real *over;          /* of a row: A x - b                            */
-    kern_real *g;             /* of a row                                     */
-    kern_real *gain;          /* M^-1 g                                       */
-} kern_inner;
-
-/* out := A'v, two rays a contact */
-static void kern_inner_ways(const kern_part *p, const kern_real *v,
-                            kern_real *out)
-{
-    int k;
-    for (k = 0; k < p->contacts; k++) {
-        const kern_real *h = v + 3 * p->ends[2 * k];
-        const kern_real *t = v + 3 * p->ends[2 * k + 1];
-        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
-        const kern_contact *c = p->m->s->contact + p->contact[k];
-        const kern_real x = h[0] - t[0], y = h[1] - t[1];
-        const kern_real wn = c->n.x * x + c->n.y * y + arm[0] * h[2]
-                             + arm[2] * t[2];
-        const kern_real wt = c->mu * (c->n.x * y - c->n.y * x + arm[1] * h[2]
-                                      + arm[3] * t[2]);
-        out[2 * k] = wn + wt;
-        out[2 * k + 1] = wn - wt;
-    }
-}
-
-/* out += A x */
-static void kern_inner_carry(const kern_part *p, const kern_real *x,
-                             kern_real *out)
-{
-    int k, end;
-    for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
-        const kern_real f = x[2 * k] + x[2 * k + 1];
-        const kern_real r = p->m->s->contact[i].mu * (x[2 * k] - x[2 * k + 1]);
-        for (end = 0; end < 2; end++)
-            if (p->ends[2 * k + end] < p->groups)
-                kern_model_carry(p->m, i, end, -f, -r,
-                                 out + 3 * p->ends[2 * k + end]);
-    }
-}
-
-/* out += share times what the shrinking of kerns makes of forces x */
-static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
-                              kern_real share, kern_real *out)
-{
-    const kern_part *p = in->p;
-    const kern_model *m = p->m;
-    int k;
-    for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
-        const kern_real f = share * (x[2 * k] + x[2 * k + 1]);
-        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-        kern_real rate;
-        kern_shift(kern_travel(m->s->contact + i, m->mean), in->s,
-                   m->relative, &rate);
-        if (h < p->groups) /* t x (f n + r t) = -f */
-            out[3 * h + 2] -= rate * f * m->unit[m->ends[2 * i]];
-        if (t < p->groups)
-            out[3 * t + 2] += rate * f * m->unit[m->ends[2 * i + 1]];
-    }
-}
-
-/* The derivative of A(s) x - b(s) along the path, to in->g. */
-static void kern_inner_rate(kern_inner *in)
-{
-    const kern_question q = kern_path_at(in->path, in->s);
-    const kern_part *p = in->p;
-    const kern_model *m = p->m;
-    const int shrink = in->path->kind == KERN_PATH_SHRINK;
-    int n;
-    for (n = 0; n < p->groups; n++) {
-        kern_wrench w;
-        w.fx = w.fy = w.torque = KERN_R(0);
-        if (!shrink)
-            kern_path_rate(in->path, m, &q, in->s, m->block[p->group[n]], &w);
-        in->g[3 * n] = w.fx / m->weight;
-        in->g[3 * n + 1] = w.fy / m->weight;
-        in->g[3 * n + 2] = w.torque * m->unit[p->group[n]] / m->weight;
-    }
-    if (shrink)
-        kern_inner_shrink(in, in->x, KERN_R(1), in->g);
-}
-
-/* The matrix and the loads at a place. */
-static void kern_inner_place(kern_inner *in, kern_real place)
-{
-    kern_part *p = in->p;
-    kern_model *m = p->m;
-    const kern_question q = kern_path_at(in->path, place);
-    int n, k;
-    in->at = place;
-    for (n = 0; n < p->groups; n++) {
-        kern_model_unit(m, &q, p->group[n]);
-        kern_model_load(m, &q, p->group[n]);
-        kern_model_scale(m, p->group[n]);
-    }
-    for (k = 0; k < p->contacts; k++)
-        kern_model_arm(m, &q, p->contact[k],
-                       m->arm + 4 * (size_t)p->contact[k]);
-}
-
-/* A(s) x - b(s), and unless they are held the matrix and g. */
-static void kern_inner_set(kern_inner *in)
-{
-    kern_part *p = in->p;
-    int n, j;
-    if (!in->held) {
-        kern_inner_place(in, in->s);
-        kern_inner_rate(in);
-    }
-    for (n = 0; n < p->groups; n++)
-        for (j = 0; j < 3; j++)
-            in->over[3 * n + j] = (in->s - in->at) * in->g[3 * n + j]
-                                  - p->m->load[3 * p->group[n] + j];
-    kern_inner_carry(p, in->x, in->over);
-}
-
-/* M's factor, and M^-1 g; with D = 1 if `even`. */
-static void kern_inner_factor(kern_inner *in, int even)
-{
-    kern_part *p = in->p;
-    int k;
-    kern_least_clear(p);
-    for (k = 0; k < p->contacts; k++) {
-        const kern_real mu = p->m->s->contact[p->contact[k]].mu;
-        const kern_real plus = even ? KERN_R(1) : in->x[2 * k] / in->z[2 * k];
-        const kern_real minus = even ? KERN_R(1)
-            : in->x[2 * k + 1] / in->z[2 * k + 1];
-        kern_spring s;
-        s.f = s.r = KERN_R(0);
-        s.nn = plus + minus;
-        s.nt = mu * (plus - minus);
-        s.tt = mu * mu * s.nn;
-        kern_least_spring(p, k, &s);
-    }
-    kern_least_factor(p);
-    kern_least_solve(p, in->g, in->gain);
-    p->m->work->pivots++;
-}
-
-/* How much of a step keeps v above 0; at most all of it. */
-static kern_real kern_inner_share(const kern_real *v, const kern_real *step,
-                                  int n)
-{
-    kern_real share = KERN_R(1);
-    int i;
-    for (i = 0; i < n; i++)
-        if (v[i] < -share * step[i])
-            share = v[i] / -step[i];
-    return share;
-}
-
-/* Solves for dy = p->step, dx, and dz; returns ds. p->left has A x - b, dx has
-   x~ - D A'y, p->way has A'y. */
-static kern_real kern_inner_step(kern_inner *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real *turn = p->way + rays, ds;
-    int i;
-    kern_inner_carry(p, in->dx, p->left);
-    kern_least_solve(p, p->left, p->step);
-    ds = (1 - kern_dot(in->g, p->u, n) - kern_dot(in->g, p->step, n))
-         / kern_dot(in->g, in->gain, n);
-    if (in->held) /* s does not pass the place */
-        ds = kern_min(ds, in->at - in->s);
-    else
-        ds = kern_max(kern_min(ds, in->high - in->s), in->low - in->s);
-    for (i = 0; i < n; i++)
-        p->step[i] += ds * in->gain[i];
-    kern_inner_ways(p, p->step, turn);
-    for (i = 0; i < rays; i++) {
-        in->dx[i] -= in->x[i] / in->z[i] * turn[i];
-        in->dz[i] = p->way[i] + turn[i] - in->z[i];
-    }
-    return ds;
-}
-
-/* Goes along the steps as far as x, z > 0 let it. Where the matrix is held s
-   does not pass its place. Else, where s moves at all, it goes only so far that
-   A x comes nearer to b, or stays as near as the gap wants it. */
-static void kern_inner_move(kern_inner *in, kern_real ds)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    const kern_real most = kern_max(KERN_R(0.7) * kern_largest(in->over, n),
-                                    in->gap * kern_largest(in->g, n));
-    const kern_real from = in->s;
-    kern_real of_x = KERN_INNER_SHARE
-                     * kern_inner_share(in->x, in->dx, rays);
-    kern_real of_z = KERN_INNER_SHARE
-                     * kern_inner_share(in->z, in->dz, rays);
-    int i, tries;
-    for (i = 0; i < rays; i++)
-        in->x[i] += of_x * in->dx[i];
-    for (tries = 0; ; tries++) {
-        in->s = from + of_x * ds;
-        kern_inner_set(in);
-        if (in->held || tries == KERN_INNER_TRIES
-            || kern_abs(of_x * ds) <= in->least
-            || kern_largest(in->over, n) <= most)
-            break;
-        of_x /= 2;
-        of_z /= 2;
-        for (i = 0; i < rays; i++)
-            in->x[i] -= of_x * in->dx[i];
-    }
-    for (i = 0; i < rays; i++)
-        in->z[i] += of_z * in->dz[i];
-    for (i = 0; i < n; i++)
-        p->u[i] += of_z * p->step[i];
-    in->gap = kern_dot(in->x, in->z, rays);
-}
-
-/* One step of the method; 0 if the call has no more work for it. */
-static int kern_inner_advance(kern_inner *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    const int shrink = in->path->kind == KERN_PATH_SHRINK && !in->held;
-    kern_real of_x, of_z, ds, left = KERN_R(0), mu;
-    int i;
-    if (!kern_model_spend(p->m, 1 + p->cost / 150))
-        return 0;
-    kern_inner_factor(in, 0);
-    kern_inner_ways(p, p->u, p->way);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = -in->x[i] / in->z[i] * p->way[i];
-    for (i = 0; i < n; i++)
-        p->left[i] = in->over[i];
-    ds = kern_inner_step(in);
-    in->ahead = in->s + ds;
-    of_x = kern_inner_share(in->x, in->dx, rays);
-    of_z = kern_inner_share(in->z, in->dz, rays);
-    for (i = 0; i < rays; i++)
-        left += (in->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
-    left /= in->gap;
-    mu = kern_max(in->gap * left * left * left, kern_max(in->least / 2,
-        kern_largest(in->over, n) / kern_largest(in->g, n)));
-    mu = kern_min(mu, in->gap) / KERN_R(rays);
-    for (i = 0; i < n; i++)
-        p->left[i] = in->over[i];
-    if (shrink)
-        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->left);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->way[i])
-                    / in->z[i];
-    ds = kern_inner_step(in);
-    kern_inner_move(in, ds);
-    return 1;
-}
-
-/* v += what lifts its least entry to half of what it is below 0, and a little
-   of the largest */
-static void kern_inner_lift(kern_real *v, int n)
-{
-    kern_real lift = KERN_R(0);
-    int i;
-    for (i = 0; i < n; i++)
-        lift = kern_max(lift, KERN_R(-1.5) * v[i]);
-    lift += KERN_R(1e-3) * kern_largest(v, n);
-    for (i = 0; i < n; i++)
-        v[i] += lift;
-}
-
-/* Where the method begins: least forces of both signs, and least motions,
-   lifted above 0. Returns 0 where nothing depends on the place. */
-static int kern_inner_begin(kern_inner *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real power, x = KERN_R(0), z = KERN_R(0);
-    int i;
-    for (i = 0; i < n + 3; i++)
-        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = KERN_R(0);
-    for (i = 0; i < rays; i++)
-        in->x[i] = KERN_R(0);
-    kern_inner_set(in);
-    kern_inner_factor(in, 1);
-    for (i = 0; i < n; i++)
-        p->left[i] = -in->over[i];
-    kern_least_solve(p, p->left, p->u);
-    kern_inner_ways(p, p->u, in->x);
-    kern_inner_lift(in->x, rays);
-    kern_inner_set(in);
-    kern_least_solve(p, in->g, in->gain);
-    power = kern_dot(in->g, in->gain, n);
-    if (!(power > 0))
-        return 0;
-    for (i = 0; i < n; i++)
-        p->u[i] = in->gain[i] / power;
-    kern_inner_ways(p, p->u, in->z);
-    kern_inner_lift(in->z, rays);
-    in->gap = kern_dot(in->x, in->z, rays);
-    for (i = 0; i < rays; i++) {
-        x += in->x[i];
-        z += in->z[i];
-    }
-    for (i = 0; i < rays; i++) {
-        in->x[i] += in->gap / z / 2;
-        in->z[i] += in->gap / x / 2;
-    }
-    kern_inner_set(in);
-    in->gap = kern_dot(in->x, in->z, rays);
-    return 1;
-}
-
-/* Lists the groups in the order in which a search by breadth from `start`
-   meets them, and then from the next that it does not meet. Returns the last
-   group of the first search. */
-static int kern_inner_visit(kern_part *p, int start)
-{
-    kern_model *m = p->m;
-    int done = 0, n = 0, g, e, next = 0, last = KERN_OUT;
-    for (g = 0; g <= m->groups; g++)
-        m->local[g] = KERN_OUT;
-    for (g = start; n < p->groups; g = next) {
-        m->local[g] = n;
-        p->group[n++] = g;
-        for (; done < n; done++)
-            for (e = m->touch[p->group[done]]; e >= 0; e = m->after[e]) {
-                const int other = m->ends[e ^ 1];
-                if (other < m->groups && m->local[other] == KERN_OUT) {
-                    m->local[other] = n;
-                    p->group[n++] = other;
-                }
-            }
-        last = last == KERN_OUT ? p->group[n - 1] : last;
-        while (next < m->groups && m->local[next] != KERN_OUT)
-            next++;
-    }
-    return last;
-}
-
-/* Opens all groups for a search from path->holds on; 0 if there is no room, or
-   nothing to search. */
-static int kern_inner_open(kern_inner *in, kern_model *m,
-                           const kern_path *path)
-{
-    const kern_question q = kern_path_at(path, path->holds);
-    kern_part *p = path->part;
-    int g, rays;
-    if (m->plain)
-        kern_model_touch(m);
-    m->plain = 0;
-    kern_model_set(m, &q);
-    for (g = 0; g < m->groups; g++)
-        m->local[g] = 0;
-    if (!kern_part_open(p, m, m->groups, m->groups - 1) || p->contacts == 0)
-        return 0;
-    kern_inner_visit(p, kern_inner_visit(p, 0)); /* for a narrow factor */
-    kern_part_ends(p);
-    if (!kern_least_lay(p, &p->rest))
-        return 0;
-    rays = 2 * p->contacts;
-    in->p = p;
-    in->path = path;
-    in->x = kern_take_reals(&p->rest, rays);
-    in->z = kern_take_reals(&p->rest, rays);
-    in->dx = kern_take_reals(&p->rest, rays);
-    in->dz = kern_take_reals(&p->rest, rays);
-    in->g = kern_take_reals(&p->rest, 3 * p->groups);
-    in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
-    in->over = p->b;
-    in->held = 0;
-    in->s = path->holds;
-    in->low = path->holds - KERN_R(0.1) * path->unit;
-    in->least = path->tolerance * KERN_R(0.45);
-    return kern_take_fits(&p->rest) && kern_inner_begin(in);
-}
-
-/* Whether the forces are a proof that it stands at s. */
-static int kern_inner_holds(kern_inner *in)
-{
-    kern_part *p = in->p;
-    const kern_question q = kern_path_at(in->path, in->s);
-    kern_real error;
-    p->x = in->x;
-    kern_part_forces(p);
-    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum, 0);
-    if (error <= 1)
-        p->m->work->error = kern_max(p->m->work->error, error);
-    return error <= 1;
-}
-
-/* Whether the motion is a proof that it falls at the place of the matrix. */
-static int kern_inner_falls(kern_inner *in)
-{
-    kern_part *p = in->p;
-    const kern_question q = kern_path_at(in->path, in->at);
-    kern_real error;
-    p->y = p->u;
-    kern_part_motion(p);
-    error = kern_prove_motion(p->m->s, &q, p->m->motion);
-    if (error <= 1)
-        p->m->work->error = kern_max(p->m->work->error, error);
-    return error <= 1;
-}
-
-/* The verdict at a place, which is held from now on. */
-static kern_status kern_inner_verdict(kern_inner *in, kern_real place)
-{
-    int round;
-    kern_inner_place(in, place);
-    in->held = 1;
-    kern_inner_set(in);
-    for (round = 0; round < KERN_INNER_ROUNDS; round++) {
-        if (!kern_inner_advance(in))
-            return KERN_LIMIT;
-        if (in->s >= place ? kern_inner_holds(in) : kern_inner_falls(in))
-            return in->s >= place ? KERN_STANDS : KERN_FALLS;
-    }
-    return KERN_UNDECIDED;
-}
-
-/* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. It is known to lie before `high`. Where it is seen
-   beyond that again and again it is asked at `last`: if it stands there the
-   search is over. */
-static kern_status kern_inner_search(kern_model *m, kern_path *path,
-                                     kern_real last, kern_real high)
-{
-    const kern_real same = 4 * path->unit * KERN_SAME_EDGE;
-    kern_inner in;
-    kern_real edge, holds;
-    int round, beyond = 0, stalled = 0;
-    if (m->from > 0 || m->narrow > 0 || !kern_inner_open(&in, m, path))
-        return KERN_UNDECIDED;
-    in.high = high;
-    for (round = 0; !(in.gap <= in.least) && beyond < KERN_INNER_BEYOND;
-         round++) {
-        const kern_real gap = in.gap;
-        if (round == KERN_INNER_ROUNDS || stalled == KERN_INNER_BEYOND
-            || !(gap <= KERN_HUGE) || !kern_inner_advance(&in))
-            return KERN_UNDECIDED;
-        beyond = in.ahead > high - in.least ? beyond + 1 : 0;
-        stalled = kern_abs(in.gap - gap) < gap / 32 ? stalled + 1 : 0;
-    }
-    if (beyond == KERN_INNER_BEYOND) {
-        if (kern_inner_verdict(&in, last) != KERN_STANDS)
-            return KERN_UNDECIDED;
-        kern_path_note(m, path, KERN_STANDS, last);
-        path->holds = last;
-        path->never = high >= path->end;
-        if (path->never)
-            path->fails = high;
-        path->edge = path->never ? high : kern_max(path->edge, last);
-        return KERN_STANDS;
-    }
-    for (round = 0; !kern_inner_holds(&in); round++)
-        if (round == KERN_INNER_TRIES || !kern_inner_advance(&in))
-            return KERN_UNDECIDED;
-    if (in.s < path->start)
-        return KERN_UNDECIDED;
-    kern_path_note(m, path, KERN_STANDS, in.s);
-    holds = in.s;
-    edge = kern_min(kern_max(in.ahead, holds), holds + in.gap);
-    if (kern_inner_verdict(&in, kern_min(edge + in.least, path->end))
-        != KERN_FALLS)
-        return KERN_UNDECIDED;
-    kern_path_note(m, path, KERN_FALLS, in.at);
-    for (round = 0; round < KERN_INNER_TRIES
-                    && kern_abs(in.ahead - edge) > same; round++) {
-        edge = in.ahead;
-        if (!kern_inner_advance(&in))
-            break;
-    }
-    path->holds = holds;
-    path->fails = in.at;
-    path->edge = kern_min(kern_max(in.ahead, holds), in.at);
-    return KERN_STANDS;
-}
-
-static int kern_moves(const kern_model *m, int i)
-{
-    const kern_motion *v = m->motion + i;
-    const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
-           || kern_abs(v->spin) * size > KERN_AT_REST;
-}
-
-/* Asks whether what moves in m->motion falls with the last block on it at
-   places beyond the one that fails, all other blocks held. */
-static kern_status kern_path_moved(kern_model *m, kern_path *path,
-                                   kern_real step)
-{
-    const kern_real fails = path->seed->fails;
-    const kern_question q = kern_path_at(path, fails);
-    kern_status status = KERN_UNDECIDED;
-    int i, last = 0, groups = 0, tries;
-    kern_model_set(m, &q);
-    for (i = 0; i < m->s->blocks; i++) {
-        const int g = m->group[i];
-        if (g < m->groups && (i + 1 == m->s->blocks || kern_moves(m, i))) {
-            m->local[g] = 0;
-            last = g > last ? g : last;
-            groups++;
-        }
-    }
-    if (groups < 2 || !kern_part_open(path->part, m, groups, last)
-        || kern_part_note(path->part) != KERN_OK)
-        return status;
-    path->alone = 1;
-    for (tries = 0; tries < 2 && status != KERN_FALLS; tries++, step *= 4)
-        status = kern_path_ask(m, path, kern_min(path->end, fails + step / 2));
-    path->alone = path->closed = 0;
-    return status;
-}
-
-/* As kern_path_search(), by the interior point, or else by the linear program
-   of the whole. Where something is known it is asked at `at`, where that
-   stands. Else, or if it is not decided there, it climbs from path->holds. */
-static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_real step, kern_real at, int fell)
-{
-    const kern_real holds = path->holds;
-    const kern_question q = kern_path_at(path, holds);
-    const int seeded = !fell && path->seed && path->seed->fails > at;
-    const int closed = fell && path->closed;
-    /* The walls' kerns close one after the other, and beyond a closed kern the
-       interior point sees no gradient: there the simplex method takes half of
-       the instructions; of an arch it takes three times as many. */
-    const int smooth = path->kind != KERN_PATH_SHRINK
-                       || m->s->contacts <= 3 * m->groups;
-    kern_status status = KERN_UNDECIDED;
-    if (smooth && !seeded) /* else one verdict from the known forces may do */
-        status = kern_inner_search(m, path, closed ? at : path->end,
-                                   closed ? path->fails : path->end);
-    if (status == KERN_STANDS)
-        return status;
-    status = kern_model_plain(m, path->part, &q);
-    if (status != KERN_STANDS)
-        return status;
-    if (at > holds && seeded) {
-        status = kern_path_ask(m, path, at);
-        if (status == KERN_STANDS)
-            return kern_path_still_falls(m, path)
-                   ? status : kern_path_climb(m, path, step, 0);
-        if (status == KERN_FALLS)
-            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (status == KERN_STANDS && path->holds > holds)
-            return status;
-        path->holds = holds;
-    }
-    status = kern_path_ask(m, path, holds);
-    if (status == KERN_FALLS && holds > path->start)
-        status = kern_path_ask(m, path, path->start);
-    return status == KERN_STANDS ? kern_path_climb(m, path, step, 0) : status;
-}
-
-/* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
-   shows neither. */
-static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
-                                  int proven)
-{
-    const kern_question q = kern_path_at(path, s);
-    kern_status status = kern_model_pour(m, path->part, &q, proven);
-    if (status == KERN_STANDS) {
-        if (proven)
-            kern_path_note(m, path, status, s);
-        path->holds = s;
-    }
-    if (status != KERN_FALLS)
-        return status;
-    if (kern_part_widen(path->part) != KERN_STANDS)
-        return KERN_UNDECIDED;
-    path->alone = 1;
-    status = kern_path_ask(m, path, s);
-    path->alone = 0;
-    return status == KERN_FALLS ? status : KERN_UNDECIDED;
-}
-
-/* Narrows the bracket of the open part alone, in a few questions. */
-static kern_status kern_path_part(kern_model *m, kern_path *path)
-{
-    kern_status status;
-    path->alone = 1;
-    status = kern_path_edge(m, path, kern_part_is_whole(path->part)
-                                     ? KERN_EDGE_ROUNDS : KERN_PART_ROUNDS);
-    path->alone = 0;
-    return status;
-}
-
-/* The first edge of a path on which the verdict changes but once. What falls
-   at some place is a part, most often a small one, and no edge of the whole
-   lies beyond that of a part, all else held. So the path is poured where the
-   part that fell last is seen to stand, until nothing falls there. Then the
-   edge of that part is found exactly, and poured before. */
-static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real first, kern_real step)
-{
-    const kern_real start = path->holds;
-    const kern_seed *seed = path->seed;
-    int seeded = seed && seed->fails > start && seed->fails <= path->end;
-    kern_real holds = start, at = kern_min(start + first, path->end);
-    int round, fell = 0;
-    if (seeded)
-        at = kern_max(start, seed->holds);
-    path->start = start;
-    if (m->plain)
-        return kern_path_plain(m, path, step, start, 0);
-    kern_falls_clear(m);
-    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const int last = fell ? path->closed : seeded || at >= path->end;
-        kern_status status = kern_path_pour(m, path, at, last);
-        if (status == KERN_STANDS) {
-            holds = at;
-            if (fell && last) {
-                path->edge = kern_min(kern_max(path->edge, at), path->fails);
-                return status;
-            }
-            if (seeded && kern_path_still_falls(m, path))
-                return status;
-            if (at >= path->end) {
-                path->never = 1;
-                path->edge = path->fails = at;
-                return status;
-            }
-            if (fell)
-                status = kern_part_again(path->part, m);
-            else if (seeded && kern_path_moved(m, path, first) == KERN_FALLS)
-                fell = 1;
-            else
-                at = kern_min(path->end, seed && seed->fails > 0
-                                         ? at + first
-                                         : start + 2 * (at - start));
-        } else if (status == KERN_FALLS) {
-            if (at <= start && !path->begun)
-                return status;
-            if (at <= start)
-                break;
-            fell = 1;
-            path->closed = 0;
-            status = KERN_STANDS;
-        }
-        seeded = 0;
-        path->holds = holds;
-        if (status == KERN_STANDS && fell
-            && path->edge > start + path->tolerance) {
-            status = kern_path_part(m, path);
-            at = path->holds;
-            if (status == KERN_STANDS && kern_part_is_whole(path->part)
-                && at > holds && path->closed)
-                return status;
-        } else if (fell) {
-            const kern_real next = kern_max(start, kern_min(path->edge, at)
-                                                   - path->tolerance / 2);
-            if (!(next < at))
-                break; /* critical where it starts */
-            at = next;
-        }
-        if (status != KERN_STANDS)
-            break;
-    }
-    path->holds = holds;
-    return kern_path_plain(m, path, step, at, fell);
-}
-
-static kern_real kern_step(const kern_model *m, const kern_options *o)
-{
-    if (o->epsilon > 0)
-        return o->epsilon;
-    return m->relative ? KERN_R(0.05) : KERN_R(0.02) * m->mean;
-}
-
-/* How many steps of Algorithm 1 there are until every kern is closed. */
-static kern_status kern_steps(const kern_margin *out, int *last)
-{
-    const kern_real steps = out->most / out->epsilon;
-    if (!(steps <= KERN_R(1000000)))
-        return KERN_BAD_STEP;
-    *last = (int)steps;
-    *last += KERN_R(*last) < steps;
-    return KERN_OK;
-}
-
-/* Algorithm 1: the first k at which kerns shrunk by k steps hold no longer;
-   last + 1 if they always do. `known` tells the verdicts outside of the
-   bracket [holds, fails] without asking: kerns are nested. */
-static kern_status kern_level_scan(kern_model *m, kern_path *path, int last,
-                                   int known, kern_margin *out)
-{
-    int k = 1;
-    if (known && path->holds > out->epsilon)
-        k = (int)(path->holds / out->epsilon);
-    if (known && out->saturated)
-        k = last + 1;
-    for (; k <= last; k++) {
-        const kern_real at = kern_min(KERN_R(k) * out->epsilon, out->most);
-        const kern_question q = kern_path_at(path, at);
-        kern_status status = KERN_STANDS;
-        if (!known || (at > path->holds && at < path->fails))
-            status = kern_model_ask(m, path->part, &q);
-        else if (at > path->holds)
-            status = KERN_FALLS;
-        if (status == KERN_UNDECIDED)
-            k = -1;
-        if (status == KERN_FALLS || status == KERN_UNDECIDED)
-            break;
-        if (status != KERN_STANDS)
-            return status;
-    }
-    out->level = k;
-    return KERN_STANDS;
-}
-
-/* Opens the model of a task that has been checked, and a path in it along which
-   kerns shrink. */
-static kern_status kern_path_begin(kern_path *path, kern_model *m,
-                                   kern_part *part, const kern_task *task,
-                                   int free_blocks, int last_only)
-{
-    path->kind = KERN_PATH_SHRINK;
-    path->part = part;
-    path->proof = NULL;
-    path->q = kern_question_of(&task->s, &task->options, KERN_R(0));
-    path->seed = NULL;
-    path->alone = path->begun = 0;
-    path->unit = task->options.relative ? 1 : path->q.mean;
-    path->tolerance = KERN_WIDTH * path->unit;
-    path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = KERN_R(0);
-    path->stood = KERN_R(-1);
-    path->fell = KERN_INFINITY;
-    path->never = path->closed = 0;
-    return kern_model_open(m, task, &path->q, free_blocks, last_only);
-}
-
-/* Along the path a load grows or gravity turns instead. */
-static void kern_path_push(kern_path *path, kern_path_kind kind,
-                           const kern_wrench *pattern, kern_side side)
-{
-    path->kind = kind;
-    path->q.pattern = pattern;
-    path->q.side = side;
-    path->unit = KERN_R(1);
-    path->tolerance = KERN_WIDTH;
-}
-
-/* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
-   where the answer goes. */
-static kern_status kern_path_open(kern_path *path, kern_model *m,
-                                  kern_part *part, const kern_task *task,
-                                  kern_real shrink, const void *out)
-{
-    int free_blocks = 0;
-    kern_status status = kern_task_check(task, out, &free_blocks);
-    if (status == KERN_OK && !kern_is_finite(shrink))
-        status = KERN_BAD_NUMBER;
-    if (status != KERN_OK)
-        return status;
-    status = kern_path_begin(path, m, part, task, free_blocks, 0);
-    path->q.shrink = shrink;
-    return status;
-}
-
-KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
-                                  const kern_proof *proof)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_status status = kern_path_open(&path, &m, &part, task, shrink, task);
-    if (status != KERN_OK)
-        return status;
-    status = kern_model_ask(&m, &part, &path.q);
-    kern_proof_out(&m, proof, status);
-    return kern_spent(task->work, task->options.limit, status);
-}
-
-/* The margin, and with it the level. Where kerns are nested the verdicts beside
-   the margin tell the level; where they are not the literal scan comes first,
-   and the margin is looked for before the place where it ends. */
-static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
-                                     int last, kern_margin *out)
-{
-    kern_status status;
-    if (nested)
-        status = kern_path_search(m, path, path->unit * KERN_FIRST,
-                                  path->unit * KERN_FIRST);
-    else {
-        status = kern_path_ask(m, path, KERN_R(0));
-        if (status == KERN_STANDS)
-            status = kern_level_scan(m, path, last, 0, out);
-        if (out->level > 0)
-            path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-        if (status == KERN_STANDS)
-            status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
-    }
-    if (path->never && path->end < out->most) /* where the scan said it falls */
-        return KERN_UNDECIDED;
-    if (status != KERN_STANDS)
-        return status;
-    out->margin = path->edge;
-    out->holds = path->holds;
-    out->fails = path->fails;
-    out->saturated = path->never;
-    return nested ? kern_level_scan(m, path, last, 1, out) : status;
-}
-
-/* The measure of what falls at once, and how many steps of Algorithm 1 there
-   would be. */
-static kern_status kern_measure_none(const kern_model *m,
-                                     const kern_options *o, kern_margin *out,
-                                     int *last)
-{
-    out->most = kern_travels_of(m).most;
-    out->epsilon = kern_step(m, o);
-    out->margin = out->holds = out->fails = KERN_R(0);
-    out->level = out->saturated = 0;
-    return kern_steps(out, last);
-}
-
-/* The measure along a path that has been opened. */
-static kern_status kern_measure_along(kern_model *m, kern_path *path,
-                                      const kern_options *o, kern_margin *out)
-{
-    kern_margin r;
-    int last = 0;
-    kern_status status = kern_measure_none(m, o, &r, &last);
-    if (status != KERN_OK)
-        return status;
-    path->end = r.most;
-    status = kern_spent(m->work, m->limit, kern_measure_path(
-        m, path, kern_travels_of(m).nested, last, &r));
-    if (status == KERN_LIMIT) {
-        r.fails = kern_min(path->fell, r.most);
-        r.margin = r.holds = kern_min(path->stood, r.fails);
-        r.level = -1;
-        r.saturated = 0;
-    }
-    if (status == KERN_STANDS || status == KERN_FALLS || status == KERN_LIMIT)
-        *out = r;
-    return status;
-}
-
-/* What is known of a task; its last block may have been added since. It is
-   used as a guess alone: the numbers must be in order, the rest is verified. */
-static kern_seed kern_known_seed(const kern_task *task)
-{
-    const kern_known *known = &task->known;
-    kern_seed seed;
-    seed.holds = known->holds;
-    seed.edge = known->margin;
-    seed.fails = known->holds >= 0 && known->holds <= known->margin
-                 && known->margin <= known->fails
-                 && known->fails < KERN_INFINITY ? known->fails : KERN_R(0);
-    seed.motion = task->known.motion;
-    seed.last = task->known.motion[task->s.blocks - 1];
-    return seed;
-}
-
-/* Remembers a measure, whose proof is in the arrays of what is known, and
-   copies the proof to where it is wanted. */
-static void kern_known_set(kern_task *task, kern_status status,
-                           const kern_margin *out, const kern_proof *proof)
-{
-    kern_known *known = &task->known;
-    int i;
-    known->fails = KERN_R(0);
-    for (i = 0; i < task->s.contacts && proof && proof->force; i++)
-        proof->force[i] = known->force[i];
-    for (i = 0; i < task->s.blocks; i++) {
-        kern_motion *v = known->motion + i;
-        if (status == KERN_STANDS && out->saturated)
-            v->vx = v->vy = v->spin = KERN_R(0);
-        else if (proof && proof->motion)
-            proof->motion[i] = *v;
-    }
-    if (status == KERN_STANDS) {
-        known->holds = out->holds;
-        known->margin = out->margin;
-        known->fails = out->fails;
-        known->blocks = task->s.blocks;
-        known->contacts = task->s.contacts;
-        known->gravity = task->s.gravity;
-        known->relative = task->options.relative;
-    }
-}
-
-KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
-                                  const kern_proof *proof)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_seed seed;
-    kern_proof kept;
-    const int warm = task && task->known.motion && task->known.force;
-    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0), out);
-    if (status != KERN_OK)
-        return status;
-    path.proof = proof;
-    if (warm) {
-        kept.force = task->known.force;
-        kept.motion = task->known.motion;
-        path.proof = &kept;
-        seed = kern_known_seed(task);
-        path.seed = &seed;
-    }
-    status = kern_measure_along(&m, &path, &task->options, out);
-    if (warm && status != KERN_BAD_STEP) /* forces may have changed */
-        task->known.blocks = 0;
-    if (warm && status >= 0)
-        kern_known_set(task, status, out, proof);
-    else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
-        /* its proof has been written over */
-        task->known.fails = KERN_R(0);
-    return status;
-}
-
-/* The extent: the longest side of the box around the free blocks. */
-static kern_real kern_extent(const kern_structure *s)
-{
-    kern_box whole;
-    kern_vec side;
-    int i;
-    kern_box_empty(&whole);
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        const kern_real half = kern_block_size(b) / 2;
-        if (b->fixed)
-            continue;
-        if (b->vertices) {
-            kern_box_add(&whole, b->box.low);
-            kern_box_add(&whole, b->box.high);
-        } else {
-            kern_box_add(&whole, kern_vec_make(b->centre.x - half,
-                                               b->centre.y - half));
-            kern_box_add(&whole, kern_vec_make(b->centre.x + half,
-                                               b->centre.y + half));
-        }
-    }
-    side = kern_vec_sub(whole.high, whole.low);
-    return kern_max(side.x, side.y);
-}
-
-/* Grows the kerns of what falls until it stands, and finds the edge. */
-static kern_status kern_grow(kern_model *m, kern_path *path,
-                             kern_real *deficit)
-{
-    const kern_travels travels = kern_travels_of(m);
-    const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
-    kern_real limit = 1000 * kern_extent(m->s), grown;
-    kern_status status;
-    if (m->relative)
-        limit = travels.least < KERN_INFINITY ? limit / travels.least
-                                              : KERN_R(1);
-    path->start = -limit;
-    for (grown = path->unit * KERN_R(0.001); ;
-         grown = kern_min(grown * growth, limit)) {
-        status = kern_path_ask(m, path, -grown);
-        if (status != KERN_FALLS && status != KERN_UNDECIDED)
-            break;
-        if (grown >= limit) {
-            *deficit = KERN_INFINITY;
-            return status;
-        }
-    }
-    if (status == KERN_STANDS)
-        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-    *deficit = -path->edge;
-    return status == KERN_STANDS ? KERN_FALLS : status;
-}
-
-KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_real grown = KERN_R(0);
-    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
-                                        deficit);
-    if (status != KERN_OK)
-        return status;
-    status = kern_path_ask(&m, &path, KERN_R(0));
-    if (status == KERN_FALLS)
-        status = kern_grow(&m, &path, &grown);
-    status = kern_spent(task->work, task->options.limit, status);
-    if (status == KERN_LIMIT)
-        grown = path.fell <= 0 ? -path.fell : KERN_R(-1);
-    if (status >= 0 || status == KERN_LIMIT)
-        *deficit = grown;
-    return status;
-}
-
-/* The length of a contact between lo and hi, about in the middle of those that
-   there are, as powers of ten; 0: there is none. */
-static kern_real kern_length_between(const kern_structure *s, kern_real lo,
-                                     kern_real hi)
-{
-    kern_real least = hi, most = lo, middle, best;
-    int i;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_real length = kern_contact_length(s->contact + i);
-        if (length > lo && length < hi) {
-            least = kern_min(least, length);
-            most = kern_max(most, length);
-        }
-    }
-    if (!(most > lo))
-        return KERN_R(0);
-    middle = KERN_SQRT(least) * KERN_SQRT(most);
-    best = most;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_real length = kern_contact_length(s->contact + i);
-        if (length > lo && length >= middle)
-            best = kern_min(best, length);
-    }
-    return best;
-}
-
-KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
-                                  const kern_proof *proof)
-{
-    kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    int round;
-    kern_status status = kern_path_open(&path, &m, &part, task, at, length);
-    if (status != KERN_OK)
-        return status;
-    status = KERN_STANDS;
-    for (round = 0; status == KERN_STANDS && (round < 2 || at > 0); round++) {
-        path.q.shortest = at;
-        kern_model_group(&m, &path.q);
-        status = kern_model_ask(&m, &part, &path.q);
-        kern_proof_out(&m, proof, status);
-        if (status == KERN_STANDS)
-            lo = at;
-        else if (round > 0
-                 && (status == KERN_FALLS || status == KERN_UNDECIDED)) {
-            hi = at;
-            status = KERN_STANDS;
-        }
-        at = round == 0 ? KERN_INFINITY
-                        : kern_length_between(&task->s, lo, hi);
-    }
-    status = kern_spent(task->work, task->options.limit, status);
-    if (status == KERN_STANDS || status == KERN_LIMIT)
-        *length = lo;
-    return status;
-}
-
-/* Gravity and a side to turn it to. */
-static int kern_has_side(const kern_structure *s, kern_side side)
-{
-    return (side == KERN_RIGHT || side == KERN_LEFT)
-           && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
-}
-
-/* The angle whose tangent is s >= 0: halved twice, then the series. */
-static kern_real kern_angle_of(kern_real s)
-{
-    kern_real sum = KERN_R(0), t2;
-    int i;
-    for (i = 0; i < 3; i++)
-        s = s / (1 + KERN_SQRT(1 + s * s));
-    t2 = s * s;
-    for (i = 25; i > 0; i -= 2)
-        sum = KERN_R(1) / KERN_R(i) - t2 * sum;
-    return 8 * s * sum;
-}
-
-/* What grows along a path: a pattern of loads, a horizontal load to a side where
-   that is NULL, or the tilt to a side. */
-typedef struct kern_growth {
-    kern_path_kind kind;
-    const kern_wrench *pattern;
-    kern_side side;
-} kern_growth;
-
-/* How a load grows or gravity turns: a verdict where the path begins, the
-   climb, the proofs. Under loads that stay a tilt may stand again after it
-   fell: then in even steps. */
-static kern_status kern_push(const kern_task *task, kern_real shrink,
-                             const kern_growth *growth, kern_real *out,
-                             const kern_proof *proof)
-{
-    const int tilt = growth->kind == KERN_PATH_TILT;
-    const kern_wrench *pattern = growth->pattern;
-    const kern_structure *s;
-    kern_real step = KERN_R(0.05);
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    int i, loaded = 0;
-    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
-    if (status != KERN_OK)
-        return status;
-    s = &task->s;
-    if (!pattern && !kern_has_side(s, growth->side))
-        return KERN_BAD_OPTION;
-    for (i = 0; i < s->blocks; i++) {
-        if (!kern_is_free(&m, i))
-            continue;
-        loaded |= tilt && kern_wrench_sum(&s->block[i].load) > 0;
-        if (pattern && !kern_is_finite(kern_wrench_sum(pattern + i))) {
-            task->work->fault.block = i;
-            return KERN_BAD_NUMBER;
-        }
-    }
-    kern_path_push(&path, growth->kind, pattern, growth->side);
-    path.proof = proof;
-    path.end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
-    if (tilt)
-        step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
-    status = kern_path_ask(&m, &path, KERN_R(0));
-    path.begun = status == KERN_STANDS;
-    if (status == KERN_STANDS)
-        status = loaded ? kern_path_climb(&m, &path, step, 1)
-                        : kern_path_search(&m, &path, step, step);
-    status = kern_spent(task->work, task->options.limit, status);
-    if (status == KERN_LIMIT)
-        path.edge = path.stood;
-    if (status == KERN_STANDS || status == KERN_LIMIT)
-        *out = tilt ? 4 * kern_angle_of(path.edge)
-                    : path.never ? KERN_INFINITY : path.edge;
-    return status;
-}
-
-KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
-                                      kern_side side, kern_real *factor,
-                                      const kern_proof *proof)
-{
-    kern_growth growth;
-    growth.kind = KERN_PATH_LOAD;
-    growth.pattern = NULL;
-    growth.side = side;
-    return kern_push(task, shrink, &growth, factor, proof);
-}
-
-KERN_API kern_status kern_load_factor_of(const kern_task *task,
-                                         kern_real shrink,
-                                         const kern_wrench *pattern,
-                                         kern_real *factor,
-                                         const kern_proof *proof)
-{
-    kern_growth growth;
-    growth.kind = KERN_PATH_LOAD;
-    growth.pattern = pattern;
-    growth.side = KERN_SHRINK;
-    return pattern ? kern_push(task, shrink, &growth, factor, proof)
-                   : KERN_BAD_POINTER;
-}
-
-KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
-                               kern_side side, kern_real *angle,
-                               const kern_proof *proof)
-{
-    kern_growth growth;
-    growth.kind = KERN_PATH_TILT;
-    growth.pattern = NULL;
-    growth.side = side;
-    return kern_push(task, shrink, &growth, angle, proof);
-}
-
-/* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: the path goes on after its first edge. What moves in
-   the mechanism there is taken away with its contacts, and the rest goes on
-   from the same place, until nothing is left or the path ends. A model of fewer
-   blocks is the same model with fewer groups: it needs no memory of its own,
-   and its programs grow smaller. */
-
-typedef struct kern_fall {
-    int weak;                 /* places in the weaker half that are not taken */
-    kern_real sum, weak_sum;  /* of the values of all that fell, of that half */
-    kern_real *value;         /* of each block, -1 as long as it stands       */
-} kern_fall;
-
-static void kern_fall_add(kern_fall *fall, int i, kern_real at)
-{
-    fall->value[i] = at;
-    fall->sum += at;
-    if (fall->weak-- > 0)
-        fall->weak_sum += at;
-}
-
-/* Takes away the blocks that move in the last mechanism. */
-static void kern_fall_take(kern_model *m, const kern_question *q,
-                           kern_fall *fall, kern_real at)
-{
-    int i;
-    for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && kern_moves(m, i))
-            kern_fall_add(fall, i, at);
-    kern_model_group(m, q);
-}
-
-/* Evaluates where the structure fell last, and a little farther as long as
-   that is too near to critical to tell. */
-static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
-{
-    kern_real beyond = path->fails;
-    kern_status status = kern_path_ask(m, path, beyond);
-    int tries;
-    for (tries = 0; status == KERN_UNDECIDED && tries < 8; tries++) {
-        beyond += path->tolerance;
-        status = kern_path_ask(m, path, beyond);
-    }
-    return status;
-}
-
-/* Takes away what falls at the edge, and what then falls at the same place,
-   until the rest stands a hair beyond it. The last verdict was that it falls,
-   and its motion has been proven. */
-static kern_status kern_fall_at(kern_model *m, kern_path *path,
-                                kern_fall *fall, kern_real at)
-{
-    kern_status status = KERN_FALLS;
-    while (status == KERN_FALLS) {
-        kern_fall_take(m, &path->q, fall, at);
-        if (m->groups == 0)
-            return KERN_STANDS;
-        status = kern_fall_beyond(m, path);
-    }
-    return status;
-}
-
-/* To the next edge, in the steps that its measure takes by itself, and to the
-   proven mechanism there: the search for the edge may have ended with another
-   verdict. */
-static kern_status kern_fall_climb(kern_model *m, kern_path *path,
-                                   kern_real *at)
-{
-    kern_real step = KERN_R(0.05);
-    kern_status status;
-    int even = 0;
-    if (path->kind == KERN_PATH_SHRINK) {
-        even = !kern_travels_of(m).nested;
-        step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
-    }
-    status = even ? kern_path_climb(m, path, step, 1)
-                  : kern_path_search(m, path, step, step);
-    *at = path->edge;
-    if (status == KERN_STANDS && !path->never)
-        status = kern_fall_beyond(m, path);
-    return status;
-}
-
-/* The whole collapse along a path: from edge to edge. Where both proofs hold at
-   one place a round may take nothing away: there may be so many of these. */
-static kern_status kern_fall_follow(kern_model *m, kern_path *path,
-                                    kern_fall *fall)
-{
-    kern_real at = KERN_R(0);
-    kern_status status = kern_path_ask(m, path, at);
-    int i, rounds = 2 * m->groups + KERN_FALL_ROUNDS;
-    while (m->groups > 0 && !path->never) {
-        if (rounds-- == 0)
-            return KERN_UNDECIDED;
-        if (status == KERN_FALLS)
-            status = kern_fall_at(m, path, fall, at);
-        if (status != KERN_STANDS)
-            return status;
-        if (m->groups > 0)
-            status = kern_fall_climb(m, path, &at);
-    }
-    for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i))
-            kern_fall_add(fall, i, path->end);
-    return KERN_STANDS;
-}
-
-/* e^-x for x >= 0, the first terms of its series squared ten times: libm may
-   differ from machine to machine. Within 2e-4 of itself up to x = 10. */
-static kern_real kern_decay(kern_real x)
-{
-    const kern_real t = x / KERN_R(1024);
-    kern_real y = 1 - t + t * t / 2;
-    int i;
-    if (x > 40)
-        return KERN_R(0);
-    for (i = 0; i < 10; i++)
-        y *= y;
-    return y;
-}
-
-/* A stone's chance to fall times how far. */
-static kern_real kern_expected_drop(const kern_model *m,
-                                    const kern_real *value)
-{
-    const kern_structure *s = m->s;
-    const kern_real pull = kern_vec_length(s->gravity);
-    kern_real base = KERN_INFINITY, sum = KERN_R(0);
-    int i, n = 0;
-    for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed)
-            base = kern_min(base, -kern_vec_dot(s->block[i].centre, s->gravity)
-                                      / pull
-                                  - kern_block_size(s->block + i) / 2);
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        if (b->fixed)
-            continue;
-        sum += kern_max(KERN_DROP_HEIGHT,
-                        (-kern_vec_dot(b->centre, s->gravity) / pull - base)
-                        / m->mean)
-               * kern_decay(value[i] / KERN_DROP_LOAD);
-        n++;
-    }
-    return sum / KERN_R(n);
-}
-
-KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
-                                  kern_real *value, kern_collapse *out)
-{
-    const kern_structure *s;
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_fall fall;
-    int i, free_blocks, half;
-    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
-                                        value ? out : NULL);
-    if (status != KERN_OK)
-        return status;
-    s = &task->s;
-    if (side != KERN_SHRINK && !kern_has_side(s, side))
-        return KERN_BAD_OPTION;
-    if (side != KERN_SHRINK)
-        kern_path_push(&path, KERN_PATH_LOAD, NULL, side);
-    path.q.fallen = value;
-    path.end = side ? KERN_PROFILE_MOST : kern_travels_of(&m).most;
-    free_blocks = m.groups;
-    half = (free_blocks + 1) / 2;
-    fall.weak = half;
-    fall.sum = fall.weak_sum = KERN_R(0);
-    fall.value = value;
-    for (i = 0; i < s->blocks; i++)
-        value[i] = KERN_R(-1);
-    status = kern_spent(task->work, task->options.limit,
-                        kern_fall_follow(&m, &path, &fall));
-    for (i = 0; i < s->blocks; i++)
-        if (s->block[i].fixed)
-            value[i] = KERN_INFINITY;
-    if (status != KERN_STANDS)
-        return status;
-    out->least = value[0];
-    for (i = 1; i < s->blocks; i++)
-        out->least = kern_min(out->least, value[i]);
-    out->mean = fall.sum / KERN_R(free_blocks);
-    out->weak = fall.weak_sum / KERN_R(half);
-    out->drop = side ? kern_expected_drop(&m, value) : KERN_R(0);
-    return KERN_OK;
-}
-
-/* ---- What is critical ---------------------------------------- >>critical */
-
-/* Velocity of block b relative to block a where contact point c acts. */
-static kern_motion kern_meeting_motion(const kern_structure *s,
-                                       const kern_question *q,
-                                       const kern_contact *c,
-                                       const kern_motion *motion)
-{
-    const kern_motion a = motion[c->a], b = motion[c->b];
-    kern_motion v;
-    kern_vec arm[2];
-    kern_arms(s, c, q, arm);
-    v.vx = b.vx - b.spin * arm[1].y - (a.vx - a.spin * arm[0].y);
-    v.vy = b.vy + b.spin * arm[1].x - (a.vy + a.spin * arm[0].x);
-    v.spin = b.spin - a.spin;
-    return v;
-}
-
-static kern_meeting kern_meeting_of(const kern_contact *c, kern_motion v,
-                                    kern_real size)
-{
-    const kern_vec u = kern_vec_make(v.vx, v.vy);
-    const kern_real along = kern_abs(kern_vec_cross(c->n, u));
-    if (kern_vec_dot(c->n, u) > c->mu * along + KERN_REST)
-        return KERN_OPENS;
-    if (along > KERN_REST)
-        return KERN_SLIDES;
-    return kern_abs(v.spin) * size > KERN_REST ? KERN_HINGES : KERN_RESTS;
-}
-
-/* How much a contact point limits, by the first of: the power f w that moving
-   inward with a force f costs while the blocks turn at w, unless its kern is
-   closed; the rate of a hinge; the speed of sliding. */
-static kern_real kern_limit_by(int by, const kern_contact *c, kern_motion v,
-                               kern_meeting meeting, const kern_force *force,
-                               const kern_question *q)
-{
-    kern_real way = c->travel;
-    if (by == 1)
-        return meeting == KERN_HINGES ? kern_abs(v.spin) : KERN_R(0);
-    if (by == 2)
-        return meeting == KERN_SLIDES
-               ? KERN_SQRT(v.vx * v.vx + v.vy * v.vy) : KERN_R(0);
-    if (!force || meeting == KERN_OPENS)
-        return KERN_R(0);
-    if (!q->relative)
-        way = !(kern_abs(way) > q->shrink) ? KERN_R(0)
-              : way > 0 ? KERN_R(1) : KERN_R(-1);
-    return kern_max(-v.spin * way * force->normal, KERN_R(0));
-}
-
-static void kern_critical_contacts(const kern_task *task,
-                                   const kern_question *q,
-                                   const kern_proof *proof, kern_critical *out)
-{
-    const kern_structure *s = &task->s;
-    const kern_real size = kern_mean_size(s->block, s->blocks);
-    kern_real most = KERN_R(0);
-    int by, i;
-    for (by = 0; by < 3 && out->contact < 0; by++)
-        for (i = 0; i < s->contacts; i++) {
-            const kern_contact *c = s->contact + i;
-            const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
-            const kern_meeting meeting = kern_meeting_of(c, v, size);
-            const kern_real limit = kern_limit_by(
-                by, c, v, meeting, proof->force ? proof->force + i : NULL, q);
-            if (out->meeting)
-                out->meeting[i] = meeting;
-            if (out->limit)
-                out->limit[i] = limit;
-            if (limit > most * (1 + KERN_REST)) {
-                most = limit;
-                out->contact = i;
-            }
-        }
-    for (i = 0; i < s->contacts && out->limit && most > 0; i++)
-        out->limit[i] /= most;
-}
-
-/* The larger of a block's speed and that of its turning. */
-static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
-{
-    return kern_max(KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
-                    kern_abs(v->spin) * kern_block_size(b));
-}
-
-/* Whether two blocks move as one rigid body. */
-static int kern_as_one(const kern_structure *s, const kern_motion *motion,
-                       int i, int j)
-{
-    const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
-    const kern_motion v = motion[i], w = motion[j];
-    const kern_real x = v.vx - v.spin * r.y - w.vx;
-    const kern_real y = v.vy + v.spin * r.x - w.vy;
-    const kern_real turn = (v.spin - w.spin) * kern_vec_length(r);
-    return KERN_SQRT(x * x + y * y) < KERN_REST && kern_abs(turn) < KERN_REST;
-}
-
-/* Groups around the fastest block that is in none. */
-static void kern_critical_blocks(const kern_structure *s,
-                                 const kern_motion *motion, kern_critical *out)
-{
-    const int none = s->blocks;
-    int i, lead = 0;
-    for (i = 0; i < s->blocks; i++)
-        out->group[i] = kern_block_speed(s->block + i, motion + i) < KERN_REST
-                        ? -1 : none;
-    for (; lead >= 0; out->groups += lead >= 0) {
-        kern_real most = KERN_R(0);
-        lead = -1;
-        for (i = 0; i < s->blocks; i++) {
-            const kern_real speed = kern_block_speed(s->block + i, motion + i);
-            if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
-                most = speed;
-                lead = i;
-            }
-        }
-        for (i = 0; i < s->blocks && lead >= 0; i++)
-            if (out->group[i] == none
-                && (i == lead || kern_as_one(s, motion, lead, i)))
-                out->group[i] = out->groups;
-    }
-}
-
-KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
-                                      const kern_proof *proof,
-                                      kern_critical *out)
-{
-    kern_question q;
-    int i, free_blocks = 0;
-    kern_status status = kern_task_check(
-        task, proof && proof->motion ? out : NULL, &free_blocks);
-    if (status == KERN_OK && !kern_is_finite(shrink))
-        status = KERN_BAD_NUMBER;
-    for (i = 0; status == KERN_OK && i < task->s.blocks; i++)
-        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
-            task->work->fault.block = i;
-            status = KERN_BAD_NUMBER;
-        }
-    if (status != KERN_OK)
-        return status;
-    q = kern_question_of(&task->s, &task->options, shrink);
-    out->contact = -1;
-    out->groups = 0;
-    kern_critical_contacts(task, &q, proof, out);
-    if (out->group)
-        kern_critical_blocks(&task->s, proof->motion, out);
-    return KERN_OK;
-}
-
-/* ---- Sensitivity --------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0,
-   whatever small change of a datum q it is asked after: d*' = -G_q / G_d, with
-   the forces and the motion of the margin's proof. */
-
-/* G_q of contact i, and its share of G_d. */
-static kern_real kern_contact_gain(const kern_task *task,
-                                   const kern_question *q, int i,
-                                   const kern_proof *proof,
-                                   kern_contact_rate *out)
-{
-    const kern_contact *c = task->s.contact + i;
-    const kern_vec t = kern_vec_turn(c->n);
-    const kern_motion v = kern_meeting_motion(&task->s, q, c, proof->motion);
-    const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
-    const kern_vec force = kern_vec_make(f * c->n.x + r * t.x,
-                                         f * c->n.y + r * t.y);
-    const kern_vec u = kern_vec_make(v.vx, v.vy);
-    const kern_real travel = kern_travel(c, q->mean);
-    kern_real rate;
-    const kern_real shift = kern_shift(travel, q->shrink, q->relative, &rate);
-    const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    out->p = kern_vec_make(v.spin * force.y, -v.spin * force.x);
-    out->turn = kern_vec_cross(force, u) - shift * v.spin * r;
-    out->mu = c->mu > 0 ? r / c->mu * kern_vec_dot(u, t) : KERN_R(0);
-    out->travel = -v.spin * f * (q->relative ? q->shrink
-                                             : closed ? KERN_R(1) : KERN_R(0));
-    return -rate * v.spin * f;
-}
-
-static void kern_block_gain(const kern_structure *s, int i,
-                            const kern_motion *motion, kern_block_rate *out)
-{
-    const kern_block *b = s->block + i;
-    const kern_motion v = motion[i];
-    kern_wrench w;
-    kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
-    out->centre = kern_vec_make(v.spin * w.fy, -v.spin * w.fx);
-    out->mass = s->gravity.x * v.vx + s->gravity.y * v.vy;
-    out->load.fx = v.vx;
-    out->load.fy = v.vy;
-    out->load.torque = v.spin;
-    out->place = out->centre;
-}
-
-/* Whether a corner of the block lies at p. */
-static int kern_owns(const kern_block *b, kern_vec p)
-{
-    const kern_real same = KERN_R(2e-3) * kern_block_size(b);
-    int i;
-    for (i = 0; i < b->vertices; i++)
-        if (kern_vec_largest(kern_vec_sub(b->vertex[i], p)) <= same)
-            return 1;
-    return 0;
-}
-
-/* What the corners of a block own moves with it, and the middle of a line by
-   half of that. */
-static void kern_place_gain(const kern_structure *s,
-                            const kern_contact_rate *rate, int i, int b,
-                            kern_block_rate *out)
-{
-    const kern_contact *c = s->contact + i;
-    const kern_vec t = kern_vec_turn(c->n);
-    const int other = !c->line ? i : i > 0 && c[-1].line && c[-1].a == c->a
-                      && c[-1].b == c->b && c->travel * c[-1].travel < 0
-                      ? i - 1 : i + 1;
-    kern_real half = KERN_R(0);
-    if (!kern_owns(s->block + b, c->p))
-        return;
-    if (other != i)
-        half = (rate[other].travel - rate[i].travel) / 2;
-    out[b].place.x += rate[i].p.x + half * t.x;
-    out[b].place.y += rate[i].p.y + half * t.y;
-}
-
-KERN_API kern_status kern_sensitivity(const kern_task *task,
-                                      const kern_margin *margin,
-                                      const kern_proof *proof,
-                                      kern_contact_rate *contact,
-                                      kern_block_rate *block)
-{
-    kern_question q;
-    kern_real gain = KERN_R(0), most = KERN_R(0), one;
-    int i, n = 0;
-    kern_status status = kern_task_check(
-        task, margin && proof && proof->force && proof->motion && contact
-              ? block : NULL, &n);
-    if (status != KERN_OK)
-        return status;
-    q = kern_question_of(&task->s, &task->options, margin->margin);
-    for (i = 0; i < task->s.contacts; i++) {
-        const kern_real g = kern_contact_gain(task, &q, i, proof, contact + i);
-        gain += g;
-        most += kern_abs(g);
-    }
-    if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
-        return KERN_UNDECIDED;
-    for (i = 0; i < task->s.blocks; i++)
-        kern_block_gain(&task->s, i, proof->motion, block + i);
-    for (i = 0; i < task->s.contacts; i++) {
-        kern_place_gain(&task->s, contact, i, task->s.contact[i].a, block);
-        kern_place_gain(&task->s, contact, i, task->s.contact[i].b, block);
-    }
-    one = -1 / gain;
-    for (i = 0; i < task->s.contacts; i++) {
-        kern_contact_rate *c = contact + i;
-        c->p = kern_vec_scale(c->p, one);
-        c->turn *= one;
-        c->mu *= one;
-        c->travel *= one;
-    }
-    for (i = 0; i < task->s.blocks; i++) {
-        kern_block_rate *b = block + i;
-        b->centre = kern_vec_scale(b->centre, one);
-        b->place = kern_vec_scale(b->place, one);
-        b->mass *= one;
-        b->load.fx *= one;
-        b->load.fy *= one;
-        b->load.torque *= one;
-    }
-    return KERN_OK;
-}
-
-/* ---- Raised ----------------------------------------------------- >>raised */
-/* Forces that a load puts on unstressed contacts of some stiffness: f >= 0 just
-   where blocks approach, sticking where |r| < mu f, else sliding against r. They
-   are looked for as least forces of stiff contacts (>>least), a program with a
-   solution wherever forces exist, but with the flow of limit analysis, which
-   parts where it slides: f = k (approach + mu slip). A price mu slip on each
-   contact takes that away (the fixed point of Acary, Cadoux, Lemarechal and
-   Malick). Prices need not be exact: where every loaded contact approaches, the
-   forces and the displacement are a proof, for contacts of other stiffnesses. */
-
-static kern_real kern_prove_raised(const kern_structure *s,
-                                   const kern_question *q,
-                                   const kern_force *force,
-                                   const kern_motion *motion, kern_real *sum)
-{
-    kern_real error = kern_prove_forces(s, q, force, sum, 0);
-    int i, end;
-    for (i = 0; i < s->blocks; i++)
-        if (s->block[i].fixed && !(kern_speed(motion + i) <= 0))
-            return KERN_INFINITY;
-    for (i = 0; i < s->contacts && error <= 1; i++) {
-        const kern_contact *c = s->contact + i;
-        const kern_real f = force[i].normal, r = force[i].tangential;
-        const kern_motion v = kern_meeting_motion(s, q, c, motion);
-        const kern_real mu = kern_friction(c, kern_slope(q));
-        const kern_real press = -(c->n.x * v.vx + c->n.y * v.vy);
-        const kern_real slide = c->n.x * v.vy - c->n.y * v.vx;
-        kern_real least = KERN_HUGE;
-        for (end = 0; end < 2 && f > 0; end++) {
-            const int b = end ? c->b : c->a;
-            kern_wrench w;
-            if (!s->block[b].fixed)
-                least = kern_min(least, kern_wrench_on(s, q, b, &w));
-        }
-        if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
-            continue;
-        if (!(press > KERN_ROUNDING * (kern_speed(motion + c->a)
-                                       + kern_speed(motion + c->b))))
-            return KERN_INFINITY;
-        if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
-            error = kern_max(error, kern_abs(slide) * KERN_STIFF / (2 * press));
-    }
-    return error;
-}
-
-/* One look at the set of blocks with a value >= 0: takes out those that a
-   contact with a block outside presses against gravity. Returns how many. */
-static int kern_hang_pass(const kern_structure *s, kern_real *value, int back)
-{
-    const kern_real least = KERN_R(1e-9)
-                            * KERN_SQRT(kern_vec_dot(s->gravity, s->gravity));
-    int k, out = 0;
-    for (k = 0; k < s->contacts; k++) {
-        const kern_contact *c = s->contact + (back ? s->contacts - 1 - k : k);
-        const kern_real up = -kern_vec_dot(c->n, s->gravity);
-        const int held = up > 0 ? c->b : c->a, by = up > 0 ? c->a : c->b;
-        if (kern_abs(up) > least && value[held] >= 0 && !(value[by] >= 0)) {
-            value[held] = KERN_R(-1);
-            out++;
-        }
-    }
-    return out;
-}
-
-/* Marks the largest set of blocks that nothing outside presses against gravity,
-   by a value >= 0. Returns how many there are. */
-static int kern_hang_find(const kern_structure *s, kern_real *value)
-{
-    const int weighs = kern_vec_dot(s->gravity, s->gravity) > 0;
-    int i, n = 0, round = 0;
-    for (i = 0; i < s->blocks; i++)
-        value[i] = weighs && !s->block[i].fixed
-                   && !(kern_wrench_sum(&s->block[i].load) > 0)
-                   ? KERN_R(1) : KERN_R(-1);
-    while (kern_hang_pass(s, value, round & 1))
-        round++;
-    for (i = 0; i < s->blocks; i++)
-        n += value[i] >= 0;
-    return n;
-}
-
-typedef struct kern_raise {
-    kern_model *m;
-    kern_part *p;             /* all groups, in an order of its own           */
-    const kern_question *q;
-    kern_real tolerance;      /* of a group's equilibrium                     */
-    kern_real *price;         /* of each contact of the part                  */
-    kern_real *begin, *best;  /* u and prices: without a push, with the largest
-                                 so far                                       */
-} kern_raise;
-
-/* Opens all groups as one part, along the longer side of the structure: the
-   rows of the factor are then as short as it is thin. 0 if there is no room. */
-static int kern_raise_open(kern_raise *r)
-{
-    const kern_structure *s = r->m->s;
-    kern_model *m = r->m;
-    kern_part *p = r->p;
-    const kern_vec down = s->gravity, side = kern_vec_turn(down);
-    kern_box box;
-    int g, i;
-    p->m = m;
-    p->rest = m->rest;
-    p->groups = m->groups;
-    p->group = kern_take_ints(&p->rest, p->groups);
-    p->contact = kern_take_ints(&p->rest, s->contacts);
-    p->ends = kern_take_ints(&p->rest, 2 * s->contacts);
-    if (!kern_take_fits(&p->rest))
-        return 0;
-    kern_box_empty(&box);
-    for (g = 0; g < p->groups; g++) {
-        const kern_vec c = s->block[m->block[g]].centre;
-        kern_box_add(&box, kern_vec_make(kern_vec_dot(c, down),
-                                         kern_vec_dot(c, side)));
-        p->group[g] = m->block[g];
-    }
-    kern_model_order(m, box.high.x - box.low.x > box.high.y - box.low.y
-                        ? down : side, p->group);
-    for (g = 0; g < p->groups; g++) {
-        p->group[g] = m->group[p->group[g]];
-        m->local[p->group[g]] = g;
-    }
-    p->contacts = 0;
-    for (i = 0; i < s->contacts; i++) {
-        m->force[i].normal = m->force[i].tangential = KERN_R(0);
-        if (m->ends[2 * i] != m->ends[2 * i + 1])
-            p->contact[p->contacts++] = i;
-    }
-    p->own = p->contacts;
-    kern_part_ends(p);
-    r->price = kern_take_reals(&p->rest, p->contacts);
-    r->begin = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
-    r->best = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
-    if (!kern_take_fits(&p->rest) || !kern_least_lay(p, &p->rest))
-        return 0;
-    for (i = 0; i < p->contacts; i++)
-        r->price[i] = KERN_R(0);
-    p->price = r->price;
-    return 1;
-}
-
-/* The loads of a question. */
-static void kern_raise_load(kern_raise *r, const kern_question *q)
-{
-    kern_part *p = r->p;
-    kern_real least = KERN_INFINITY;
-    int n, j;
-    r->q = q;
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        kern_model_load(r->m, q, g);
-        kern_model_scale(r->m, g);
-        least = kern_min(least, r->m->size[g]);
-        for (j = 0; j < 3; j++)
-            p->b[3 * n + j] = r->m->load[3 * g + j];
-    }
-    r->tolerance = KERN_FEAS_TOL * least;
-}
-
-/* Writes the forces, and makes new prices: the mean of old and new, or just the
-   new ones. Returns whether every loaded contact approaches. */
-static int kern_raise_price(kern_raise *r, int bold)
-{
-    kern_part *p = r->p;
-    kern_model *m = r->m;
-    int k, pressed = 1;
-    kern_least_ways(p, p->u, p->contacts, 0);
-    for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
-        const kern_real *w = p->way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
-        const kern_real approach = w[0] + r->price[k];
-        const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
-                                                / KERN_STIFF;
-        const kern_real price = kern_model_mu(m, i) * kern_max(slip, 0);
-        m->force[i].normal = s.f * m->weight;
-        m->force[i].tangential = s.r * m->weight;
-        pressed &= !(s.f > r->tolerance) || approach > 0;
-        r->price[k] = bold ? price : (r->price[k] + price) / 2;
-    }
-    return pressed;
-}
-
-static int kern_raise_proven(kern_raise *r)
-{
-    kern_part *p = r->p;
-    kern_real error;
-    int i;
-    p->y = p->step;
-    for (i = 0; i < 3 * p->groups; i++)
-        p->y[i] = -p->u[i];
-    kern_part_motion(p);
-    error = kern_prove_raised(r->m->s, r->q, r->m->force, r->m->motion,
-                              r->m->sum);
-    if (!(error <= 1))
-        return 0;
-    r->m->work->error = kern_max(r->m->work->error, error);
-    return 1;
-}
-
-/* Looks for a proof, from nothing or from u and prices as they are. */
-static int kern_raise_settle(kern_raise *r, int cold, int rounds)
-{
-    int round;
-    for (round = 0; round < rounds; round++) {
-        const kern_status found = kern_least_find(
-            r->p, r->p->b, r->p->contacts, r->tolerance, 4 * KERN_LEAST_MOST,
-            cold && round == 0 ? 0 : 1, KERN_RAISE_STEPS
-                                        + (cold && round == 0 ? 10 : 1));
-        if (found != KERN_STANDS && found != KERN_UNDECIDED)
-            return 0;
-        if (kern_raise_price(r, round < KERN_RAISE_BOLD)
-            && found == KERN_STANDS && kern_raise_proven(r))
-            return 1;
-    }
-    return 0;
-}
-
-static void kern_raise_save(const kern_raise *r, kern_real *to)
-{
-    int i;
-    for (i = 0; i < 3 * r->p->groups; i++)
-        *to++ = r->p->u[i];
-    for (i = 0; i < r->p->contacts; i++)
-        *to++ = r->price[i];
-}
-
-static void kern_raise_restore(kern_raise *r, const kern_real *from)
-{
-    int i;
-    for (i = 0; i < 3 * r->p->groups; i++)
-        r->p->u[i] = *from++;
-    for (i = 0; i < r->p->contacts; i++)
-        r->price[i] = *from++;
-}
-
-/* The largest of a sequence of shares of gravity that push it sideways, to
-   either side, and leave it raised; each from the largest found before. */
-static kern_real kern_raise_reserve(kern_raise *r)
-{
-    static const kern_real share[] = {
-        KERN_R(0), KERN_R(0.001), KERN_R(0.002), KERN_R(0.003), KERN_R(0.004),
-        KERN_R(0.005), KERN_R(0.006), KERN_R(0.007), KERN_R(0.008),
-        KERN_R(0.01), KERN_R(0.012), KERN_R(0.015), KERN_R(0.02), KERN_R(0.03),
-        KERN_R(0.05), KERN_R(0.1)
-    };
-    kern_question q = *r->q;
-    int most = (int)(sizeof share / sizeof share[0]) - 1;
-    kern_raise_save(r, r->begin);
-    for (q.side = 1; q.side >= -1; q.side -= 2) {
-        int low = 0, high = most + 1, at = q.side > 0 ? high / 2 : most;
-        kern_raise_save(r, r->best);
-        for (; high - low > 1; at = (low + high) / 2) {
-            kern_raise_restore(r, r->best);
-            q.factor = share[at];
-            kern_raise_load(r, &q);
-            if (kern_raise_settle(r, 0, KERN_RAISE_WARM)) {
-                low = at;
-                kern_raise_save(r, r->best);
-            } else
-                high = at;
-        }
-        most = low;
-        kern_raise_restore(r, r->begin);
-    }
-    return share[most];
-}
-
-/* Whether the blocks with a value >= 0 hang: the others stand without them. The
-   proof is of the others, and the fall of these. */
-static kern_status kern_hang_ask(kern_model *m, kern_part *p,
-                                 const kern_question *q,
-                                 const kern_real *value)
-{
-    const kern_vec g = m->s->gravity;
-    const kern_real one = 1 / KERN_SQRT(kern_vec_dot(g, g));
-    kern_question rest = *q;
-    kern_status status = KERN_STANDS;
-    int i;
-    rest.fallen = value;
-    kern_model_group(m, &rest);
-    for (i = 0; i < m->s->contacts; i++)
-        m->force[i].normal = m->force[i].tangential = KERN_R(0);
-    if (m->groups > 0)
-        status = kern_model_ask(m, p, &rest);
-    kern_model_group(m, q);
-    for (i = 0; i < m->s->blocks && status == KERN_STANDS; i++) {
-        m->motion[i].vx = value[i] >= 0 ? g.x * one : KERN_R(0);
-        m->motion[i].vy = value[i] >= 0 ? g.y * one : KERN_R(0);
-        m->motion[i].spin = KERN_R(0);
-    }
-    return status;
-}
-
-/* Whether the structure hangs: blocks that nothing holds up, and forces for the
-   others. KERN_UNDECIDED where that is not so. */
-static kern_status kern_raise_hangs(kern_raise *r, const kern_question *q,
-                                    const kern_proof *proof)
-{
-    kern_model *m = r->m;
-    kern_status status;
-    kern_real *value;
-    m->rest.reals -= m->s->blocks; /* at the end of the work memory */
-    m->common.reals = m->rest.reals;
-    if (!kern_take_fits(&m->rest))
-        return KERN_NO_SPACE;
-    value = m->rest.real + m->rest.reals;
-    if (!kern_hang_find(m->s, value))
-        return KERN_UNDECIDED;
-    status = kern_model_ask(m, r->p, q);
-    if (status != KERN_STANDS) {
-        kern_proof_out(m, proof, status);
-        return status;
-    }
-    if (kern_hang_ask(m, r->p, q, value) != KERN_STANDS)
-        return KERN_UNDECIDED;
-    kern_proof_out(m, proof, KERN_STANDS);
-    kern_proof_out(m, proof, KERN_FALLS);
-    return KERN_STANDS;
-}
-
-/* The verdict of a structure that does not hang; a reserve unless that is
-   NULL. */
-static kern_status kern_raise_ask(kern_raise *r, const kern_question *q,
-                                  kern_raising *out, kern_real *reserve,
-                                  const kern_proof *proof)
-{
-    kern_model *m = r->m;
-    kern_status status = KERN_STANDS;
-    kern_model_set(m, q);
-    if (!kern_raise_open(r))
-        return KERN_NO_SPACE;
-    kern_raise_load(r, q);
-    if (kern_raise_settle(r, 1, KERN_RAISE_ROUNDS)) {
-        *out = KERN_RAISED;
-        kern_proof_out(m, proof, KERN_STANDS);
-        kern_proof_out(m, proof, KERN_FALLS);
-        if (reserve)
-            *reserve = kern_raise_reserve(r);
-        return status;
-    }
-    *out = KERN_NOT_SHOWN;
-    status = kern_model_ask(m, r->p, q);
-    kern_proof_out(m, proof, status);
-    return status;
-}
-
-KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
-                                 kern_raising *out, kern_real *reserve,
-                                 const kern_proof *proof)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_raise r;
-    kern_raising raising = KERN_HANGS;
-    kern_real share = KERN_R(0);
-    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
-    if (status != KERN_OK)
-        return status;
-    if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
-        return KERN_BAD_OPTION;
-    r.m = &m;
-    r.p = &part;
-    status = kern_raise_hangs(&r, &path.q, proof);
-    if (status == KERN_UNDECIDED)
-        status = kern_raise_ask(&r, &path.q, &raising, reserve ? &share : NULL,
-                                proof);
-    status = kern_spent(task->work, task->options.limit, status);
-    if (status == KERN_STANDS)
-        *out = raising;
-    if (status == KERN_STANDS && reserve)
-        *reserve = share;
-    return status;
-}
-
-KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
-                                     kern_raising raising,
-                                     const kern_proof *proof)
-{
-    const kern_structure *s;
-    kern_take take;
-    kern_question q;
-    kern_real *sum, *value;
-    int i, n = 0;
-    if (!proof || !proof->force || !proof->motion || !kern_is_finite(shrink)
-        || kern_task_check(task, proof, &n) != KERN_OK)
-        return KERN_INFINITY;
-    s = &task->s;
-    kern_take_open(&take, task->work);
-    sum = kern_take_reals(&take, 4 * s->blocks);
-    value = kern_take_reals(&take, s->blocks);
-    if (!kern_take_fits(&take) || raising == KERN_NOT_SHOWN)
-        return KERN_INFINITY;
-    q = kern_question_of(s, &task->options, shrink);
-    if (raising == KERN_RAISED)
-        return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
-    for (n = 0, i = 0; i < s->blocks; i++) {
-        const int falls = kern_speed(proof->motion + i) > 0;
-        value[i] = falls ? KERN_R(1) : KERN_R(-1);
-        n += falls;
-        if (falls && (s->block[i].fixed
-                      || kern_wrench_sum(&s->block[i].load) > 0))
-            return KERN_INFINITY;
-    }
-    if (n == 0 || !kern_has_side(s, KERN_RIGHT)
-        || kern_hang_pass(s, value, 0) > 0)
-        return KERN_INFINITY;
-    q.fallen = value;
-    return kern_prove_forces(s, &q, proof->force, sum, 0);
-}
-
-/* ---- Planning ---------------------------------------------------- >>plan */
-/* What is known of a structure is the bracket of its last margin, with forces
-   at the near end of it and a mechanism at the other end. A stone that does not
-   touch what moves there leaves the mechanism as it is: the old motion proves
-   it again. The forces change only below the stone: it is opened, and what it
-   rests on more heavily, and so on (kern_model_change()). Forces on blocks that
-   are not opened stay the same to the last bit, so their rows, which the
-   measure has verified, hold as before; the rows of all others, every cone, and
-   the sum of all forces are verified anew, on the caller's data. Where a stone
-   raises the margin, what moved is asked about with the stone on it, all else
-   held, and the search for the edge goes on from there.
-
-   This holds for a plan that has not been changed since it was measured; of any
-   other only the bracket and the motion are a hint. What was measured is not
-   checked again. */
-
-KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
-                                kern_contact *contact, int contacts,
-                                kern_known known, kern_work *work)
-{
-    kern_plan plan;
-    plan.task = kern_task_of(block, 0, contact, 0, work);
-    plan.task.known = known;
-    plan.block = block;
-    plan.block_room = blocks;
-    plan.contact = contact;
-    plan.contact_room = contacts;
-    plan.area = plan.arm = KERN_R(0);
-    kern_box_empty(&plan.box);
-    return plan;
-}
-
-/* Whether all that a plan needs was given. */
-static int kern_plan_is_whole(const kern_plan *plan)
-{
-    return plan && plan->block && plan->contact && plan->task.known.motion
-           && plan->task.known.force && plan->task.work;
-}
-
-/* Lays a block behind the others and finds its contacts, as kern_touch() does;
-   the plan does not have them before they are counted. */
-static int kern_plan_touch(kern_plan *plan, const kern_block *block,
-                           kern_search *search)
-{
-    kern_status status;
-    int last;
-    if (!kern_plan_is_whole(plan) || !block)
-        return (int)KERN_BAD_POINTER;
-    last = plan->task.s.blocks;
-    kern_work_begin(plan->task.work);
-    if (last >= plan->block_room)
-        return (int)KERN_NO_SPACE;
-    plan->block[last] = *block;
-    search->from = last;
-    status = kern_search_open(search, plan->block, last + 1,
-                              &plan->task.options,
-                              plan->contact + plan->task.s.contacts,
-                              plan->contact_room - plan->task.s.contacts,
-                              plan->task.work);
-    search->box = plan->box;
-    search->area = plan->area;
-    search->arm = plan->arm;
-    if (status >= 0)
-        status = kern_search_see(search, last);
-    if (status < 0)
-        return (int)status;
-    status = kern_search_last(search);
-    return status < 0 ? (int)status : kern_search_close(search);
-}
-
-/* Counts the block that has been laid, at rest, and its contacts. */
-static void kern_plan_count(kern_plan *plan, int found)
-{
-    kern_structure *s = &plan->task.s;
-    kern_motion *rest = plan->task.known.motion + s->blocks++;
-    kern_force *force = plan->task.known.force;
-    int k;
-    rest->vx = rest->vy = rest->spin = KERN_R(0);
-    for (k = s->contacts; k < s->contacts + found; k++)
-        force[k].normal = force[k].tangential = KERN_R(0);
-    s->contacts += found;
-}
-
-KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
-{
-    kern_search search;
-    const int found = kern_plan_touch(plan, block, &search);
-    if (found < 0)
-        return found;
-    kern_plan_count(plan, found);
-    plan->box = search.box;
-    plan->area = search.area;
-    plan->arm = search.arm;
-    return found;
-}
-
-KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
-{
-    kern_structure *s;
-    kern_search search;
-    int k, n = 0;
-    if (!kern_plan_is_whole(plan))
-        return KERN_BAD_POINTER;
-    s = &plan->task.s;
-    kern_fault_clear(&plan->task.work->fault);
-    if (i < 0 || i >= s->blocks)
-        return KERN_BAD_BLOCK;
-    for (k = 0; k < s->contacts; k++) {
-        kern_contact *c = &plan->contact[k];
-        if (c->a == i || c->b == i)
-            continue;
-        c->a -= c->a > i;
-        c->b -= c->b > i;
-        plan->contact[n++] = *c;
-    }
-    for (k = i; k + 1 < s->blocks; k++) {
-        plan->block[k] = plan->block[k + 1];
-        plan->task.known.motion[k] = plan->task.known.motion[k + 1];
-    }
-    s->contacts = n;
-    s->blocks--;
-    plan->task.known.blocks = 0;
-    search.block = s->block;
-    search.blocks = search.from = s->blocks;
-    search.fault = &plan->task.work->fault;
-    kern_search_survey(&search);
-    plan->box = search.box;
-    plan->area = search.area;
-    plan->arm = search.arm;
-    return KERN_OK;
-}
-
-/* A block that is tried: the last of the plan as long as it is. */
-typedef struct kern_trial {
-    kern_plan *plan;
-    int found;                /* contacts of the block                        */
-    int free_blocks;
-    int balanced;             /* nonzero: known forces balance all others     */
-} kern_trial;
-
-static void kern_trial_close(const kern_trial *t)
-{
-    t->plan->task.s.blocks--;
-    t->plan->task.s.contacts -= t->found;
-}
-
-/* Adds the block. What the last measure has seen is not checked again. */
-static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
-                                   const kern_block *block, const void *out)
-{
-    const kern_known *known;
-    const kern_structure *s;
-    kern_search search;
-    kern_status status;
-    t->plan = plan;
-    t->found = kern_plan_touch(plan, block, &search);
-    if (t->found < 0)
-        return (kern_status)t->found;
-    known = &plan->task.known;
-    s = &plan->task.s;
-    t->balanced = known->fails > 0 && !(plan->task.options.narrow > 0) && known->blocks == s->blocks
-                  && known->contacts == s->contacts
-                  && known->relative == plan->task.options.relative
-                  && !(kern_vec_largest(kern_vec_sub(known->gravity,
-                                                     s->gravity)) > 0);
-    kern_plan_count(plan, t->found);
-    status = kern_structure_check(s, t->balanced ? known->blocks : 0,
-                                  t->balanced ? known->contacts : 0,
-                                  &plan->task.work->fault, &t->free_blocks);
-    if (status == KERN_OK && !out)
-        status = KERN_BAD_POINTER;
-    if (status != KERN_OK)
-        kern_trial_close(t);
-    return status;
-}
-
-/* Opens the model of the plan's last block alone, with its contacts, on
-   neighbours that are held: it cannot stand better than that on neighbours that
-   give way, and its motion proves that the whole falls. */
-static kern_status kern_trial_alone(const kern_trial *t, kern_path *path,
-                                    kern_model *m, kern_part *part,
-                                    kern_task *task)
-{
-    const kern_task *whole = &t->plan->task;
-    task->s = whole->s; /* part by part: firmware may lack memcpy() */
-    task->options = whole->options;
-    task->work = whole->work;
-    task->s.contact += task->s.contacts - t->found;
-    task->s.contacts = t->found;
-    return kern_path_begin(path, m, part, task, 1, 1);
-}
-
-/* Where the last block falls alone: what is known of it to *seed, if that is
-   nearer than what is known there. KERN_FALLS where it falls at once. */
-static kern_status kern_trial_nearer(const kern_trial *t,
-                                     const kern_proof *proof, kern_seed *seed)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_task task;
-    kern_travels travels;
-    kern_question q;
-    kern_status status = kern_trial_alone(t, &path, &m, &part, &task);
-    if (status != KERN_OK)
-        return status;
-    travels = kern_travels_of(&m);
-    if (!travels.nested)
-        return KERN_STANDS;
-    path.end = seed->fails;
-    q = kern_path_at(&path, path.end);
-    if (kern_model_pour(&m, &part, &q, 0) == KERN_STANDS)
-        return KERN_STANDS;
-    path.proof = proof;
-    status = kern_path_search(&m, &path, path.end, path.unit * KERN_FIRST);
-    if (status == KERN_STANDS && !path.never && path.fails < seed->fails) {
-        seed->holds = path.holds;
-        seed->edge = path.edge;
-        seed->fails = path.fails;
-        seed->motion = NULL;
-        seed->last = m.motion[task.s.blocks - 1];
-    }
-    return status == KERN_FALLS ? status : KERN_STANDS;
-}
-
-/* Opens the model of the plan with the block. */
-static kern_status kern_trial_whole(const kern_trial *t, kern_path *path,
-                                    kern_model *m, kern_part *part)
-{
-    const kern_task *task = &t->plan->task;
-    const kern_status status =
-        kern_path_begin(path, m, part, task, t->free_blocks, 0);
-    if (status == KERN_OK && t->balanced) {
-        m->prior = task->known.force;
-        m->balanced = task->known.holds;
-    }
-    return status;
-}
-
-/* The measure of the plan with the block from what is known of it; `falls`: it
-   is known to fall at once. */
-static kern_status kern_trial_measure(const kern_trial *t,
-                                      const kern_seed *seed, int falls,
-                                      kern_margin *out,
-                                      const kern_proof *proof)
-{
-    const kern_options *o = &t->plan->task.options;
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    int last;
-    kern_status status = kern_trial_whole(t, &path, &m, &part);
-    path.proof = proof;
-    path.seed = seed;
-    if (status != KERN_OK)
-        return status;
-    if (!falls)
-        return kern_measure_along(&m, &path, o, out);
-    status = kern_measure_none(&m, o, out, &last);
-    return status == KERN_OK ? KERN_FALLS : status;
-}
-
-KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
-                                   kern_margin *out, const kern_proof *proof)
-{
-    kern_trial t;
-    kern_seed seed;
-    int falls = 0;
-    kern_status status = kern_trial_open(&t, plan, block, out);
-    if (status != KERN_OK)
-        return status;
-    seed = kern_known_seed(&plan->task);
-    if (!block->fixed && seed.fails > 0)
-        falls = kern_trial_nearer(&t, proof, &seed) == KERN_FALLS;
-    status = kern_trial_measure(&t, &seed, falls, out, proof);
-    kern_trial_close(&t);
-    return kern_spent(plan->task.work, plan->task.options.limit, status);
-}
-
-/* The verdict of the plan with the block at a shrinkage, or of the block alone
-   on neighbours that are held; *nested says whether it is the same up to
-   there. */
-static kern_status kern_trial_stands(const kern_trial *t, int alone,
-                                     kern_real shrink, int *nested,
-                                     const kern_proof *proof)
-{
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_task task;
-    kern_question q;
-    kern_status status = alone
-                         ? kern_trial_alone(t, &path, &m, &part, &task)
-                         : kern_trial_whole(t, &path, &m, &part);
-    if (status != KERN_OK)
-        return status;
-    *nested = kern_travels_of(&m).nested;
-    if (!*nested)
-        return KERN_STANDS;
-    q = kern_path_at(&path, shrink);
-    status = kern_model_ask(&m, &part, &q);
-    if (!alone || status == KERN_FALLS)
-        kern_proof_out(&m, proof, status);
-    return status;
-}
-
-KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
-                                     kern_real margin, const kern_proof *proof)
-{
-    kern_margin r;
-    kern_trial t;
-    int nested = 1;
-    kern_status status = kern_trial_open(&t, plan, block, plan);
-    if (status != KERN_OK)
-        return status;
-    if (!(margin >= 0 && kern_is_finite(margin)))
-        status = KERN_BAD_NUMBER;
-    if (status == KERN_OK && !block->fixed)
-        status = kern_trial_stands(&t, 1, margin, &nested, proof);
-    if (nested && (status == KERN_OK || status == KERN_STANDS
-                   || status == KERN_UNDECIDED))
-        status = kern_trial_stands(&t, 0, margin, &nested, proof);
-    kern_trial_close(&t);
-    status = kern_spent(plan->task.work, plan->task.options.limit, status);
-    if (nested || status < 0)
-        return status;
-    status = kern_plan_try(plan, block, &r, proof);
-    return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS
-                                                          : status;
-}
-
-KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
-                                      kern_raising *out, kern_real *reserve,
-                                      const kern_proof *proof)
-{
-    kern_trial t;
-    kern_status status = KERN_BAD_POINTER;
-    if (block)
-        status = kern_trial_open(&t, plan, block, out);
-    else if (kern_plan_is_whole(plan))
-        status = KERN_OK;
-    if (status != KERN_OK)
-        return status;
-    status = kern_raised(&plan->task, KERN_R(0), out, reserve, proof);
-    if (block)
-        kern_trial_close(&t);
-    return status;
-}
-
 /* ---- Words and defaults ------------------------------------------ >>words */
 
 KERN_API const char *kern_status_text(kern_status status)
@@ -10192,10 +10273,10 @@ KERN_API kern_options kern_near(const kern_options *options,
 #endif /* KERN_IMPLEMENTED */
 #endif /* KERN_IMPLEMENTATION */
 
-/* ==== Part IV: Changes ========================================== >>changes
+/* ==== Part VII: Changes ========================================= >>changes
 
    Before 1.0 a minor version may add fields at the end of a struct and statuses
-   below 0, may ask for more work memory and may move a margin within its
+   below 0, may need more work memory and may move a margin within its
    bracket; what is in the code of a caller keeps its name and meaning, or does
    no longer compile. A patch version changes no result.
 

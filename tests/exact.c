@@ -172,7 +172,7 @@ static void exact_force(mpq_t fx, mpq_t fy, int k, const mpq_t f,
 
 static double weight_of(int i)
 {
-    const kern_question q = kern_question_of(&s, &options, 0);
+    const kern_query q = kern_query_of(&s, &options, 0);
     kern_wrench w;
     return kern_wrench_on(&s, &q, i, &w);
 }

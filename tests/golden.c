@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xfee27f26176f8862u },
-    { 1000, 0x37eab387422bb8dbu },
-    { 5000, 0x9f9eb36a22c262a0u },
+    { 200, 0x61b16e71c9da7032u },
+    { 1000, 0x75a463616be347e4u },
+    { 5000, 0x9119d7103b6db9c8u },
 #else
-    { 200, 0x9bcfb264f6a7b21eu },
-    { 1000, 0x46d93c9784e8879fu },
-    { 5000, 0x0f500448b1f27df2u },
+    { 200, 0x4f626943e14dd38bu },
+    { 1000, 0xccd98b42b4305c53u },
+    { 5000, 0x07e2914b4adc4334u },
 #endif
 };
 
