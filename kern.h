@@ -1393,6 +1393,7 @@ extern "C" {
 #define KERN_RAISE_BOLD    6       /* that are not the mean of old and new    */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 #define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
+#define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 /* Least and largest mass [kg] and sum of all that acts on a block [N], least
    size of a block [m], least power of a motion [W]: of these the squares, the
    moments and products with KERN_BOUND are numbers, and keep all digits. */
@@ -5959,6 +5960,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const kern_query q = kern_path_at(path, holds);
     const int seeded = !fell && path->seed && path->seed->fails > at;
     const int closed = fell && path->closed;
+    const int near_part = fell && m->groups <= KERN_PLAIN_SMALL;
     /* The walls' kerns close one after the other, and beyond a closed kern the
        interior point sees no gradient: there the simplex method takes half of
        the instructions; of an arch it takes three times as many. */
@@ -5973,12 +5975,14 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     status = kern_model_plain(m, path->part, &q);
     if (status != KERN_STANDS)
         return status;
-    if (at > holds && seeded) {
+    if (at > holds && (near_part || seeded)) {
         status = kern_path_evaluate(m, path, at);
-        if (status == KERN_STANDS)
-            return kern_path_still_falls(m, path)
-                   ? status : kern_path_climb(m, path, step, 0);
-        if (status == KERN_FALLS)
+        if (status == KERN_STANDS
+            && (closed || (seeded && kern_path_still_falls(m, path))))
+            return status;
+        if (status == KERN_STANDS && seeded)
+            return kern_path_climb(m, path, step, 0);
+        if (status == KERN_STANDS || status == KERN_FALLS)
             status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
         if (status == KERN_STANDS && path->holds > holds)
             return status;
@@ -8102,8 +8106,10 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            int room, kern_work *work)
 {
     kern_search s;
-    kern_overlap ignored = {0, 0, 0, 0};
+    kern_overlap ignored;
     kern_status status;
+    ignored.a = ignored.b = 0;
+    ignored.depth = ignored.allowed = KERN_R(0);
     s.from = 0;
     status = kern_search_open(&s, block, blocks, options, NULL, 0, work);
     if (status >= 0 && room < 0)

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x61b16e71c9da7032u },
-    { 1000, 0x75a463616be347e4u },
-    { 5000, 0x9119d7103b6db9c8u },
+    { 200, 0xfd47752e6d81c75du },
+    { 1000, 0x0bbafad31b1fd461u },
+    { 5000, 0xdc00f15b187a18fcu },
 #else
-    { 200, 0x4f626943e14dd38bu },
-    { 1000, 0xccd98b42b4305c53u },
-    { 5000, 0x07e2914b4adc4334u },
+    { 200, 0x79f1a82b1451d748u },
+    { 1000, 0x5bf664bdf59ebd5bu },
+    { 5000, 0x3b9bc147beabe795u },
 #endif
 };
 

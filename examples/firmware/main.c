@@ -160,12 +160,5 @@ int main(void)
 }
 
 /* Output, where pivots and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 3 pivots; 92450 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 8702 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 8 pivots; 102150 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 8 pivots; 86951 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 386 ticks
-memory: 33024 bytes of work memory, 9256 of blocks and contacts,
-        42288 of variables in all, 2248 of 23248 of stack, 44492 of flash
-best place: 0.20 m
+
 */
