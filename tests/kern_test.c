@@ -8616,21 +8616,21 @@ static void sensitivity_random(void)
             const int k = random_int(0, w.contacts - 1);
             const int b = random_int(0, w.blocks - 1);
             const int kind = random_int(0, 6);
-            int side, near;
+            int side, close;
             if (w.block[b].fixed)
                 continue;
-            for (side = -1, near = 0; side <= 1; side += 2) {
+            for (side = -1, close = 0; side <= 1; side += 2) {
                 step = side;
                 world_copy(&now, &w);
                 rate = nudge(&now, kind, k, b, size, &step) * step;
                 change[side > 0] = margin_rates(&now, 0) - margin;
-                near |= fabs(change[side > 0] - rate)
+                close |= fabs(change[side > 0] - rate)
                         <= 0.01 * fabs(rate) + 1e-8 * size;
             }
             if (fabs(change[0] + change[1])
                 > 0.01 * fabs(change[1]) + 1e-8 * size)
                 continue; /* several mechanisms are critical */
-            good += near;
+            good += close;
             asked_here++;
         }
     }
