@@ -199,8 +199,8 @@
    even where everything else could exert whatever is needed is a small part
    that falls; the simplex method (>>lp) finds its motion. Where no small part
    decides, an interior-point method (>>inner) finds forces, motion and critical
-   place together (arches; loads and tilts under which a wall slides as a whole),
-   or the simplex method does (walls whose kerns close one after the other).
+   place together (arches; loads and tilts that move a wall as a whole), or the
+   simplex method does (walls whose kerns close one after the other).
 
    Algorithm 1 moves the contact points inward step by step. Only the torques
    change. The margin is found from above (>>search): no edge of the whole lies
@@ -3559,11 +3559,10 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
     return KERN_OK;
 }
 
-/* ---- Sensitivity --------------------------------------------- >>sensitivity
-   */
+/* ---- Sensitivity -------------------------------------------- >>sensitivity */
 /* At the margin d* the power G of forces and loads on the mechanism is 0,
-   whatever small change of a datum q it is asked after: d*' = -G_q / G_d, with
-   the forces and the motion of the margin's proof. */
+   and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the forces
+   and the motion of the margin's proof. */
 
 /* G_q of contact i, and its share of G_d. */
 static kern_real kern_contact_gain(const kern_task *task,
@@ -5225,14 +5224,14 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Narrows [holds, fails] to the tolerance, and leaves in `edge` the place in
-   it where the verdict changes. It is asked a little beyond where Newton's
-   method points to. What falls there by another mechanism points farther; what
-   falls by the same one has its edge there. Then it is asked as far before it,
-   so that verdicts at both ends are beyond doubt. If one variable of one basis
-   changed its sign between them that is the edge; if not, it is asked at the
-   edge too, where yet another mechanism may fall. What stands beyond an edge
-   is nearer to the true one than thought: then in steps that grow. */
+/* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
+   place, where the verdict changes. With w half of the tolerance:
+   1. evaluate at the place that Newton's method predicts, plus w: where another
+      mechanism falls it predicts a farther one;
+   2. evaluate at it less w, so that both ends are proven beyond doubt;
+   3. if both used one basis and one variable changed its sign, it is exact;
+   4. else evaluate at the place itself, where yet another mechanism may fall.
+   Where it stands beyond the prediction, the steps grow. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path,
                                   int rounds)
 {
