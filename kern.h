@@ -3559,10 +3559,10 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
     return KERN_OK;
 }
 
-/* ---- Sensitivity -------------------------------------------- >>sensitivity */
+/* ---- Sensitivity ------------------------------------------- >>sensitivity */
 /* At the margin d* the power G of forces and loads on the mechanism is 0,
-   and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the forces
-   and the motion of the margin's proof. */
+   and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the
+   forces and the motion of the margin's proof. */
 
 /* G_q of contact i, and its share of G_d. */
 static kern_real kern_contact_gain(const kern_task *task,
@@ -7871,9 +7871,11 @@ static kern_real kern_search_high(const kern_search *s, int i)
 static int kern_search_before(const kern_search *s, const int *blocks,
                               int i, int j)
 {
-    const kern_contact *c = &s->found.at[i], *d = &s->found.at[j];
+    const kern_contact *c, *d;
     if (blocks)
         return kern_search_low(s, blocks[i]) < kern_search_low(s, blocks[j]);
+    c = &s->found.at[i];
+    d = &s->found.at[j];
     if (c->b != d->b)
         return c->b < d->b;
     return c->a < d->a || (c->a == d->a && c->mu < d->mu);
