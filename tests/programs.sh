@@ -17,7 +17,7 @@ readme() { # its first two blocks of commands
 }
 
 firmware() { # its commands; pivots, ticks and bytes are not compared
-    awk '/^## In firmware/ { here = 1 } /^## Trust/ { here = 0 }
+    awk '/^## / { here = /In firmware/ }
         here && /^```sh/ { on = 1; next } /^```/ { on = 0 } on' \
         README.md >"$out/firmware.sh"
     grep -q qemu-system-arm "$out/firmware.sh" || return 1
