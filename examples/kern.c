@@ -95,6 +95,7 @@ static const char help_format[] =
 "epsilon, margin, holds, fails (proven bracket of the margin), deficit,\n"
 "signed_margin: lengths (-r: shares); load_left, load_right: horizontal load factor, in g;\n"
 "tilt_left, tilt_right: rad; saturated: stands with every contact a point;\n"
+"bearing: length of the shortest contact that it needs;\n"
 "certain (--measured): the verdict holds within the stated error;\n"
 "undecided: names of the keys that are null for that; proof_error: of the worst\n"
 "proof, as a share of what is allowed; pivots, solves: work. --profile:\n"
