@@ -1832,7 +1832,7 @@ typedef struct kern_travels {
 
 /* The verdict for a query, proven. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
-                                  const kern_query *q);
+                                       const kern_query *q);
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status);
@@ -5042,7 +5042,7 @@ static kern_status kern_model_plain(kern_model *m, kern_part *p,
    motion of the part that falls, or else by the linear program of the whole.
    After KERN_FALLS the part that falls is open. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
-                                  const kern_query *q)
+                                       const kern_query *q)
 {
     kern_status status;
     p->found = KERN_UNDECIDED;
@@ -9654,6 +9654,25 @@ static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
                                                      : rows * (cols / 256)));
 }
 
+/* The pivot in which column q takes `position`. KERN_NO_SPACE and KERN_LIMIT:
+   there is no room or no work left for it. */
+static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
+                                      int position, kern_real step)
+{
+    if (sx->extras == sx->room && position < sx->lp->rows
+        && sx->place[q] == KERN_OUT)
+        return KERN_NO_SPACE;
+    if (!kern_pivot_spend(sx, work))
+        return KERN_LIMIT;
+    if (position < sx->lp->rows)
+        kern_basis_row(sx, position);
+    kern_basis_move(sx, q, position, step);
+    work->pivots++;
+    if (kern_basis_worn(sx))
+        kern_basis_refactorise(sx);
+    return KERN_OK;
+}
+
 /* Lowers the sum of violations until it is zero or no column lowers it. The
    sum falls with every step that is not of length zero; when the budget is
    used up the smallest indices are taken (Bland), which cannot cycle. The
@@ -9664,6 +9683,7 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
 {
     const kern_program *lp = sx->lp;
     const int budget = 50 + 10 * lp->rows;
+    kern_status status;
     int count, i;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
@@ -9691,18 +9711,12 @@ static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
                 kern_basis_refactorise(sx);
             continue;
         }
-        if (sx->cramped || (sx->extras == sx->room && position < sx->lp->rows
-                            && sx->place[q] == KERN_OUT))
+        if (sx->cramped)
             return KERN_NO_SPACE;
-        if (!kern_pivot_spend(sx, work))
-            return KERN_LIMIT;
-        if (position < sx->lp->rows)
-            kern_basis_row(sx, position);
-        kern_basis_move(sx, q, position, step);
-        work->pivots++;
+        status = kern_simplex_pivot(sx, work, q, position, step);
+        if (status != KERN_OK)
+            return status;
         count++;
-        if (kern_basis_worn(sx))
-            kern_basis_refactorise(sx);
     }
     return KERN_UNDECIDED;
 }
@@ -9756,6 +9770,7 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
                                        int limit)
 {
     const int budget = 20 + 6 * sx->lp->rows;
+    kern_status status;
     int count;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
@@ -9775,18 +9790,10 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
             sx->ray = q;
             return KERN_LP_UNBOUNDED;
         }
-        if (sx->extras == sx->room && position < sx->lp->rows
-            && sx->place[q] == KERN_OUT)
-            return KERN_NO_SPACE;
-        if (!kern_pivot_spend(sx, work))
-            return KERN_LIMIT;
-        if (position < sx->lp->rows)
-            kern_basis_row(sx, position);
-        kern_basis_move(sx, q, position, step);
-        work->pivots++;
+        status = kern_simplex_pivot(sx, work, q, position, step);
+        if (status != KERN_OK)
+            return status;
         count++;
-        if (kern_basis_worn(sx))
-            kern_basis_refactorise(sx);
     }
     return KERN_UNDECIDED;
 }

@@ -50,10 +50,10 @@ class Browser:
         os.close(here)
         os.close(there)
         self.buffer, self.events, self.number = b"", [], 0
-        self.session = None
+        self.attached = None
         pages = self.send("Target.getTargets")["targetInfos"]
         page = next(p for p in pages if p["type"] == "page")
-        self.session = self.send("Target.attachToTarget", flatten=True,
+        self.attached = self.send("Target.attachToTarget", flatten=True,
                                  targetId=page["targetId"])["sessionId"]
         for domain in ("Page", "Runtime", "Network", "DOM"):
             self.send(domain + ".enable")
@@ -70,8 +70,8 @@ class Browser:
     def send(self, method, **params):
         self.number += 1
         message = {"id": self.number, "method": method, "params": params}
-        if self.session:
-            message["sessionId"] = self.session
+        if self.attached:
+            message["sessionId"] = self.attached
         os.write(self.commands, json.dumps(message).encode() + b"\0")
         while True:
             answer = self.read()
