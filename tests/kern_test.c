@@ -8638,6 +8638,189 @@ static void sensitivity_random(void)
     CHECK(good >= asked_here * 95 / 100);
 }
 
+/* ==== Least forces ================================================== */
+
+static kern_force least_of[MAX_POINTS];
+
+static kern_status least_forces(const world *w, double d, kern_force *force)
+{
+    const kern_structure s = structure_of(w);
+    kern_work work = work_of(w);
+    const kern_status got =
+        kern_forces(task_of(&s, &w->options, &work), R(d), force);
+    if (got == KERN_STANDS)
+        CHECK(share_of_forces(w, (double)R(d), force) <= 1.001);
+    return got;
+}
+
+/* A cube stands on two forces of half its weight, a mass on three points of a
+   row on a third at each, a lintel on its piers on a quarter. */
+static void forces_by_hand(void)
+{
+    static world w;
+    const double tol = SINGLE ? 1e-4 : 1e-9;
+    int k;
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    world_touch(&w);
+    CHECK_INT(least_forces(&w, 0, least_of), KERN_STANDS);
+    for (k = 0; k < 2; k++) {
+        CHECK_NEAR(least_of[k].normal, W / 2, tol * W);
+        CHECK_NEAR(least_of[k].tangential, 0, tol * W);
+    }
+    world_reset(&w);
+    world_mass(&w, 0, 0, 0, 1);
+    world_mass(&w, 1, 0, 0.5, 1);
+    for (k = -1; k <= 1; k++)
+        world_point(&w, 0, 1, 0, 1, 0.5 * k, 0);
+    world_touch(&w);
+    CHECK_INT(least_forces(&w, 0, least_of), KERN_STANDS);
+    for (k = 0; k < 3; k++)
+        CHECK_NEAR(least_of[k].normal, W / 3, tol * W);
+    world_reset(&w);
+    world_box(&w, 0, 0, 0, 1, 2);
+    world_box(&w, 0, 4, 0, 5, 2);
+    world_box(&w, 1, 0, 2, 5, 2.5);
+    world_touch(&w);
+    CHECK_INT(least_forces(&w, R(0.25), least_of), KERN_STANDS);
+    for (k = 0; k < 4; k++) {
+        CHECK_NEAR(least_of[k].normal, 2.5 * W / 4, 3 * tol * W);
+        CHECK_NEAR(least_of[k].tangential, 0, 3 * tol * W);
+    }
+}
+
+/* The product of two sets of forces in which the least ones are least. */
+static double force_product(const world *w, const kern_force *a,
+                            const kern_force *b)
+{
+    double sum = 0;
+    int k;
+    for (k = 0; k < w->contacts; k++) {
+        const double mu = (double)w->contact[k].mu;
+        sum += (double)a[k].normal * (double)b[k].normal;
+        if (mu > 0)
+            sum += (double)a[k].tangential * (double)b[k].tangential / (mu * mu);
+    }
+    return sum;
+}
+
+/* The force of contact k of w, which may stand elsewhere in t with its blocks
+   the other way round. */
+static const kern_force *force_at(const world *w, int k, const world *t,
+                                  const int *order, const kern_force *force)
+{
+    const kern_contact *c = &w->contact[k];
+    int j;
+    for (j = 0; j < t->contacts; j++) {
+        const kern_contact *e = &t->contact[j];
+        const int same = e->a == order[c->a] && e->b == order[c->b]
+                         && e->n.x * c->n.x + e->n.y * c->n.y > 0;
+        const int other = e->b == order[c->a] && e->a == order[c->b]
+                          && e->n.x * c->n.x + e->n.y * c->n.y < 0;
+        if ((same || other) && memcmp(&e->p, &c->p, sizeof c->p) == 0
+            && fabs((double)(e->n.x * c->n.y - e->n.y * c->n.x)) < 1e-9)
+            return &force[j];
+    }
+    return NULL;
+}
+
+/* Forces of a mirror image are mirrored, those of a structure whose blocks and
+   contacts stand in another order the same; and no admissible forces are less:
+   f.(g - f) >= 0 for the least f and any g. */
+static void forces_laws(void)
+{
+    static world w, t;
+    static kern_force image[MAX_POINTS];
+    static int order[MAX_BLOCKS];
+    int seed, place, k, done = 0, asked_here = 0;
+    for (seed = 1; seed <= (SINGLE ? 0 : quick ? 200 : 1000); seed++) {
+        change c = no_change();
+        double margin;
+        random_world(&w, (unsigned long long)seed, 15);
+        w.given = 1;
+        margin = margin_rates(&w, 0);
+        sprintf(context, "seed %d", seed);
+        for (place = 0; place < 3 && margin > 1e-3 * mean_size(&w); place++) {
+            const double d = margin * place * 0.45;
+            double most = 0, size;
+            if (verdict(&w, d) != KERN_STANDS)
+                continue;
+            asked_here++;
+            if (least_forces(&w, d, least_of) != KERN_STANDS)
+                continue;
+            done++;
+            size = force_product(&w, least_of, least_of);
+            CHECK(force_product(&w, least_of, force_of) >= size * (1 - 1e-7));
+            for (k = 0; k < w.contacts; k++)
+                most = fmax(most, (double)least_of[k].normal);
+            c.shuffle = 0;
+            c.mirror = 1;
+            world_changed(&t, &w, &c, order);
+            CHECK_INT(least_forces(&t, d, image), KERN_STANDS);
+            for (k = 0; k < w.contacts; k++) {
+                CHECK_NEAR(image[k].normal, least_of[k].normal, 1e-6 * most);
+                CHECK_NEAR(image[k].tangential, -least_of[k].tangential,
+                           1e-6 * most);
+            }
+            c.shuffle = 1;
+            c.mirror = 0;
+            world_changed(&t, &w, &c, order);
+            CHECK_INT(least_forces(&t, d, image), KERN_STANDS);
+            for (k = 0; k < w.contacts; k++) {
+                const kern_force *f = force_at(&w, k, &t, order, image);
+                CHECK(f != NULL);
+                if (!f)
+                    continue;
+                CHECK_NEAR(f->normal, least_of[k].normal, 1e-6 * most);
+                CHECK_NEAR(f->tangential, least_of[k].tangential, 1e-6 * most);
+            }
+        }
+    }
+    context[0] = 0;
+    CHECK(SINGLE || asked_here > (quick ? 100 : 500));
+    CHECK(100 * done >= 99 * asked_here);
+}
+
+/* A fall, bad input, too little memory, too little work. */
+static void forces_refused(void)
+{
+    static world w;
+    kern_structure s;
+    kern_work work;
+    int reals, ints, part, enough = 0;
+    jack_arch(&w);
+    s = structure_of(&w);
+    kern_work_need(w.blocks, w.contacts, &reals, &ints);
+    for (part = 0; part <= 50; part++) {
+        kern_status status;
+        work = work_of(&w);
+        work.reals = reals * part / 50;
+        work.indices = ints * part / 50;
+        least_of[0].normal = -1;
+        status = kern_forces(task_of(&s, &w.options, &work), 0, least_of);
+        CHECK(status == (enough ? KERN_STANDS : KERN_NO_SPACE)
+              || status == KERN_STANDS);
+        enough |= status == KERN_STANDS;
+        CHECK((least_of[0].normal >= 0) == enough);
+    }
+    CHECK(enough);
+    w.options.limit = 3;
+    CHECK_INT(kern_forces(task_of(&s, &w.options, &work), 0, least_of),
+              KERN_LIMIT);
+    w.options.limit = 0;
+    CHECK_INT(kern_forces(task_of(&s, &w.options, &work), 0, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_forces(NULL, 0, least_of), KERN_BAD_POINTER);
+    CHECK_INT(kern_forces(task_of(&s, &w.options, &work), R(not_a_number()),
+                          least_of), KERN_BAD_NUMBER);
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_box(&w, 1, 1.6, 0, 2.6, 1);
+    world_touch(&w);
+    CHECK_INT(least_forces(&w, 0, least_of), KERN_UNDECIDED);
+}
+
 /* ==== All tests ===================================================== >>all */
 
 typedef struct test {
@@ -8765,6 +8948,9 @@ static const test tests[] = {
     TEST(plan_raised),
     TEST(sensitivity_by_hand),
     TEST(sensitivity_random),
+    TEST(forces_by_hand),
+    TEST(forces_laws),
+    TEST(forces_refused),
     TEST(narrow_by_hand),
     TEST(narrow_random),
     TEST(t15_walls),

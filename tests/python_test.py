@@ -239,6 +239,13 @@ class Calls(unittest.TestCase):
         self.assertAlmostEqual(Structure(two(0.2)).bearing(), 0.8)
         self.assertIsNone(Structure(two(0.7)).bearing())
 
+    def test_forces(self):
+        """A box stands on two equal forces without friction."""
+        force = Structure(two(0)[:2]).forces()
+        self.assertAlmostEqual(force[0][0], force[1][0])
+        self.assertAlmostEqual(force[0][1], 0)
+        self.assertIsNone(Structure(two(0.7)).forces())
+
     def test_sensitivity(self):
         """A box farther to the right has as much less margin."""
         contacts, blocks = Structure(two(0.2)).sensitivity()

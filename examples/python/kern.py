@@ -328,6 +328,7 @@ _contact_at = _declare("kern_contact_at", _Vec, _p, _r, _i)
 _task_of = _declare("kern_task_of", _Task, _p, _i, _p, _i, _p)
 _verdict = _declare("kern_verdict", _i, _p, _r, _p)
 _raised = _declare("kern_raised", _i, _p, _r, _p, _p, _p)
+_least_forces = _declare("kern_forces", _i, _p, _r, _p)
 _measure = _declare("kern_measure", _i, _p, _p, _p)
 _deficit = _declare("kern_deficit", _i, _p, _p)
 _bearing = _declare("kern_bearing", _i, _p, _p, _p)
@@ -897,6 +898,15 @@ tolerance (0.25 deep)
         return Raised(stands, force, motion,
                       Raising(raising.value) if stands else None,
                       share.value if stands and reserve else None)
+
+    def forces(self, shrink: float = 0.0) -> Any:
+        """kern_forces(): the least forces, normal and tangential of every
+        contact point, (n, 2). None where there are none, or none so exact."""
+        force = self._forces()
+        status = _least_forces(self._at_task, shrink, addressof(force))
+        if status != Status.UNDECIDED:
+            self._check(status)
+        return _view(force, 2) if status == _STANDS else None
 
     def measure(self) -> Margin:
         """kern_measure(): margin and level."""
