@@ -242,8 +242,8 @@ class Calls(unittest.TestCase):
     def test_forces(self):
         """A box stands on two equal forces without friction."""
         force = Structure(two(0)[:2]).forces()
-        self.assertAlmostEqual(force[0][0], force[1][0])
-        self.assertAlmostEqual(force[0][1], 0)
+        self.assertAlmostEqual(force[0, 0], force[1, 0])
+        self.assertAlmostEqual(force[0, 1], 0)
         self.assertIsNone(Structure(two(0.7)).forces())
 
     def test_sensitivity(self):
