@@ -528,6 +528,7 @@ typedef float kern_real;
 #define kern_critical_of     kern_critical_of_f32
 #define kern_defaults        kern_defaults_f32
 #define kern_deficit         kern_deficit_f32
+#define kern_forces          kern_forces_f32
 #define kern_ground_init     kern_ground_init_f32
 #define kern_known_of        kern_known_of_f32
 #define kern_load_factor     kern_load_factor_f32
@@ -728,11 +729,11 @@ typedef struct kern_contact_rate {
     kern_real turn, mu, travel;
 } kern_contact_rate;
 
-/* The same of a block. Its place: what lies at its corners moves with it and
-   its centre; normals and all else stay. */
+/* The same of a block. Its place, and its turning about its centre [m/rad]: its
+   contacts follow as the search would find them again; loads stay. */
 typedef struct kern_block_rate {
     kern_vec centre, place;
-    kern_real mass;       /* [m/kg] */
+    kern_real turn, mass; /* [m/rad], [m/kg] */
     kern_wrench load;     /* [m/N], [1/N] */
 } kern_block_rate;
 
@@ -1146,10 +1147,13 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 
 /* How the margin depends on every contact point and block, from the proof that
    kern_measure() wrote, without any search: contact[0..contacts) and
-   block[0..blocks). It is the derivative where one mechanism alone is critical
-   and contacts stay; else that of the mechanism of the proof. KERN_OK, or
-   KERN_UNDECIDED where the margin is saturated or does not move. With narrow 0.
-   Time: O(B + C), and the corners of the blocks at each contact. */
+   block[0..blocks). It is the derivative where one mechanism alone is critical,
+   contacts stay and no kern that carries is about to close; else that of the
+   mechanism of the proof. Where corners of two blocks end a contact together,
+   either is taken to move it. KERN_OK, or KERN_UNDECIDED where the margin is
+   saturated or does not move. With narrow 0.
+   Time: O(B + C), and the corners of the blocks at each contact that bears and
+   moves: 0.03 of that of the margin. */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
@@ -3589,75 +3593,115 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the
    forces and the motion of the margin's proof. */
 
-/* G_q of contact i, and its share of G_d. */
+/* G_q of contact i times `one`, and its share of G_d: 0 where no force acts or
+   no block moves. */
 static kern_real kern_contact_gain(const kern_task *task,
                                    const kern_query *q, int i,
-                                   const kern_proof *proof,
+                                   const kern_proof *proof, kern_real one,
                                    kern_contact_rate *out)
 {
     const kern_contact *c = task->s.contact + i;
     const kern_vec t = kern_vec_turn(c->n);
-    const kern_motion v = kern_meeting_motion(&task->s, q, c, proof->motion);
     const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
     const kern_vec force = kern_vec_make(f * c->n.x + r * t.x,
                                          f * c->n.y + r * t.y);
-    const kern_vec u = kern_vec_make(v.vx, v.vy);
     const kern_real travel = kern_travel(c, q->mean);
-    kern_real rate;
-    const kern_real shift = kern_shift(travel, q->shrink, q->relative, &rate);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    out->p = kern_vec_make(v.spin * force.y, -v.spin * force.x);
-    out->turn = kern_vec_cross(force, u) - shift * v.spin * r;
-    out->mu = c->mu > 0 ? r / c->mu * kern_vec_dot(u, t) : KERN_R(0);
-    out->travel = -v.spin * f * (q->relative ? q->shrink
-                                             : closed ? KERN_R(1) : KERN_R(0));
-    return -rate * v.spin * f;
+    kern_real rate, shift, spin;
+    kern_motion v;
+    kern_vec u;
+    out->p = kern_vec_make(0, 0);
+    out->turn = out->mu = out->travel = KERN_R(0);
+    if (!(f > 0) || !(kern_speed(proof->motion + c->a)
+                      + kern_speed(proof->motion + c->b) > 0))
+        return KERN_R(0);
+    v = kern_meeting_motion(&task->s, q, c, proof->motion);
+    u = kern_vec_make(v.vx * one, v.vy * one);
+    spin = v.spin * one;
+    shift = kern_shift(travel, q->shrink, q->relative, &rate);
+    out->p = kern_vec_make(spin * force.y, -spin * force.x);
+    out->turn = kern_vec_cross(force, u) - shift * spin * r;
+    if (c->mu > 0)
+        out->mu = r / c->mu * kern_vec_dot(u, t);
+    if (q->relative || closed)
+        out->travel = -spin * f * (closed ? KERN_R(1) : q->shrink);
+    return -rate * spin * f;
 }
 
 static void kern_block_gain(const kern_structure *s, int i,
-                            const kern_motion *motion, kern_block_rate *out)
-{
-    const kern_block *b = s->block + i;
-    const kern_motion v = motion[i];
-    kern_wrench w;
-    kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
-    out->centre = kern_vec_make(v.spin * w.fy, -v.spin * w.fx);
-    out->mass = s->gravity.x * v.vx + s->gravity.y * v.vy;
-    out->load.fx = v.vx;
-    out->load.fy = v.vy;
-    out->load.torque = v.spin;
-    out->place = out->centre;
-}
-
-/* Whether a corner of the block lies at p. */
-static int kern_owns(const kern_block *b, kern_vec p)
-{
-    const kern_real same = KERN_R(2e-3) * kern_block_size(b);
-    int i;
-    for (i = 0; i < b->vertices; i++)
-        if (kern_vec_largest(kern_vec_sub(b->vertex[i], p)) <= same)
-            return 1;
-    return 0;
-}
-
-/* What the corners of a block own moves with it, and the middle of a line by
-   half of that. */
-static void kern_place_gain(const kern_structure *s,
-                            const kern_contact_rate *rate, int i, int b,
+                            const kern_motion *motion, kern_real one,
                             kern_block_rate *out)
 {
-    const kern_contact *c = s->contact + i;
+    const kern_block *b = s->block + i;
+    kern_wrench w;
+    kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
+    out->load.fx = motion[i].vx * one;
+    out->load.fy = motion[i].vy * one;
+    out->load.torque = motion[i].spin * one;
+    out->centre = kern_vec_make(out->load.torque * w.fy,
+                                -out->load.torque * w.fx);
+    out->mass = s->gravity.x * out->load.fx + s->gravity.y * out->load.fy;
+    out->place = out->centre;
+    out->turn = KERN_R(0);
+}
+
+/* How far along the contact the block's nearest corner lies from its point, of
+   those not farther across it than the gap. */
+static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
+                                 kern_real gap)
+{
+    const kern_real high = KERN_R(1e-3) * kern_block_size(b) + gap;
+    kern_real least = KERN_HUGE;
+    int i;
+    for (i = 0; i < b->vertices; i++) {
+        const kern_vec r = kern_vec_sub(b->vertex[i], c->p);
+        const kern_real off = kern_abs(kern_vec_cross(c->n, r));
+        if (off < least && kern_abs(kern_vec_dot(c->n, r)) <= high)
+            least = off;
+    }
+    return least;
+}
+
+/* What the blocks of contact i move of it, as the search would find it. Line:
+   corners take ends along; ends stay midway between the two edges, the normal
+   is the mean of both. Point: a corner takes it along, an edge turns the normal.
+   The middle of a line moves by half of what an end does. */
+static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
+                           int i, kern_block_rate *out)
+{
+    const kern_contact *c = task->s.contact + i;
+    const int pair = !c->line ? i : i > 0 && c[-1].line && c[-1].a == c->a
+                     && c[-1].b == c->b && c->travel * c[-1].travel < 0
+                     ? i - 1 : i + 1;
     const kern_vec t = kern_vec_turn(c->n);
-    const int other = !c->line ? i : i > 0 && c[-1].line && c[-1].a == c->a
-                      && c[-1].b == c->b && c->travel * c[-1].travel < 0
-                      ? i - 1 : i + 1;
-    kern_real half = KERN_R(0);
-    if (!kern_owns(s->block + b, c->p))
+    const kern_real along = kern_vec_dot(rate[i].p, t)
+                            + (rate[pair].travel - rate[i].travel) / 2;
+    const kern_real across = kern_vec_dot(rate[i].p, c->n);
+    kern_real off[2];
+    int end;
+    if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
         return;
-    if (other != i)
-        half = (rate[other].travel - rate[i].travel) / 2;
-    out[b].place.x += rate[i].p.x + half * t.x;
-    out[b].place.y += rate[i].p.y + half * t.y;
+    for (end = 0; end < 2; end++)
+        off[end] = kern_corner_off(task->s.block + (end ? c->b : c->a), c,
+                                   task->options.gap);
+    for (end = 0; end < 2; end++) {
+        const kern_block *b = task->s.block + (end ? c->b : c->a);
+        const kern_vec r = kern_vec_sub(c->p, b->centre);
+        const kern_real size = kern_block_size(b);
+        const kern_real owns = KERN_R(off[end] <= KERN_R(1e-3) * size
+                                      && off[end] <= off[!end]
+                                                     + KERN_TRAVEL * size);
+        const kern_real part = c->line ? KERN_R(0.5) : owns;
+        const kern_real turn = c->line ? KERN_R(0.5) : 1 - owns;
+        const kern_vec way = kern_vec_make(
+            owns * along * t.x + part * across * c->n.x,
+            owns * along * t.y + part * across * c->n.y);
+        kern_block_rate *to = out + (end ? c->b : c->a);
+        if (!b->vertex)
+            continue;
+        to->place = kern_vec_add(to->place, way);
+        to->turn += kern_vec_cross(r, way) + turn * rate[i].turn;
+    }
 }
 
 KERN_API kern_status kern_sensitivity(const kern_task *task,
@@ -3667,7 +3711,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       kern_block_rate *block)
 {
     kern_query q;
-    kern_real gain = KERN_R(0), most = KERN_R(0), one;
+    kern_real gain = KERN_R(0), most = KERN_R(0);
     int i, n = 0;
     kern_status status = kern_task_check(
         task, margin && proof && proof->force && proof->motion && contact
@@ -3676,35 +3720,19 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         return status;
     q = kern_query_of(&task->s, &task->options, margin->margin);
     for (i = 0; i < task->s.contacts; i++) {
-        const kern_real g = kern_contact_gain(task, &q, i, proof, contact + i);
+        const kern_real g = kern_contact_gain(task, &q, i, proof, KERN_R(1),
+                                              contact + i);
         gain += g;
         most += kern_abs(g);
     }
     if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
         return KERN_UNDECIDED;
+    for (i = 0; i < task->s.contacts; i++)
+        kern_contact_gain(task, &q, i, proof, -1 / gain, contact + i);
     for (i = 0; i < task->s.blocks; i++)
-        kern_block_gain(&task->s, i, proof->motion, block + i);
-    for (i = 0; i < task->s.contacts; i++) {
-        kern_place_gain(&task->s, contact, i, task->s.contact[i].a, block);
-        kern_place_gain(&task->s, contact, i, task->s.contact[i].b, block);
-    }
-    one = -1 / gain;
-    for (i = 0; i < task->s.contacts; i++) {
-        kern_contact_rate *c = contact + i;
-        c->p = kern_vec_scale(c->p, one);
-        c->turn *= one;
-        c->mu *= one;
-        c->travel *= one;
-    }
-    for (i = 0; i < task->s.blocks; i++) {
-        kern_block_rate *b = block + i;
-        b->centre = kern_vec_scale(b->centre, one);
-        b->place = kern_vec_scale(b->place, one);
-        b->mass *= one;
-        b->load.fx *= one;
-        b->load.fy *= one;
-        b->load.torque *= one;
-    }
+        kern_block_gain(&task->s, i, proof->motion, -1 / gain, block + i);
+    for (i = 0; i < task->s.contacts; i++)
+        kern_pose_gain(task, contact, i, block);
     return KERN_OK;
 }
 

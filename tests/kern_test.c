@@ -8542,7 +8542,8 @@ static double margin_rates(const world *w, int rates)
 }
 
 /* A cube whose centre is .1 off the middle of its bed falls at .4: the centre,
-   and the far end of the bed, count once each, in opposite directions. */
+   and the far end of the bed, count once each, in opposite directions. Turned
+   about its centre, .5 above the bed, it takes that end along by half of that. */
 static void sensitivity_by_hand(void)
 {
     static world w;
@@ -8557,6 +8558,7 @@ static void sensitivity_by_hand(void)
     CHECK_NEAR(block_rate[1].centre.y, 0, SINGLE ? 0.02 : 1e-3);
     CHECK_NEAR(block_rate[1].mass, 0, SINGLE ? 0.02 : 1e-3);
     CHECK_NEAR(block_rate[1].place.x, 0, SINGLE ? 0.02 : 1e-3);
+    CHECK_NEAR(block_rate[1].turn, 0.5, SINGLE ? 0.02 : 1e-3);
     for (k = 0; k < 2; k++)
         CHECK_NEAR(contact_rate[k].p.x, w.contact[k].p.x > R(0.5), SINGLE ? 0.02 : 1e-3);
 }
@@ -8636,6 +8638,134 @@ static void sensitivity_random(void)
     }
     CHECK(SINGLE || asked_here >= 1000);
     CHECK(good >= asked_here * 95 / 100);
+}
+
+/* Moves block b by a share of the size, or turns it about its centre, with the
+   load where it is, and finds its contacts anew; returns the rate that belongs
+   to it. */
+static double displace(world *w, int kind, int b, double size, double *step)
+{
+    kern_block *block = &w->block[b];
+    kern_vec *v = w->vertex + (block->vertex - w->vertex);
+    const kern_block was = *block;
+    const double h = *step * size, cosine = cos(*step), sine = sin(*step);
+    int i;
+    *step = kind == 2 ? *step : h;
+    for (i = 0; i < block->vertices; i++) {
+        const double x = (double)(v[i].x - was.centre.x);
+        const double y = (double)(v[i].y - was.centre.y);
+        v[i] = kind == 2 ? vec((double)was.centre.x + x * cosine - y * sine,
+                               (double)was.centre.y + y * cosine + x * sine)
+                         : vec((double)v[i].x + (kind == 0) * h,
+                               (double)v[i].y + (kind == 1) * h);
+    }
+    if (was.fixed)
+        kern_ground_init(block, v, was.vertices, NULL);
+    else
+        kern_block_init(block, v, was.vertices, 1, NULL);
+    block->mass = was.mass;
+    block->load = was.load;
+    block->centre = was.centre;
+    block->centre.x += R(kind == 0) * R(h);
+    block->centre.y += R(kind == 1) * R(h);
+    block->load.torque -= R(kind == 0) * R(h) * was.load.fy
+                          - R(kind == 1) * R(h) * was.load.fx;
+    world_touch(w);
+    return (double)(kind == 0   ? block_rate[b].place.x
+                    : kind == 1 ? block_rate[b].place.y
+                                : block_rate[b].turn);
+}
+
+/* Whether a kern that carries a force is about to close at the margin. */
+static int kern_closes(const world *w, double margin, double size)
+{
+    int k, closes = 0;
+    for (k = 0; k < w->contacts; k++)
+        closes |= fabs(fabs((double)w->contact[k].travel) - margin)
+                  < 1e-3 * size;
+    return closes;
+}
+
+/* Whole stones moved and turned, their contacts found again: one-sided
+   differences. Places are a little off, so that no two corners coincide. */
+static void sensitivity_of_poses(void)
+{
+    static world w, now;
+    unsigned long long seed;
+    int good[3] = {0, 0, 0}, all[3] = {0, 0, 0}, kind;
+    for (seed = 1; seed < 20000 && all[2] < 1000 && !SINGLE; seed++) {
+        double margin, size, step, rate, change;
+        int i;
+        if (!random_world(&w, seed, 12) || w.given)
+            continue;
+        w.options.relative = 0;
+        size = mean_size(&w);
+        for (i = 0; i < 3 * w.blocks; i++) {
+            step = uniform(-1e-4, 1e-4);
+            if (!w.block[i / 3].fixed)
+                displace(&w, i % 3, i / 3, size, &step);
+        }
+        if (w.contacts < 0 || !twin_nested(&w))
+            continue;
+        margin = margin_rates(&w, 1);
+        if (!(margin > 0.001 * size) || kern_closes(&w, margin, size))
+            continue;
+        for (i = 0; i < 12; i++) {
+            const int b = random_int(0, w.blocks - 1);
+            int close;
+            kind = i % 3;
+            step = i < 6 ? 1e-6 : -1e-6;
+            world_copy(&now, &w);
+            rate = displace(&now, kind, b, size, &step) * step;
+            change = margin_rates(&now, 0) - margin;
+            close = fabs(change - rate) <= 0.01 * fabs(rate) + 1e-9 * size;
+            if (now.contacts != w.contacts
+                || (close && fabs(rate) < 1e-9 * size))
+                continue; /* it rests where the others move */
+            good[kind] += close;
+            all[kind]++;
+        }
+    }
+    for (kind = 0; kind < 3; kind++) {
+        CHECK(SINGLE || all[kind] >= 700);
+        CHECK(100 * good[kind] >= 95 * all[kind]);
+    }
+}
+
+/* All sensitivities of a structure cost less than a twentieth of its margin:
+   the least of five runs over many. */
+static void sensitivity_cost(void)
+{
+    static world w;
+    const kern_proof proof = proof_here();
+    double least[2] = {HUGE_VAL, HUGE_VAL};
+    int run, k;
+    for (run = 0; run < 5 && !SINGLE; run++) {
+        clock_t spent[2] = {0, 0};
+        unsigned long long seed;
+        for (seed = 1; seed < 400; seed++) {
+            kern_structure s;
+            kern_margin m;
+            clock_t at[3];
+            kern_work work;
+            random_world(&w, seed, 40);
+            s = structure_of(&w);
+            work = work_of(&w);
+            at[0] = clock();
+            if (kern_measure(task_of(&s, &w.options, &work), &m, &proof)
+                != KERN_STANDS)
+                continue;
+            at[1] = clock();
+            kern_sensitivity(task_of(&s, &w.options, &work), &m, &proof,
+                             contact_rate, block_rate);
+            at[2] = clock();
+            for (k = 0; k < 2; k++)
+                spent[k] += at[k + 1] - at[k];
+        }
+        for (k = 0; k < 2; k++)
+            least[k] = fmin(least[k], (double)spent[k]);
+    }
+    CHECK(SINGLE || least[1] <= 0.05 * least[0]);
 }
 
 /* ==== Least forces ================================================== */
@@ -8948,6 +9078,8 @@ static const test tests[] = {
     TEST(plan_raised),
     TEST(sensitivity_by_hand),
     TEST(sensitivity_random),
+    TEST(sensitivity_of_poses),
+    TEST(sensitivity_cost),
     TEST(forces_by_hand),
     TEST(forces_laws),
     TEST(forces_refused),

@@ -251,6 +251,7 @@ class Calls(unittest.TestCase):
         contacts, blocks = Structure(two(0.2)).sensitivity()
         self.assertEqual((len(contacts), len(blocks)), (4, 3))
         self.assertAlmostEqual(blocks[2].place[0], -1, 5)
+        self.assertAlmostEqual(blocks[2].turn, 0, 5)
 
     def test_narrow(self):
         """On a slope of atan(0.3), friction 0.4 leaves 0.1 / 1.12 to lose."""

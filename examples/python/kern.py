@@ -128,8 +128,8 @@ class _ContactRate(ctypes.Structure):
 
 
 class _BlockRate(ctypes.Structure):
-    _fields_ = [("centre", _Vec), ("place", _Vec), ("mass", c_double),
-                ("load", _Wrench)]
+    _fields_ = [("centre", _Vec), ("place", _Vec), ("turn", c_double),
+                ("mass", c_double), ("load", _Wrench)]
 
 
 class _Work(ctypes.Structure):
@@ -739,6 +739,7 @@ class BlockRate:
     """kern_block_rate: how the margin depends on a block."""
     centre: Point
     place: Point
+    turn: float
     mass: float
     load: Tuple[float, float, float]
 
@@ -999,7 +1000,7 @@ tolerance (0.25 deep)
         return ([ContactRate((r.p.x, r.p.y), r.turn, r.mu, r.travel)
                  for r in points],
                 [BlockRate((r.centre.x, r.centre.y), (r.place.x, r.place.y),
-                           r.mass, (r.load.fx, r.load.fy, r.load.torque))
+                           r.turn, r.mass, (r.load.fx, r.load.fy, r.load.torque))
                  for r in blocks])
 
     def check_forces(self, forces: Sequence[Sequence[float]],
