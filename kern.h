@@ -6694,9 +6694,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    that hardly turn are no corners. */
 
 static kern_vec kern_polygon_at(const kern_block *block, int i)
-{
-    return block->vertex[block->area < 0 ? block->vertices - 1 - i : i];
-}
+{ return block->vertex[block->area < 0 ? block->vertices - 1 - i : i]; }
 
 static kern_vec kern_polygon_way(const kern_block *block, int from, int to)
 {
@@ -6740,9 +6738,6 @@ static int kern_polygon_corner(const kern_block *block, int i, int back)
     while (i != start && kern_polygon_turn(block, i) == 0);
     return i;
 }
-
-static int kern_polygon_corner_after(const kern_block *block, int i)
-{ return kern_polygon_corner(block, i, 0); }
 
 /* ---- boxes ---- */
 
@@ -6821,10 +6816,8 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
 /* Is the box farther from p than the square says, beyond all rounding? */
 static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
 {
-    const kern_real x = kern_max(kern_max(box->low.x - p.x, p.x - box->high.x),
-                                 0);
-    const kern_real y = kern_max(kern_max(box->low.y - p.y, p.y - box->high.y),
-                                 0);
+    const kern_real x = p.x - kern_min(kern_max(p.x, box->low.x), box->high.x);
+    const kern_real y = p.y - kern_min(kern_max(p.y, box->low.y), box->high.y);
     return KERN_R(0.999) * (x * x + y * y) > square;
 }
 
@@ -6844,67 +6837,58 @@ static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
         kern_vec_sub(vertex[*nearest], p));
     kern_vec u = kern_vec_sub(vertex[n - 1], p);
     kern_real least = KERN_HUGE;
-    int i, next = 1, inside = 0;
-    for (i = 0; i < n; i++) {
-        const kern_box *box = &parts->box[(next - 1) / parts->each];
-        const int skip = i == next &&
-                         kern_box_beyond(box, p, kern_min(least, guess));
-        kern_vec v;
-        next += i == next ? parts->each : 0;
-        if (skip)
-            i = next < n ? next - 1 : n - 1;
-        v = kern_vec_sub(vertex[i], p);
-        if (!skip) {
-            const kern_real square = kern_edge_square(u, v);
+    int i = 0, end, inside = 0;
+    for (end = 1; i < n; end = n - end > parts->each ? end + parts->each : n) {
+        const kern_box *box =
+            &parts->box[kern_polygon_prev(block, i) / parts->each];
+        const int skip = kern_box_beyond(box, p, kern_min(least, guess));
+        for (i = skip ? end - 1 : i; i < end; i++) {
+            const kern_vec v = kern_vec_sub(vertex[i], p);
+            const kern_real square = skip ? least : kern_edge_square(u, v);
             if (square < least) {
                 least = square;
                 *nearest = i;
             }
+            if ((u.y > 0) != (v.y > 0) &&
+                (skip ? box->low.x > p.x
+                      : (kern_vec_cross(u, v) > 0) == (v.y > u.y)))
+                inside = !inside;
+            u = v;
         }
-        if ((u.y > 0) != (v.y > 0) &&
-            (skip ? box->low.x > p.x
-                  : (kern_vec_cross(u, v) > 0) == (v.y > u.y)))
-            inside = !inside;
-        u = v;
     }
     return inside ? KERN_SQRT(least) : -KERN_SQRT(least);
 }
 
-/* Does way f lie on one side of the line of way e, and not on it? */
-static int kern_one_side(const kern_vec e[2], const kern_vec f[2])
+/* Do p and q both lie left of the line from u to v, or both right of it? */
+static int kern_one_side(kern_vec u, kern_vec v, kern_vec p, kern_vec q)
 {
-    const kern_vec d = kern_vec_sub(e[1], e[0]);
-    const kern_real from = kern_vec_cross(d, kern_vec_sub(f[0], e[0]));
-    const kern_real to = kern_vec_cross(d, kern_vec_sub(f[1], e[0]));
+    const kern_vec d = kern_vec_sub(v, u);
+    const kern_real from = kern_vec_cross(d, kern_vec_sub(p, u));
+    const kern_real to = kern_vec_cross(d, kern_vec_sub(q, u));
     return (from > 0 && to > 0) || (from < 0 && to < 0);
 }
 
-/* Does the way from p to q touch one of the edges from `first` up to `end`?
-   Ways whose boxes meet do, unless one lies on one side of the other. */
-static int kern_polygon_meets(const kern_parts *parts, kern_vec p, kern_vec q,
-                              int first, int end)
+/* Does edge i touch an edge behind it that is not its neighbour? Edges whose
+   boxes meet do, unless one lies on one side of the other. */
+static int kern_polygon_meets(const kern_parts *parts, int i)
 {
     const kern_block *block = parts->block;
-    kern_vec way[2], edge[2];
+    const kern_vec p = block->vertex[i];
+    const kern_vec q = block->vertex[kern_polygon_next(block, i)];
+    const int end = block->vertices - (i == 0);
     kern_box box, other;
-    way[0] = p;
-    way[1] = q;
+    int k = i + 2, stop;
     kern_box_set(&box, p, q);
-    while (first < end) {
-        const int part = first / parts->each;
-        const int stop = (part + 1) * parts->each;
-        const int last = stop < end ? stop : end;
-        if (!kern_box_near(&box, &parts->box[part], 0))
-            first = last;
-        for (; first < last; first++) {
-            edge[0] = block->vertex[first];
-            edge[1] = block->vertex[kern_polygon_next(block, first)];
-            kern_box_set(&other, edge[0], edge[1]);
-            if (kern_box_near(&box, &other, 0) && !kern_one_side(way, edge) &&
-                !kern_one_side(edge, way))
+    while ((k = kern_parts_near(parts, k, &box, 0)) < end)
+        for (stop = k + parts->each - k % parts->each; k < stop && k < end;
+             k++) {
+            const kern_vec u = block->vertex[k];
+            const kern_vec v = block->vertex[kern_polygon_next(block, k)];
+            kern_box_set(&other, u, v);
+            if (kern_box_near(&box, &other, 0) &&
+                !kern_one_side(p, q, u, v) && !kern_one_side(u, v, p, q))
                 return 1;
         }
-    }
     return 0;
 }
 
@@ -6938,9 +6922,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
     kern_parts_set(&parts, block);
     for (i = 0; i < n; i++) {
         fault->index = i;
-        if (kern_polygon_meets(&parts, block->vertex[i],
-                               block->vertex[kern_polygon_next(block, i)],
-                               i + 2, n - (i == 0)))
+        if (kern_polygon_meets(&parts, i))
             return KERN_CROSSING;
     }
     fault->index = -1;
@@ -7234,7 +7216,7 @@ static void kern_edge_set(kern_edge *e, const kern_block *block, int start,
 static void kern_edge_open(kern_edge *e, const kern_block *block)
 {
     e->start = -1;
-    e->end = kern_polygon_corner_after(block, block->vertices - 1);
+    e->end = kern_polygon_corner(block, block->vertices - 1, 0);
 }
 
 /* Goes to the next edge that is near the box; 0: there is none. An edge with
@@ -7245,10 +7227,10 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
 {
     const kern_block *block = parts->block;
     while (e->start < e->end) { /* the last one ends where the first began */
-        const int at = kern_parts_near(parts, e->end, box, 2 * gap) + 1;
-        const int from = kern_polygon_corner(
-            block, at < block->vertices ? at : 0, 1);
-        const int end = kern_polygon_corner_after(block, from);
+        const int at = kern_parts_near(parts, e->end, box, 2 * gap);
+        const int from = at == e->end ? at : kern_polygon_corner(
+            block, at + 1 < block->vertices ? at + 1 : 0, 1);
+        const int end = kern_polygon_corner(block, from, 0);
         kern_box own;
         kern_box_set(&own, kern_polygon_at(block, from),
                      kern_polygon_at(block, end));
@@ -7331,7 +7313,7 @@ static int kern_span_split(const kern_block *block, kern_span span,
     const int whole = span.start == span.end; /* its chord is a point */
     kern_real most = step * step;
     int i = span.start, part = span.end;
-    while ((i = kern_polygon_corner_after(block, i)) != span.end) {
+    while ((i = kern_polygon_corner(block, i, 0)) != span.end) {
         const kern_vec r = kern_vec_sub(p, kern_polygon_at(block, i));
         const kern_real square = whole
             ? kern_vec_dot(r, r) : kern_edge_square(r, kern_vec_add(r, d));
@@ -7346,9 +7328,9 @@ static int kern_span_split(const kern_block *block, kern_span span,
 /* Has the span a step: does its chord leave out a reflex corner? */
 static int kern_span_steps(const kern_block *block, kern_span span)
 {
-    int i = kern_polygon_corner_after(block, span.start);
+    int i = kern_polygon_corner(block, span.start, 0);
     while (i != span.end && kern_polygon_turn(block, i) > 0)
-        i = kern_polygon_corner_after(block, i);
+        i = kern_polygon_corner(block, i, 0);
     return i != span.end;
 }
 
@@ -7395,7 +7377,7 @@ static int kern_outline_chord(kern_outline *o, kern_real step, int i,
             return 1;
         }
     }
-    kern_edge_set(chord, block, i, kern_polygon_corner_after(block, i));
+    kern_edge_set(chord, block, i, kern_polygon_corner(block, i, 0));
     return 0;
 }
 
