@@ -6916,7 +6916,6 @@ static kern_status kern_polygon_simple(const kern_block *block,
         lowest += rises && !rose;
         rose = rises;
     }
-    fault->index = -1;
     if (!(left && right) && lowest < 2)
         return KERN_OK;
     kern_parts_set(&parts, block);
@@ -6925,7 +6924,6 @@ static kern_status kern_polygon_simple(const kern_block *block,
         if (kern_polygon_meets(&parts, i))
             return KERN_CROSSING;
     }
-    fault->index = -1;
     return KERN_OK;
 }
 
@@ -6963,6 +6961,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     status = kern_polygon_simple(block, fault);
     if (status < 0)
         return status;
+    fault->index = -1;
     block->area = area;
     block->centre = kern_vec_step(o, 1 / area, moment);
     return kern_abs(area) > least ? KERN_OK : KERN_NO_AREA;
@@ -7260,22 +7259,20 @@ typedef struct kern_span {
 
 typedef struct kern_outline {
     kern_parts parts;
-    kern_span span[KERN_SPANS]; /* each lies in the one before           */
-    int spans;              /* so many; 0: there is no simplification,
-                               -1: not known                             */
-    int last;               /* the last span is split no further         */
-    int steps;              /* and has steps                             */
+    kern_span span[KERN_SPANS]; /* each lies in the one before            */
+    int spans;              /* so many; 0: not known yet                  */
+    int steps;              /* whether the last one, which is split no
+                               further, has steps; -1: it may be split    */
 } kern_outline;
 
 static void kern_outline_open(kern_outline *o, const kern_block *block)
 {
     kern_parts_set(&o->parts, block);
-    o->spans = -1;
-    o->last = 0;
+    o->spans = 0;
 }
 
 /* The whole outline as a span from the corner farthest from the centre. A
-   convex outline is not simplified. */
+   convex outline is not split, and has no steps. */
 static void kern_outline_whole(kern_outline *o)
 {
     const kern_block *block = o->parts.block;
@@ -7293,7 +7290,8 @@ static void kern_outline_whole(kern_outline *o)
         }
     }
     o->span[0].start = o->span[0].end = start;
-    o->spans = reflex;
+    o->spans = 1;
+    o->steps = -reflex;
 }
 
 /* Does the edge or span that starts at corner i lie in the span? */
@@ -7331,7 +7329,7 @@ static int kern_span_steps(const kern_block *block, kern_span span)
     int i = kern_polygon_corner(block, span.start, 0);
     while (i != span.end && kern_polygon_turn(block, i) > 0)
         i = kern_polygon_corner(block, i, 0);
-    return i != span.end;
+    return i != span.end && span.start != span.end;
 }
 
 /* Makes the last span the smallest that holds the edge at corner i. */
@@ -7339,26 +7337,25 @@ static kern_span kern_outline_span(kern_outline *o, kern_real step, int i)
 {
     const kern_block *block = o->parts.block;
     kern_span span;
-    int part;
     while (!kern_span_holds(block, o->span[o->spans - 1], i)) {
         o->spans--;
-        o->last = 0;
+        o->steps = -1;
     }
     span = o->span[o->spans - 1];
-    if (o->last)
-        return span;
-    while ((part = kern_span_split(block, span, step)) != span.end) {
+    while (o->steps < 0) {
         kern_span before = span;
-        before.end = part;
-        if (kern_span_holds(block, before, i))
-            span.end = part;
-        else
-            span.start = part;
-        o->spans += o->spans < KERN_SPANS;
-        o->span[o->spans - 1] = span;
+        before.end = kern_span_split(block, span, step);
+        if (before.end == span.end) {
+            o->steps = kern_span_steps(block, span);
+        } else {
+            if (kern_span_holds(block, before, i))
+                span.end = before.end;
+            else
+                span.start = before.end;
+            o->spans += o->spans < KERN_SPANS;
+            o->span[o->spans - 1] = span;
+        }
     }
-    o->last = 1;
-    o->steps = span.start != span.end && kern_span_steps(block, span);
     return span;
 }
 
@@ -7368,30 +7365,24 @@ static int kern_outline_chord(kern_outline *o, kern_real step, int i,
 {
     const kern_block *block = o->parts.block;
     kern_span span;
-    if (o->spans < 0)
+    if (!o->spans)
         kern_outline_whole(o);
-    if (o->spans > 0) {
-        span = kern_outline_span(o, step, i);
-        if (o->steps) {
-            kern_edge_set(chord, block, span.start, span.end);
-            return 1;
-        }
-    }
-    kern_edge_set(chord, block, i, kern_polygon_corner(block, i, 0));
-    return 0;
+    span = kern_outline_span(o, step, i);
+    if (o->steps)
+        kern_edge_set(chord, block, span.start, span.end);
+    else
+        kern_edge_set(chord, block, i, kern_polygon_corner(block, i, 0));
+    return o->steps;
 }
 
 /* ---- the pair ---- */
 
-/* The contacts found so far, in the caller's array. */
-typedef struct kern_found {
-    kern_contact *at;
-    int room, count;        /* count may exceed the room: no more is stored */
-} kern_found;
-
+/* Two blocks, and the contacts of all pairs so far, in the caller's array. A
+   line is one contact until the end: p is its middle, travel half its length,
+   above 0. Of a point travel is 0. */
 typedef struct kern_pair {
     int a, b;               /* indices of the blocks, a before b           */
-    kern_outline of_a, of_b;
+    kern_outline of[2];     /* a and b                                     */
     kern_real gap;          /* widest [m], at the blocks' centres          */
     kern_real swing;        /* what its errors of angle add, per distance  */
     kern_real deep;         /* deepest overlap [m]                         */
@@ -7401,54 +7392,54 @@ typedef struct kern_pair {
     kern_real over;         /* or, where places are measured, outside [m]  */
     kern_real step;         /* a step up to there is none [m]              */
     kern_real sine;         /* of the angle of the options                 */
-    kern_found *found;
-    int first;              /* of its contacts                             */
+    kern_contact *out;
+    int room, count;        /* count may exceed the room: no more is stored */
+    int first;              /* of the contacts of this pair                */
 } kern_pair;
 
-/* A contact before it is one of the caller's: a line is in one piece. */
-typedef struct kern_raw {
-    kern_vec p, n;          /* its middle; normal from a into b */
-    kern_real half;         /* half its length; of a point 0    */
-} kern_raw;
-
-static kern_raw kern_raw_at(const kern_contact *c)
+/* One end of a line: side is -1 or 1. */
+static kern_vec kern_line_end(const kern_contact *line, int side)
 {
-    kern_raw raw;
-    raw.p = c->p;
-    raw.n = c->n;
-    raw.half = c->travel;
-    return raw;
+    return kern_vec_step(line->p, KERN_R(side) * line->travel,
+                         kern_vec_turn(line->n));
 }
 
-static void kern_raw_keep(const kern_raw *raw, kern_contact *c)
+/* Makes *c a line of that half length, or a point where it is 0. */
+static void kern_line_set(kern_contact *c, kern_vec p, kern_vec n,
+                          kern_real half)
 {
-    c->p = raw->p;
-    c->n = raw->n;
-    c->travel = raw->half;
-    c->line = raw->half > 0;
+    c->p = p;
+    c->n = n;
+    c->travel = half;
+    c->line = half > 0;
 }
 
-/* One end: side is -1 or 1. */
-static kern_vec kern_raw_end(const kern_raw *raw, int side)
+/* Adds a contact behind those that are as long or longer. What finds no room is
+   only counted. */
+static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
+                          kern_real half)
 {
-    return kern_vec_step(raw->p, KERN_R(side) * raw->half,
-                         kern_vec_turn(raw->n));
-}
-
-/* Adds a raw contact behind those that are as long or longer. What finds no
-   room is only counted. */
-static void kern_pair_put(const kern_pair *pair, const kern_raw *raw)
-{
-    kern_found *found = pair->found;
-    kern_contact *at = found->at;
-    int i = found->count++;
-    if (i >= found->room)
+    kern_contact *at = pair->out;
+    int i = pair->count++;
+    if (i >= pair->room)
         return;
-    for (; i > pair->first && at[i - 1].travel < raw->half; i--)
+    for (; i > pair->first && at[i - 1].travel < half; i--)
         at[i] = at[i - 1];
     at[i].a = pair->a;
     at[i].b = pair->b;
-    kern_raw_keep(raw, &at[i]);
+    kern_line_set(&at[i], p, n, half);
+}
+
+/* The outer normal of a way in direction d. */
+static kern_vec kern_vec_outward(kern_vec d)
+{ return kern_vec_make(d.y, -d.x); }
+
+/* Do the ways run against each other, within the angle? */
+static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
+                             const kern_edge *f)
+{
+    return kern_vec_dot(e->d, f->d) < 0 &&
+           kern_abs(kern_vec_cross(e->d, f->d)) <= pair->sine;
 }
 
 /* ---- steps ---- */
@@ -7457,19 +7448,12 @@ static void kern_pair_put(const kern_pair *pair, const kern_raw *raw)
    dropped where its normal is far from that of the chord: it is that of the
    step's own edge. */
 
-/* p on the chord's line */
-static kern_vec kern_chord_foot(const kern_edge *e, kern_vec p)
-{
-    return kern_vec_step(e->p, kern_vec_dot(kern_vec_sub(p, e->p), e->d),
-                         e->d);
-}
+/* Where the foot of p on the chord's line is, from the chord's start on. */
+static kern_real kern_chord_along(const kern_edge *e, kern_vec p)
+{ return kern_vec_dot(kern_vec_sub(p, e->p), e->d); }
 
-/* How far inside the chord's ends p is. */
-static kern_real kern_chord_inside(const kern_edge *e, kern_vec p)
-{
-    const kern_real along = kern_vec_dot(kern_vec_sub(p, e->p), e->d);
-    return kern_min(along, e->length - along);
-}
+static kern_vec kern_chord_foot(const kern_edge *e, kern_vec p)
+{ return kern_vec_step(e->p, kern_chord_along(e, p), e->d); }
 
 /* Does direction d lead to the inner side of the chord, by more than a chord of
    some steps may be off? */
@@ -7483,8 +7467,7 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
                              const kern_block *block, kern_real step,
                              kern_vec *p)
 {
-    const kern_real along = kern_vec_dot(kern_vec_sub(*p, f->p), f->d);
-    const int back = along + along <= f->length;
+    const int back = 2 * kern_chord_along(f, *p) <= f->length;
     const int corner = back ? f->start : f->end;
     kern_vec way;
     int i = corner;
@@ -7497,50 +7480,44 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
            !kern_chord_inward(e, kern_vec_sub(back ? f->q : f->p, *p));
 }
 
-/* Adds the raw contact of the edges that start at corners i of a and k of b, on
-   their chords: midway between two that run against each other, else on the one
-   inside of whose ends it lies farther. A corner of a or of b that is the point
-   has no normal at the end of its chord. */
-static void kern_pair_add(kern_pair *pair, int i, int k, kern_raw raw,
-                          int corner_a, int corner_b)
+/* Adds a contact of edges i of a and k of b, on their chords: midway between
+   two that run against each other, else on the one inside of whose ends it lies
+   farther. A point is a corner of a (0) or of b (1), which has no normal at the
+   end of its own chord. */
+static void kern_pair_add(kern_pair *pair, const kern_edge *i,
+                          const kern_edge *k, kern_vec p, kern_vec n,
+                          kern_real half, int corner)
 {
-    kern_edge e, f;
-    kern_vec t, n, p = raw.p;
-    kern_real inside_a, inside_b, cosine;
-    const int chord_a = kern_outline_chord(&pair->of_a, pair->step, i, &e);
-    const int chord_b = kern_outline_chord(&pair->of_b, pair->step, k, &f);
-    if (!chord_a && !chord_b) {
-        kern_pair_put(pair, &raw);
+    kern_edge e[2];
+    kern_real inside[2];
+    kern_vec t, q;
+    int on;
+    if (!(kern_outline_chord(&pair->of[0], pair->step, i->start, &e[0]) |
+          kern_outline_chord(&pair->of[1], pair->step, k->start, &e[1]))) {
+        kern_pair_put(pair, p, n, half);
         return;
     }
-    inside_a = kern_chord_inside(&e, p);
-    inside_b = kern_chord_inside(&f, p);
-    if (corner_a && !(inside_a > 0))
-        inside_a = -KERN_HUGE;
-    if (corner_b && !(inside_b > 0))
-        inside_b = -KERN_HUGE;
-    if (kern_vec_dot(e.d, f.d) < 0 &&
-        kern_abs(kern_vec_cross(e.d, f.d)) <= pair->sine) {
-        t = kern_vec_unit(kern_vec_sub(e.d, f.d));
-        p = kern_vec_mid(kern_chord_foot(&e, p), kern_chord_foot(&f, p));
-    } else {
-        const int on_a = inside_a >= inside_b;
-        const kern_edge *on = on_a ? &e : &f;
-        const kern_outline *other = on_a ? &pair->of_b : &pair->of_a;
-        t = on_a ? e.d : kern_vec_scale(f.d, -1);
-        if (!(raw.half > 0) &&
-            !kern_chord_stands(on, on_a ? &f : &e, other->parts.block,
-                               pair->step, &p))
-            return;
-        p = kern_chord_foot(on, p);
+    for (on = 0; on < 2; on++) {
+        const kern_real along = kern_chord_along(&e[on], p);
+        inside[on] = kern_min(along, e[on].length - along);
+        if (!(half > 0 || corner != on || inside[on] > 0))
+            inside[on] = -KERN_HUGE;
     }
-    n = kern_vec_scale(kern_vec_turn(t), -1);
-    cosine = kern_vec_dot(n, raw.n);
-    raw.p = p;
-    raw.n = n;
-    raw.half *= cosine;
-    if (cosine > KERN_GOES_ON)
-        kern_pair_put(pair, &raw);
+    on = inside[0] < inside[1];
+    if (kern_pair_opposed(pair, &e[0], &e[1])) {
+        t = kern_vec_unit(kern_vec_sub(e[0].d, e[1].d));
+        q = kern_vec_mid(kern_chord_foot(&e[0], p), kern_chord_foot(&e[1], p));
+    } else if (half > 0 ||
+               kern_chord_stands(&e[on], &e[!on], pair->of[!on].parts.block,
+                                 pair->step, &p)) {
+        t = on ? kern_vec_scale(e[1].d, -1) : e[0].d;
+        q = kern_chord_foot(&e[on], p);
+    } else {
+        return;
+    }
+    half *= kern_vec_dot(kern_vec_outward(t), n);
+    if (kern_vec_dot(kern_vec_outward(t), n) > KERN_GOES_ON)
+        kern_pair_put(pair, q, kern_vec_outward(t), half);
 }
 
 /* ---- lines and points ---- */
@@ -7549,8 +7526,8 @@ static void kern_pair_add(kern_pair *pair, int i, int k, kern_raw raw,
    blocks' centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
-    const kern_vec u = kern_vec_sub(p, pair->of_a.parts.block->centre);
-    const kern_vec v = kern_vec_sub(p, pair->of_b.parts.block->centre);
+    const kern_vec u = kern_vec_sub(p, pair->of[0].parts.block->centre);
+    const kern_vec v = kern_vec_sub(p, pair->of[1].parts.block->centre);
     if (!(pair->swing > 0))
         return pair->gap;
     return KERN_SQRT(pair->gap * pair->gap +
@@ -7567,27 +7544,24 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *e,
 {
     const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
     kern_real at, cosine, slope, low, high, gap, wide;
-    kern_vec t;
-    kern_raw raw;
-    if (!(kern_vec_dot(e->d, f->d) < 0) ||
-        kern_abs(kern_vec_cross(e->d, f->d)) > pair->sine)
+    kern_vec t, n, p;
+    if (!kern_pair_opposed(pair, e, f))
         return;
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
-    raw.n = kern_vec_scale(kern_vec_turn(t), -1);
+    n = kern_vec_outward(t);
     cosine = kern_vec_dot(e->d, t); /* and of f the opposite */
-    slope = kern_vec_dot(e->d, raw.n) / cosine;
+    slope = kern_vec_dot(e->d, n) / cosine;
     at = kern_vec_dot(r, t);
     low = kern_max(0, at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
-    gap = kern_vec_dot(r, raw.n) + slope * at; /* at s = 0 */
+    gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
     if (!(high - low > pair->least))
         return;
-    raw.p = kern_vec_step(e->p, (low + high) / 2, t);
-    raw.p = kern_vec_step(raw.p, gap / 2, raw.n);
-    raw.half = (high - low) / 2;
-    kern_pair_add(pair, e->start, f->start, raw, 0, 0);
+    p = kern_vec_step(e->p, (low + high) / 2, t);
+    p = kern_vec_step(p, gap / 2, n);
+    kern_pair_add(pair, e, f, p, n, (high - low) / 2, 0);
 }
 
 /* Does edge e of the block bear p: is the foot of p inside, or does e end
@@ -7604,143 +7578,135 @@ static int kern_edge_bears(const kern_edge *e, const kern_block *block,
             kern_polygon_turn(block, e->end) < 0);
 }
 
-/* The corner where f starts stands on edge e, of a or of b: it is convex and
-   within the gap, e bears it, and both its own edges lead to the outer side. */
+/* The corner where f starts stands on edge e, of a (on 0) or of b (1): it is
+   convex and within the gap, e bears it, and both its own edges lead to the
+   outer side. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *f,
-                            const kern_edge *e, int on_a)
+                            const kern_edge *e, int on)
 {
-    const kern_outline *to = on_a ? &pair->of_a : &pair->of_b;
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
-    kern_raw raw;
+    kern_vec p = f->p;
     if (kern_vec_cross(f->back, f->d) > 0 || high > wide ||
         high < -kern_max(wide, pair->deep) ||
         kern_vec_cross(f->d, e->d) < -pair->sine ||
         kern_vec_cross(f->back, e->d) < -pair->sine ||
-        !kern_edge_bears(e, to->parts.block, f->p, pair->foot - pair->over,
-                         wide))
+        !kern_edge_bears(e, pair->of[on].parts.block, p,
+                         pair->foot - pair->over, wide))
         return;
-    raw.p = f->p;
     if (pair->deep > pair->gap) /* midway, as a line */
-        raw.p = kern_vec_step(f->p, high / 2, kern_vec_turn(e->d));
-    raw.n = kern_vec_scale(kern_vec_turn(e->d), on_a ? -1 : 1);
-    raw.half = 0;
-    kern_pair_add(pair, on_a ? e->start : f->start, on_a ? f->start : e->start,
-                  raw, !on_a, on_a);
+        p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
+    if (on)
+        kern_pair_add(pair, f, e, p, kern_vec_turn(e->d), 0, 0);
+    else
+        kern_pair_add(pair, e, f, p, kern_vec_outward(e->d), 0, 1);
 }
 
 /* Looks for lines and points at each two edges that are near each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
-    const kern_block *a = pair->of_a.parts.block, *b = pair->of_b.parts.block;
+    const kern_parts *a = &pair->of[0].parts, *b = &pair->of[1].parts;
     kern_edge e, f;
-    kern_edge_open(&e, a);
-    while (kern_edge_next(&e, &pair->of_a.parts, &b->box, pair->reach)) {
-        kern_box box;
+    kern_box box;
+    kern_edge_open(&e, a->block);
+    while (kern_edge_next(&e, a, &b->block->box, pair->reach)) {
         kern_box_set(&box, e.p, e.q);
-        kern_edge_open(&f, b);
-        while (kern_edge_next(&f, &pair->of_b.parts, &box, pair->reach)) {
+        kern_edge_open(&f, b->block);
+        while (kern_edge_next(&f, b, &box, pair->reach)) {
             kern_pair_line(pair, &e, &f);
-            kern_pair_point(pair, &e, &f, 0);
-            kern_pair_point(pair, &f, &e, 1);
+            kern_pair_point(pair, &e, &f, 1);
+            kern_pair_point(pair, &f, &e, 0);
         }
     }
 }
 
 /* ---- faces ---- */
 /* A point that a line contact with about its normal passes belongs to it. Of
-   the rest, the longest raw contact leads a face; all others with its normal
-   and on its line join it. The face takes the leader's place in the array and
-   the rest moves up in order, so the next one leads again. */
+   the rest, the longest contact leads a face; all others with its normal and on
+   its line join it. The face takes the leader's place in the array and the rest
+   moves up in order, so the next one leads again. */
 
 /* Does the line pass within the gap of the point, about as inclined? */
-static int kern_raw_passes(const kern_raw *line, const kern_raw *point,
-                           kern_real gap)
+static int kern_line_passes(const kern_contact *line, const kern_contact *point,
+                            kern_real gap)
 {
     const kern_vec r = kern_vec_sub(point->p, line->p);
     const kern_real off = kern_vec_dot(r, line->n);
     const kern_real beyond = kern_max(
-        kern_abs(kern_vec_cross(line->n, r)) - line->half, 0);
+        kern_abs(kern_vec_cross(line->n, r)) - line->travel, 0);
     return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE &&
            off * off + beyond * beyond <= gap * gap;
 }
 
-/* Leaves out the points that belong to a line. The next point often belongs to
-   the same line, so the search goes on from there, round all lines. */
-static void kern_pair_filter(const kern_pair *pair)
+/* Leaves out the points that belong to a line. */
+static void kern_pair_filter(kern_pair *pair)
 {
-    kern_found *found = pair->found;
-    int i, k, lines = pair->first, at = lines, kept;
-    while (lines < found->count && found->at[lines].line)
+    kern_contact *at = pair->out;
+    int i, line, lines = pair->first, kept;
+    while (lines < pair->count && at[lines].line)
         lines++;
-    kept = lines;
-    for (i = lines; i < found->count; i++) {
-        const kern_raw point = kern_raw_at(&found->at[i]);
-        int passed = 0;
-        for (k = pair->first; k < lines && !passed; k++) {
-            const kern_raw line = kern_raw_at(&found->at[at]);
-            passed = kern_raw_passes(&line, &point, pair->gap);
-            if (!passed)
-                at = at + 1 < lines ? at + 1 : pair->first;
-        }
-        if (!passed)
-            found->at[kept++] = found->at[i];
+    for (i = kept = lines; i < pair->count; i++) {
+        for (line = pair->first; line < lines; line++)
+            if (kern_line_passes(&at[line], &at[i], pair->gap))
+                break;
+        if (line == lines)
+            at[kept++] = at[i];
     }
-    found->count = kept;
+    pair->count = kept;
 }
 
 typedef struct kern_face {
-    kern_raw lead;
+    kern_contact lead;
     kern_vec low, high;     /* outermost points along its tangent         */
     kern_real least, most;  /* where they are, from its middle on         */
     kern_vec sum;           /* of normals times lengths                   */
 } kern_face;
 
-/* Takes a raw contact into the face; 0: it belongs to another. */
-static int kern_face_join(kern_face *face, const kern_pair *pair, kern_raw raw)
+/* Takes a contact into the face; 0: it belongs to another. */
+static int kern_face_join(kern_face *face, const kern_pair *pair,
+                          const kern_contact *c)
 {
-    const kern_vec n = face->lead.n, r = kern_vec_sub(raw.p, face->lead.p);
-    const kern_real cosine = kern_vec_dot(n, raw.n);
-    const kern_real sine = kern_abs(kern_vec_cross(n, raw.n));
+    const kern_vec n = face->lead.n, r = kern_vec_sub(c->p, face->lead.p);
+    const kern_real cosine = kern_vec_dot(n, c->n);
+    const kern_real sine = kern_abs(kern_vec_cross(n, c->n));
     const kern_real along = kern_vec_cross(n, r);
-    const kern_real half = raw.half * cosine;
+    const kern_real half = c->travel * cosine;
     if (!(cosine > 0) || sine > pair->sine ||
-        kern_abs(kern_vec_dot(n, r)) + raw.half * sine > pair->gap)
+        kern_abs(kern_vec_dot(n, r)) + c->travel * sine > pair->gap)
         return 0;
     if (along - half < face->least) {
         face->least = along - half;
-        face->low = kern_raw_end(&raw, -1);
+        face->low = kern_line_end(c, -1);
     }
     if (along + half > face->most) {
         face->most = along + half;
-        face->high = kern_raw_end(&raw, 1);
+        face->high = kern_line_end(c, 1);
     }
-    face->sum = kern_vec_step(
-        face->sum, raw.half > 0 ? 2 * raw.half : pair->gap, raw.n);
+    face->sum = kern_vec_step(face->sum, c->line ? 2 * c->travel : pair->gap,
+                              c->n);
     return 1;
 }
 
-/* Makes a face of raw contact i and all that join it. */
-static void kern_pair_face(const kern_pair *pair, int i)
+/* Makes a face of contact i and all that join it. */
+static void kern_pair_face(kern_pair *pair, int i)
 {
-    kern_found *found = pair->found;
+    kern_contact *at = pair->out;
     kern_face face;
-    kern_raw raw;
+    kern_vec n;
+    kern_real half;
     int k, rest = i + 1;
-    face.lead = kern_raw_at(&found->at[i]);
+    face.lead = at[i];
     face.low = face.high = face.lead.p;
     face.least = face.most = 0;
     face.sum = kern_vec_make(0, 0);
-    for (k = i; k < found->count; k++) /* the leader itself first */
-        if (!kern_face_join(&face, pair, kern_raw_at(&found->at[k])) && k > i)
-            found->at[rest++] = found->at[k];
-    found->count = rest;
-    raw.n = kern_vec_unit(face.sum);
-    raw.p = kern_vec_mid(face.low, face.high);
-    raw.half = kern_vec_cross(raw.n, kern_vec_sub(face.high, face.low)) / 2;
-    if (!(2 * raw.half > pair->foot))
-        raw.half = 0;
-    kern_raw_keep(&raw, &found->at[i]);
+    for (k = i; k < pair->count; k++) /* the leader itself first */
+        if (!kern_face_join(&face, pair, &at[k]) && k > i)
+            at[rest++] = at[k];
+    pair->count = rest;
+    n = kern_vec_unit(face.sum);
+    half = kern_vec_cross(n, kern_vec_sub(face.high, face.low)) / 2;
+    kern_line_set(&at[i], kern_vec_mid(face.low, face.high), n,
+                  2 * half > pair->foot ? half : KERN_R(0));
 }
 
 /* ---- travels ---- */
@@ -7801,29 +7767,28 @@ typedef struct kern_search {
     kern_real reach;        /* widest gap of any pair [m]              */
     kern_real floor;        /* places closer than that are the same [m] */
     const kern_options *options;
-    kern_found found;
     kern_pair pair;
     kern_fault *fault;
     kern_box box;           /* of all blocks                           */
     kern_real area;         /* largest of a free block [m^2]           */
     kern_real arm;          /* twice the longest diagonal of a box [m] */
-    kern_overlap *overlap;  /* not NULL: pairs that overlap are listed,  */
-    int overlap_room, overlaps; /* and no contacts are found             */
+    int listing;            /* pairs that overlap are listed, and no   */
+    kern_overlap *overlap;  /* contacts are found                      */
+    int overlap_room, overlaps;
 } kern_search;
 
 /* Finds the contacts of the pair. */
 static kern_status kern_pair_touch(kern_pair *pair)
 {
-    kern_found *found = pair->found;
     int i;
-    pair->first = found->count;
+    pair->first = pair->count;
     kern_pair_edges(pair);
-    if (found->count > found->room)
+    if (pair->count > pair->room)
         return KERN_NO_SPACE;
     kern_pair_filter(pair);
-    for (i = pair->first; i < found->count; i++)
+    for (i = pair->first; i < pair->count; i++)
         kern_pair_face(pair, i);
-    kern_point_travels(found->at + pair->first, found->count - pair->first);
+    kern_point_travels(pair->out + pair->first, pair->count - pair->first);
     return KERN_OK;
 }
 
@@ -7840,8 +7805,8 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
     pair->gap = kern_max(pair->gap, s->floor);
     pair->swing = KERN_ERROR_SWING * o->turn;
     pair->deep = kern_max(pair->gap, o->overlap) + pair->swing *
-                 (kern_box_half(pair->of_a.parts.block) +
-                  kern_box_half(pair->of_b.parts.block));
+                 (kern_box_half(pair->of[0].parts.block) +
+                  kern_box_half(pair->of[1].parts.block));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_FOOT * size, s->floor);
@@ -7850,51 +7815,23 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
     pair->sine = kern_sine(o->angle);
 }
 
-/* Opens the pair of blocks i and j; 0: both are fixed, or they are apart. */
-static int kern_pair_open(kern_search *s, int i, int j)
-{
-    kern_pair *pair = &s->pair;
-    const kern_block *a, *b;
-    kern_real area = KERN_HUGE;
-    pair->a = i < j ? i : j;
-    pair->b = i < j ? j : i;
-    a = &s->block[pair->a];
-    b = &s->block[pair->b];
-    if ((a->fixed && b->fixed) || !a->vertices || !b->vertices ||
-        !kern_box_near(&a->box, &b->box, s->reach))
-        return 0;
-    if (!a->fixed)
-        area = kern_abs(a->area);
-    if (!b->fixed)
-        area = kern_min(area, kern_abs(b->area));
-    kern_outline_open(&pair->of_a, a);
-    kern_outline_open(&pair->of_b, b);
-    kern_pair_tolerances(pair, s, KERN_SQRT(area));
-    pair->found = &s->found;
-    return 1;
-}
-
 /* Whether the vertices are no longer those that kern_block_init() saw: box or
    area differ. */
 static int kern_block_is_stale(const kern_block *block)
 {
-    const kern_vec o = block->vertices ? block->vertex[0] : block->centre;
-    const kern_vec low = block->box.low, high = block->box.high;
     kern_real area = 0;
     kern_box box;
     int i;
     kern_box_empty(&box);
     for (i = 0; i < block->vertices; i++) {
-        const kern_vec p = block->vertex[i];
+        const kern_vec o = block->vertex[0], p = block->vertex[i];
         const kern_vec q = block->vertex[kern_polygon_next(block, i)];
-        if (!(p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y))
-            return 1;
         kern_box_add(&box, p);
         area += kern_vec_cross(kern_vec_sub(p, o), kern_vec_sub(q, o)) / 2;
     }
-    return block->vertices > 0
-           && (box.low.x > low.x || box.low.y > low.y || box.high.x < high.x
-               || box.high.y < high.y
+    return i > 0
+           && (kern_vec_largest(kern_vec_sub(box.low, block->box.low)) > 0
+               || kern_vec_largest(kern_vec_sub(box.high, block->box.high)) > 0
                || !(kern_abs(area - block->area)
                     <= KERN_STALE_AREA * kern_abs(block->area)));
 }
@@ -7910,7 +7847,7 @@ static void kern_search_list(kern_search *s)
     found.b = pair->b;
     found.depth = 0;
     found.allowed = pair->deep;
-    while ((depth = kern_overlap_depth(&pair->of_a.parts, &pair->of_b.parts,
+    while ((depth = kern_overlap_depth(&pair->of[0].parts, &pair->of[1].parts,
                                        least)) > 0) {
         found.depth = depth;
         least = (1 + KERN_STRIDE) * depth;
@@ -7919,31 +7856,40 @@ static void kern_search_list(kern_search *s)
         s->overlap[s->overlaps - 1] = found;
 }
 
-/* Finds the contacts of blocks i and j, which must not overlap. */
+/* Finds the contacts of blocks i and j, which must not overlap: none where both
+   are fixed, or apart. */
 static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
-    kern_real depth;
-    if (!kern_pair_open(s, i, j))
+    const int low = i < j ? i : j, high = i < j ? j : i;
+    const kern_block *a = &s->block[low], *b = &s->block[high];
+    kern_real area;
+    if ((a->fixed && b->fixed) || !a->vertices || !b->vertices ||
+        !kern_box_near(&a->box, &b->box, s->reach))
         return KERN_OK;
-    if (pair->a < s->from && kern_block_is_stale(&s->block[pair->a])) {
-        s->fault->block = pair->a;
+    s->fault->block = low;
+    if (low < s->from && kern_block_is_stale(a))
         return KERN_STALE;
-    }
-    if (s->overlap) {
+    area = kern_min(a->fixed ? KERN_HUGE : kern_abs(a->area),
+                    b->fixed ? KERN_HUGE : kern_abs(b->area));
+    pair->a = low;
+    pair->b = high;
+    kern_outline_open(&pair->of[0], a);
+    kern_outline_open(&pair->of[1], b);
+    kern_pair_tolerances(pair, s, KERN_SQRT(area));
+    if (s->listing) {
         kern_search_list(s);
-        return KERN_OK;
+    } else {
+        s->fault->value = kern_overlap_depth(
+            &pair->of[0].parts, &pair->of[1].parts, pair->deep);
+        if (s->fault->value > 0) {
+            s->fault->other = high;
+            s->fault->allowed = pair->deep;
+            return KERN_OVERLAP;
+        }
     }
-    depth = kern_overlap_depth(&pair->of_a.parts, &pair->of_b.parts,
-                               pair->deep);
-    if (depth > 0) {
-        s->fault->block = pair->a;
-        s->fault->other = pair->b;
-        s->fault->value = depth;
-        s->fault->allowed = pair->deep;
-        return KERN_OVERLAP;
-    }
-    return kern_pair_touch(pair);
+    s->fault->block = -1;
+    return s->listing ? KERN_OK : kern_pair_touch(pair);
 }
 
 /* ---- sweep and order ---- */
@@ -7952,11 +7898,9 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
    of ground that spans everything stays among these, but is one. Both sorts
    are heap sorts, which need no memory. */
 
-static kern_real kern_search_low(const kern_search *s, int i)
-{ return s->upright ? s->block[i].box.low.y : s->block[i].box.low.x; }
-
-static kern_real kern_search_high(const kern_search *s, int i)
-{ return s->upright ? s->block[i].box.high.y : s->block[i].box.high.x; }
+/* Where p is along that side. */
+static kern_real kern_search_place(const kern_search *s, kern_vec p)
+{ return s->upright ? p.y : p.x; }
 
 /* Of blocks[i] and blocks[j], or of contacts i and j where blocks is NULL. */
 static int kern_search_before(const kern_search *s, const int *blocks,
@@ -7964,9 +7908,10 @@ static int kern_search_before(const kern_search *s, const int *blocks,
 {
     const kern_contact *c, *d;
     if (blocks)
-        return kern_search_low(s, blocks[i]) < kern_search_low(s, blocks[j]);
-    c = &s->found.at[i];
-    d = &s->found.at[j];
+        return kern_search_place(s, s->block[blocks[i]].box.low) <
+               kern_search_place(s, s->block[blocks[j]].box.low);
+    c = &s->pair.out[i];
+    d = &s->pair.out[j];
     if (c->b != d->b)
         return c->b < d->b;
     return c->a < d->a || (c->a == d->a && c->mu < d->mu);
@@ -7979,9 +7924,9 @@ static void kern_search_swap(const kern_search *s, int *blocks, int i, int j)
         blocks[i] = blocks[j];
         blocks[j] = keep;
     } else {
-        const kern_contact keep = s->found.at[i];
-        s->found.at[i] = s->found.at[j];
-        s->found.at[j] = keep;
+        const kern_contact keep = s->pair.out[i];
+        s->pair.out[i] = s->pair.out[j];
+        s->pair.out[j] = keep;
     }
 }
 
@@ -8010,16 +7955,17 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
     kern_status status = KERN_OK;
     int i, k, kept, n = 0, opened = 0;
     if (!order || work->indices / 2 < s->blocks)
-        return KERN_NO_SPACE;
+        return order ? KERN_NO_SPACE : KERN_BAD_POINTER;
     open = order + s->blocks;
     for (i = 0; i < s->blocks; i++)
         if (s->block[i].vertices)
             order[n++] = i;
     kern_search_sort(s, order, n);
     for (k = 0; k < n; k++) {
-        const kern_real low = kern_search_low(s, order[k]) - s->reach;
+        const kern_real low =
+            kern_search_place(s, s->block[order[k]].box.low) - s->reach;
         for (i = kept = 0; i < opened && status >= 0; i++)
-            if (kern_search_high(s, open[i]) >= low) {
+            if (kern_search_place(s, s->block[open[i]].box.high) >= low) {
                 status = kern_search_pair(s, open[i], order[k]);
                 open[kept++] = open[i];
             }
@@ -8028,9 +7974,9 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
         open[kept++] = order[k];
         opened = kept;
     }
-    for (i = 0; i < s->found.count; i++) /* those of a pair keep their order */
-        s->found.at[i].mu = KERN_R(i);
-    kern_search_sort(s, NULL, s->found.count);
+    for (i = 0; i < s->pair.count; i++) /* those of a pair keep their order */
+        s->pair.out[i].mu = KERN_R(i);
+    kern_search_sort(s, NULL, s->pair.count);
     return KERN_OK;
 }
 
@@ -8038,24 +7984,23 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
    Returns how many contact points there are. */
 static int kern_search_close(const kern_search *s)
 {
-    const kern_found *found = &s->found;
-    int i, side, points = found->count, to;
-    for (i = 0; i < found->count; i++)
-        points += found->at[i].line;
-    if (points > found->room)
+    kern_contact *out = s->pair.out;
+    int i, side, points = s->pair.count, to;
+    for (i = 0; i < s->pair.count; i++)
+        points += out[i].line;
+    if (points > s->pair.room)
         return (int)KERN_NO_SPACE;
     to = points;
-    for (i = found->count - 1; i >= 0; i--) {
-        const kern_contact c = found->at[i];
-        const kern_raw raw = kern_raw_at(&c);
+    for (i = s->pair.count - 1; i >= 0; i--) {
+        const kern_contact c = out[i];
         for (side = 1; side >= -1; side -= 2) {
-            kern_contact *end = &found->at[--to];
+            kern_contact *end = &out[--to];
             *end = c;
             end->mu = s->options->mu;
             if (!c.line)
                 break;
-            end->p = kern_raw_end(&raw, side);
-            end->travel = -KERN_R(side) * raw.half;
+            end->p = kern_line_end(&c, side);
+            end->travel = -KERN_R(side) * c.travel;
         }
     }
     return points;
@@ -8102,18 +8047,6 @@ static kern_status kern_search_see(kern_search *s, int i)
     return status;
 }
 
-/* Looks at every block. */
-static kern_status kern_search_survey(kern_search *s)
-{
-    kern_status status = KERN_OK;
-    int i;
-    kern_box_empty(&s->box);
-    s->area = s->arm = 0;
-    for (i = 0; i < s->blocks && status >= 0; i++)
-        status = kern_search_see(s, i);
-    return status;
-}
-
 /* What follows from all blocks that have been looked at. */
 static void kern_search_reach(kern_search *s)
 {
@@ -8125,13 +8058,25 @@ static void kern_search_reach(kern_search *s)
                KERN_ERROR_SWING * s->options->turn * s->arm;
 }
 
+/* Looks at every block. */
+static kern_status kern_search_survey(kern_search *s)
+{
+    kern_status status = KERN_OK;
+    int i;
+    kern_box_empty(&s->box);
+    s->area = s->arm = 0;
+    for (i = 0; i < s->blocks && status >= 0; i++)
+        status = kern_search_see(s, i);
+    kern_search_reach(s);
+    return status;
+}
+
 /* Finds the contacts of the last block with all others. */
 static kern_status kern_search_last(kern_search *s)
 {
     kern_status status = KERN_OK;
     const int b = s->blocks - 1;
     int a;
-    kern_search_reach(s);
     for (a = 0; a < b && status >= 0; a++) {
         status = kern_search_pair(s, a, b);
         /* one buffer for two stones: the first has lost its vertices */
@@ -8169,10 +8114,10 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->block = block;
     s->blocks = blocks;
     s->options = options;
-    s->found.at = out;
-    s->found.room = room;
-    s->found.count = 0;
-    s->overlap = NULL;
+    s->pair.out = out;
+    s->pair.room = room;
+    s->pair.count = 0;
+    s->listing = 0;
     s->overlaps = 0;
     return KERN_OK;
 }
@@ -8187,10 +8132,8 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
     status = kern_search_open(&s, block, blocks, options, out, room, work);
     if (status >= 0)
         status = kern_search_survey(&s);
-    if (status >= 0) {
-        kern_search_reach(&s);
-        status = work->index ? kern_search_sweep(&s, work) : KERN_BAD_POINTER;
-    }
+    if (status >= 0)
+        status = kern_search_sweep(&s, work);
     return status < 0 ? (int)status : kern_search_close(&s);
 }
 
@@ -8199,10 +8142,7 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            int room, kern_work *work)
 {
     kern_search s;
-    kern_overlap ignored;
     kern_status status;
-    ignored.a = ignored.b = 0;
-    ignored.depth = ignored.allowed = KERN_R(0);
     s.from = 0;
     status = kern_search_open(&s, block, blocks, options, NULL, 0, work);
     if (status >= 0 && room < 0)
@@ -8211,12 +8151,11 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
         status = KERN_BAD_POINTER;
     if (status >= 0)
         status = kern_search_survey(&s);
-    s.overlap = out ? out : &ignored;
+    s.listing = 1;
+    s.overlap = out;
     s.overlap_room = room;
-    if (status >= 0) {
-        kern_search_reach(&s);
-        status = work->index ? kern_search_sweep(&s, work) : KERN_BAD_POINTER;
-    }
+    if (status >= 0)
+        status = kern_search_sweep(&s, work);
     return status < 0 ? (int)status : s.overlaps;
 }
 
@@ -8374,6 +8313,7 @@ static int kern_plan_touch(kern_plan *plan, const kern_block *block,
         status = kern_search_see(search, last);
     if (status < 0)
         return (int)status;
+    kern_search_reach(search);
     status = kern_search_last(search);
     return status < 0 ? (int)status : kern_search_close(search);
 }
