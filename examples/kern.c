@@ -14,6 +14,7 @@
 #include "../kern.h"
 
 #include "parts/draw.h"
+#include "parts/json.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -1055,39 +1056,6 @@ static void report(const struct analysis *a)
 }
 
 /* ---- JSON ---------------------------------------------------------------- */
-
-/* The inside of a JSON string. What is not UTF-8 becomes U+FFFD. */
-static void json_text(const char *s)
-{
-    while (*s) {
-        int n = text_utf8(s);
-        unsigned char c = (unsigned char)*s;
-        if (n == 0) printf("\\ufffd");
-        else if (c == '"' || c == '\\') printf("\\%c", c);
-        else if (c < 0x20 || c == 0x7f) printf("\\u%04x", (unsigned)c);
-        else printf("%.*s", n, s);
-        s += n > 0 ? n : 1;
-    }
-}
-
-static void json_string(const char *key, const char *value)
-{
-    printf("\"%s\": \"", key);
-    json_text(value);
-    printf("\"");
-}
-
-/* The shortest of three forms that reads back to the same number. */
-static void json_number(const char *key, double value)
-{
-    char out[40] = "null";
-    for (int digits = 15; isfinite(value) && digits <= 17; digits++) {
-        snprintf(out, sizeof out, "%.*g", digits, value);
-        double back = strtod(out, NULL);
-        if (!(back < value) && !(back > value)) break;
-    }
-    printf(", \"%s\": %s", key, out);
-}
 
 static void json_count(const char *key, int value, int exists)
 {

@@ -30,12 +30,16 @@
 #define DRAW_API static
 #endif
 
+struct draw_view;              /* from the model to the page, below           */
+
 struct draw_scene {
     const kern_structure *s;
     char *const *names;        /* one a block; NULL: none                     */
     int relative;              /* how `shrink` is meant, as in kern_options   */
     double shrink;             /* shrinkage at which the kerns are shown      */
     const kern_force *force;   /* one a contact point; NULL: none             */
+    const char *force_name;    /* which they are; NULL: one admissible set of
+                                  forces                                      */
     const kern_motion *motion; /* one a block; NULL: none                     */
     const char *motion_name;   /* what it is; NULL: collapse mechanism        */
     const kern_motion *hinges; /* one a block: a motion whose hinges are
@@ -47,6 +51,8 @@ struct draw_scene {
     double most;               /* the value with the last colour              */
     const char *value_name;    /* what it is                                  */
     const char *caption;       /* UTF-8, \n starts a line; NULL: none         */
+    void (*over)(const struct draw_view *view, const void *data);
+    const void *data;          /* draws over the stones; NULL: nothing        */
 };
 
 /* ---- Colours and sizes -------------------------------------------------- */
@@ -480,7 +486,7 @@ struct draw_sizes {
 };
 
 /* Is c the first end of a line contact? Its other end is c + 1. */
-static int draw_is_line(const kern_structure *s, int c)
+DRAW_API int draw_is_line(const kern_structure *s, int c)
 {
     const kern_contact *k = &s->contact[c];
 
@@ -505,8 +511,8 @@ static int draw_interface(const kern_structure *s, int c)
 /* The resultant of the forces of the interface that begins with c, on its block
    b, at the place on its line of action nearest to where the contacts press.
    Returns 0 where there is none. */
-static int draw_resultant(const struct draw_scene *d, int c,
-                          struct draw_pt *at, struct draw_pt *force)
+DRAW_API int draw_resultant(const struct draw_scene *d, int c,
+                            struct draw_pt *at, struct draw_pt *force)
 {
     const kern_contact *k = &d->s->contact[c];
     const int n = draw_interface(d->s, c);
@@ -933,43 +939,46 @@ static void draw_forces(const struct draw_scene *d, const struct draw_view *v,
                        z->arrow, DRAW_FORCE);
 }
 
-/* The thrust line: through each free block on which two interfaces act, from
-   one resultant to the other. */
+/* The thrust line goes through each free block on which two interfaces press,
+   from one resultant to the other: writes where, two points a block, and
+   returns how many interfaces press on each. NULL: no memory. */
+DRAW_API int *draw_thrust_of(const struct draw_scene *d,
+                             struct draw_pt (*through)[2])
+{
+    int *presses = calloc((size_t)d->s->blocks, sizeof *presses), c, side;
+    struct draw_pt at, f;
+
+    for (c = 0; presses && c < d->s->contacts; c++) {
+        if (!draw_resultant(d, c, &at, &f))
+            continue;
+        for (side = 0; side < 2; side++) {
+            const int i = side ? d->s->contact[c].b : d->s->contact[c].a;
+
+            if (presses[i] < 2)
+                through[i][presses[i]] = at;
+            presses[i]++;
+        }
+    }
+    return presses;
+}
+
 static void draw_thrust(const struct draw_scene *d, const struct draw_view *v,
                         const struct draw_sizes *z)
 {
-    const size_t blocks = (size_t)d->s->blocks;
-    int *loaded = calloc(blocks, sizeof *loaded);
-    struct draw_pt *first = malloc(blocks * sizeof *first), at, f;
+    const int blocks = d->s->blocks;
+    struct draw_pt (*through)[2] = malloc((size_t)blocks * sizeof *through);
+    int *presses = through ? draw_thrust_of(d, through) : NULL, i;
     char style[120];
-    int c, side, pass;
 
     snprintf(style, sizeof style, "stroke=\"" DRAW_FORCE "\" stroke-width="
              "\"%.2f\" stroke-opacity=\"0.6\" stroke-dasharray=\"%.1f %.1f\"",
              0.8 * z->arrow, 5 * z->arrow, 3 * z->arrow);
-    for (pass = 0; loaded && first && pass < 2; pass++)
-        for (c = 0; c < d->s->contacts; c++) {
-            if (!draw_resultant(d, c, &at, &f))
-                continue;
-            for (side = 0; side < 2; side++) {
-                const int i = side ? d->s->contact[c].b : d->s->contact[c].a;
-
-                if (pass == 0)
-                    loaded[i]++;
-                if (pass == 0 || loaded[i] < 0)
-                    continue;
-                if (loaded[i] == 2 && !d->s->block[i].fixed) {
-                    first[i] = draw_place(v, at.x, at.y);
-                    loaded[i] = 0;
-                } else if (loaded[i] == 0) {
-                    draw_line(v->out, first[i], draw_place(v, at.x, at.y),
-                              style);
-                    loaded[i] = -1;
-                }
-            }
-        }
-    free(loaded);
-    free(first);
+    for (i = 0; presses && i < blocks; i++)
+        if (presses[i] == 2 && !d->s->block[i].fixed)
+            draw_line(v->out, draw_place(v, through[i][0].x, through[i][0].y),
+                      draw_place(v, through[i][1].x, through[i][1].y), style);
+    free(presses);
+    free(through);
 }
 
 /* Do the blocks of a contact turn about it in a motion? */
@@ -1252,24 +1261,21 @@ static void draw_key_scale(struct draw_key *key, const struct draw_view *v)
 }
 
 static void draw_key_force(struct draw_key *key, const struct draw_view *v,
-                           const struct draw_sizes *z, int force)
+                           const struct draw_sizes *z, const char *what)
 {
     double unit = z->weight > 0 ? z->weight : 1;
     double pixels = unit * z->force * v->scale; /* of one unit */
     double count = draw_round(48 / pixels), w = count * pixels;
-    const char *what = force ? "resultant, one admissible set of forces:"
-                             : "load";
     struct draw_pt p;
-    char text[80];
+    char text[160];
 
-    if (z->weight > 0)
-        snprintf(text, sizeof text, "%s %g \xc3\x97 mean weight", what, count);
-    else
-        snprintf(text, sizeof text, "%s %g", what, count);
+    snprintf(text, sizeof text, "%s%.80s: %g%s", what ? "resultant, " : "load",
+             what ? what : "", count,
+             z->weight > 0 ? " \xc3\x97 mean weight" : "");
     p = draw_key_entry(key, w, text);
     if (key->out)
         draw_arrow(key->out, p, draw_vec(p.x + w, p.y), z->arrow,
-                   force ? DRAW_FORCE : DRAW_LOAD);
+                   what ? DRAW_FORCE : DRAW_LOAD);
 }
 
 static void draw_key_bar(struct draw_key *key, const char *colour,
@@ -1351,10 +1357,11 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
                         "stroke=\"" DRAW_GHOST "\" stroke-width=\"1.8\"");
     }
     if (d->force && z->force > 0)
-        draw_key_force(&key, v, z, 1);
+        draw_key_force(&key, v, z, d->force_name ? d->force_name
+                                   : "one admissible set of forces");
     if (load) {
         if (!d->force && z->force > 0) {
-            draw_key_force(&key, v, z, 0);
+            draw_key_force(&key, v, z, NULL);
         } else {
             p = draw_key_entry(&key, 22, "load");
             if (out)
@@ -1425,6 +1432,8 @@ DRAW_API int draw_svg(FILE *out, const struct draw_scene *scene)
         draw_forces(scene, &v, &z);
     }
     draw_loads(scene, &v, &z);
+    if (scene->over)
+        scene->over(&v, scene->data);
     draw_close(out);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     if (scene->names)
