@@ -7949,6 +7949,17 @@ static void kern_search_sort(const kern_search *s, int *blocks, int n)
     }
 }
 
+/* What follows from all blocks that have been looked at. */
+static void kern_search_reach(kern_search *s)
+{
+    s->upright = s->box.high.y - s->box.low.y > s->box.high.x - s->box.low.x;
+    s->floor = KERN_FLOOR * kern_box_largest(&s->box);
+    s->reach = s->options->gap > 0 ? s->options->gap
+                                   : KERN_GAP * KERN_SQRT(s->area);
+    s->reach = kern_max(s->reach, s->floor) +
+               KERN_ERROR_SWING * s->options->turn * s->arm;
+}
+
 static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
 {
     int *order = work->index, *open;
@@ -7957,6 +7968,7 @@ static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
     if (!order || work->indices / 2 < s->blocks)
         return order ? KERN_NO_SPACE : KERN_BAD_POINTER;
     open = order + s->blocks;
+    kern_search_reach(s);
     for (i = 0; i < s->blocks; i++)
         if (s->block[i].vertices)
             order[n++] = i;
@@ -8047,17 +8059,6 @@ static kern_status kern_search_see(kern_search *s, int i)
     return status;
 }
 
-/* What follows from all blocks that have been looked at. */
-static void kern_search_reach(kern_search *s)
-{
-    s->upright = s->box.high.y - s->box.low.y > s->box.high.x - s->box.low.x;
-    s->floor = KERN_FLOOR * kern_box_largest(&s->box);
-    s->reach = s->options->gap > 0 ? s->options->gap
-                                   : KERN_GAP * KERN_SQRT(s->area);
-    s->reach = kern_max(s->reach, s->floor) +
-               KERN_ERROR_SWING * s->options->turn * s->arm;
-}
-
 /* Looks at every block. */
 static kern_status kern_search_survey(kern_search *s)
 {
@@ -8067,7 +8068,6 @@ static kern_status kern_search_survey(kern_search *s)
     s->area = s->arm = 0;
     for (i = 0; i < s->blocks && status >= 0; i++)
         status = kern_search_see(s, i);
-    kern_search_reach(s);
     return status;
 }
 
@@ -8077,6 +8077,7 @@ static kern_status kern_search_last(kern_search *s)
     kern_status status = KERN_OK;
     const int b = s->blocks - 1;
     int a;
+    kern_search_reach(s);
     for (a = 0; a < b && status >= 0; a++) {
         status = kern_search_pair(s, a, b);
         /* one buffer for two stones: the first has lost its vertices */
@@ -8313,7 +8314,6 @@ static int kern_plan_touch(kern_plan *plan, const kern_block *block,
         status = kern_search_see(search, last);
     if (status < 0)
         return (int)status;
-    kern_search_reach(search);
     status = kern_search_last(search);
     return status < 0 ? (int)status : kern_search_close(search);
 }
