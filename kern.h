@@ -77,10 +77,8 @@
    m.holds, with every contact shrunk; those of the structure as it stands come
    from kern_verdict(&task, 0, &proof). examples/one_block.c is the same program
    with all checks, examples/kern.c the program for the command line.
-
-   multiple definition of kern_...: KERN_IMPLEMENTATION is in more than one
-   file. undefined reference to kern_...: it is in none, or that file was
-   compiled in the other precision (KERN_SINGLE).
+   "multiple definition of kern_...": KERN_IMPLEMENTATION is in more than one
+   file; "undefined reference": in none, or in one of the other precision.
 
 
    CONVENTIONS                                                  >>conventions
@@ -92,20 +90,14 @@
    Blocks are polygons in world coordinates, so a planner that tries a stone in
    many places moves its vertices and fills in the block again; everything that
    the library sees is data which the caller can print, edit or make by other
-   means: contacts may come from polygons, a camera or a tactile sensor. A
-   contact is a point, with a normal n from block a into block b and the tangent
-   t = (-n.y, n.x); a line contact is two points. A point carries its own
-   direction and length of shrinkage, so that lines, pairs and groups of points
-   are one thing. What a stone touches of those before it is found by
-   kern_touch() and follows what was found before, so a stone is added by
-   appending, and the last one taken back by making `contacts` smaller.
+   means: contacts may come from polygons, a camera or a tactile sensor. What a
+   stone touches of those before it is found by kern_touch() and follows what
+   was found before, so a stone is added by appending, and the last one taken
+   back by making `contacts` smaller.
 
-   The size of a block is the square root of its area. Found contacts of a pair
-   accept gaps and overlaps up to 1/1000 of the size of the smaller free block.
-   A step in an outline that is no higher than the gap is no key: the contact
-   there has the normal of the outline without steps. Outlines from an image
-   have steps of a pixel; where that is more than the gap, set options.gap to a
-   pixel and a half.
+   Outlines from an image have steps of a pixel. A step no higher than the gap
+   (>>rules) is no key; where a pixel is more, set options.gap to a pixel and a
+   half.
 
 
    MEMORY                                                            >>memory
@@ -116,7 +108,9 @@
    expressions KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts),
    or by the function kern_work_need() at run time. Contacts are counted as
    contact points: a running bond has about seven for a block, twelve with the
-   joints between neighbours. KERN_CONTACTS(blocks) has room for these.
+   joints between neighbours. KERN_CONTACTS(blocks) has room for these; if
+   kern_contacts() says KERN_NO_SPACE, as it may of stones with many short
+   edges, double it.
 
    Bytes of work memory, double (float is about half):
 
@@ -131,8 +125,7 @@
    instead of 9. Where many blocks move at the margin, as in arches, a call
    needs more and says so (KERN_NO_SPACE): of 1,900 random structures of 10 to
    15 blocks 5 % of the verdicts, 36 % of the margins, 26 % of the load factors.
-   What lies between serves too: 2.9 MB were enough for every wall of 1000
-   blocks that was tried.
+   Between the two, 2.9 MB were enough for every wall of 1000 blocks.
 
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -144,19 +137,11 @@
    jams, whose forces grow without bound toward critical, within 1e-7, rarely
    1e-5; and where one block weighs more than 1e4 times another, farther.
 
-   "Stands" means that forces exist which are admissible: no tension, friction
-   in its cone. See >>limits.
-
    options.limit bounds the work of one call. Work that would exceed the limit
    is not begun: the call returns KERN_LIMIT and writes what is proven by then.
-   With a limit that is large enough the answer is the same, to the last bit,
-   as without. A unit of work took 0.05 to 0.3 microseconds on a desktop
-   computer. The margin of examples/structures/wall-60.kern takes 1,352 units,
-   its load factor 9,370: work->units says so after each call.
-
-   Where a call returns less than 0 the work memory's `fault` says where the
-   fault lies, kern_status_text() says what was expected, and nothing else of
-   the caller's was changed.
+   Below the limit the answer is the same, to the last bit, as without. A unit
+   of work took 0.05 to 0.3 microseconds on a desktop computer. The margin of
+   examples/structures/wall-60.kern takes 1,352 units, its load factor 9,370.
 
 
    CONFIGURATION                                                     >>config
@@ -175,37 +160,27 @@
 
    Names of the paper and of this file: alpha (friction) `mu`, epsilon
    `epsilon`, f_n and f_r `normal` and `tangential`, A_eq the columns of
-   >>model, w the right-hand side.
-
-   Every free block i is in equilibrium, Eqs. (1) to (3):
+   >>model, w the right-hand side. Every free block is in equilibrium, Eqs. (1)
+   to (3):
 
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
 
    with contact forces that press and stick, Eq. (4):  f >= 0, |r| <= mu f.
-   In the plane that cone is spanned by its two edges n + mu t and n - mu t.
-   Counting forces along the edges, all this is Eq. (5):
+   Counted along the two edges of that cone, n + mu t and n - mu t, this is Eq.
+   (5):  find x >= 0 with A x = -w.  If there is no such x there is, by Farkas'
+   lemma, a y with y.A >= 0 and y.w > 0: a velocity and a spin of every block
+   such that no contact closes and the weights do work. It is the collapse
+   mechanism, and the proof that nothing holds it.
 
-       find x >= 0 with A x = -w:
-
-   three rows a free block, two columns a contact point. If there is no such x
-   there is, by Farkas' lemma, a y with y.A >= 0 and y.w > 0: a velocity and a
-   spin of every block such that no contact closes and the weights do work. It
-   is the collapse mechanism, and the proof that nothing holds it.
-
-   Forces are looked for from top to bottom (>>pour): each block passes what it
-   carries on to what carries it, by the least squares of non-negative forces
-   that balance it, three equations at a time. Blocks that cannot do so alone
-   are balanced together with those that rest on them. What cannot be balanced
-   even where everything else could exert whatever is needed is a small part
-   that falls; the simplex method (>>lp) finds its motion. Where no small part
-   decides, an interior-point method (>>inner) finds forces, motion and critical
-   place together (arches; loads and tilts that move a wall as a whole), or the
-   simplex method does (walls whose kerns close one after the other).
-
-   Algorithm 1 moves the contact points inward step by step. Only the torques
-   change. The margin is found from above (>>search): no edge of the whole lies
-   beyond the edge of a part, all else held. That edge is found by Newton's
-   method on y, and one more verdict just before it proves the whole.
+   Forces are passed on from top to bottom (>>pour), three equations at a time
+   where blocks can be balanced alone. What cannot be balanced even where
+   everything else could exert whatever is needed is a small part that falls;
+   the simplex method (>>lp) finds its motion. Where no small part decides, an
+   interior-point method (>>inner) finds forces, motion and critical place
+   together (arches; loads and tilts that move a wall as a whole), or the
+   simplex method does (walls whose kerns close one after the other). The margin
+   is found from above (>>search): no edge of the whole lies beyond the edge of
+   a part, all else held.
 
 
    RULES                                                               >>rules
@@ -287,14 +262,13 @@
    tilt        the angle to which the ground may turn; without loads
                tan(tilt) is the load factor, below 90 degrees
    deficit     how much is missing, where it falls
-   bearing     the length of the shortest contact that it needs (kern_bearing)
+   bearing     the length of the shortest contact that it needs
    mechanism   which stones go first, and how
    profile     how much worse it gets after that: every stone's own margin or
                load factor, their mean, the mean of the weaker half, and the
                expected drop
-   raised      whether the load raises the forces that hold it; and how much
-               of gravity may push sideways until that is not shown any more
-               (the reserve)
+   raised      whether the load raises the forces that hold it; and how much of
+               gravity may push sideways until that is not shown (the reserve)
 
    A kern closes to its middle, but never lets go. So the margin does not see a
    sliver that carries load: a stone whose one end rests on 2 micrometres has
@@ -303,11 +277,11 @@
    bearing length sees the sliver: a robot that places stones less exactly than
    that cannot count on it.
 
-   All but the profile belong to the weakest place of a structure. Use them for
-   what must not fall at all. Shaking moves every stone, and whether half of a
-   wall comes down is another question than when its first stone does. In a
-   shaking test of 272 structures, each at 20 levels, these ranked the levels
-   of collapse (Spearman's rank correlation; 1 would be perfect):
+   All but the profile belong to the weakest place of a structure: use them for
+   what must not fall at all. Whether half of a wall comes down is another
+   question than when its first stone does. In a shaking test of 272 structures,
+   each at 20 levels, these ranked the levels of collapse (Spearman's rank
+   correlation; 1 would be perfect):
 
                                      contacts     kern_near()
        margin, level                   0.23           0.42
@@ -321,11 +295,10 @@
    was just off its bed: contacts that a little motion closes count nearly as
    much as those that are closed. kern_near() includes them. It is not for
    verdicts, since a gap carries nothing yet. Most stones of a wall stay when a
-   few fall far: the expected drop weighs each stone's chance to fall,
-   exp(-load factor / 0.07), with its height. Its constants were chosen on
-   the first half of the structures (study --tune names it); on the other the
-   correlation is 0.80 too. Of the structures of 18 stones and more it is 0.66
-   (weaker half: 0.56). To predict collapse under shaking:
+   few fall far: the expected drop weighs each stone's chance to fall with its
+   height. Its constants were chosen on half of the structures (study --tune
+   names it); on the other the correlation is 0.80 too. Of the structures of 18
+   stones and more it is 0.66 (weaker half: 0.56). To predict collapse:
 
        task.options = kern_near(&task.options, kern_mean_size(block, blocks));
        find the contacts with these, then
@@ -336,7 +309,6 @@
    four structures of five the first to move is in the weakest quarter. Where
    stones slide before they tip, as in low walls, all load factors end at mu,
    and rank less well. examples/shaking/study has the whole comparison.
-
 
    Whether a stone stays where it is laid is what kern_raised() tells best. Of
    969 placements for which forces exist, a stone in a geometric resting pose on
@@ -362,16 +334,15 @@
 
    Forces. Many sets of forces hold a structure, and no measure depends on
    which; those of a proof are the first that were found. To look at, take those
-   of kern_forces(), which are least: sum f^2 + (r / mu)^2. There is one such
-   set wherever forces exist, so it shows the structure and not the method; it
-   is symmetric where the structure is, loads all that can carry, and uses no
-   more friction than it must. Equal springs at all contact points would answer
-   so, if sliding parted blocks as it does in mechanisms. Those of kern_raised()
-   are closer to friction, but with friction they are not unique, and took 3 to
-   4 times as long. Both say nothing of how stones of some stiffness share a
-   load. Of 1,241 settled structures all had least forces at 0, at half of the
-   margin and at `holds`; of 3,430 made to be difficult (jams, sizes of 1 to
-   1e4) 97 % at 0 and 77 % at `holds`.
+   of kern_forces(). There is one such set wherever forces exist, so it shows
+   the structure and not the method; it is symmetric where the structure is,
+   loads all that can carry, and uses no more friction than it must. Equal
+   springs at all contact points would answer so, if sliding parted blocks as it
+   does in mechanisms. Those of kern_raised() are closer to friction, but with
+   friction they are not unique, and took 3 to 4 times as long. Both say nothing
+   of how stones of some stiffness share a load. Of 1,241 settled structures all
+   had least forces at 0, at half of the margin and at `holds`; of 3,430 made to
+   be difficult (jams, sizes of 1 to 1e4) 97 % at 0 and 77 % at `holds`.
 
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
@@ -404,13 +375,12 @@
 
    LIMITS                                                            >>limits
 
-   Two dimensions; rigid blocks that do not break; statics. That admissible
-   forces exist is necessary for standing still. With friction it is not
-   sufficient: a cube held between two walls only by friction is held by forces
-   that nothing raises, and counts as standing. kern_raised() tells these
-   apart. Mechanisms are those of limit
-   analysis: blocks that slide also part (the sliding of a mechanism is
-   dilatant).
+   Two dimensions; rigid blocks that do not break; statics. "Stands" means that
+   admissible forces exist, with no tension and friction in its cone. That is
+   necessary for standing still, and with friction not sufficient: a cube held
+   between two walls only by friction is held by forces that nothing raises, and
+   counts as standing. kern_raised() tells these apart. Mechanisms are those of
+   limit analysis: blocks that slide also part (sliding is dilatant).
 
    In float the proofs are weaker (tolerances in >>impl) and near to critical
    more is undecided; coordinates should not be far from the origin.
@@ -438,24 +408,19 @@
 
    MISRA                                                             >>misra
 
-   There is no claim of compliance. From these rules of MISRA C:2012 the header
-   deviates with intent:
-
-   2.5, 8.7          macros and functions that are there for the caller
-   10.3, 10.4, 10.8  small whole numbers among kern_real, and indices among int
-                     and enum: they are exact
-   11.5              an array that is free for the moment holds something else
-   12.1, 12.3        precedence without brackets where it is that of algebra;
-                     variables of one kind declared together
-   13.3, 13.4        indices that count on in passing, as in p[n++]
-   14.1, 14.2, 14.4  loops over steps that grow; pointers and flags as
-                     conditions
-   15.5, 15.7        a function that refuses does so in its first lines
-   16.4              no default where the compiler can tell which one is missing
-   17.8              a parameter serves as the variable that it starts
-   18.4              a slice of an array is a pointer into it
-   20.1, 20.5        one file holds declarations and implementation; the list of
-                     statuses is expanded twice
+   There is no claim of compliance. The header deviates with intent from these
+   rules of MISRA C:2012: 2.5, 8.7 (macros and functions that are there for the
+   caller); 10.3, 10.4, 10.8 (small whole numbers among kern_real, and indices
+   among int and enum: they are exact); 11.5 (an array that is free for the
+   moment holds something else); 12.1, 12.3 (precedence without brackets where
+   it is that of algebra; variables of one kind declared together); 13.3, 13.4
+   (indices that count on in passing, as in p[n++]); 14.1, 14.2, 14.4 (loops
+   over steps that grow; pointers and flags as conditions); 15.5, 15.7 (a
+   function that refuses does so in its first lines); 16.4 (no default where the
+   compiler can tell which one is missing); 17.8 (a parameter serves as the
+   variable that it starts); 18.4 (a slice of an array is a pointer into it);
+   20.1, 20.5 (one file holds declarations and implementation; the list of
+   statuses is expanded twice).
 
 
    REFERENCES                                                    >>references
@@ -582,11 +547,10 @@ typedef struct kern_vec { kern_real x, y; } kern_vec;
 /* Upright rectangle: its lower left and its upper right corner [m]. */
 typedef struct kern_box { kern_vec low, high; } kern_box;
 
-/* What a call returns. Above zero is a verdict, or the result of a linear
-   program: its proof was found and verified. Zero is the success of a call that
-   gives no verdict. Below zero the call failed, and of the caller's data only
-   the counters and the fault of the work memory have changed; with KERN_LIMIT
-   also what the call says it writes then. */
+/* What a call returns: above zero a verdict, or the result of a linear program;
+   zero from a call that gives no verdict, when it is done. Below zero the call
+   failed, and of the caller's data only the counters and the fault of the work
+   memory have changed; with KERN_LIMIT also what the call says. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
@@ -623,7 +587,7 @@ typedef enum kern_status {
     KERN_STATUS_LEAST = -21 /* the same number */
 } kern_status;
 
-/* Where the fault lies of which a status below zero speaks. */
+/* Where the fault of a status below zero lies. */
 typedef struct kern_fault {
     int block;            /* index of a block, -1: none                       */
     int other;            /* the other block of an overlap, -1: none          */
@@ -635,10 +599,8 @@ typedef struct kern_fault {
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
 typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 
-/* A stone, or a piece of ground. kern_block_init() fills it from a polygon in
-   world coordinates; mass, centre and load may be changed afterwards. Area,
-   centre and box belong to the place of the vertices: where these have moved,
-   it is called again. */
+/* A stone, or a piece of ground. kern_block_init() fills it; mass, centre and
+   load may be changed afterwards. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none,
                                for a block whose contacts are given           */
@@ -653,9 +615,8 @@ typedef struct kern_block {
 } kern_block;
 
 /* A contact point. Block b feels the force  f n + r t  at p, block a the
-   opposite; t = (-n.y, n.x). The two ends of a line contact are neighbours in
-   the array. A point carries its own direction and length of shrinkage, so
-   lines, pairs and groups of points are one thing to the statics. */
+   opposite; t = (-n.y, n.x). A line contact is two points, neighbours in the
+   array: lines, pairs and groups of points are one thing to the statics. */
 typedef struct kern_contact {
     int a, b;             /* blocks, a != b                                   */
     int line;             /* nonzero: one end of a line contact               */
@@ -778,8 +739,7 @@ typedef struct kern_critical {
     int groups;           /* 0 where `group` is NULL                          */
 } kern_critical;
 
-/* Work memory: two arrays of the caller. Nothing in them needs to be set, and
-   nothing is kept there between calls. */
+/* Work memory: two arrays of the caller. Nothing in them needs to be set. */
 typedef struct kern_work {
     kern_real *real;
     int reals;            /* KERN_REALS(blocks, contacts)                     */
@@ -811,9 +771,8 @@ typedef struct kern_known {
     int relative;         /* and how                                          */
 } kern_known;
 
-/* What a call needs: a structure, how to look at it, memory to work in, and
-   what is known already. kern_task_of() fills it; each field may be changed
-   between calls. */
+/* What a call needs. kern_task_of() fills it; each field may be changed between
+   calls. */
 typedef struct kern_task {
     kern_structure s;
     kern_options options; /* kern_defaults()                                  */
@@ -839,9 +798,8 @@ typedef struct kern_plan {
     kern_real arm;        /* twice the longest diagonal of their boxes [m]    */
 } kern_plan;
 
-/* Directions of a horizontal load and of a tilt; kern_profile() takes all
-   three. Right is where gravity points when turned by +90 degrees: +x, where
-   gravity is (0, -9.81). */
+/* Directions of a horizontal load and of a tilt: right is +x where gravity is
+   (0, -9.81). kern_profile() takes all three. */
 typedef enum kern_side {
     KERN_LEFT = -1,
     KERN_SHRINK = 0,      /* no load: kerns shrink                            */
@@ -868,14 +826,10 @@ typedef struct kern_lp {
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions, for arrays: of work memory for a structure of so many
-   blocks (fixed ones included) and contact points, and for a linear program
-   by itself. KERN_EXTRAS is the room for the dense part of a basis, and
-   KERN_LEAN_EXTRAS what a wall needs of it. */
-
-/* Contact points to have room for: walls with joints have twelve a block. If
-   kern_contacts() says KERN_NO_SPACE, as it may of stones with many short
-   edges, double it. */
+/* Constant expressions, for arrays: of contact points, and of work memory for a
+   structure of so many blocks (fixed ones included) and contact points or for a
+   linear program by itself. See >>memory. KERN_EXTRAS is the room for the dense
+   part of a basis, and KERN_LEAN_EXTRAS what a wall needs of it. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : (blocks) + 8)
@@ -924,10 +878,9 @@ KERN_API const char *kern_status_text(kern_status status);
 /* The defaults that stand beside each field of kern_options. */
 KERN_API kern_options kern_defaults(void);
 
-/* Options that also find the contacts which the first rocking of a stone would
-   close: a gap of 4 % of the mean size [m] and an angle of 0.15 rad, where
-   *options has less; NULL stands for kern_defaults(). For profiles that
-   predict shaking, see >>measures. */
+/* Options that also find the contacts which a little rocking would close (see
+   >>measures): a gap of 4 % of the mean size [m] and an angle of 0.15 rad,
+   where *options has less; NULL stands for kern_defaults(). */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
@@ -942,10 +895,9 @@ KERN_API kern_options kern_near(const kern_options *options,
               beyond the end of an edge
      overlap  8 e, and 5 theta r for r half the diagonal of both blocks' boxes;
               contacts lie at half the depth. Set it higher to accept more
-   The verdict is then that of the structure as it most likely rests, and
-   kern_certain() says how far it can be trusted. A stone that hovers by more
-   than the gap carries and bears nothing. e must be above 0, theta not below;
-   else contacts say KERN_BAD_OPTION. */
+   The verdict is then that of the structure as it most likely rests. A stone
+   that hovers by more than the gap carries and bears nothing. Contacts say
+   KERN_BAD_OPTION unless e is above 0 and theta not below. */
 KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
                                     kern_real theta);
 
@@ -960,11 +912,10 @@ KERN_API void kern_work_need(int blocks, int contacts,
 
 /* -- blocks -- */
 
-/* Fills a block from a simple polygon, convex or not, turning either way:
-   area, box, centroid, mass = density * |area| with the density in kg/m^2, no
-   load. The vertices stay the caller's and must live as long as the block;
-   after they have moved, call this again.
-   fault may be NULL; its index is the vertex.
+/* Fills a block from a simple polygon, convex or not, turning either way: area,
+   box, centroid, mass = density * |area| with the density in kg/m^2, no load.
+   The vertices stay the caller's and must live as long as the block; after they
+   have moved, call this again. fault may be NULL; its index is the vertex.
    KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
    above 1e100, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
    [m^2]), KERN_CROSSING (also for repeated vertices), KERN_BAD_MASS (density
@@ -977,7 +928,7 @@ KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
 
-/* The same for a fixed block, which has no mass: ground, a wall, a support. */
+/* The same for a fixed block: ground, a wall, a support. */
 KERN_API kern_status kern_ground_init(kern_block *block,
                                       const kern_vec *vertex, int vertices,
                                       kern_fault *fault);
@@ -992,41 +943,38 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
 
-/* Finds the contacts between all blocks and writes them to out[0..room): for
-   b = 0, 1, 2, ... those of block b with every block a < b, a ascending, so
-   that what the last block touches comes last. Two fixed blocks have none, nor
-   has a block without vertices. Returns how many contact points there are, or
-   KERN_NO_SPACE (nothing may be read from out, which may have to be longer
-   than the result while the faces of a pair are merged, by some seven points
-   for each step of its outlines: double it),
-   KERN_OVERLAP (both blocks; value: the depth [m] that was found),
-   KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES,
-   KERN_NO_AREA (the block), KERN_STALE (the block: its vertices have moved, or
-   their array was used for another block), with the fault in the work memory.
-   Of this it takes 2 B ints: less than KERN_INTS(B, C).
-   KERN_OVERLAP names the first pair: kern_overlaps() lists all.
-   Time: O(B log B + C log C), and a test of boxes for each two blocks that
-   stand above each other (beside, where the whole is higher than wide). For two
-   blocks whose boxes meet: a few products for each two edges that are near, and
-   some tens for each two edges where no edge of either parts them, as one does
-   between convex stones. */
+/* Finds the contacts between all blocks and writes them to out[0..room): those
+   of block 1 with block 0, of block 2 with 0 and with 1, and so on, so that
+   what the last block touches comes last. Two fixed blocks have none, nor has a
+   block without vertices. Returns how many contact points there are, or
+   KERN_NO_SPACE (nothing may be read from out, which has to be longer than the
+   result while the faces of a pair are merged, by some seven points for each
+   step of its outlines), KERN_OVERLAP (the first pair; value: the depth [m]
+   that was found), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
+   KERN_FEW_VERTICES, KERN_NO_AREA (the block), KERN_STALE (the block: its
+   vertices have moved, or their array was used for another block). Of the work
+   memory it takes 2 B ints: less than KERN_INTS(B, C). Time: O(B log B + C log
+   C), and a test of boxes for each two blocks that stand above each other
+   (beside, where the whole is higher than wide). For two blocks whose boxes
+   meet: a few products for each two edges that are near, and some tens for each
+   two edges where no edge of either parts them, as one does between convex
+   stones. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
 
-/* Lists all pairs of blocks that overlap deeper than options->overlap (gap).
-   Returns how many there are, of which no more than room are written, or what
+/* Lists all pairs of blocks that overlap too deep for contacts. Returns how
+   many there are, of which no more than room are written, or what
    kern_contacts() returns but for KERN_OVERLAP. Memory and time: as there. */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
-/* The contacts of block b with the blocks before it, ascending. Contacts found
-   so for b = 1, 2, ... are those of kern_contacts(), but where a later block
-   lies so far out that the rounding of its coordinates counts. Returns the
-   same; KERN_STALE is found of block b, of blocks that it may touch, and where
-   one array of vertices serves two blocks.
-   Work memory: none but for the fault. Time: O(b), and the edges as above. */
+/* The contacts of block b with the blocks before it: those of kern_contacts(),
+   but where a later block lies so far out that the rounding of its coordinates
+   counts. Returns the same; KERN_STALE is found of block b, of blocks that it
+   may touch, and where one array of vertices serves two blocks. Work memory:
+   none but for the fault. Time: O(b), and the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
@@ -1042,11 +990,9 @@ KERN_API int kern_touch(const kern_block *block, int b,
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
-/* Sets the travel of every point contact from the others of its interface (the
-   same two blocks, in either order): toward the middle of the two that are
-   farthest apart; a lone one stays. The ends of a line go to its middle. Does
-   nothing without contacts (NULL).
-   Time: O(C) for each interface, and O(C) for each of its points. */
+/* Sets the travel of every contact point by the rules (>>rules), a point's from
+   the others of its interface: the same two blocks, in either order. Nothing
+   for NULL. Time: O(C) for each interface, and O(C) for each of its points. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage; grown, where it is negative. The
@@ -1063,13 +1009,11 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 kern_work *work);
 
 /* Two arrays to remember in, for task.known: as many motions as the structure
-   will have blocks, as many forces as it will have contact points. Their
-   contents need not be set. */
+   will have blocks, as many forces as it will have contact points. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Whether the structure stands with its kerns shrunk by `shrink` (grown, if
-   negative): compare the result with KERN_STANDS. KERN_STANDS, KERN_FALLS or
-   KERN_UNDECIDED. proof may be NULL.
+   negative): KERN_STANDS, KERN_FALLS or KERN_UNDECIDED. proof may be NULL.
    Time: O(B + C) where forces can be passed on from the top down, as in most
    walls; else about C + B k for each pivot of the simplex method. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
@@ -1106,10 +1050,8 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  const kern_proof *proof);
 
 /* The least forces: of all that hold the structure, with kerns shrunk by
-   `shrink`, those of least sum of f^2 + (r / mu)^2 over the contact points.
-   There is one such set, whatever the method and the order of blocks and
-   contacts, and that of a symmetric structure is symmetric; see >>measures. The
-   forces of a proof are any that were found. KERN_STANDS: force[0..contacts),
+   `shrink`, those of least sum of f^2 + (r / mu)^2 over the contact points; see
+   >>measures. KERN_STANDS: force[0..contacts),
    checked like those of a proof. KERN_UNDECIDED: there are none, as
    kern_verdict() tells, or not to the accuracy of a proof, as in jams and where
    sizes differ by 1e3. KERN_NO_SPACE as in kern_raised().
@@ -1119,29 +1061,26 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 
 /* Margin and level. KERN_STANDS: all of *out; proof->force holds the structure
    at out->holds, so with its kerns shrunk, and proof->motion (unless saturated)
-   moves it at out->fails; for the forces as it stands call kern_verdict() with
-   shrink 0. KERN_FALLS: it does not stand as it is; level, margin, holds, fails
-   are 0, most and epsilon are set, and proof->motion says how it falls.
-   KERN_LIMIT: level -1, saturated 0; holds and margin are the largest shrinkage
-   that is proven to stand, -1 if none is yet; fails is the smallest that is
-   proven to fall, `most` if none is; the proof's contents mean nothing.
-   KERN_UNDECIDED, and KERN_BAD_STEP where most / epsilon is above 1,000,000:
-   *out is as it was. [holds, fails] is at most 2e-6 of the mean block size
-   wide, more only where no proof can be completed nearer to critical. Kerns of
-   line contacts are nested, and the margin is then the only place where the
-   verdict changes. Points of one interface with different normals are not: then
-   the path is searched in steps of most/1001, and the level is the literal
-   scan. The proof is that of the margin: a level is proven by it where kerns
-   are nested, elsewhere each step by a proof of its own that is verified and
-   not handed out. With options.narrow = k every cone narrows as kerns shrink:
-   at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1 + mu k d)), the
-   tangent of its angle less that of the slope k d, in every question about
-   shrunk kerns. A robot that places stones within e and theta asks with k =
-   tan(theta) / (2 e): margin / (2 e) is how many times its own error the
-   structure bears; a measure, not a bound. Where k is so large that kerns
-   hardly shrink, k margin is the slope to spare: the least friction at which it
-   stands is that mu. Warm start: from task->known, and the result is remembered
-   there; after KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
+   moves it at out->fails. KERN_FALLS: level, margin, holds, fails are 0, most
+   and epsilon are set, and proof->motion says how it falls. KERN_LIMIT: level
+   -1, saturated 0; holds and margin are the largest shrinkage that is proven to
+   stand, -1 if none is yet; fails is the smallest that is proven to fall,
+   `most` if none is; the proof's contents mean nothing. KERN_UNDECIDED, and
+   KERN_BAD_STEP where most / epsilon is above 1,000,000: *out is as it was.
+   [holds, fails] is at most 2e-6 of the mean block size wide, more only where
+   no proof can be completed nearer to critical. Where kerns are nested
+   (>>rules) the proof of the margin proves the level; elsewhere the path is
+   searched in steps of most/1001, and each step of the level has a proof of its
+   own that is verified and not handed out. With options.narrow = k every cone
+   narrows as kerns shrink: at shrinkage d > 0 friction mu is max(0, (mu - k d)
+   / (1 + mu k d)), the tangent of its angle less that of the slope k d, in
+   every question about shrunk kerns. A robot that places stones within e and
+   theta asks with k = tan(theta) / (2 e): margin / (2 e) is how many times its
+   own error the structure bears; a measure, not a bound. Where k is so large
+   that kerns hardly shrink, k margin is the slope to spare: the least friction
+   at which it stands is that mu. Warm start: from task->known, and the result
+   is remembered there; after KERN_UNDECIDED and KERN_LIMIT nothing is known any
+   longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
@@ -1161,10 +1100,9 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       kern_block_rate *block);
 
 /* How far kerns must grow [m] (relative: a share) until the structure stands.
-   KERN_STANDS: it does already, 0. KERN_FALLS: *deficit is written, and is
-   KERN_INFINITY where growing to 1000 times the structure does not help.
-   KERN_LIMIT: *deficit is how far they must grow at least, -1 where the
-   structure is not proven to fall yet. */
+   KERN_STANDS: it does already, 0. KERN_FALLS: *deficit is written,
+   KERN_INFINITY where no growth helps. KERN_LIMIT: *deficit is how far they
+   must grow at least, -1 where the structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
 /* The length [m] of the shortest contact that the structure needs: it stands on
@@ -1180,12 +1118,12 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
-/* The largest factor of a horizontal load, m |g| at every centre of mass, that
-   stands on top of weights and loads, with kerns shrunk by `shrink`.
-   KERN_STANDS: *factor, KERN_INFINITY where it stands at 1,000,000; proof as in
-   kern_measure(), for the loads at the factor. KERN_FALLS: it falls at 0.
-   KERN_BAD_OPTION: no gravity, or neither KERN_LEFT nor KERN_RIGHT.
-   KERN_LIMIT: *factor is the largest that is proven to stand, -1 if none is. */
+/* The largest factor of a horizontal load on top of weights and loads, with
+   kerns shrunk by `shrink`. KERN_STANDS: *factor, KERN_INFINITY where it stands
+   at 1,000,000; proof as in kern_measure(), for the loads at the factor.
+   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or neither KERN_LEFT
+   nor KERN_RIGHT. KERN_LIMIT: *factor is the largest that is proven to stand,
+   -1 if none is. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
@@ -1198,29 +1136,23 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real *factor,
                                          const kern_proof *proof);
 
-/* The first angle [rad] at which it falls when gravity turns toward a side and
-   loads stay; pi where it stands at every angle. With loads, gaps between
-   angles that stand are seen if wider than 1/100.
+/* The first angle [rad] at which it falls when gravity turns toward a side.
+   With loads, gaps between angles that stand are seen if wider than 1/100.
    KERN_FALLS: it falls at 0. KERN_BAD_OPTION as above. KERN_LIMIT: *angle is
    the largest that is proven to stand, negative if none is. */
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
 
-/* The profile: how far each block is from falling in a progressive collapse,
-   in value[0..blocks). Kerns shrink (KERN_SHRINK), or a horizontal load grows
-   to the right or left as in kern_load_factor(). Where the structure falls,
-   the blocks that move in the mechanism get the shrinkage [m] or the factor of
-   that place and are taken away with their contacts; what is left goes on from
-   there. A block that never falls gets d_max (relative: 1) or the factor 10,
-   one that does not stand as it is 0, a fixed one KERN_INFINITY. A structure
-   that falls as it is has a profile too. KERN_OK: all was written; below
-   0: *out is as it was, and value means nothing. KERN_BAD_OPTION: no such side,
-   or a load and no gravity. KERN_UNDECIDED: a verdict it depends on is
-   undecided. KERN_LIMIT: value of the blocks that have been taken away by then
-   is as it will be, of others -1; *out is as it was. Every verdict on the way
-   is proven. Time: for each mechanism a few solutions, with fewer and fewer
-   blocks; altogether 3 to 5 times that of the margin. */
+/* The profile: how far each block is from falling in a progressive collapse, in
+   value[0..blocks), shrinkages [m] (KERN_SHRINK) or factors of a horizontal
+   load to a side; of a fixed block KERN_INFINITY. A structure that falls as it
+   is has a profile too. KERN_OK: all was written; below 0: *out is as it was,
+   and value means nothing. KERN_BAD_OPTION: no such side, or a load and no
+   gravity. KERN_UNDECIDED: a verdict it depends on is. KERN_LIMIT: value of the
+   blocks that have been taken away by then is as it will be, of others -1.
+   Time: for each mechanism a few solutions, with fewer and fewer blocks;
+   altogether 3 to 5 times that of the margin. */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
@@ -1239,11 +1171,9 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A planner compares many structures that differ by a stone. No contact
-   is searched twice, and every measure starts from the last one: at the
-   shrinkage where the structure was critical, with the mechanism that it had
-   there. kern_measure(&plan.task, ...) measures the plan. Answers are those
-   without a warm start, and as well proven. */
+/* A planner compares many structures that differ by a stone. No contact is
+   searched twice, and every measure starts from the last one. Answers are those
+   without a warm start. kern_measure(&plan.task, ...) measures the plan. */
 
 /* An empty plan: arrays for so many blocks and contact points, kern_known_of()
    arrays as long as these, and work memory for a structure of that size.
