@@ -1,6 +1,7 @@
 """python3 tests/judge.py WHAT FILE...    what the example programs wrote
 
-structures, profiles: JSON of examples/kern.c; figures, walls: the folder that
+structures, profiles: JSON of examples/kern.c; pushes: of examples/push.c, of
+the structure that is built in; figures, walls: the folder that
 examples/shaking/figures.c and examples/walls/walls.c wrote into; svg: pictures.
 Fails with the first thing that is wrong.
 """
@@ -48,6 +49,17 @@ def profiles(name):
                                             r['load_right'] or 0) - 1e-5
 
 
+def pushes(name):
+    """A box 1 wide and 2 high slides, is lifted, bears any push downward."""
+    found, = objects(name)
+    box = found['blocks'][0]
+    push = dict(zip(found['degrees'], box['push']))
+    want = {0: 0.4, 90: 1, 180: 0.4, 45: 0.4 / (0.5 ** 0.5 * 1.4)}
+    assert all(abs(push[k] - want[k]) < 1e-5 for k in want), push
+    assert push[270] is None and not box['undecided'], box
+    assert all(len(b['push']) == 24 for b in found['blocks'])
+
+
 def figures(folder):
     cost = rows(folder, 'table1.csv')
     assert len(cost) == 4
@@ -90,5 +102,6 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    {f.__name__: f for f in (svg, structures, profiles, figures, walls)}[
+    {f.__name__: f for f in (
+        svg, structures, profiles, pushes, figures, walls)}[
         sys.argv[1]](*sys.argv[2:])

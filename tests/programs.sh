@@ -93,6 +93,25 @@ places() { # walls of brick and of found stone
     $judge svg "$out"/*.svg
 }
 
+moves() { # of single stones: what they bear, and what they need
+    local push nudge f
+    push=$(program push examples/push.c) &&
+        nudge=$(program nudge examples/nudge.c) || return 1
+    "$push" --json "$out/push.svg" >"$out/push.json" &&
+        $judge pushes "$out/push.json" &&
+        "$push" "$out/arch.svg" examples/structures/arch.kern >/dev/null &&
+        "$nudge" "$out/nudge.svg" examples/structures/wall-60.kern g7 \
+            >"$out/o" && grep -q "before, .* after" "$out/o" &&
+        "$nudge" - examples/structures/lintel.kern >"$out/o" &&
+        grep -q "^no move" "$out/o" && $judge svg "$out"/*.svg || return 1
+    for f in "$push" "$nudge"; do
+        ! "$f" - examples/structures/falls.kern >/dev/null 2>"$out/e" &&
+            grep -q falls "$out/e" || return 1
+        "$f" picture >/dev/null
+        [ $? -eq 2 ] || return 1
+    done
+}
+
 memory() { # under valgrind
     gcc -g -O1 $exact -o "$out/kern_g" examples/kern.c -lm &&
         valgrind -q --error-exitcode=9 --leak-check=full "$out/kern_g" \
