@@ -94,17 +94,22 @@ static const char help_format[] =
 "JSON: status (stands, falls, undecided, limit, error); blocks, fixed,\n"
 "contact_points, line_contacts, point_contacts: counts; near, relative; level;\n"
 "epsilon, margin, holds, fails (proven bracket of the margin), deficit,\n"
-"signed_margin: lengths (-r: shares); load_left, load_right: horizontal load factor, in g;\n"
-"tilt_left, tilt_right: rad; saturated: stands with every contact a point;\n"
+"signed_margin: lengths (-r: shares); load_left, load_right: horizontal load\n"
+"factor, in g; tilt_left, tilt_right: rad; saturated: stands with every contact a\n"
+"point; limited_by: contacts of a and b at x, y that limit the margin, strongest\n"
+"first: share of the strongest, and does (rests, hinges, slides, opens);\n"
+"would_fall: groups of blocks that move as one where it falls, fastest first;\n"
 "bearing: length of the shortest contact that it needs;\n"
 "certain (--measured): the verdict holds within the stated error;\n"
 "undecided: names of the keys that are null for that; proof_error: of the worst\n"
 "proof, as a share of what is allowed; pivots, solves: work. --profile:\n"
 "progressive_* and weak_*: mean and mean of the weakest half of the blocks'\n"
-"margins (lengths) and load factors (g); expected_drop: under shaking, larger is\n"
-"worse; profile: of each block margin, load. --forces: contacts with x, y, normal\n"
-"nx, ny from a into b, mu, travel (half the length), forces normal, tangential.\n"
-"--mechanism: motion with velocities vx, vy and spin (rad); the fastest is 1.\n"
+"margins (lengths) and load factors (g); expected_drop: under shaking, in mean\n"
+"blocks, larger is worse; profile: of each block margin, load_left, load_right,\n"
+"and load, their mean. --forces: contacts with x, y, normal nx, ny from a into b,\n"
+"mu, travel (half the length), forces normal, tangential. --mechanism: motion\n"
+"with velocities vx, vy of the centre and spin, the angular velocity (rad,\n"
+"counter-clockwise); the fastest is 1.\n"
 "--raised: raised (raised, hangs, not shown), reserve (g). --sequence: sequence\n"
 "of block, margin; weakest_step: the first block with the least.\n"
 "--error: bears (margin / 2E, with cones that narrow by tan THETA / 2E),\n"
@@ -119,8 +124,8 @@ enum { EXIT_STANDS, EXIT_FALLS, EXIT_BAD, EXIT_UNDECIDED };
 enum { LEFT, RIGHT };
 enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
 
-/* Beyond these an int may not hold the length of the work arrays. */
-enum { MOST_BLOCKS = 40000, MOST_CONTACTS = 10000000 };
+/* Beyond that an int may not hold the length of the work arrays. */
+enum { MOST_CONTACTS = 10000000 };
 
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit, overlap;
@@ -298,7 +303,7 @@ static int take_memory(struct analysis *a)
 {
     int reals = 0, ints = 0;
     int blocks = a->task.s.blocks, contacts = a->task.s.contacts;
-    if (blocks > MOST_BLOCKS || contacts > MOST_CONTACTS) return fail_memory(a);
+    if (contacts > MOST_CONTACTS) return fail_memory(a);
     kern_work_need(blocks, contacts, &reals, &ints);
     if (reals < 0 || ints < 0) return fail_memory(a);
     kern_real *real = malloc((size_t)reals * sizeof *real + 1);
@@ -595,6 +600,9 @@ static int analyse(struct analysis *a)
     kern_options options;
     if (text_load(&a->text, a->file))
         return fail(a, a->text.line, "%s", a->text.message);
+    if (a->text.blocks > KERN_BLOCKS_MOST)
+        return fail(a, 0, "%d blocks, at most %d are analysed", a->text.blocks,
+                    KERN_BLOCKS_MOST);
     a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
     a->task.s.gravity = a->text.gravity;
     options = a->text.options;
@@ -662,12 +670,14 @@ static const char *name_of(const struct analysis *a, int block, char *shown)
 
 static const char *plural(int count) { return count == 1 ? "" : "s"; }
 
-/* A coordinate without what rounding left where it should be 0. */
+/* A coordinate without what the width of a bracket left where it should be 0. */
 static double tidy(const struct analysis *a, double x)
 {
-    double size = mean_size(a);
-    return fabs(x) < 1e-9 * size ? 0 : x;
+    return fabs(x) < 2e-6 * mean_size(a) ? 0 : x;
 }
+
+/* A rate that is printed with five decimals, without the sign of a zero. */
+static double rate(double x) { return fabs(x) < 5e-6 ? 0 : x; }
 
 static void report_structure(const struct analysis *a)
 {
@@ -745,27 +755,34 @@ static void report_bearing(const struct analysis *a)
                                                           a->task.s.blocks));
 }
 
-/* The contact points that limit most, the strongest first. */
+static const char *const meeting_word[] = { "rests", "hinges", "slides",
+                                            "opens" };
+
+/* A contact point that limits, each once, the strongest first; -1: no more. */
+static int next_limit(const struct analysis *a, double *share)
+{
+    kern_real *limit = a->critical.limit;
+    int best = 0;
+    if (a->critical.contact < 0) return -1;
+    for (int k = 1; k < a->task.s.contacts; k++)
+        if (limit[k] > limit[best]) best = k;
+    *share = (double)limit[best];
+    limit[best] = 0;
+    return *share > 0.1 ? best : -1;
+}
+
 static void report_limit(const struct analysis *a)
 {
-    static const char *const word[] = { "rests", "hinges", "slides", "opens" };
-    const kern_critical *limit = &a->critical;
-    if (limit->contact < 0) return;
     const char *head = a->measured == KERN_FALLS ? "gives way" : "limited by";
-    for (int shown = 0; shown < 4; shown++) {
-        int best = 0;
-        for (int k = 1; k < a->task.s.contacts; k++)
-            if (limit->limit[k] > limit->limit[best]) best = k;
-        if (!((double)limit->limit[best] > 0.1)) return;
-        limit->limit[best] = 0; /* each once */
-
-        const kern_contact *c = &a->task.s.contact[best];
+    double share;
+    for (int shown = 0, k; shown < 4 && (k = next_limit(a, &share)) >= 0;
+         shown++) {
+        const kern_contact *c = &a->task.s.contact[k];
         kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
         char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
         printf("  %-10s  %s and %s at (%.6g, %.6g), which %s\n", head,
                name_of(a, c->a, one), name_of(a, c->b, two), tidy(a, p.x),
-               tidy(a, p.y),
-               word[limit->meeting[best]]);
+               tidy(a, p.y), meeting_word[a->critical.meeting[k]]);
         head = "";
     }
 }
@@ -796,18 +813,25 @@ static void print_move(const struct analysis *a, const kern_motion *motion,
                : down < -0.25 * fabs(right) ? " and up" : "");
 }
 
-/* The moving blocks, in groups that move as one, the fastest first. */
+/* The moving blocks, in groups that move as one, the fastest first; `group` is
+   the caller's to free. */
+static kern_critical find_groups(const struct analysis *a)
+{
+    kern_proof proof = { NULL, shown_motion(a) };
+    kern_critical moving = { NULL, NULL, array(a->task.s.blocks, sizeof(int)),
+                             -1, 0 };
+    if (proof.motion && moving.group)
+        kern_critical_of(&a->task, 0, &proof, &moving);
+    return moving;
+}
+
 static void report_collapse(const struct analysis *a)
 {
     enum { GROUPS = 5, NAMES = 6 };
-    kern_proof proof = { NULL, shown_motion(a) };
     const char *head = a->shown == KERN_FALLS ? "falls by" : "would fall";
-    kern_critical moving = { NULL, NULL, array(a->task.s.blocks, sizeof(int)),
-                             -1, 0 };
+    kern_critical moving = find_groups(a);
     char shown[TEXT_SHOW_ROOM];
     int rest = 0;
-    if (proof.motion && moving.group)
-        kern_critical_of(&a->task, 0, &proof, &moving);
     for (int group = 0; group < moving.groups && group < GROUPS; group++) {
         int lead = -1, names = 0;
         printf("  %-10s  ", head);
@@ -820,7 +844,7 @@ static void report_collapse(const struct analysis *a)
         }
         if (names > NAMES) printf(" and %d more", names - NAMES);
         printf(" ");
-        print_move(a, proof.motion, lead);
+        print_move(a, shown_motion(a), lead);
     }
     for (int i = 0; i < a->task.s.blocks && moving.groups > GROUPS; i++)
         rest += moving.group[i] >= GROUPS;
@@ -891,8 +915,8 @@ static void report_motion(const struct analysis *a)
     for (int i = 0; i < a->task.s.blocks; i++) {
         if (a->task.s.block[i].fixed) continue;
         printf("              %-10s %11.5f %11.5f %11.5f\n",
-               name_of(a, i, shown), (double)motion[i].vx,
-               (double)motion[i].vy, (double)motion[i].spin);
+               name_of(a, i, shown), rate(motion[i].vx), rate(motion[i].vy),
+               rate(motion[i].spin));
     }
 }
 
@@ -920,7 +944,7 @@ static void report_profile(const struct analysis *a)
     printf("              %-10s %11.5f %11.5f %11.5f\n", "mean",
            (double)a->all[MARGIN].mean, (double)a->all[LOAD_LEFT].mean,
            (double)a->all[LOAD_RIGHT].mean);
-    printf("              %-10s %11.5f %11.5f %11.5f\n", "lower half",
+    printf("              %-10s %11.5f %11.5f %11.5f\n", "weaker half",
            (double)a->all[MARGIN].weak, (double)a->all[LOAD_LEFT].weak,
            (double)a->all[LOAD_RIGHT].weak);
     printf("  drop        %-10.4g expected under shaking, in mean blocks; more "
@@ -958,6 +982,9 @@ static void report_lack(const struct analysis *a)
     if (a->verdict != KERN_FALLS) return;
     if (a->text.fixed == 0)
         printf("  no block is fixed: name the ground with 'fixed'\n");
+    if (s->gravity.y > 0)
+        printf("  gravity points up: %.6g %.6g\n", (double)s->gravity.x,
+               (double)s->gravity.y);
     for (int i = 0; i < s->blocks && shown < 5; i++) {
         int touches = s->block[i].fixed || a->text.given, nearest = -1;
         double least = HUGE_VAL;
@@ -1040,6 +1067,9 @@ static void report(const struct analysis *a)
     if (a->set->touching)
         printf("  near contacts count in what follows, but not in the verdict "
                "above\n");
+    if (shrinkage(a) > 0)
+        printf("  level, margin and bearing are those of contacts as they are, "
+               "loads and tilts at %.6g\n", (double)shrinkage(a));
     report_level(a);
     report_margin(a);
     report_bearing(a);
@@ -1111,6 +1141,43 @@ static void json_motion(const struct analysis *a)
     printf("]");
 }
 
+static void json_limits(const struct analysis *a, int good)
+{
+    const char *comma = "";
+    double share;
+    printf(", \"limited_by\": [");
+    for (int k; good && (k = next_limit(a, &share)) >= 0; comma = ", ") {
+        const kern_contact *c = &a->task.s.contact[k];
+        kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
+        printf("%s{", comma);
+        json_string("a", a->text.name[c->a]);
+        printf(", ");
+        json_string("b", a->text.name[c->b]);
+        json_number("x", (double)p.x);
+        json_number("y", (double)p.y);
+        json_number("share", share);
+        printf(", ");
+        json_string("does", meeting_word[a->critical.meeting[k]]);
+        printf("}");
+    }
+    printf("], \"would_fall\": [");
+    kern_critical moving = { NULL, NULL, NULL, -1, 0 };
+    if (good) moving = find_groups(a);
+    for (int group = 0; group < moving.groups; group++) {
+        printf("%s[", group > 0 ? ", " : "");
+        comma = "\"";
+        for (int i = 0; i < a->task.s.blocks; i++) {
+            if (moving.group[i] != group) continue;
+            printf("%s", comma);
+            json_text(a->text.name[i]);
+            comma = "\", \"";
+        }
+        printf("\"]");
+    }
+    printf("]");
+    free(moving.group);
+}
+
 /* Of what is undecided the numbers are null, and the list is empty. */
 static void json_profile(const struct analysis *a, int good)
 {
@@ -1128,6 +1195,8 @@ static void json_profile(const struct analysis *a, int good)
         printf("%s{", first ? "" : ", ");
         json_string("block", a->text.name[i]);
         json_number("margin", (double)a->fate[MARGIN][i]);
+        json_number("load_left", (double)a->fate[LOAD_LEFT][i]);
+        json_number("load_right", (double)a->fate[LOAD_RIGHT][i]);
         json_number("load", fate_load(a, i));
         printf("}");
         first = 0;
@@ -1196,7 +1265,8 @@ static void json_open(unsigned open)
 static void report_json(const struct analysis *a)
 {
     int good = !a->error[0];
-    int known = good && !a->set->verdict_only && a->measured >= 0;
+    int asked = good && !a->set->verdict_only;
+    int known = asked && a->measured >= 0;
     int falls = known && a->measured == KERN_FALLS;
     int lines = good ? line_points(a) : 0;
     int proven = known || (good && a->measured == KERN_LIMIT);
@@ -1228,19 +1298,19 @@ static void report_json(const struct analysis *a)
     json_number("deficit", falls ? a->deficit : none);
     json_number("signed_margin",
                 falls ? -a->deficit : known ? (double)a->m.margin : none);
-    json_number("bearing", good ? a->bearing : none);
-    if (a->set->raised) json_raised(a, good && !a->set->verdict_only);
+    json_number("bearing", asked ? a->bearing : none);
+    json_limits(a, asked);
+    if (a->set->raised) json_raised(a, asked);
     if (a->set->own_error > 0) {
-        int known = good && !a->set->verdict_only;
-        json_number("bears", known ? a->bears : none);
-        json_number("least_friction", known ? a->least_friction : none);
+        json_number("bears", asked ? a->bears : none);
+        json_number("least_friction", asked ? a->least_friction : none);
     }
     if (a->set->sequence) json_sequence(a, good && a->sequence);
-    json_number("load_left", good ? a->load[LEFT] : none);
-    json_number("load_right", good ? a->load[RIGHT] : none);
-    json_number("tilt_left", good ? a->tilt[LEFT] : none);
-    json_number("tilt_right", good ? a->tilt[RIGHT] : none);
-    json_open(good ? open_questions(a) : 0);
+    json_number("load_left", asked ? a->load[LEFT] : none);
+    json_number("load_right", asked ? a->load[RIGHT] : none);
+    json_number("tilt_left", asked ? a->tilt[LEFT] : none);
+    json_number("tilt_right", asked ? a->tilt[RIGHT] : none);
+    json_open(asked ? open_questions(a) : 0);
     json_number("proof_error", good ? (double)a->work.error : none);
     json_count("pivots", a->work.pivots, good);
     json_count("solves", a->work.solves, good);
