@@ -50,7 +50,7 @@ static const char help[] =
 "      --gap G      widest gap that is still a contact, a length\n"
 "      --at D       verdict, forces, mechanism, loads and tilts with contacts\n"
 "                   shrunk by D; level, margin and profile count from 0\n"
-"      --forces     list the contacts and one admissible set of forces\n"
+"      --forces     list the contacts and forces that hold it, the least if found\n"
 "      --mechanism  list how every block moves as it falls; where it stands,\n"
 "                   just past the margin\n"
 "      --profile    how far each block is from falling in a progressive\n"
@@ -434,6 +434,8 @@ static int decide(struct analysis *a, const kern_options *options)
     proof.force = a->force;
     proof.motion = a->motion;
     a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
+    if (a->shown == KERN_STANDS && (a->set->forces || a->set->svg))
+        kern_forces(&a->task, shrinkage(a), a->force); /* else the proof's */
     return a->shown < 0 && !is_open(a->shown)
          ? fail_blocks(a, a->shown, &a->work.fault) : 0;
 }

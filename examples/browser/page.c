@@ -195,6 +195,12 @@ PAGE(verdict) int page_verdict(double shrink)
     return report(kern_verdict(&task, shrink, &proof), &work.fault);
 }
 
+/* The least forces, in place of those of the verdict. */
+PAGE(forces) int page_forces(double shrink)
+{
+    return report(kern_forces(&task, shrink, force), &work.fault);
+}
+
 /* Answer: margin, level, saturated, most, fails, mean block size. */
 PAGE(measure) int page_measure(void)
 {
