@@ -30,13 +30,23 @@
 #include <string.h>
 #include <time.h>
 
-enum { PATH = 4096, LEVELS = 20 };
+enum { PATH = 4096, LEVELS = 20, MOST_SEED = 1000000 };
 
 static const char help[] =
-"usage: figures [--quick] FOLDER\n"
+"usage: figures [--quick] [--seed S[-T]] [--json] FOLDER\n"
 "Builds and shakes structures, and writes the table and the figures of the\n"
 "paper into FOLDER, which must hold a folder `structures`.\n"
-"  --quick   few structures, each shaken once\n";
+"  --quick      few structures, each shaken once\n"
+"  --seed S[-T] the structures of these numbers; default 1-80, quick 1-6\n"
+"  --json       one JSON object a structure, one line each, and no figures:\n"
+"               seed, name, family, irregularity (%); collapse: level of\n"
+"               shaking after which the stones are displaced by more than a\n"
+"               quarter of a stone in the mean, 21: never; collapse_sd; ads:\n"
+"               that mean after each level; and what is measured without\n"
+"               shaking: lengths in stones, load factors in g, tilt in rad,\n"
+"               near_*: near contacts counted; near_drop: 1 / (1 + expected\n"
+"               drop)\n"
+"  -h, --help\n";
 
 struct sample {
     char name[40], path[PATH];
@@ -48,7 +58,7 @@ struct sample {
 
 struct figures {
     const char *folder;
-    int quick, samples;
+    int quick, json, first, samples; /* numbers from `first` on */
     struct sample *sample;
 };
 
@@ -87,7 +97,7 @@ static int measure_file(const char *path, double value[MEASURES])
 }
 
 /* Builds sample i. What the simulator holds only by its tolerance for gaps
-   does not count as standing: then the next seed is tried. */
+   does not count as standing: then another seed is tried, one of its own. */
 static int build_sample(const struct figures *f, int i, struct sample *s)
 {
     struct build *b = malloc(sizeof *b);
@@ -100,16 +110,38 @@ static int build_sample(const struct figures *f, int i, struct sample *s)
              s->name);
     for (int tries = 0; b && bad && tries < 100; tries++) {
         build_structure(b, s->kind, s->irregularity,
-                        (uint64_t)(1 + i + 1000 * tries));
+                        (uint64_t)(1 + i % 1000 + 1000 * tries) +
+                            (uint64_t)(i / 1000) * 100000);
         s->stones = b->stones;
         if (build_write(b, s->path)) {
             free(b);
-            return fail("cannot write, is there no such folder?", s->path);
+            return fail("cannot write (is the folder there?)", s->path);
         }
         bad = measure_file(s->path, s->value);
     }
     free(b);
     return bad ? fail("no structure that stands was found for", s->path) : 0;
+}
+
+static void print_number(const char *name, double value)
+{
+    if (isfinite(value)) printf(", \"%s\": %.9g", name, value);
+    else printf(", \"%s\": null", name);
+}
+
+static void print_sample(int seed, const struct sample *s)
+{
+    printf("{\"seed\": %d, \"name\": \"%s\", \"family\": \"%s\", "
+           "\"irregularity\": %d, \"collapse\": %.6g, \"collapse_sd\": %.6g, "
+           "\"ads\": [", seed, s->name, build_kind_name[s->kind],
+           s->irregularity, s->shaken.level, s->shaken.level_sd);
+    for (int l = 0; l < LEVELS; l++)
+        printf("%s%.6g", l > 0 ? ", " : "", s->shaken.ads[l]);
+    printf("]");
+    for (int k = 0; k < MEASURES; k++)
+        print_number(measures_name[k], s->value[k]);
+    printf("}\n");
+    fflush(stdout);
 }
 
 static int write_labels(const struct figures *f)
@@ -132,17 +164,18 @@ static int write_labels(const struct figures *f)
 
 static int make_samples(struct figures *f)
 {
-    f->samples = f->quick ? 6 : 80;
     f->sample = calloc((size_t)f->samples, sizeof *f->sample);
     if (!f->sample) return fail("not enough memory for", "the structures");
     for (int i = 0; i < f->samples; i++) {
         struct sample *s = &f->sample[i];
-        fprintf(stderr, "figures: structure %d of %d\n", i + 1, f->samples);
-        if (build_sample(f, i, s) ||
+        if (!f->json)
+            fprintf(stderr, "figures: structure %d of %d\n", i + 1, f->samples);
+        if (build_sample(f, f->first + i - 1, s) ||
             shake_file(s->path, 1, LEVELS, f->quick ? 1 : 3, &s->shaken))
             return -1;
+        if (f->json) print_sample(f->first + i, s);
     }
-    return write_labels(f);
+    return f->json ? 0 : write_labels(f);
 }
 
 /* ---- Table I ------------------------------------------------------------- */
@@ -215,7 +248,8 @@ static int table_one(const struct figures *f)
             if ((int)f->sample[i].kind == kind &&
                 (!s || f->sample[i].stones > s->stones))
                 s = &f->sample[i];
-        if (!s || time_sample(s, cost)) return fail("cannot time", "measures");
+        if (!s) continue;
+        if (time_sample(s, cost)) return fail("cannot time", "measures");
         fprintf(csv, "%s,%d", s->name, s->stones);
         fprintf(md, "| %s | %d |", s->name, s->stones);
         for (int k = 0; k < COSTS; k++) {
@@ -241,6 +275,7 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
     proof.force = calloc((size_t)m->task.s.contacts, sizeof *proof.force);
     bad = !out || !proof.force ||
           kern_verdict(&m->task, (kern_real)shrink, &proof) != KERN_STANDS;
+    if (!bad) kern_forces(&m->task, (kern_real)shrink, proof.force);
     scene.s = &m->task.s;
     scene.names = m->text.name;
     scene.shrink = shrink;
@@ -281,6 +316,52 @@ static void level_axis(double *x)
     for (int l = 0; l < LEVELS; l++) x[l] = l + 1;
 }
 
+static double safety(const struct sample *s)
+{
+    return s->value[MEASURE_NEAR_WEAK_LOAD];
+}
+
+static int by_safety(const void *a, const void *b)
+{
+    const double x = safety(*(const struct sample *const *)a);
+    const double y = safety(*(const struct sample *const *)b);
+    return (x > y) - (x < y);
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The medians of each quarter of the structures, the least safe first. */
+static int plot_quarters(const struct figures *f, const struct plot *p,
+                         const double *x, double most)
+{
+    const struct sample **s = malloc((size_t)f->samples * sizeof *s);
+    double *ads = malloc((size_t)f->samples * sizeof *ads);
+    char shade[8];
+    int bad = !s || !ads;
+    for (int i = 0; i < f->samples && !bad; i++) s[i] = &f->sample[i];
+    if (!bad) qsort(s, (size_t)f->samples, sizeof *s, by_safety);
+    for (int q = 0; q < 4 && !bad; q++) {
+        const int from = f->samples * q / 4, n = f->samples * (q + 1) / 4 - from;
+        double median[LEVELS];
+        if (n == 0) continue;
+        for (int l = 0; l < LEVELS; l++) {
+            for (int i = 0; i < n; i++) ads[i] = s[from + i]->shaken.ads[l];
+            qsort(ads, (size_t)n, sizeof *ads, ascending);
+            median[l] = (ads[(n - 1) / 2] + ads[n / 2]) / 2;
+        }
+        plot_curve(p, x, median, LEVELS, DRAW_INK, 5);
+        plot_curve(p, x, median, LEVELS, draw_shade(
+            safety(s[from + n / 2]) / most, shade), 3.4);
+    }
+    free(s);
+    free(ads);
+    return bad;
+}
+
 static int figure_six(const struct figures *f)
 {
     FILE *csv = plot_open(f->folder, "fig6.csv");
@@ -292,24 +373,26 @@ static int figure_six(const struct figures *f)
     if (!csv || !svg) return -1;
     level_axis(x);
     for (int i = 0; i < f->samples; i++)
-        most = fmax(most, f->sample[i].value[MEASURE_NEAR_WEAK_LOAD]);
-    plot_begin(&p, svg, "Shaking displaces safe structures later", "level of "
-               "shaking", "mean displacement score", 70);
+        most = fmax(most, safety(&f->sample[i]));
+    if (!(most > 0)) most = 1;
+    plot_begin(&p, svg, "Shaking displaces safe structures later (thick: "
+               "median of each quarter)", "level of shaking, 0.059 g each",
+               "mean displacement of the stones, in stones", 70);
     fprintf(csv, "name,near_weak_load");
     for (int l = 1; l <= LEVELS; l++) fprintf(csv, ",ads%d", l);
     fprintf(csv, "\n");
     for (int i = 0; i < f->samples; i++) {
         const struct sample *s = &f->sample[i];
-        const double value = s->value[MEASURE_NEAR_WEAK_LOAD];
-        fprintf(csv, "%s,%.6g", s->name, value);
+        fprintf(csv, "%s,%.6g", s->name, safety(s));
         for (int l = 0; l < LEVELS; l++)
             fprintf(csv, ",%.6g", s->shaken.ads[l]);
         fprintf(csv, "\n");
         plot_curve(&p, x, s->shaken.ads, LEVELS,
-                   draw_shade(most > 0 ? value / most : 0, shade), 1.6);
+                   draw_shade(safety(s) / most, shade), 0.5);
     }
-    plot_colours(&p, 0, most, "load factor of the weaker half");
-    bad = plot_end(&p);
+    bad = plot_quarters(f, &p, x, most);
+    plot_colours(&p, 0, most, "load factor of the weaker half, g");
+    bad |= plot_end(&p);
     return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig6") : 0;
 }
 
@@ -353,7 +436,7 @@ static int draw_wall(const struct figures *f, const char *path,
     int bad = !out || measures_load(&w, path) ||
               kern_measure(&w.task, m, NULL) != KERN_STANDS;
     if (!bad) {
-        snprintf(caption, sizeof caption, "level %d, margin %.3g", m->level,
+        snprintf(caption, sizeof caption, "level %d, margin %.3g stones", m->level,
                  (double)m->margin);
         scene.s = &w.task.s;
         scene.limiting = -1;
@@ -389,7 +472,8 @@ static int figure_seven(const struct figures *f)
     }
     if (bad) return -1;
     plot_begin(&p, svg, "Two walls that differ in the place of one stone",
-               "level of shaking", "mean displacement score", 0);
+               "level of shaking, 0.059 g each",
+               "mean displacement of the stones, in stones", 0);
     fprintf(csv, "wall,level,margin,collapse");
     for (int l = 1; l <= LEVELS; l++) fprintf(csv, ",ads%d", l);
     fprintf(csv, "\n");
@@ -403,8 +487,8 @@ static int figure_seven(const struct figures *f)
                   draw_vec(p.left + 40, p.top + 18 + 18 * k),
                   k ? "stroke=\"" DRAW_GHOST "\" stroke-width=\"2\""
                     : "stroke=\"" DRAW_KERN "\" stroke-width=\"2\"");
-        snprintf(text, sizeof text, "wall %c: level %d, margin %.3g", 'a' + k,
-                 m[k].level, (double)m[k].margin);
+        snprintf(text, sizeof text, "wall %c: level %d, margin %.3g stones",
+                 'a' + k, m[k].level, (double)m[k].margin);
         plot_text(&p, p.left + 48, p.top + 22 + 18 * k, 11.5, "start", text);
         free(r[k].ads);
         free(r[k].first);
@@ -413,23 +497,50 @@ static int figure_seven(const struct figures *f)
     return fclose(csv) | fclose(svg) | bad ? fail("cannot write", "fig7") : 0;
 }
 
+/* S, or S-T. */
+static int read_seeds(struct figures *f, const char *word)
+{
+    char *end;
+    long first = strtol(word, &end, 10), last = first;
+    if (end > word && *end == '-') last = strtol(word = end + 1, &end, 10);
+    if (end == word || *end || first < 1 || last < first || last > MOST_SEED) {
+        fprintf(stderr, "figures: --seed takes S or S-T, from 1 to %d\n",
+                MOST_SEED);
+        return -1;
+    }
+    f->first = (int)first;
+    f->samples = (int)(last - first) + 1;
+    return 0;
+}
+
+/* Returns 0, 1 where all is said, or -1. */
+static int read_arguments(struct figures *f, int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++) {
+        const char *word = argv[i];
+        if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0)
+            return fputs(help, stdout) < 0 ? -1 : 1;
+        if (strcmp(word, "--quick") == 0) f->quick = 1;
+        else if (strcmp(word, "--json") == 0) f->json = 1;
+        else if (strcmp(word, "--seed") == 0 && argv[i + 1]) {
+            if (read_seeds(f, argv[++i])) return -1;
+        } else if (word[0] != '-' && !f->folder) f->folder = word;
+        else f->folder = NULL, i = argc;
+    }
+    if (f->samples == 0) f->samples = f->quick ? 6 : 80;
+    if (!f->folder) fputs(help, stderr);
+    return f->folder ? 0 : -1;
+}
+
 int main(int argc, char **argv)
 {
-    struct figures f = { NULL, 0, 0, NULL };
-    int bad;
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "--help") == 0)
-            return fputs(help, stdout) < 0 ? 2 : 0;
-        if (strcmp(argv[i], "--quick") == 0) f.quick = 1;
-        else if (argv[i][0] != '-' && !f.folder) f.folder = argv[i];
-        else f.folder = NULL, i = argc;
-    }
-    if (!f.folder) {
-        fputs(help, stderr);
-        return 2;
-    }
-    bad = make_samples(&f) || table_one(&f) || figure_three(&f) ||
-          figure_six(&f) || figure_seven(&f);
+    struct figures f = { NULL, 0, 0, 1, 0, NULL };
+    int bad = read_arguments(&f, argc, argv);
+    if (bad) return bad > 0 ? 0 : 2;
+    bad = make_samples(&f);
+    if (!bad && !f.json)
+        bad = table_one(&f) || figure_three(&f) || figure_six(&f) ||
+              figure_seven(&f);
     for (int i = 0; i < f.samples && f.sample; i++) {
         free(f.sample[i].shaken.ads);
         free(f.sample[i].shaken.first);

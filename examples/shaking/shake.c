@@ -42,28 +42,36 @@ static const char help[] =
 "usage: shake [options] FILE...\n"
 "Shakes structures, each time as they were built and harder from level to\n"
 "level, and says at which they collapse: the first after which the stones are\n"
-"displaced by more than a quarter of a stone in the mean. FILE holds one\n"
-"statement a line; - is stdin.\n"
+"displaced by more than a quarter of a stone in the mean. FILE is a structure\n"
+"(kern --help has the format); - is stdin.\n"
 "\n"
 "  -l, --levels A-B   shake at levels A to B; default 1-20; N: 1-N\n"
 "  -n, --repeat R     shake R times, each with a little noise in the places\n"
 "                     of the stones and another moment to begin; default 1\n"
-"      --seed S       of that noise, an integer; default 1\n"
+"      --seed S[-T]   of that noise, an integer; default 1. A range shakes with\n"
+"                     each, and reports of each\n"
 "      --unit U       length of a stone, in the units of the file; default 1\n"
-"      --json         one JSON object a file, one line each\n"
+"      --json         one JSON object a file and seed, one line each\n"
 "      --svg OUT.svg  draw it before and after a level\n"
 "      --film OUT.svg the shaking of a level, an SVG that moves\n"
 "      --show L       the level which they show; default: that of collapse\n"
-"      --help, --version\n"
+"  -h, --help, --version\n"
 "\n"
 "With several files the pictures of each NAME.* are in OUT-NAME.svg.\n"
 "A level is 0.059 g of peak horizontal acceleration, 0.01 U of amplitude.\n"
+"A stone is displaced by what it moved on the base, in U, and half of its turn in\n"
+"rad, as the root of the sum of their squares.\n"
+"JSON: file, seed, stones, levels (first, last), repetitions; level of collapse\n"
+"and its standard deviation level_sd, where last + 1 means never; ads: mean\n"
+"displacement of the stones after each level; first: of each block the level\n"
+"after which it is displaced by a quarter of U; seconds of CPU time.\n"
 "Exit status: 0 done, 2 bad use or input.\n";
 
 enum { EXIT_DONE = 0, EXIT_BAD = 2, MOST_LEVELS = 1000, NAME_ROOM = 4096 };
 
 struct settings {
     struct table_plan plan;
+    int first, last;        /* seeds                                   */
     int json;
     int show;               /* level of the pictures, 0: collapse      */
     const char *svg, *film;
@@ -98,7 +106,7 @@ static void print_text(const struct table *t, const struct table_report *r)
 {
     const struct table_plan *plan = &t->plan;
     char shown[TEXT_SHOW_ROOM];
-    printf("%s: %d stones\n", t->file, t->stones);
+    printf("%s: %d stones, seed %d\n", t->file, t->stones, (int)plan->seed);
     if (r->level > plan->last)
         printf("  does not collapse up to level %d\n", plan->last);
     else
@@ -137,20 +145,21 @@ static void print_string(const char *s)
 static void print_json(const struct table *t, const struct table_report *r)
 {
     const struct table_plan *plan = &t->plan;
-    printf("{\"file\":");
+    printf("{\"file\": ");
     print_string(t->file);
-    printf(",\"stones\":%d,\"levels\":[%d,%d],\"repetitions\":%d,"
-           "\"level\":%.6g,\"level_sd\":%.6g,\"ads\":[", t->stones, plan->first,
-           plan->last, plan->repeat, r->level, r->level_sd);
+    printf(", \"seed\": %d, \"stones\": %d, \"levels\": [%d, %d], "
+           "\"repetitions\": %d, \"level\": %.6g, \"level_sd\": %.6g, "
+           "\"ads\": [", (int)plan->seed, t->stones, plan->first, plan->last,
+           plan->repeat, r->level, r->level_sd);
     for (int l = plan->first; l <= plan->last; l++)
-        printf("%s%.9g", l > plan->first ? "," : "", r->ads[l - plan->first]);
-    printf("],\"first\":[");
+        printf("%s%.9g", l > plan->first ? ", " : "", r->ads[l - plan->first]);
+    printf("], \"first\": [");
     for (int i = 0; i < t->stones; i++) {
-        printf("%s{\"block\":", i > 0 ? "," : "");
+        printf("%s{\"block\": ", i > 0 ? ", " : "");
         print_string(stone_name(t, i));
-        printf(",\"level\":%.6g}", r->first[i]);
+        printf(", \"level\": %.6g}", r->first[i]);
     }
-    printf("],\"seconds\":%.6g}\n", r->seconds);
+    printf("], \"seconds\": %.2f}\n", r->seconds);
 }
 
 /* ---- Pictures ------------------------------------------------------------ */
@@ -233,12 +242,25 @@ static const char *stone_fill(int stone, int displaced)
     return displaced ? "#e2a37f" : draw_stone[stone % fills];
 }
 
+/* The name of a stone about its home, where the stone is wide enough. */
+static void put_name(const struct table *t, const struct draw_view *v,
+                     int stone)
+{
+    const double size = 9.5;
+    const char *name = stone_name(t, stone);
+    const kern_box *box = &t->text.block[t->source[stone]].box;
+    double wide = (double)(box->high.x - box->low.x) / t->plan.unit;
+    if (draw_text_width(name, strlen(name), size) < 0.8 * wide * v->scale)
+        draw_text(v->out, 0, 0.34 * size, size, "middle", name, strlen(name));
+}
+
 static void put_stone(const struct table *t, const struct draw_view *v,
                       int stone, int displaced)
 {
     put_outline(t, v, t->source[stone], stone + 1);
     fprintf(v->out, " fill=\"%s\" stroke=\"" DRAW_EDGE "\" stroke-width=\"1\" "
             "stroke-linejoin=\"round\"/>\n", stone_fill(stone, displaced));
+    put_name(t, v, stone);
 }
 
 static void put_transform(const struct draw_view *v, struct table_pose p)
@@ -280,11 +302,23 @@ static void put_window(const struct draw_view *v, int number)
     fputs("</defs>\n", v->out);
 }
 
+/* What a level did, and with `legend` what the colour says. */
+static void heading_of(const struct table *t, int level, int legend,
+                       char out[200])
+{
+    snprintf(out, 200, "%slevel %d (%.2g g): mean displacement %.2f stones%s",
+             legend ? "after " : "", level, 0.059 * level, table_mean_score(t),
+             legend ? "; orange: above 0.25" : "");
+}
+
 static void put_heading(FILE *out, double x, double y, const char *text)
 {
-    draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     draw_text(out, x, y, 12.5, "start", text, strlen(text));
-    draw_close(out);
+}
+
+static double heading_width(const char *text) /* a sixth more: fonts differ */
+{
+    return 7 * draw_text_width(text, strlen(text), 12.5) / 6;
 }
 
 /* Two drawings, before and after a level; above each other where the
@@ -294,7 +328,7 @@ static int put_svg(FILE *out, const struct table *t, int level)
     const double head = 20, gap = 18;
     struct draw_view v;
     struct table_pose *after = malloc(((size_t)t->stones + 1) * sizeof *after);
-    char text[2][120];
+    char text[2][200] = { "before" };
     double w, h;
     int below = t->right - t->left > t->top - t->bottom;
     if (!after) return -1;
@@ -302,13 +336,12 @@ static int put_svg(FILE *out, const struct table *t, int level)
     v.out = out;
     fit_view(t, &v, level, below ? DRAW_WIDTH : DRAW_WIDTH / 2,
              below ? DRAW_HEIGHT / 2 : DRAW_HEIGHT);
-    w = fmax(view_width(&v), 300);
+    heading_of(t, level, 1, text[1]);
+    w = fmax(view_width(&v), heading_width(text[1]));
     h = view_height(&v) + head;
-    snprintf(text[0], sizeof text[0], "before");
-    snprintf(text[1], sizeof text[1], "after level %d: displaced by %.2f in "
-             "the mean", level, table_mean_score(t));
     draw_begin(out, ceil((below ? w : 2 * w + gap) + 2 * DRAW_PAD),
                ceil((below ? 2 * h + gap : h) + 2 * DRAW_PAD));
+    draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     for (int k = 0; k < 2; k++) {
         v.left = DRAW_PAD + (k && !below ? w + gap : 0);
         v.top = DRAW_PAD + head + (k && below ? h + gap : 0);
@@ -319,6 +352,7 @@ static int put_svg(FILE *out, const struct table *t, int level)
         put_scene(t, &v, k ? after : NULL);
         draw_close(out);
     }
+    draw_close(out);
     free(after);
     return draw_end(out);
 }
@@ -354,15 +388,15 @@ static int put_film(FILE *out, const struct table *t,
     int poses = t->stones + 1;
     double seconds = (f->frames - 1) * table_frame_every * t->world.step;
     struct draw_view v;
-    char text[120];
+    char text[200];
     v.out = out;
     v.left = DRAW_PAD;
     v.top = DRAW_PAD + head;
     fit_view(t, &v, level, DRAW_WIDTH, DRAW_HEIGHT);
-    snprintf(text, sizeof text, "level %d: displaced by %.2f in the mean",
-             level, table_mean_score(t));
-    draw_begin(out, ceil(fmax(view_width(&v), 300) + 2 * DRAW_PAD),
+    heading_of(t, level, 0, text);
+    draw_begin(out, ceil(fmax(view_width(&v), heading_width(text)) + 2 * DRAW_PAD),
                ceil(view_height(&v) + head + foot + 2 * DRAW_PAD));
+    draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     put_window(&v, 0);
     put_heading(out, v.left, v.top - 8, text);
     draw_open(out, "clip-path=\"url(#view0)\"");
@@ -379,6 +413,7 @@ static int put_film(FILE *out, const struct table *t,
             "dur=\"%.2fs\" repeatCount=\"indefinite\" values=\"0;%.2f\"/>"
             "</rect>\n", v.left, v.top + view_height(&v) + foot - 5, seconds,
             view_width(&v));
+    draw_close(out);
     return draw_end(out);
 }
 
@@ -433,13 +468,14 @@ static int draw_level(const struct settings *set, struct table *t, int level)
 
 /* ---- The command line ---------------------------------------------------- */
 
-static int run_file(const struct settings *set, int number)
+static int run_file(const struct settings *set, int number, int seed)
 {
     static const struct table empty;
     struct table t = empty;
     struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
     int bad;
     t.plan = set->plan;
+    t.plan.seed = (uint64_t)seed;
     t.file = set->file[number];
     began = time(NULL);
     bad = table_load(&t) || table_collapse(&t, &r);
@@ -511,9 +547,19 @@ static int read_levels(struct settings *set, const char *s)
     return *s ? -1 : 0;
 }
 
+/* S, or S-T. */
+static int read_seeds(struct settings *set, const char *s)
+{
+    if (read_integer(&s, 0, INT_MAX - 1, &set->first)) return -1;
+    set->last = set->first;
+    if (*s++ == '\0') return 0;
+    return s[-1] != '-' || read_integer(&s, set->first, INT_MAX - 1, &set->last)
+           || *s ? -1 : 0;
+}
+
 static int read_number(struct settings *set, const char *name, const char *s)
 {
-    int seed = 0, bad;
+    int bad;
     const char *word = s;
     if (strcmp(name, "--repeat") == 0)
         bad = read_integer(&s, 1, 100000, &set->plan.repeat) || *s;
@@ -525,13 +571,21 @@ static int read_number(struct settings *set, const char *name, const char *s)
         kern_real unit = 0;
         bad = !text_number(s, &unit) || !(unit > 0);
         set->plan.unit = (double)unit;
-    } else {
-        bad = read_integer(&s, 0, INT_MAX, &seed) || *s;
-        set->plan.seed = (uint64_t)seed;
-    }
+    } else
+        bad = read_seeds(set, s);
     if (!bad) return 0;
     fprintf(stderr, "shake: %s does not take '%s'; try shake --help\n", name,
             word);
+    return -1;
+}
+
+/* A picture's name ends in .svg, so that no structure is written over. */
+static int read_picture(const char *option, const char *name)
+{
+    size_t n = strlen(name);
+    if (n > 4 && strcmp(name + n - 4, ".svg") == 0) return 0;
+    fprintf(stderr, "shake: %s takes a name that ends in .svg, read '%s'\n",
+            option, name);
     return -1;
 }
 
@@ -546,9 +600,9 @@ static int read_option(struct settings *set, char **argv, int *i)
             (k == 1 && option_value(argv, i, "-n", &value)))
             return read_number(set, number[k], value);
     if (option_value(argv, i, "--svg", &set->svg))
-        return *set->svg ? 0 : bad_use("no file is given for", word);
+        return read_picture("--svg", set->svg);
     if (option_value(argv, i, "--film", &set->film))
-        return *set->film ? 0 : bad_use("no file is given for", word);
+        return read_picture("--film", set->film);
     if (strcmp(word, "--json") != 0) return bad_use("unknown option", word);
     set->json = 1;
     return 0;
@@ -556,8 +610,8 @@ static int read_option(struct settings *set, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct settings set = { { 1, 20, 1, 1, 1, show_progress }, 0, 0, NULL, NULL,
-                            argv, 0 };
+    struct settings set = { { 1, 20, 1, 1, 1, show_progress }, 1, 1, 0, 0, NULL,
+                            NULL, argv, 0 };
     int options = 1, status = EXIT_DONE;
     for (int i = 1; i < argc; i++) {
         const char *word = argv[i];
@@ -565,7 +619,7 @@ int main(int argc, char **argv)
             set.file[set.files++] = argv[i]; /* over arguments read already */
         } else if (strcmp(word, "--") == 0) {
             options = 0;
-        } else if (strcmp(word, "--help") == 0) {
+        } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
             return fputs(help, stdout) < 0 ? EXIT_BAD : EXIT_DONE;
         } else if (strcmp(word, "--version") == 0) {
             return puts("shake " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_DONE;
@@ -578,8 +632,13 @@ int main(int argc, char **argv)
         fputs(help, stderr);
         return EXIT_BAD;
     }
+    if (set.first < set.last && (set.svg || set.film)) {
+        fputs("shake: --svg and --film take one seed\n", stderr);
+        return EXIT_BAD;
+    }
     for (int i = 0; i < set.files; i++)
-        if (run_file(&set, i)) status = EXIT_BAD;
+        for (int seed = set.first; seed <= set.last; seed++)
+            if (run_file(&set, i, seed)) status = EXIT_BAD;
     if (fflush(stdout) != 0 || ferror(stdout)) {
         fprintf(stderr, "shake: cannot write the report: %s\n",
                 strerror(errno));

@@ -405,13 +405,30 @@ static int write_csv(const struct study *y)
     return fclose(out) ? -1 : 0;
 }
 
+static const char *unit_of(int measure)
+{
+    switch (measure) {
+    case MEASURE_MARGIN: case MEASURE_PROGRESSIVE_MARGIN:
+    case MEASURE_WEAK_MARGIN: case MEASURE_FRICTION: case MEASURE_NEAR_MARGIN:
+    case MEASURE_NEAR_PROGRESSIVE_MARGIN: case MEASURE_NEAR_WEAK_MARGIN:
+        return ", in units of length";
+    case MEASURE_LOAD: case MEASURE_PROGRESSIVE_LOAD: case MEASURE_WEAK_LOAD:
+    case MEASURE_NEAR_LOAD: case MEASURE_NEAR_PROGRESSIVE_LOAD:
+    case MEASURE_NEAR_WEAK_LOAD:
+        return ", g";
+    case MEASURE_TILT: return ", rad";
+    default: return "";
+    }
+}
+
 static int write_scatter(const struct study *y, int k, double *room)
 {
     const int n = y->entries;
     double *a = room, *b = room + n;
     struct plot p = { NULL, 0, 0, 0, 0, 0, 0, 0, 0 };
-    char name[80], title[160], shade[8];
+    char name[80], title[160], axis[160], shade[8];
     FILE *out;
+    int skip;
     snprintf(name, sizeof name, "scatter-%s.svg", measures_name[k]);
     out = plot_open(y->svg, name);
     if (!out) return -1;
@@ -420,14 +437,17 @@ static int write_scatter(const struct study *y, int k, double *room)
         p.x1 = fmax(p.x1, a[i]);
         p.y1 = fmax(p.y1, b[i]);
     }
-    snprintf(title, sizeof title, "%s: rank correlation %.2f, %d structures",
-             measures_words[k], rank_correlation(a, b, n, room + 2 * n), n);
-    plot_begin(&p, out, title, measures_words[k], "level of collapse", 70);
+    snprintf(title, sizeof title, "Rank correlation %.2f, %d structures",
+             rank_correlation(a, b, n, room + 2 * n), n);
+    skip = strncmp(measures_words[k], "near: ", 6) == 0 ? 6 : 0;
+    snprintf(axis, sizeof axis, "%s%s%s", measures_words[k] + skip, unit_of(k),
+             skip ? " (near contacts counted)" : "");
+    plot_begin(&p, out, title, axis, "level of shaking at collapse", 70);
     for (int i = 0; i < n; i++)
         plot_point(&p, a[i], b[i],
                    draw_shade(1 - strtod(y->entry[i].irregularity, NULL) / 50,
                               shade));
-    plot_colours(&p, 50, 0, "irregularity");
+    plot_colours(&p, 50, 0, "irregularity of the stones, %");
     return plot_end(&p) | (fclose(out) ? -1 : 0);
 }
 
