@@ -50,7 +50,8 @@ static const char help[] =
 "      --gap G      widest gap that is still a contact, a length\n"
 "      --at D       verdict, forces, mechanism, loads and tilts with contacts\n"
 "                   shrunk by D; level, margin and profile count from 0\n"
-"      --forces     list the contacts and forces that hold it, the least if found\n"
+"      --forces     list the contacts and the least forces that hold it (any,\n"
+"                   where these are not found)\n"
 "      --mechanism  list how every block moves as it falls; where it stands,\n"
 "                   just past the margin\n"
 "      --profile    how far each block is from falling in a progressive\n"
@@ -156,6 +157,7 @@ struct analysis {
     kern_status shown;      /* of the contacts that are shown: with --near
                                near ones too                     */
     kern_force *force;      /* there, if it stands               */
+    int least;              /* they are the least forces         */
     kern_motion *motion;    /* there, if it falls                */
 
     kern_status measured;   /* from shrinkage 0                  */
@@ -435,7 +437,7 @@ static int decide(struct analysis *a, const kern_options *options)
     proof.motion = a->motion;
     a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
     if (a->shown == KERN_STANDS && (a->set->forces || a->set->svg))
-        kern_forces(&a->task, shrinkage(a), a->force); /* else the proof's */
+        a->least = kern_forces(&a->task, shrinkage(a), a->force) == KERN_STANDS;
     return a->shown < 0 && !is_open(a->shown)
          ? fail_blocks(a, a->shown, &a->work.fault) : 0;
 }
@@ -897,6 +899,7 @@ static void report_forces(const struct analysis *a)
                name_of(a, c->b, two), tidy(a, p.x), tidy(a, p.y));
         double f = (double)a->force[k].normal;
         double r = (double)a->force[k].tangential;
+        if (fabs(r) < 1e-9 * f) r = 0;
         if (f * c->mu > 0)
             printf(" %11.5g %11.5g %7.0f%%\n", f, r,
                    100 * fabs(r) / (f * c->mu));
@@ -1400,6 +1403,7 @@ static int draw(const struct analysis *a)
     scene.relative = a->set->relative;
     scene.shrink = (double)shrinkage(a);
     scene.force = a->shown == KERN_STANDS ? a->force : NULL;
+    scene.force_name = a->least ? "least forces" : NULL;
     scene.motion = falls || a->set->mechanism ? shown_motion(a) : NULL;
     scene.motion_name = falls ? NULL : "collapse mechanism just past the margin";
     scene.hinges = shown_motion(a);

@@ -19,6 +19,7 @@
 
 #include "../parts/build.h"
 #include "../parts/draw.h"
+#include "../parts/json.h"
 #include "../parts/measures.h"
 #include "../parts/plot.h"
 #include "../parts/table.h"
@@ -123,12 +124,6 @@ static int build_sample(const struct figures *f, int i, struct sample *s)
     return bad ? fail("no structure that stands was found for", s->path) : 0;
 }
 
-static void print_number(const char *name, double value)
-{
-    if (isfinite(value)) printf(", \"%s\": %.9g", name, value);
-    else printf(", \"%s\": null", name);
-}
-
 static void print_sample(int seed, const struct sample *s)
 {
     printf("{\"seed\": %d, \"name\": \"%s\", \"family\": \"%s\", "
@@ -139,7 +134,7 @@ static void print_sample(int seed, const struct sample *s)
         printf("%s%.6g", l > 0 ? ", " : "", s->shaken.ads[l]);
     printf("]");
     for (int k = 0; k < MEASURES; k++)
-        print_number(measures_name[k], s->value[k]);
+        json_number(measures_name[k], s->value[k]);
     printf("}\n");
     fflush(stdout);
 }
@@ -275,7 +270,9 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
     proof.force = calloc((size_t)m->task.s.contacts, sizeof *proof.force);
     bad = !out || !proof.force ||
           kern_verdict(&m->task, (kern_real)shrink, &proof) != KERN_STANDS;
-    if (!bad) kern_forces(&m->task, (kern_real)shrink, proof.force);
+    if (!bad && kern_forces(&m->task, (kern_real)shrink, proof.force) ==
+                KERN_STANDS)
+        scene.force_name = "least forces";
     scene.s = &m->task.s;
     scene.names = m->text.name;
     scene.shrink = shrink;

@@ -14,6 +14,7 @@
 #include "../../kern.h"
 
 #include "../parts/draw.h"
+#include "../parts/json.h"
 #include "../parts/rigid.h"
 #include "../parts/table.h"
 #include "../parts/text.h"
@@ -126,27 +127,11 @@ static void print_text(const struct table *t, const struct table_report *r)
                    r->first[i]);
 }
 
-/* A JSON string; what is not UTF-8 becomes a question mark. */
-static void print_string(const char *s)
-{
-    putchar('"');
-    while (*s) {
-        int n = text_utf8(s);
-        if (n == 0) putchar('?');
-        else if (n == 1 && (*s == '"' || *s == '\\')) printf("\\%c", *s);
-        else if (n == 1 && ((unsigned char)*s < 32 || *s == 127))
-            printf("\\u%04x", (unsigned)*s);
-        else fwrite(s, 1, (size_t)n, stdout);
-        s += n > 0 ? n : 1;
-    }
-    putchar('"');
-}
-
 static void print_json(const struct table *t, const struct table_report *r)
 {
     const struct table_plan *plan = &t->plan;
-    printf("{\"file\": ");
-    print_string(t->file);
+    printf("{");
+    json_string("file", t->file);
     printf(", \"seed\": %d, \"stones\": %d, \"levels\": [%d, %d], "
            "\"repetitions\": %d, \"level\": %.6g, \"level_sd\": %.6g, "
            "\"ads\": [", (int)plan->seed, t->stones, plan->first, plan->last,
@@ -155,8 +140,8 @@ static void print_json(const struct table *t, const struct table_report *r)
         printf("%s%.9g", l > plan->first ? ", " : "", r->ads[l - plan->first]);
     printf("], \"first\": [");
     for (int i = 0; i < t->stones; i++) {
-        printf("%s{\"block\": ", i > 0 ? ", " : "");
-        print_string(stone_name(t, i));
+        printf("%s{", i > 0 ? ", " : "");
+        json_string("block", stone_name(t, i));
         printf(", \"level\": %.6g}", r->first[i]);
     }
     printf("], \"seconds\": %.2f}\n", r->seconds);
