@@ -61,15 +61,23 @@ static const char help[] =
 "                        drop predicts, the default, or load\n"
 "      --beat F,M        best: a wall with more filling than F and a limit\n"
 "                        multiplier above M is wanted; implies --goal load\n"
-"      --out FILE        the wall; default wall.kern\n"
-"      --svg FILE        its picture; default wall.svg\n"
-"      --film FILE       a picture that shows how it is built\n"
+"      --out FILE        the wall; default stacked.kern\n"
+"      --svg OUT.svg     its picture; default stacked.svg\n"
+"      --film OUT.svg    a picture that shows how it is built, with margin and\n"
+"                        level after each stone\n"
 "      --steps NAME      a picture a step: NAME-01.svg and so on\n"
 "      --against FILE    another wall, for the same table\n"
 "      --no-shaking      leave out the shaking test\n"
 "      --json            one JSON object a wall, one line each, no table:\n"
-"                        lengths in mean stones, load and limit in g\n"
+"                        lengths in mean stones, limit in g\n"
 "      --help, --version\n"
+"\n"
+"Table: share of the frame that is filled; level, margin (a length); limit: load\n"
+"factor in g with a friction of 0.58, in head joints 0; collapse: level of\n"
+"shaking, 0.059 g each; Q: margin in stones times what the filling is worth;\n"
+"bed: mean length of a stone's bed, in its sizes; upright: share of the long\n"
+"stones that stand on end; joint: shortest way up through the joints over the\n"
+"height, 1 is a running joint.\n"
 "\n"
 "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
 
@@ -208,6 +216,11 @@ static int read_option(struct settings *o, const char *name, const char *word)
         return number(name, word, 0, 10, &p->friction);
     if (strcmp(name, "--joints") == 0)
         return number(name, word, 0, 10, &p->joints);
+    if (strcmp(name, "--svg") == 0 || strcmp(name, "--film") == 0) {
+        const size_t n = strlen(word);
+        if (n < 5 || strcmp(word + n - 4, ".svg") != 0)
+            return fail(name, "a name that ends in .svg is expected");
+    }
     if (strcmp(name, "--out") == 0) o->out = word;
     else if (strcmp(name, "--svg") == 0) o->svg = word;
     else if (strcmp(name, "--film") == 0) o->film = word;
@@ -258,8 +271,9 @@ static int draw_wall(const struct stack_wall *w, const char *path)
     int bad;
     if (!out) return fail(path, strerror(errno));
     snprintf(caption, sizeof caption, "%s: %d stones, filling %.3f, level %d, "
-             "margin %.3g", stack_planner_name[w->options.planner], w->laid,
-             stack_fill(w), w->m.level, w->m.margin);
+             "margin %.3g mean stones", stack_planner_name[w->options.planner],
+             w->laid, stack_fill(w), w->m.level,
+             w->m.margin / w->stock->size);
     scene.s = &w->plan.task.s;
     scene.limiting = -1;
     scene.caption = caption;
@@ -268,29 +282,76 @@ static int draw_wall(const struct stack_wall *w, const char *path)
     return bad ? fail(path, "cannot be written") : 0;
 }
 
-/* Stones appear one after the other, and it begins again. */
-static int draw_film(const struct stack_wall *w, const char *path)
+/* Lays the wall once more, and notes its margin after each stone. */
+static int lay_again(struct stack_wall *w, kern_margin *m)
+{
+    const int laid = w->laid;
+    int bad = 0;
+    stack_cut(w, 0);
+    for (int i = 0; i < laid && !bad; i++) {
+        bad = stack_lay(w, &w->place[i]);
+        m[i] = w->m;
+    }
+    return bad;
+}
+
+/* What follows, up to draw_close(), is seen from one share of the film to
+   another; where nothing moves, what stays to the end is. */
+static void film_show(FILE *out, double seconds, double from, double to)
+{
+    fprintf(out, "<g opacity=\"%d\"><animate attributeName=\"opacity\" "
+            "dur=\"%.2fs\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
+            "keyTimes=\"0;%.4f;%.4f\" values=\"0;1;%d\"/>\n", to >= 1,
+            seconds, fmax(from, 0.0001), fmin(to, 1), to >= 1);
+}
+
+/* Stones appear one after the other, each with its margin as a bar under the
+   wall and a line that says it, and it begins again. */
+static void put_film(const struct stack_wall *w, const struct draw_view *v,
+                     const kern_margin *m, double foot)
 {
     const double each = 0.4, hold = 3, all = each * w->laid + hold;
+    const double high = 60, wide = (DRAW_WIDTH - 2 * DRAW_PAD) / w->laid;
+    double most = 1e-9;
+    char text[120];
+    for (int i = 0; i < w->laid; i++) most = fmax(most, m[i].margin);
+    for (int i = 0; i < w->laid; i++) {
+        const double at = each * i / all, bar = high * m[i].margin / most;
+        film_show(v->out, all, at, 1);
+        stack_draw_stone(w, v, i);
+        draw_rect(v->out, v->left + wide * i, foot + high - bar, 0.8 * wide, bar,
+                  "fill=\"" DRAW_KERN "\"");
+        draw_close(v->out);
+        film_show(v->out, all, at, i + 1 < w->laid ? at + each / all : 1);
+        snprintf(text, sizeof text, "stone %d of %d: level %d, margin %.3f mean "
+                 "stones (bars: after each stone, to %.3f)", i + 1, w->laid,
+                 m[i].level, m[i].margin / w->stock->size,
+                 most / w->stock->size);
+        draw_text(v->out, v->left, foot + high + 18, 12.5, "start", text,
+                  strlen(text));
+        draw_close(v->out);
+    }
+}
+
+static int draw_film(struct stack_wall *w, const char *path)
+{
+    kern_margin *m = malloc((size_t)w->laid * sizeof *m);
     FILE *out = fopen(path, "w");
     struct draw_view v;
-    int bad;
-    if (!out) return fail(path, strerror(errno));
-    stack_view(w, &v, DRAW_WIDTH);
-    v.out = out;
-    draw_begin(out, DRAW_WIDTH, v.top + (v.high.y - v.low.y) * v.scale
-                                + DRAW_PAD);
-    stack_draw_frame(w, &v);
-    for (int i = 0; i < w->laid; i++) {
-        double at = each * i / all;
-        fprintf(out, "<g><animate attributeName=\"opacity\" dur=\"%.2fs\" "
-                "repeatCount=\"indefinite\" calcMode=\"discrete\" "
-                "keyTimes=\"0;%.4f\" values=\"0;1\"/>\n", all,
-                fmax(at, 0.0001));
-        stack_draw_stone(w, &v, i);
-        fputs("</g>\n", out);
+    int bad = !m || lay_again(w, m);
+    if (out && !bad) {
+        stack_view(w, &v, DRAW_WIDTH);
+        v.out = out;
+        const double foot = v.top + (v.high.y - v.low.y) * v.scale + 14;
+        draw_begin(out, DRAW_WIDTH, ceil(foot + 60 + 18 + DRAW_PAD));
+        draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
+        stack_draw_frame(w, &v);
+        put_film(w, &v, m, foot);
+        draw_close(out);
+        bad = draw_end(out);
     }
-    bad = draw_end(out);
+    free(m);
+    if (!out) return fail(path, strerror(errno));
     bad |= fclose(out);
     return bad ? fail(path, "cannot be written") : 0;
 }
@@ -539,7 +600,7 @@ static int run_seed(const struct settings *all, int seed)
 
 int main(int argc, char **argv)
 {
-    struct settings o = { stack_defaults(), NULL, "wall.kern", "wall.svg",
+    struct settings o = { stack_defaults(), NULL, "stacked.kern", "stacked.svg",
                           NULL, NULL, NULL, -1, 0, 36, 1, 0, 1, 1 };
     int bad;
     o.plan.width = o.plan.height = 0;
