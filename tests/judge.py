@@ -9,6 +9,7 @@ import csv
 import glob
 import json
 import os
+import re
 import sys
 import xml.dom.minidom
 
@@ -35,6 +36,23 @@ def structures(name):
     assert all(r['status'] in ('stands', 'falls') for r in found), found
     assert [r['file'] for r in found if r['status'] == 'falls'] == [
         'examples/structures/falls.kern']
+
+
+def keys(name, text):
+    """Every key of the objects stands in a text."""
+    def found(value):
+        if isinstance(value, dict):
+            return set(value).union(*map(found, value.values()))
+        return set().union(*map(found, value)) if isinstance(
+            value, list) else set()
+
+    with open(text, encoding='utf-8') as file:
+        words = set(re.findall(r'\w+', file.read()))
+    missing = {key for key in found(objects(name)) if key not in words}
+    for key in list(missing):  # progressive_* stands for all of these
+        if key.rsplit('_', 1)[0] + '_' in words:
+            missing.discard(key)
+    assert not missing, missing
 
 
 def profiles(name):
@@ -102,6 +120,5 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    {f.__name__: f for f in (
-        svg, structures, profiles, pushes, figures, walls)}[
-        sys.argv[1]](*sys.argv[2:])
+    checks = svg, structures, keys, profiles, pushes, figures, walls
+    {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

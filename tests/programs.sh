@@ -64,6 +64,32 @@ bad_input() { # a bad file is reported, the next analysed
     [ $? -eq 2 ] && grep -q "bad.kern:1:" "$out/e" && grep -q stands "$out/o"
 }
 
+keys() { # every key of the JSON stands in the help
+    local kern
+    kern=$(program kern examples/kern.c) || return 1
+    "$kern" --json --forces --mechanism --profile --near --raised --sequence \
+        --error 0.01 --measured 0.001 examples/structures/{falls,tower}.kern \
+        >"$out/all.json"
+    [ $? -eq 1 ] && "$kern" --help >"$out/help" &&
+        $judge keys "$out/all.json" "$out/help"
+}
+
+kept() { # no picture is written over a structure
+    local kern shake stack place bad i=0 file=$out/kept.kern
+    kern=$(program kern examples/kern.c) &&
+        shake=$(program shake examples/shaking/shake.c) &&
+        stack=$(program stack examples/walls/stack.c) &&
+        place=$(program place examples/place.c) || return 1
+    cp examples/structures/tower.kern "$file"
+    for bad in "$kern --svg" "$shake --svg" "$shake --film" "$place" \
+        "$stack --irregularity 10 --svg" "$stack --irregularity 10 --film"; do
+        $bad "$file" examples/structures/falls.kern >"$out/o" 2>"$out/e"
+        [ $? -eq 2 ] && cmp "$file" examples/structures/tower.kern || return 1
+        i=$((i + 1))
+    done
+    [ "$i" -eq 6 ]
+}
+
 reader() { # in any locale, and of files without an end
     local kern text
     kern=$(program kern examples/kern.c) &&
@@ -147,6 +173,31 @@ figures() { # a small version; numbers are checked, not pixels
     "$figures" --quick "$out" &&
         "$study" --csv "$out/measures.csv" --svg "$out/scatter" "$out" \
             >"$out/study.md" && $judge figures "$out"
+}
+
+timeless() { # the lines of JSON in two files are the same, but for times
+    diff <(sed 's/, "seconds": [0-9.]*//' "$1") \
+        <(sed 's/, "seconds": [0-9.]*//' "$2") && [ "$(wc -l <"$1")" -eq "$3" ]
+}
+
+spread() { # a study over two jobs prints the lines of one process
+    local figures shake stack tower=$PWD/examples/structures/tower.kern
+    local parallel="parallel --will-cite --keep-order --jobs 2"
+    local walls="--json --irregularity 30 --stones 10 --walls 2"
+    figures=$(program figures examples/shaking/figures.c) &&
+        shake=$(program shake examples/shaking/shake.c) &&
+        stack=$(program stack examples/walls/stack.c) &&
+        mkdir -p "$out"/{one,two}/structures && cd "$out" || return 1
+    "$figures" --quick --json --seed 1-6 one >f1 &&
+        seq 6 | $parallel "$figures" --quick --json --seed {} two >f2 &&
+        timeless f1 f2 6 && diff -r one two &&
+        "$shake" --json --levels 9 --seed 1-4 "$tower" >s1 &&
+        seq 4 | $parallel "$shake" --json --levels 9 --seed {} "$tower" >s2 &&
+        timeless s1 s2 4 || return 1
+    # shellcheck disable=SC2086
+    "$stack" $walls --seed 1-3 --out w.kern --svg w.svg >w1 &&
+        seq 3 | $parallel "$stack" $walls --seed {} --out w-{}.kern \
+            --svg w-{}.svg >w2 && timeless w1 w2 3
 }
 
 stacking() { # stones, features, walls that stand at every step; bad input
