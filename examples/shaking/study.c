@@ -152,7 +152,7 @@ static int measure_entry(const struct study *y, struct entry *e)
     for (int i = 0; i < m.task.s.blocks && !bad; i++) {
         if (m.task.s.block[i].fixed) continue;
         snprintf(e->stone[e->stones], WORD, "%s", m.text.name[i]);
-        e->moved[e->stones] = NAN;
+        e->moved[e->stones] = (double)NAN;
         e->fate[e->stones++] = ((double)m.fate[1][i] + (double)m.fate[2][i])
                                / 2;
     }
