@@ -1869,8 +1869,7 @@ static kern_status kern_level_scan(kern_model *m, const kern_path *path,
         out->level = status == KERN_FALLS ? k - 1 : last + 1;
     else
         out->level = -1;
-    return status == KERN_FALLS || status == KERN_UNDECIDED ? KERN_STANDS
-                                                            : status;
+    return status >= KERN_UNDECIDED ? KERN_OK : status;
 }
 
 /* The same where kerns are nested: outside of the proven bracket [holds, fails]
@@ -1889,7 +1888,7 @@ static kern_status kern_level_nested(kern_model *m, const kern_path *path,
                          < path->fails)
         return kern_level_scan(m, path, k, last, out);
     out->level = k;
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
@@ -2796,28 +2795,30 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
-    kern_status status;
+    kern_status status, done = KERN_OK;
     if (nested)
         status = kern_path_search(m, path, path->unit * KERN_FIRST,
                                   path->unit * KERN_FIRST);
     else {
         status = kern_path_evaluate(m, path, KERN_R(0));
         if (status == KERN_STANDS)
-            status = kern_level_scan(m, path, 1, last, out);
+            done = kern_level_scan(m, path, 1, last, out);
         if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-        if (status == KERN_STANDS)
+        if (status == KERN_STANDS && done == KERN_OK)
             status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
     }
     if (path->never && path->end < out->most) /* where the scan said it falls */
         return KERN_UNDECIDED;
-    if (status != KERN_STANDS)
-        return status;
+    if (status != KERN_STANDS || done != KERN_OK)
+        return done == KERN_OK ? status : done;
     out->margin = path->edge;
     out->holds = path->holds;
     out->fails = path->fails;
     out->saturated = path->never;
-    return nested ? kern_level_nested(m, path, last, out) : status;
+    if (nested)
+        done = kern_level_nested(m, path, last, out);
+    return done == KERN_OK ? status : done;
 }
 
 /* The measure of what falls at once, and how many steps of Algorithm 1 there
@@ -3282,7 +3283,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     for (i = 0; i < m->s->blocks; i++)
         if (kern_is_free(m, i))
             kern_fall_add(fall, i, path->end);
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 /* e^-x for x >= 0, the first terms of its series squared ten times: libm may
@@ -3357,7 +3358,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     for (i = 0; i < s->blocks; i++)
         if (s->block[i].fixed)
             value[i] = KERN_INFINITY;
-    if (status != KERN_STANDS)
+    if (status != KERN_OK)
         return status;
     out->least = value[0];
     for (i = 1; i < s->blocks; i++)
@@ -4762,7 +4763,7 @@ static kern_status kern_part_lay(kern_part *p)
         kern_simplex_lay(&p->simplex, &p->lp, room, &take);
         if (kern_take_fits(&take)) {
             p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
-            return KERN_STANDS;
+            return KERN_OK;
         }
     }
     return KERN_NO_SPACE;
@@ -4950,7 +4951,7 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
         p->group[g] = g;
     for (k = 0; k < p->contacts; k++)
         p->contact[k] = k;
-    if (kern_part_lay(p) != KERN_STANDS)
+    if (kern_part_lay(p) != KERN_OK)
         return KERN_NO_SPACE;
     for (k = 0; k < p->contacts && m->prior; k++) {
         const kern_real f = m->prior[k].normal / m->weight;
@@ -4962,7 +4963,7 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
     }
     if (m->prior)
         p->simplex.prior = p->x;
-    return KERN_STANDS;
+    return KERN_OK;
 }
 
 static void kern_falls_clear(kern_model *m)
@@ -5118,7 +5119,7 @@ static kern_status kern_model_plain(kern_model *m, kern_part *p,
     kern_status status;
     kern_model_set(m, q);
     status = kern_part_all(p, m);
-    m->plain = status == KERN_STANDS;
+    m->plain = status == KERN_OK;
     return status;
 }
 
@@ -5134,11 +5135,11 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         status = kern_model_pour(m, p, q, 1);
         if (status == KERN_STANDS)
             return status;
-        if (status == KERN_FALLS && kern_part_lay(p) == KERN_STANDS
+        if (status == KERN_FALLS && kern_part_lay(p) == KERN_OK
             && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
         status = kern_model_plain(m, p, q);
-        if (status != KERN_STANDS)
+        if (status != KERN_OK)
             return status;
     }
     return kern_part_evaluate(p, q);
@@ -6057,7 +6058,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     if (status == KERN_STANDS)
         return status;
     status = kern_model_plain(m, path->part, &q);
-    if (status != KERN_STANDS)
+    if (status != KERN_OK)
         return status;
     if (at > holds && (near_part || seeded)) {
         status = kern_path_evaluate(m, path, at);
@@ -6092,7 +6093,7 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     }
     if (status != KERN_FALLS)
         return status;
-    if (kern_part_widen(path->part) != KERN_STANDS)
+    if (kern_part_widen(path->part) != KERN_OK)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
@@ -6147,7 +6148,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                 return status;
             }
             if (fell)
-                status = kern_part_again(path->part, m);
+                status = kern_part_again(path->part, m) == KERN_OK
+                         ? KERN_STANDS : KERN_NO_SPACE;
             else if (seeded && kern_path_moved(m, path, first) == KERN_FALLS)
                 fell = 1;
             else
