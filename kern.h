@@ -767,8 +767,10 @@ typedef struct kern_known {
     kern_real holds, margin, fails; /* of the last measure; fails 0: there
                                        was none                               */
     int blocks, contacts; /* that it checked and balanced; 0: none            */
+    kern_real seen;       /* a sum over these blocks, by which it is noticed
+                             that one was changed                             */
     kern_vec gravity;     /* that it was measured under,                      */
-    int relative;         /* and how                                          */
+    int relative, nested; /* and how; nonzero: its kerns are nested           */
 } kern_known;
 
 /* What a call needs. kern_task_of() fills it; each field may be changed between
@@ -1612,11 +1614,11 @@ static kern_real kern_contact_length(const kern_contact *c)
 
 /* Whether a contact carries nothing: one of its blocks is gone, or it is too
    short. */
-static int kern_is_out(const kern_query *q, const kern_contact *c)
+static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     const kern_real length = kern_contact_length(c);
     return kern_is_gone(q, c->a, c->b)
-           || (length > 0 && length < q->shortest);
+           || (length < q->shortest && length > 0);
 }
 
 /* What gravity does to a mass. */
@@ -1801,8 +1803,9 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 /* Narrows the bracket to the tolerance. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path,
                                   int rounds);
-/* The travels of all kerns. */
-static kern_travels kern_travels_of(const kern_model *m);
+/* The travels of the kerns of all contacts from one on. */
+static kern_travels kern_travels_of(const kern_structure *s,
+                                    const kern_query *q, int from);
 /* Goes in steps until it falls, and narrows the bracket there. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real step, int even);
@@ -2073,85 +2076,85 @@ static kern_status kern_task_check(const kern_task *task, const void *out,
    a motion is a proof without rounding as well. */
 
 /* What is left over in the rows of all free blocks, under contact forces of
-   `sum`, as a share of what is allowed; in *weight what acts on them. A block
-   whose fourth sum is below 0 is left out. */
+   `sum`, four a block, as a share of what is allowed, and all normal forces,
+   `total`, as a share of the bound. A block whose fourth sum is below 0 is left
+   out. */
 static kern_real kern_prove_rows(const kern_structure *s,
                                  const kern_query *q, const kern_real *sum,
-                                 kern_real *weight)
+                                 kern_real total)
 {
-    kern_real error = KERN_R(0);
+    kern_real error = KERN_R(0), weight = KERN_R(0);
     int i;
-    *weight = KERN_R(0);
     for (i = 0; i < s->blocks; i++, sum += 4)
-        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
+        if (!(sum[3] < 0) && !s->block[i].fixed && !kern_is_gone(q, i, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
-            kern_real x, y, turn, left;
-            *weight += size;
-            if (sum[3] < 0)
-                continue;
-            x = kern_abs(sum[0] + w.fx);
-            y = kern_abs(sum[1] + w.fy);
-            turn = kern_abs(sum[2] + w.torque) / kern_block_size(s->block + i);
-            left = kern_max(kern_max(x, y), turn);
+            const kern_real x = kern_abs(sum[0] + w.fx);
+            const kern_real y = kern_abs(sum[1] + w.fy);
+            const kern_real turn = kern_abs(sum[2] + w.torque)
+                                   / kern_block_size(s->block + i);
+            const kern_real left = kern_max(kern_max(x, y), turn);
+            weight += size;
             if (!(x + y + turn <= KERN_HUGE))
                 return KERN_INFINITY;
             if (left > 0)
                 error = kern_max(error, left / (KERN_TOL * size
                                                 + KERN_ROUNDING * sum[3]));
         }
-    return error;
-}
-
-/* `sum` is scratch, four a block. Where `some` is nonzero the fourth is given:
-   0, or below 0 for a block whose rows were verified under the same forces. */
-static kern_real kern_prove_forces(const kern_structure *s,
-                                   const kern_query *q,
-                                   const kern_force *force, kern_real *sum,
-                                   int some)
-{
-    const kern_real slope = kern_slope(q);
-    kern_real total = KERN_R(0), weight, error;
-    int i;
-    for (i = 0; i < 4 * s->blocks; i += 4) {
-        sum[i] = sum[i + 1] = sum[i + 2] = KERN_R(0);
-        if (!some)
-            sum[i + 3] = KERN_R(0);
-    }
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        const kern_real f = force[i].normal, r = force[i].tangential;
-        const kern_real fx = f * c->n.x - r * c->n.y;
-        const kern_real fy = f * c->n.y + r * c->n.x;
-        kern_vec arm[2];
-        int end;
-        if (kern_is_out(q, c))
-            continue;
-        if (!(f >= 0) || !(kern_abs(r) <= kern_friction(c, slope) * f
-                                           * (1 + 8 * KERN_EPS)))
-            return KERN_INFINITY;
-        total += f;
-        if (sum[4 * c->a + 3] < 0 && sum[4 * c->b + 3] < 0)
-            continue;
-        kern_arms(s, c, q, arm);
-        for (end = 0; end < 2; end++) {
-            kern_real *at = sum + 4 * (end ? c->b : c->a);
-            const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-            if (at[3] < 0)
-                continue;
-            at[0] += sign * fx;
-            at[1] += sign * fy;
-            at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
-            at[3] = kern_max(at[3], f);
-        }
-    }
-    error = kern_prove_rows(s, q, sum, &weight);
     weight *= KERN_BOUND;
     if (!(weight <= KERN_HUGE)) /* too much is allowed to prove anything */
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
     return error <= 1 ? error : kern_max(error, KERN_R(2));
+}
+
+/* Adds a force of contact c to the sums of its blocks, but for what is left
+   out. Returns whether it is in its cone. */
+static inline int kern_prove_contact(const kern_structure *s,
+                                     const kern_query *q, const kern_contact *c,
+                                     const kern_force *force, kern_real slope,
+                                     kern_real *sum)
+{
+    const kern_real f = force->normal, r = force->tangential;
+    const kern_real fx = f * c->n.x - r * c->n.y;
+    const kern_real fy = f * c->n.y + r * c->n.x;
+    kern_vec arm[2];
+    int end;
+    kern_arms(s, c, q, arm);
+    for (end = 0; end < 2; end++) {
+        kern_real *at = sum + 4 * (end ? c->b : c->a);
+        const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
+        if (at[3] < 0)
+            continue;
+        at[0] += sign * fx;
+        at[1] += sign * fy;
+        at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
+        at[3] = kern_max(at[3], f);
+    }
+    return f >= 0 && kern_abs(r) <= kern_friction(c, slope) * f
+                                    * (1 + 8 * KERN_EPS);
+}
+
+/* `sum` is scratch, four a block. */
+static kern_real kern_prove_forces(const kern_structure *s,
+                                   const kern_query *q,
+                                   const kern_force *force, kern_real *sum)
+{
+    const kern_real slope = kern_slope(q);
+    kern_real total = KERN_R(0);
+    int i;
+    for (i = 0; i < 4 * s->blocks; i++)
+        sum[i] = KERN_R(0);
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        if (kern_is_out(q, c))
+            continue;
+        if (!kern_prove_contact(s, q, c, force + i, slope, sum))
+            return KERN_INFINITY;
+        total += force[i].normal;
+    }
+    return kern_prove_rows(s, q, sum, total);
 }
 
 /* How fast a motion closes contact c at the most, the rounding of this sum
@@ -2243,7 +2246,7 @@ KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
     if (!kern_take_fits(&take))
         return KERN_INFINITY;
     q = kern_query_of(&task->s, &task->options, shrink);
-    return kern_prove_forces(&task->s, &q, force, sum, 0);
+    return kern_prove_forces(&task->s, &q, force, sum);
 }
 
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
@@ -2291,6 +2294,7 @@ struct kern_model {
     const kern_force *prior;  /* forces that are known, or NULL: they balance
                                  all blocks but the last ...                  */
     kern_real balanced;       /* ... at this shrinkage                        */
+    int complete;             /* nonzero: all are verified at a smaller one   */
     kern_real narrow, slope;  /* of the options, of the last question         */
     const kern_query *lazy; /* groups are opened when they are needed; NULL:
                                   all are                                     */
@@ -2384,7 +2388,8 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     known.motion = motion;
     known.force = force;
     known.holds = known.margin = known.fails = KERN_R(0);
-    known.blocks = known.contacts = known.relative = 0;
+    known.blocks = known.contacts = known.relative = known.nested = 0;
+    known.seen = KERN_R(0);
     known.gravity = kern_vec_make(0, 0);
     return known;
 }
@@ -2422,11 +2427,15 @@ static void kern_model_touch(kern_model *m)
     int g, e;
     for (g = 0; g < m->groups; g++)
         m->touch[g] = KERN_OUT;
-    for (e = 2 * m->s->contacts - 1; e >= 0; e--) {
-        g = m->ends[e];
-        if (g < m->groups && g != m->ends[e ^ 1]) {
-            m->after[e] = m->touch[g];
-            m->touch[g] = e;
+    for (e = 2 * m->s->contacts - 2; e >= 0; e -= 2) {
+        const int h = m->ends[e], t = m->ends[e + 1];
+        if (t < m->groups && t != h) {
+            m->after[e + 1] = m->touch[t];
+            m->touch[t] = e + 1;
+        }
+        if (h < m->groups && t != h) {
+            m->after[e] = m->touch[h];
+            m->touch[h] = e;
         }
     }
 }
@@ -2437,7 +2446,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     const kern_structure *s = m->s;
     int i, g;
     m->groups = m->plain = 0;
-    for (i = m->from; i < s->blocks; i++)
+    for (i = s->blocks - 1; i >= m->from; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->block[m->groups++] = i;
     kern_model_order(m, s->gravity, m->block);
@@ -2455,12 +2464,11 @@ static void kern_model_group(kern_model *m, const kern_query *q)
 }
 
 /* Opens the model of a structure that has been checked, with so many free
-   blocks: of all, or of its last block with all others held. */
+   blocks: of the task, or else of its last block with all others held. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
-                                   const kern_query *q, int free_blocks,
-                                   int last_only)
+                                   const kern_structure *s, const kern_query *q,
+                                   int free_blocks)
 {
-    const kern_structure *s = &task->s;
     kern_take_open(&m->rest, task->work);
     kern_model_lay(m, s->blocks, free_blocks, s->contacts);
     if (!kern_take_fits(&m->rest))
@@ -2470,9 +2478,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->limit = task->options.limit;
     m->query_units = 1 + (s->blocks + s->contacts) / 4;
     m->relative = task->options.relative;
-    m->mean = kern_mean_size(s->block, s->blocks);
+    m->mean = q->mean;
     m->weight = KERN_R(1);
-    m->from = last_only ? s->blocks - 1 : 0;
+    m->from = s == &task->s ? 0 : s->blocks - 1;
     m->prior = NULL;
     m->lazy = NULL;
     m->balanced = KERN_R(0);
@@ -2561,35 +2569,34 @@ static void kern_model_set(kern_model *m, const kern_query *q)
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->work, m->limit, units); }
 
-/* Makes forces at the shrinkage where the known ones balance into forces at a
-   smaller one: those of a line move outward, and exert the same. Those of
-   points that travel do not, which the proof finds out. */
-static void kern_force_widen(kern_model *m, kern_real shrink)
+/* Makes the known forces of the line that begins with contact i, where they
+   balance, into forces at a smaller shrinkage: they move outward, and exert the
+   same. Returns whether it is a line. */
+static int kern_force_widen(kern_model *m, int i, kern_real shrink)
 {
-    const kern_structure *s = m->s;
-    int i, k, line;
-    for (i = 0; i < s->contacts; i += 1 + line) {
-        const kern_contact *c = s->contact + i;
-        kern_force *f = m->force + i;
-        const kern_real travel = kern_travel(c, m->mean);
-        const kern_real mu = kern_model_mu(m, i);
-        kern_real rate, was, is, sum, more, along;
-        line = c->line && i + 1 < s->contacts && c[1].line;
-        sum = line ? f[0].normal + f[1].normal : KERN_R(0);
-        if (!(sum > 0))
-            continue;
-        was = travel - kern_shift(travel, m->balanced, m->relative, &rate);
-        is = travel - kern_shift(travel, shrink, m->relative, &rate);
-        along = (f[0].tangential + f[1].tangential) / sum;
-        along = kern_min(kern_max(along, -mu), mu);
-        more = f[0].normal - f[1].normal;
-        if (kern_abs(is) > 0)
-            more *= was / is;
-        for (k = 0; k < 2; k++, more = -more) {
-            f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
-            f[k].tangential = along * f[k].normal;
-        }
+    const kern_contact *c = m->s->contact + i;
+    const int line = c->line && i + 1 < m->s->contacts && c[1].line
+                     && c->a == c[1].a && c->b == c[1].b;
+    kern_force *f = m->force + i;
+    const kern_real travel = kern_travel(c, m->mean);
+    const kern_real mu = kern_model_mu(m, i);
+    kern_real rate, was, is, sum, more, along;
+    int k;
+    sum = line ? f[0].normal + f[1].normal : KERN_R(0);
+    if (!(sum > 0))
+        return line;
+    was = travel - kern_shift(travel, m->balanced, m->relative, &rate);
+    is = travel - kern_shift(travel, shrink, m->relative, &rate);
+    along = (f[0].tangential + f[1].tangential) / sum;
+    along = kern_min(kern_max(along, -mu), mu);
+    more = f[0].normal - f[1].normal;
+    if (kern_abs(is) > 0)
+        more *= was / is;
+    for (k = 0; k < 2; k++, more = -more) {
+        f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
+        f[k].tangential = along * f[k].normal;
     }
+    return line;
 }
 
 /* The model for a query whose forces are known but for those on the last
@@ -2612,8 +2619,6 @@ static void kern_model_keep(kern_model *m, const kern_force *known,
         m->local[g] = KERN_OUT;
     for (i = 0; i < m->s->contacts; i++)
         m->force[i] = known[i];
-    if (q->shrink < m->balanced)
-        kern_force_widen(m, q->shrink);
     m->prior = m->force; /* the least change of what is there is found */
 }
 
@@ -2621,15 +2626,30 @@ static void kern_model_keep(kern_model *m, const kern_force *known,
 static void kern_model_loosen(kern_model *m, int g)
 {
     int e;
+    m->next[g] = g;
+    if (!(m->lazy->shrink < m->balanced))
+        return;
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int other = m->ends[e ^ 1];
+        if ((other == m->groups || m->next[other] == KERN_OUT)
+            && kern_force_widen(m, e >> 1, m->lazy->shrink))
+            e += 2;
+    }
+}
+
+/* The same, with its load and torques. */
+static void kern_model_unfold(kern_model *m, int g)
+{
+    int e;
     if (m->next[g] != KERN_OUT)
         return;
     kern_model_load(m, m->lazy, g);
     for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int i = e >> 1, other = m->ends[e ^ 1];
+        const int other = m->ends[e ^ 1];
         if (other == m->groups || m->next[other] == KERN_OUT)
-            kern_model_arm(m, m->lazy, i, m->arm + 4 * (size_t)i);
+            kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
     }
-    m->next[g] = g;
+    kern_model_loosen(m, g);
 }
 
 /* ---- Parts and programs ---------------------------------------- >>engine */
@@ -2718,23 +2738,24 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 
 
 /* ---- The measures --------------------------------------------- >>measure */
-static kern_real kern_step(const kern_model *m, const kern_options *o)
+static kern_real kern_step(const kern_query *q, const kern_options *o)
 {
     if (o->epsilon > 0)
         return o->epsilon;
-    return m->relative ? KERN_R(0.05) : KERN_R(0.02) * m->mean;
+    return q->relative ? KERN_R(0.05) : KERN_R(0.02) * q->mean;
 }
 
 /* Opens the model of a task that has been checked, and a path in it along which
    kerns shrink. */
 static kern_status kern_path_begin(kern_path *path, kern_model *m,
                                    kern_part *part, const kern_task *task,
-                                   int free_blocks, int last_only)
+                                   const kern_structure *s,
+                                   const kern_query *q, int free_blocks)
 {
     path->kind = KERN_PATH_SHRINK;
     path->part = part;
     path->proof = NULL;
-    path->q = kern_query_of(&task->s, &task->options, KERN_R(0));
+    path->q = *q;
     path->seed = NULL;
     path->alone = path->begun = 0;
     path->unit = task->options.relative ? 1 : path->q.mean;
@@ -2744,7 +2765,7 @@ static kern_status kern_path_begin(kern_path *path, kern_model *m,
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
     path->never = path->closed = 0;
-    return kern_model_open(m, task, &path->q, free_blocks, last_only);
+    return kern_model_open(m, task, s, &path->q, free_blocks);
 }
 
 /* Along the path a load grows or gravity turns instead. */
@@ -2764,15 +2785,15 @@ static kern_status kern_path_open(kern_path *path, kern_model *m,
                                   kern_part *part, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
+    kern_query q;
     int free_blocks = 0;
     kern_status status = kern_task_check(task, out, &free_blocks);
     if (status == KERN_OK && !kern_is_finite(shrink))
         status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
-    status = kern_path_begin(path, m, part, task, free_blocks, 0);
-    path->q.shrink = shrink;
-    return status;
+    q = kern_query_of(&task->s, &task->options, shrink);
+    return kern_path_begin(path, m, part, task, &task->s, &q, free_blocks);
 }
 
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
@@ -2821,31 +2842,25 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     return done == KERN_OK ? status : done;
 }
 
-/* The measure of what falls at once, and how many steps of Algorithm 1 there
-   would be. */
-static kern_status kern_measure_none(const kern_model *m,
-                                     const kern_options *o, kern_margin *out,
-                                     int *last)
-{
-    out->most = kern_travels_of(m).most;
-    out->epsilon = kern_step(m, o);
-    out->margin = out->holds = out->fails = KERN_R(0);
-    out->level = out->saturated = 0;
-    return kern_steps(out, last);
-}
-
-/* The measure along a path that has been opened. */
+/* The measure along a path that has been opened, if status is KERN_OK, or of
+   what falls at once: KERN_FALLS. */
 static kern_status kern_measure_along(kern_model *m, kern_path *path,
-                                      const kern_options *o, kern_margin *out)
+                                      const kern_task *task, kern_status status,
+                                      kern_margin *out)
 {
+    const kern_travels travels = kern_travels_of(&task->s, &path->q, 0);
     kern_margin r;
-    int last = 0;
-    kern_status status = kern_measure_none(m, o, &r, &last);
-    if (status != KERN_OK)
-        return status;
+    int last;
+    r.most = travels.most;
+    r.epsilon = kern_step(&path->q, &task->options);
+    r.margin = r.holds = r.fails = KERN_R(0);
+    r.level = r.saturated = 0;
+    if (kern_steps(&r, &last) != KERN_OK)
+        return KERN_BAD_STEP;
     path->end = r.most;
-    status = kern_spent(m->work, m->limit, kern_measure_path(
-        m, path, kern_travels_of(m).nested, last, &r));
+    if (status == KERN_OK)
+        status = kern_spent(m->work, m->limit, kern_measure_path(
+            m, path, travels.nested, last, &r));
     if (status == KERN_LIMIT) {
         r.fails = kern_min(path->fell, r.most);
         r.margin = r.holds = kern_min(path->stood, r.fails);
@@ -2873,9 +2888,23 @@ static kern_seed kern_known_seed(const kern_task *task)
     return seed;
 }
 
+/* A sum over what acts on free blocks, and where. */
+static kern_real kern_known_seen(const kern_block *block, int blocks)
+{
+    kern_real sum = KERN_R(0);
+    int i;
+    for (i = 0; i < blocks; i++) {
+        const kern_block *b = block + i;
+        if (!b->fixed)
+            sum += KERN_R(i + 1) * (b->mass + b->centre.x + 3 * b->centre.y)
+                   + b->load.fx + 3 * b->load.fy + 5 * b->load.torque;
+    }
+    return sum;
+}
+
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
-static void kern_known_set(kern_task *task, kern_status status,
+static void kern_known_set(kern_task *task, kern_status status, int nested,
                            const kern_margin *out, const kern_proof *proof)
 {
     kern_known *known = &task->known;
@@ -2898,6 +2927,8 @@ static void kern_known_set(kern_task *task, kern_status status,
         known->contacts = task->s.contacts;
         known->gravity = task->s.gravity;
         known->relative = task->options.relative;
+        known->nested = nested;
+        known->seen = kern_known_seen(task->s.block, task->s.blocks);
     }
 }
 
@@ -2921,11 +2952,12 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         seed = kern_known_seed(task);
         path.seed = &seed;
     }
-    status = kern_measure_along(&m, &path, &task->options, out);
+    status = kern_measure_along(&m, &path, task, status, out);
     if (warm && status != KERN_BAD_STEP) /* forces may have changed */
         task->known.blocks = 0;
     if (warm && status >= 0)
-        kern_known_set(task, status, out, proof);
+        kern_known_set(task, status,
+                       kern_travels_of(&task->s, &path.q, 0).nested, out, proof);
     else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
         /* its proof has been written over */
         task->known.fails = KERN_R(0);
@@ -2962,7 +2994,7 @@ static kern_real kern_extent(const kern_structure *s)
 static kern_status kern_grow(kern_model *m, kern_path *path,
                              kern_real *deficit)
 {
-    const kern_travels travels = kern_travels_of(m);
+    const kern_travels travels = kern_travels_of(m->s, &path->q, 0);
     const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
     kern_real limit = 1000 * kern_extent(m->s), grown;
     kern_status status;
@@ -3251,7 +3283,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
     kern_status status;
     int even = 0;
     if (path->kind == KERN_PATH_SHRINK) {
-        even = !kern_travels_of(m).nested;
+        even = !kern_travels_of(m->s, &path->q, 0).nested;
         step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
     }
     status = even ? kern_path_climb(m, path, step, 1)
@@ -3344,8 +3376,9 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         return KERN_BAD_OPTION;
     if (side != KERN_SHRINK)
         kern_path_push(&path, KERN_PATH_LOAD, NULL, side);
+    path.end = side ? KERN_PROFILE_MOST
+                    : kern_travels_of(s, &path.q, 0).most;
     path.q.fallen = value;
-    path.end = side ? KERN_PROFILE_MOST : kern_travels_of(&m).most;
     free_blocks = m.groups;
     half = (free_blocks + 1) / 2;
     fall.weak = half;
@@ -4323,7 +4356,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                              0, KERN_FORCES_ROUNDS);
     if (status == KERN_STANDS) {
         kern_least_write(&part);
-        error = kern_prove_forces(m.s, &path.q, m.force, m.sum, 0);
+        error = kern_prove_forces(m.s, &path.q, m.force, m.sum);
         if (error <= 1) {
             task->work->error = kern_max(task->work->error, error);
             kern_proof_out(&m, &proof, status);
@@ -4354,7 +4387,7 @@ static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
                              + kern_abs(r - to->tangential);
     if (on < m->groups && change > tolerance) {
         const int last = m->leader[on];
-        kern_model_loosen(m, on);
+        kern_model_unfold(m, on);
         m->dirty[last] = 1;
         m->again = last < m->again ? last : m->again;
     }
@@ -4413,26 +4446,37 @@ static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 static inline kern_real kern_row_along(const kern_row *c, const kern_real *u)
 { return -c->n[1] * u[0] + c->n[0] * u[1] + c->turn * u[2]; }
 
+/* The contact with end e at the group. */
+static inline void kern_pour_row(const kern_model *m, int e, kern_row *row)
+{
+    kern_real t[3];
+    kern_model_rows(m, e >> 1, e & 1, row->n, t);
+    row->turn = t[2];
+    row->mu = kern_model_mu(m, e >> 1);
+    row->end = e;
+    kern_model_prior(m, e >> 1, &row->wn, &row->wt);
+}
+
+/* Its force where the group moves by u. */
+static inline kern_spring kern_row_spring(const kern_row *row,
+                                          const kern_real u[3])
+{
+    return kern_spring_of(row->wn + kern_three(row->n, u),
+                          row->wt + kern_row_along(row, u), row->mu);
+}
+
 /* Lists the contacts that carry group g; returns how many, or one more than
    there is room for. */
 static int kern_pour_rows(const kern_model *m, int g,
                           kern_row row[KERN_ROWS_MOST])
 {
-    kern_real t[3];
     int e, n = 0;
     for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int i = e >> 1, other = m->ends[e ^ 1];
-        if (other < g)
+        if (m->ends[e ^ 1] < g)
             continue;
         if (n == KERN_ROWS_MOST)
             return n + 1;
-        kern_model_rows(m, i, e & 1, row[n].n, t);
-        row[n].turn = t[2];
-        row[n].mu = kern_model_mu(m, i);
-        row[n].end = e;
-        row[n].mask = 3;
-        kern_model_prior(m, i, &row[n].wn, &row[n].wt);
-        n++;
+        kern_pour_row(m, e, row + n++);
     }
     return n;
 }
@@ -4472,19 +4516,17 @@ static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
     }
 }
 
-/* Balances group g alone, by Newton's method with full steps. KERN_FALLS where
-   that ends with something left; KERN_UNDECIDED where it does not end soon. */
-static kern_status kern_pour_alone(kern_model *m, int g)
+/* The least change u that makes the rows exert b, by Newton's method with full
+   steps. KERN_FALLS where that ends with something left; KERN_UNDECIDED where
+   it does not end soon. */
+static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
+                                   kern_real tolerance, kern_real u[3])
 {
-    kern_row row[KERN_ROWS_MOST];
-    kern_real b[3], u[3], left[3], h[6], step[3];
-    kern_real most = KERN_R(0), tolerance = KERN_POUR_TOL * m->size[g];
-    const int n = kern_pour_rows(m, g, row);
+    kern_real left[3], h[6], step[3], most;
     int k, j, round, changed = 1, good = 0;
-    if (n > KERN_ROWS_MOST)
-        return KERN_UNDECIDED;
-    kern_pour_load(m, g, b);
     u[0] = u[1] = u[2] = KERN_R(0);
+    for (k = 0; k < n; k++)
+        row[k].mask = 3;
     for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
         kern_pour_sum(row, n, u, b, left, h);
         good = kern_pour_three(h, left, step);
@@ -4513,14 +4555,28 @@ static kern_status kern_pour_alone(kern_model *m, int g)
         for (j = 0; j < 3; j++)
             u[j] += step[j];
     }
-    for (k = 0; k < n; k++) {
-        const kern_spring s = kern_spring_of(
-            row[k].wn + kern_three(row[k].n, u),
-            row[k].wt + kern_row_along(row + k, u), row[k].mu);
+    return KERN_STANDS;
+}
+
+/* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
+static kern_status kern_pour_alone(kern_model *m, int g)
+{
+    kern_row row[KERN_ROWS_MOST];
+    kern_real b[3], u[3];
+    const kern_real tolerance = KERN_POUR_TOL * m->size[g];
+    kern_status status;
+    int n, k;
+    n = kern_pour_rows(m, g, row);
+    if (n > KERN_ROWS_MOST)
+        return KERN_UNDECIDED;
+    kern_pour_load(m, g, b);
+    status = kern_pour_solve(row, n, b, tolerance, u);
+    for (k = 0; k < n && status == KERN_STANDS; k++) {
+        const kern_spring s = kern_row_spring(row + k, u);
         kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f, s.r,
                         tolerance);
     }
-    return KERN_STANDS;
+    return status;
 }
 
 /* Joins two units; returns the last group of both. */
@@ -4567,7 +4623,7 @@ static int kern_pour_grow(kern_model *m, int *last, int levels)
             const int h = m->ends[e ^ 1];
             if (h < g && m->local[h] == KERN_OUT) {
                 int joined;
-                kern_model_loosen(m, h);
+                kern_model_unfold(m, h);
                 joined = kern_pour_mark(m, h, m->local[g] + 1);
                 m->regrown += joined > 2;
                 added += joined;
@@ -4741,6 +4797,118 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     return KERN_POURED;
 }
 
+/* ---- a change ---- */
+/* Where a block is added, the others are in balance. What is new is passed
+   down from group to group, m->load being what of it a group must pass on: to
+   one line if that can take it, else to all contacts that oppose it, by the
+   least change. So it goes down a row of blocks, as a rule, and not through all
+   that is below. */
+
+/* Adds to the forces of contact end e of a group that passes on. */
+static void kern_pass_write(kern_model *m, int e, kern_real f, kern_real r,
+                            kern_real tolerance)
+{
+    kern_force *to = m->force + (e >> 1);
+    const kern_real df = f - to->normal, dr = r - to->tangential;
+    const int on = m->ends[e ^ 1];
+    if (on < m->groups && m->next[on] == KERN_OUT) {
+        kern_real *left = m->load + 3 * (size_t)on;
+        if (kern_abs(df) + kern_abs(dr) <= tolerance)
+            return;
+        kern_model_loosen(m, on);
+        left[0] = left[1] = left[2] = KERN_R(0);
+    }
+    if (on < m->groups)
+        kern_model_carry(m, e >> 1, (e ^ 1) & 1, df, dr, m->load + 3 * on);
+    to->normal = f;
+    to->tangential = r;
+}
+
+/* Lets the two ends of a line exert what is left besides their forces, if they
+   can. The force along t is shared as that along n is. */
+static int kern_pass_line(kern_model *m, const kern_row *row,
+                          const kern_real left[3], kern_real tolerance)
+{
+    const kern_force *was = m->force + (row->end >> 1);
+    const kern_real along = row->n[0] * left[0] + row->n[1] * left[1];
+    const kern_real across = row->n[0] * left[1] - row->n[1] * left[0];
+    const kern_real turn = left[2] - across * row->turn;
+    const kern_real arm = row[0].n[2] - row[1].n[2];
+    kern_real f[2], share;
+    f[0] = was[0].normal + (turn - along * row[1].n[2]) / arm;
+    f[1] = was[1].normal - (turn - along * row[0].n[2]) / arm;
+    if (!(f[0] >= 0 && f[1] >= 0))
+        return 0;
+    share = (across + was[0].tangential + was[1].tangential) / (f[0] + f[1]);
+    if (!(kern_abs(share) <= row->mu))
+        return 0;
+    kern_pass_write(m, row[0].end, f[0], share * f[0], tolerance);
+    kern_pass_write(m, row[1].end, f[1], share * f[1], tolerance);
+    return 1;
+}
+
+/* Passes on what group g must. */
+static int kern_pass(kern_model *m, int g)
+{
+    kern_row row[KERN_ROWS_MOST];
+    const kern_real *left = m->load + 3 * (size_t)g;
+    const kern_real tolerance = KERN_POUR_TOL * kern_largest(left, 3);
+    kern_real b[3] = {left[0], left[1], left[2]}, u[3];
+    const kern_vec down = m->s->gravity;
+    const kern_real least = kern_vec_largest(down) / 2;
+    int e, n = 0, k;
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const kern_real along = kern_vec_dot(m->s->contact[e >> 1].n, down);
+        if (m->ends[e ^ 1] < g || !((e & 1 ? along : -along) > least))
+            continue;
+        if (n == KERN_ROWS_MOST)
+            return 0;
+        kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
+        kern_pour_row(m, e, row + n++);
+    }
+    for (k = 0; k + 1 < n; k++) {
+        const kern_contact *c = m->s->contact + (row[k].end >> 1);
+        if (c->line && row[k + 1].end == row[k].end + 2 && c[1].line) {
+            if (kern_pass_line(m, row + k, left, tolerance))
+                return 1;
+            k++;
+        }
+    }
+    for (k = 0; k < n; k++) {
+        const kern_force *f = m->force + (row[k].end >> 1);
+        kern_model_carry(m, row[k].end >> 1, row[k].end & 1, -f->normal, -f->tangential, b);
+    }
+    if (kern_pour_solve(row, n, b, tolerance, u) != KERN_STANDS)
+        return 0;
+    for (k = 0; k < n; k++) {
+        const kern_spring s = kern_row_spring(row + k, u);
+        kern_pass_write(m, row[k].end, s.f, s.r, tolerance);
+    }
+    return 1;
+}
+
+/* Passes what is new on group g down to the ground, or to a group that cannot:
+   from there on all that have been opened must be balanced. Returns whether
+   none is left. */
+static int kern_pass_down(kern_model *m, int g)
+{
+    int e, at;
+    for (at = g; at < m->groups; at++)
+        if (m->next[at] != KERN_OUT && !kern_pass(m, at))
+            break;
+    if (at == m->groups)
+        return 1;
+    for (; g < m->groups; g++) {
+        if (m->next[g] == KERN_OUT)
+            continue;
+        kern_model_load(m, m->lazy, g);
+        for (e = m->touch[g]; e >= 0; e = m->after[e])
+            kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
+        m->dirty[g] = g >= at;
+    }
+    return 0;
+}
+
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
 /* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
@@ -4867,7 +5035,7 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
         /* forces may still do, within the tolerance */
         status = KERN_STANDS;
         kern_part_forces(p);
-        error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
+        error = kern_prove_forces(m->s, q, m->force, m->sum);
     }
     if (!(error <= 1))
         return KERN_UNDECIDED;
@@ -5037,6 +5205,34 @@ static kern_status kern_part_again(kern_part *p, kern_model *m)
     return kern_part_lay(p);
 }
 
+/* The proof of forces of which those on groups that keep theirs were proven
+   before: the rows of all others, their contacts, and all forces together. */
+static kern_real kern_prove_change(const kern_model *m, const kern_query *q)
+{
+    const kern_structure *s = m->s;
+    kern_real total = KERN_R(0);
+    int i, e;
+    for (i = 0; i < s->blocks; i++)
+        m->sum[4 * i + 3] = KERN_R(-1);
+    for (i = 0; i < m->groups; i++)
+        if (m->next[i] != KERN_OUT) {
+            kern_real *sum = m->sum + 4 * m->block[i];
+            sum[0] = sum[1] = sum[2] = sum[3] = KERN_R(0);
+        }
+    for (i = 0; i < m->groups; i++)
+        for (e = m->next[i] == KERN_OUT ? KERN_OUT : m->touch[i]; e >= 0;
+             e = m->after[e]) {
+            const int other = m->ends[e ^ 1];
+            if ((other >= i || m->next[other] == KERN_OUT)
+                && !kern_prove_contact(s, q, s->contact + (e >> 1),
+                                       m->force + (e >> 1), m->slope, m->sum))
+                return KERN_INFINITY;
+        }
+    for (i = 0; i < s->contacts; i++)
+        total += m->force[i].normal;
+    return kern_prove_rows(s, q, m->sum, total);
+}
+
 /* Whether the last block stands by a change of forces that balance all others,
    which is looked for below it, and proven where they changed. */
 static int kern_model_change(kern_model *m, kern_part *p,
@@ -5044,27 +5240,23 @@ static int kern_model_change(kern_model *m, kern_part *p,
 {
     const int last = m->group[m->s->blocks - 1];
     const kern_force *known = m->prior;
-    kern_poured poured;
     kern_real error;
-    int i;
+    int g, done;
     if (!known || !(q->shrink <= m->balanced))
         return 0;
     kern_model_keep(m, known, q);
     if (last < m->groups) {
         kern_model_loosen(m, last);
-        m->dirty[last] = 1;
+        kern_model_load(m, q, last);
     }
-    poured = kern_pour(m, p);
+    done = kern_pass_down(m, last) || kern_pour(m, p) == KERN_POURED;
     m->prior = known;
-    if (poured != KERN_POURED)
+    if (!done)
         return 0;
-    for (i = 0; i < m->s->blocks; i++) {
-        const int g = m->group[i];
-        m->sum[4 * i + 3] = g < m->groups && m->next[g] != KERN_OUT
-                            ? KERN_R(0) : KERN_R(-1);
-    }
-    error = kern_prove_forces(m->s, q, m->force, m->sum,
-                              q->shrink >= m->balanced);
+    for (g = 0; g < m->groups && m->complete; g++)
+        if (m->next[g] == KERN_OUT)
+            kern_model_loosen(m, g);
+    error = kern_prove_change(m, q);
     if (!(error <= 1))
         return 0;
     m->work->error = kern_max(m->work->error, error);
@@ -5104,7 +5296,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
         m->force[i].normal *= m->weight;
         m->force[i].tangential *= m->weight;
     }
-    error = kern_prove_forces(m->s, q, m->force, m->sum, 0);
+    error = kern_prove_forces(m->s, q, m->force, m->sum);
     if (!(error <= 1))
         return KERN_UNDECIDED;
     m->work->error = kern_max(m->work->error, error);
@@ -5394,24 +5586,26 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
     return KERN_STANDS;
 }
 
-static kern_travels kern_travels_of(const kern_model *m)
+static kern_travels kern_travels_of(const kern_structure *s,
+                                    const kern_query *q, int from)
 {
     kern_travels t;
     int i;
     t.least = KERN_INFINITY;
     t.most = KERN_R(0);
     t.nested = 1;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_contact *c = m->s->contact + i;
-        const kern_real travel = kern_abs(kern_travel(c, m->mean));
-        if ((!kern_is_free(m, c->a) && !kern_is_free(m, c->b))
-            || !(travel > 0))
+    for (i = from; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real travel = kern_abs(kern_travel(c, q->mean));
+        if (!(travel > 0)
+            || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
+                && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
             continue;
         t.least = kern_min(t.least, travel);
         t.most = kern_max(t.most, travel);
         t.nested &= c->line != 0;
     }
-    if (m->relative)
+    if (q->relative)
         t.most = KERN_R(1);
     return t;
 }
@@ -5904,7 +6098,7 @@ static int kern_inner_holds(kern_inner *in)
     kern_real error;
     p->x = in->x;
     kern_part_forces(p);
-    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum, 0);
+    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum);
     if (error <= 1)
         p->m->work->error = kern_max(p->m->work->error, error);
     return error <= 1;
@@ -6025,7 +6219,7 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
         }
     }
     if (groups < 2 || !kern_part_open(path->part, m, groups, last)
-        || kern_part_note(path->part) != KERN_OK)
+        || kern_part_note(path->part) != KERN_STANDS)
         return status;
     path->alone = 1;
     for (tries = 0; tries < 2 && status != KERN_FALLS; tries++, step *= 4)
@@ -6204,7 +6398,7 @@ static kern_real kern_prove_raised(const kern_structure *s,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
 {
-    kern_real error = kern_prove_forces(s, q, force, sum, 0);
+    kern_real error = kern_prove_forces(s, q, force, sum);
     int i, end;
     for (i = 0; i < s->blocks; i++)
         if (s->block[i].fixed && !(kern_speed(motion + i) <= 0))
@@ -6553,7 +6747,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
         || kern_hang_pass(s, value, 0) > 0)
         return KERN_INFINITY;
     q.fallen = value;
-    return kern_prove_forces(s, &q, proof->force, sum, 0);
+    return kern_prove_forces(s, &q, proof->force, sum);
 }
 
 /* ==== Part V: Geometry and planning ====================================== */
@@ -7291,19 +7485,17 @@ static kern_span kern_outline_span(kern_outline *o, kern_real step, int i)
     return span;
 }
 
-/* The chord that stands for the edge at corner i: 1, or the edge itself: 0. */
-static int kern_outline_chord(kern_outline *o, kern_real step, int i,
-                              kern_edge *chord)
+/* The chord that stands for an edge: 1, or the edge itself: 0. */
+static int kern_outline_chord(kern_outline *o, kern_real step,
+                              const kern_edge *e, kern_edge *chord)
 {
-    const kern_block *block = o->parts.block;
     kern_span span;
     if (!o->spans)
         kern_outline_whole(o);
-    span = kern_outline_span(o, step, i);
+    span = kern_outline_span(o, step, e->start);
+    *chord = *e;
     if (o->steps)
-        kern_edge_set(chord, block, span.start, span.end);
-    else
-        kern_edge_set(chord, block, i, kern_polygon_corner(block, i, 0));
+        kern_edge_set(chord, o->parts.block, span.start, span.end);
     return o->steps;
 }
 
@@ -7424,8 +7616,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(kern_outline_chord(&pair->of[0], pair->step, i->start, &e[0]) |
-          kern_outline_chord(&pair->of[1], pair->step, k->start, &e[1]))) {
+    if (!(kern_outline_chord(&pair->of[0], pair->step, i, &e[0]) |
+          kern_outline_chord(&pair->of[1], pair->step, k, &e[1]))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
@@ -8008,13 +8200,17 @@ static kern_status kern_search_last(kern_search *s)
 {
     kern_status status = KERN_OK;
     const int b = s->blocks - 1;
+    const kern_block *last = s->block + b;
     int a;
     kern_search_reach(s);
-    for (a = 0; a < b && status >= 0; a++) {
-        status = kern_search_pair(s, a, b);
+    for (a = 0; last->vertices && a < b && status >= 0; a++) {
+        const kern_block *other = s->block + a;
+        if (!other->vertices)
+            continue;
+        if (kern_box_near(&other->box, &last->box, s->reach))
+            status = kern_search_pair(s, a, b);
         /* one buffer for two stones: the first has lost its vertices */
-        if (status >= 0 && s->block[a].vertices && !s->block[a].fixed
-            && s->block[a].vertex == s->block[b].vertex) {
+        if (status >= 0 && other->vertex == last->vertex && !other->fixed) {
             s->fault->block = a;
             status = KERN_STALE;
         }
@@ -8318,6 +8514,8 @@ typedef struct kern_trial {
     int found;                /* contacts of the block                        */
     int free_blocks;
     int balanced;             /* nonzero: known forces balance all others     */
+    int nested;               /* nonzero: the kerns are                       */
+    kern_query q;
 } kern_trial;
 
 static void kern_trial_close(const kern_trial *t)
@@ -8334,6 +8532,7 @@ static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
     const kern_structure *s;
     kern_search search;
     kern_status status;
+    int from;
     t->plan = plan;
     t->found = kern_plan_touch(plan, block, &search);
     if (t->found < 0)
@@ -8345,145 +8544,124 @@ static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
                   && known->contacts == s->contacts
                   && known->relative == plan->task.options.relative
                   && !(kern_vec_largest(kern_vec_sub(known->gravity,
-                                                     s->gravity)) > 0);
+                                                     s->gravity)) > 0)
+                  && kern_abs(kern_known_seen(s->block, s->blocks)
+                              - known->seen) <= 0;
+    from = t->balanced ? known->contacts : 0;
     kern_plan_count(plan, t->found);
-    status = kern_structure_check(s, t->balanced ? known->blocks : 0,
-                                  t->balanced ? known->contacts : 0,
+    status = kern_structure_check(s, t->balanced ? known->blocks : 0, from,
                                   &plan->task.work->fault, &t->free_blocks);
     if (status == KERN_OK && !out)
         status = KERN_BAD_POINTER;
     if (status != KERN_OK)
         kern_trial_close(t);
+    t->q = kern_query_of(s, &plan->task.options, KERN_R(0));
+    t->nested = kern_travels_of(s, &t->q, from).nested
+                && (known->nested || !t->balanced);
     return status;
 }
 
-/* Opens the model of the plan's last block alone, with its contacts, on
-   neighbours that are held: it cannot stand better than that on neighbours that
-   give way, and its motion proves that the whole falls. */
-static kern_status kern_trial_alone(const kern_trial *t, kern_path *path,
-                                    kern_model *m, kern_part *part,
-                                    kern_task *task)
+/* What a trial evaluates: the plan with the block, or that alone. */
+typedef struct kern_stage {
+    kern_structure s;         /* of the block alone                           */
+    kern_model m;
+    kern_part part;
+    kern_path path;
+} kern_stage;
+
+/* Opens the model of the plan with the block, or of that alone, with its
+   contacts, on neighbours that are held: it cannot stand better than that on
+   neighbours that give way, and its motion proves that the whole falls. */
+static kern_status kern_trial_begin(const kern_trial *t, kern_stage *on,
+                                    int alone, const kern_proof *proof)
 {
-    const kern_task *whole = &t->plan->task;
-    task->s = whole->s; /* part by part: firmware may lack memcpy() */
-    task->options = whole->options;
-    task->work = whole->work;
-    task->s.contact += task->s.contacts - t->found;
-    task->s.contacts = t->found;
-    return kern_path_begin(path, m, part, task, 1, 1);
+    const kern_task *task = &t->plan->task;
+    kern_status status;
+    on->s = task->s;
+    on->s.contact += task->s.contacts - t->found;
+    on->s.contacts = t->found;
+    status = kern_path_begin(&on->path, &on->m, &on->part, task,
+                             alone ? &on->s : &task->s, &t->q,
+                             alone ? 1 : t->free_blocks);
+    on->path.proof = proof;
+    if (status == KERN_OK && !alone && t->balanced) {
+        on->m.prior = task->known.force;
+        on->m.balanced = task->known.holds;
+        on->m.complete = !t->nested || (proof && proof->force);
+    }
+    return status;
 }
 
 /* Where the last block falls alone: what is known of it to *seed, if that is
    nearer than what is known there. KERN_FALLS where it falls at once. */
-static kern_status kern_trial_nearer(const kern_trial *t,
-                                     const kern_proof *proof, kern_seed *seed)
+static kern_status kern_trial_nearer(const kern_trial *t, kern_stage *on,
+                                     kern_seed *seed, const kern_proof *proof)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_task task;
-    kern_travels travels;
+    kern_path *path = &on->path;
     kern_query q;
-    kern_status status = kern_trial_alone(t, &path, &m, &part, &task);
+    kern_status status = kern_trial_begin(t, on, 1, proof);
     if (status != KERN_OK)
         return status;
-    travels = kern_travels_of(&m);
-    if (!travels.nested)
+    path->end = seed->fails;
+    q = kern_path_at(path, path->end);
+    if (kern_model_pour(&on->m, &on->part, &q, 0) == KERN_STANDS)
         return KERN_STANDS;
-    path.end = seed->fails;
-    q = kern_path_at(&path, path.end);
-    if (kern_model_pour(&m, &part, &q, 0) == KERN_STANDS)
-        return KERN_STANDS;
-    path.proof = proof;
-    status = kern_path_search(&m, &path, path.end, path.unit * KERN_FIRST);
-    if (status == KERN_STANDS && !path.never && path.fails < seed->fails) {
-        seed->holds = path.holds;
-        seed->edge = path.edge;
-        seed->fails = path.fails;
+    status = kern_path_search(&on->m, path, path->end,
+                              path->unit * KERN_FIRST);
+    if (status == KERN_STANDS && !path->never && path->fails < seed->fails) {
+        seed->holds = path->holds;
+        seed->edge = path->edge;
+        seed->fails = path->fails;
         seed->motion = NULL;
-        seed->last = m.motion[task.s.blocks - 1];
-    }
-    return status == KERN_FALLS ? status : KERN_STANDS;
-}
-
-/* Opens the model of the plan with the block. */
-static kern_status kern_trial_whole(const kern_trial *t, kern_path *path,
-                                    kern_model *m, kern_part *part)
-{
-    const kern_task *task = &t->plan->task;
-    const kern_status status =
-        kern_path_begin(path, m, part, task, t->free_blocks, 0);
-    if (status == KERN_OK && t->balanced) {
-        m->prior = task->known.force;
-        m->balanced = task->known.holds;
+        seed->last = on->m.motion[on->s.blocks - 1];
     }
     return status;
 }
 
-/* The measure of the plan with the block from what is known of it; `falls`: it
-   is known to fall at once. */
-static kern_status kern_trial_measure(const kern_trial *t,
-                                      const kern_seed *seed, int falls,
-                                      kern_margin *out,
+/* The measure of the plan with the block. */
+static kern_status kern_trial_measure(const kern_trial *t, kern_margin *out,
                                       const kern_proof *proof)
 {
-    const kern_options *o = &t->plan->task.options;
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    int last;
-    kern_status status = kern_trial_whole(t, &path, &m, &part);
-    path.proof = proof;
-    path.seed = seed;
-    if (status != KERN_OK)
-        return status;
-    if (!falls)
-        return kern_measure_along(&m, &path, o, out);
-    status = kern_measure_none(&m, o, out, &last);
-    return status == KERN_OK ? KERN_FALLS : status;
+    const kern_task *task = &t->plan->task;
+    kern_stage on;
+    kern_seed seed = kern_known_seed(task);
+    kern_status status = KERN_OK;
+    if (t->nested && !task->s.block[task->s.blocks - 1].fixed
+        && seed.fails > 0)
+        status = kern_trial_nearer(t, &on, &seed, proof);
+    if (status != KERN_FALLS) {
+        status = kern_trial_begin(t, &on, 0, proof);
+        if (status != KERN_OK)
+            return status;
+        on.path.seed = &seed;
+    }
+    return kern_measure_along(&on.m, &on.path, task, status, out);
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
     kern_trial t;
-    kern_seed seed;
-    int falls = 0;
     kern_status status = kern_trial_open(&t, plan, block, out);
     if (status != KERN_OK)
         return status;
-    seed = kern_known_seed(&plan->task);
-    if (!block->fixed && seed.fails > 0)
-        falls = kern_trial_nearer(&t, proof, &seed) == KERN_FALLS;
-    status = kern_trial_measure(&t, &seed, falls, out, proof);
+    status = kern_trial_measure(&t, out, proof);
     kern_trial_close(&t);
     return kern_spent(plan->task.work, plan->task.options.limit, status);
 }
 
-/* The verdict of the plan with the block at a shrinkage, or of the block alone
-   on neighbours that are held; *nested says whether it is the same up to
-   there. */
+/* The verdict of the plan with the block at a shrinkage, or of that alone. */
 static kern_status kern_trial_stands(const kern_trial *t, int alone,
-                                     kern_real shrink, int *nested,
-                                     const kern_proof *proof)
+                                     kern_real shrink, const kern_proof *proof)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_task task;
-    kern_query q;
-    kern_status status = alone
-                         ? kern_trial_alone(t, &path, &m, &part, &task)
-                         : kern_trial_whole(t, &path, &m, &part);
+    kern_stage on;
+    kern_status status = kern_trial_begin(t, &on, alone, proof);
     if (status != KERN_OK)
         return status;
-    *nested = kern_travels_of(&m).nested;
-    if (!*nested)
-        return KERN_STANDS;
-    q = kern_path_at(&path, shrink);
-    status = kern_model_evaluate(&m, &part, &q);
+    on.path.q.shrink = shrink;
+    status = kern_model_evaluate(&on.m, &on.part, &on.path.q);
     if (!alone || status == KERN_FALLS)
-        kern_proof_out(&m, proof, status);
+        kern_proof_out(&on.m, proof, status);
     return status;
 }
 
@@ -8492,24 +8670,24 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
 {
     kern_margin r;
     kern_trial t;
-    int nested = 1;
     kern_status status = kern_trial_open(&t, plan, block, plan);
     if (status != KERN_OK)
         return status;
-    if (!(margin >= 0 && kern_is_finite(margin)))
+    if (!(margin >= 0 && kern_is_finite(margin))) {
         status = KERN_BAD_NUMBER;
-    if (status == KERN_OK && !block->fixed)
-        status = kern_trial_stands(&t, 1, margin, &nested, proof);
-    if (nested && (status == KERN_OK || status == KERN_STANDS
-                   || status == KERN_UNDECIDED))
-        status = kern_trial_stands(&t, 0, margin, &nested, proof);
+    } else if (t.nested) {
+        if (!block->fixed)
+            status = kern_trial_stands(&t, 1, margin, proof);
+        if (status == KERN_OK || status == KERN_STANDS
+            || status == KERN_UNDECIDED)
+            status = kern_trial_stands(&t, 0, margin, proof);
+    } else {
+        status = kern_trial_measure(&t, &r, proof);
+        if (status == KERN_STANDS && !(r.margin >= margin))
+            status = KERN_FALLS;
+    }
     kern_trial_close(&t);
-    status = kern_spent(plan->task.work, plan->task.options.limit, status);
-    if (nested || status < 0)
-        return status;
-    status = kern_plan_try(plan, block, &r, proof);
-    return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS
-                                                          : status;
+    return kern_spent(plan->task.work, plan->task.options.limit, status);
 }
 
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
