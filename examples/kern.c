@@ -100,7 +100,8 @@ static const char help_format[] =
 "point; limited_by: contacts of a and b at x, y that limit the margin, strongest\n"
 "first: share of the strongest, and does (rests, hinges, slides, opens);\n"
 "would_fall: groups of blocks that move as one where it falls, fastest first;\n"
-"bearing: length of the shortest contact that it needs;\n"
+"bearing: length of the shortest contact that it needs; peak_stress: the largest\n"
+"of a line contact, its force at the margin over twice the margin (or length);\n"
 "certain (--measured): the verdict holds within the stated error;\n"
 "undecided: names of the keys that are null for that; proof_error: of the worst\n"
 "proof, as a share of what is allowed; pivots, solves: work. --profile:\n"
@@ -108,8 +109,10 @@ static const char help_format[] =
 "margins (lengths) and load factors (g); expected_drop: under shaking, in mean\n"
 "blocks, larger is worse; profile: of each block margin, load_left, load_right,\n"
 "and load, their mean. --forces: contacts with x, y, normal nx, ny from a into b,\n"
-"mu, travel (half the length), forces normal, tangential. --mechanism: motion\n"
-"with velocities vx, vy of the centre and spin, the angular velocity (rad,\n"
+"mu, travel (half the length), forces normal, tangential; resultants: force fx,\n"
+"fy on b at x, y, of each two blocks, stress (as above); thrust: of blocks which\n"
+"two others press, from resultant x1, y1 to x2, y2. --mechanism: motion with\n"
+"velocities vx, vy of the centre and spin, the angular velocity (rad,\n"
 "counter-clockwise); the fastest is 1.\n"
 "--raised: raised (raised, hangs, not shown), reserve (g). --sequence: sequence\n"
 "of block, margin; weakest_step: the first block with the least.\n"
@@ -166,6 +169,7 @@ struct analysis {
     kern_motion *collapse;  /* just past the margin, or at 0     */
     kern_critical critical; /* what limits the margin            */
     double deficit, bearing, load[2], tilt[2];
+    double *stress;         /* of a line contact at the margin; 0: none   */
 
     kern_status raised;     /* real contacts, if asked for       */
     kern_raising raising;
@@ -344,6 +348,7 @@ static void free_analysis(struct analysis *a)
 {
     if (a->contact != a->text.contact) free(a->contact);
     free(a->sequence);
+    free(a->stress);
     free_work(a);
     text_free(&a->text);
 }
@@ -356,6 +361,40 @@ static void find_limit(struct analysis *a)
     a->critical.contact = -1;
     if (a->measured < 0 || (!falls && a->m.saturated)) return;
     kern_critical_of(&a->task, a->m.margin, &proof, &a->critical);
+}
+
+/* At the margin a force acts no nearer to the end of a line contact than that:
+   it can spread over twice the margin, or over all of a shorter contact. */
+static void find_stress(struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    kern_force *least = array(s->contacts, sizeof *least), *force = least;
+    a->stress = array(s->contacts, sizeof *a->stress);
+    if (a->measured == KERN_STANDS && force && a->stress) {
+        if (kern_forces(&a->task, a->m.holds, least) != KERN_STANDS)
+            force = a->last_force;
+        for (int k = 0; k < s->contacts; k++) {
+            if (!draw_is_line(s, k)) continue;
+            kern_vec p = s->contact[k].p;
+            kern_vec q = kern_contact_at(&s->contact[k], a->m.margin,
+                                         a->set->relative);
+            double pressed = (double)force[k].normal + force[k + 1].normal;
+            if (pressed > 0)
+                a->stress[k] = pressed / (2 * hypot(q.x - p.x, q.y - p.y));
+            k++;
+        }
+    }
+    free(least);
+}
+
+/* The contact of the largest stress among n from k on; -1: there is none. */
+static int most_stressed(const struct analysis *a, int k, int n)
+{
+    int most = -1;
+    for (int i = k; a->stress && i < k + n; i++)
+        if (a->stress[i] > (most < 0 ? 0 : a->stress[most] * (1 + 1e-9)))
+            most = i;
+    return most;
 }
 
 static double value_or_nan(kern_status status, kern_real value)
@@ -590,6 +629,7 @@ static int measure(struct analysis *a)
         a->bearing = value_or_nan(status, length);
     }
     find_limit(a);
+    find_stress(a);
     show_stage(a, "  load factors ...");
     find_loads(a);
     show_stage(a, "  profile ...");
@@ -759,6 +799,18 @@ static void report_bearing(const struct analysis *a)
                                                           a->task.s.blocks));
 }
 
+static void report_stress(const struct analysis *a)
+{
+    int most = most_stressed(a, 0, a->task.s.contacts);
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    if (most < 0) return;
+    const kern_contact *c = &a->task.s.contact[most];
+    if (isinf(a->stress[most])) printf("  stress      any       ");
+    else printf("  stress      %-8.4g  ", a->stress[most]);
+    printf("largest force of a contact over twice the margin, between %s and "
+           "%s\n", name_of(a, c->a, one), name_of(a, c->b, two));
+}
+
 static const char *const meeting_word[] = { "rests", "hinges", "slides",
                                             "opens" };
 
@@ -906,6 +958,35 @@ static void report_forces(const struct analysis *a)
         else
             printf(" %11.5g %11.5g %8s\n", f, r, "-");
     }
+}
+
+/* The forces, as the picture has them. */
+static struct draw_scene scene_of(const struct analysis *a)
+{
+    struct draw_scene scene = { 0 };
+    scene.s = &a->task.s;
+    scene.relative = a->set->relative;
+    scene.shrink = (double)shrinkage(a);
+    scene.force = a->shown == KERN_STANDS ? a->force : NULL;
+    scene.force_name = a->least ? "least forces" : NULL;
+    scene.limiting = -1;
+    return scene;
+}
+
+static void report_resultants(const struct analysis *a)
+{
+    const struct draw_scene scene = scene_of(a);
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    struct draw_pt at, f;
+    if (!scene.force) return;
+    printf("  resultants  %-10s %-10s %11s %11s %11s %11s\n", "from", "on", "x",
+           "y", "fx", "fy");
+    for (int k = 0; k < a->task.s.contacts; k++)
+        if (draw_resultant(&scene, k, &at, &f))
+            printf("              %-10s %-10s %11.5g %11.5g %11.5g %11.5g\n",
+                   name_of(a, a->task.s.contact[k].a, one),
+                   name_of(a, a->task.s.contact[k].b, two), tidy(a, at.x),
+                   tidy(a, at.y), f.x, f.y);
 }
 
 static void report_motion(const struct analysis *a)
@@ -1078,6 +1159,7 @@ static void report(const struct analysis *a)
     report_level(a);
     report_margin(a);
     report_bearing(a);
+    report_stress(a);
     report_limit(a);
     if (a->set->raised) report_raised(a);
     if (a->set->own_error > 0) report_error(a);
@@ -1085,6 +1167,7 @@ static void report(const struct analysis *a)
     report_collapse(a);
     report_loads(a);
     if (a->set->forces) report_forces(a);
+    if (a->set->forces) report_resultants(a);
     if (a->set->mechanism) report_motion(a);
     if (a->set->profile) report_profile(a);
     if (a->set->files > 1) printf("\n");
@@ -1122,6 +1205,50 @@ static void json_contacts(const struct analysis *a)
         printf("}");
     }
     printf("]");
+}
+
+/* One resultant an interface, and where the thrust goes through blocks. */
+static void json_thrust(const struct analysis *a)
+{
+    const struct draw_scene scene = scene_of(a);
+    const kern_structure *s = &a->task.s;
+    struct draw_pt at, f;
+    struct draw_pt (*through)[2] = array(s->blocks, sizeof *through);
+    int *presses = scene.force && through ? draw_thrust_of(&scene, through)
+                                          : NULL;
+    const char *comma = "";
+    printf(", \"resultants\": [");
+    for (int k = 0; presses && k < s->contacts; k++) {
+        if (!draw_resultant(&scene, k, &at, &f)) continue;
+        printf("%s{", comma);
+        json_string("a", a->text.name[s->contact[k].a]);
+        printf(", ");
+        json_string("b", a->text.name[s->contact[k].b]);
+        json_number("x", at.x);
+        json_number("y", at.y);
+        json_number("fx", f.x);
+        json_number("fy", f.y);
+        int most = most_stressed(a, k, draw_interface(s, k));
+        json_number("stress", most < 0 ? (double)NAN : a->stress[most]);
+        printf("}");
+        comma = ", ";
+    }
+    printf("], \"thrust\": [");
+    comma = "";
+    for (int i = 0; presses && i < s->blocks; i++) {
+        if (presses[i] != 2 || s->block[i].fixed) continue;
+        printf("%s{", comma);
+        json_string("block", a->text.name[i]);
+        json_number("x1", through[i][0].x);
+        json_number("y1", through[i][0].y);
+        json_number("x2", through[i][1].x);
+        json_number("y2", through[i][1].y);
+        printf("}");
+        comma = ", ";
+    }
+    printf("]");
+    free(through);
+    free(presses);
 }
 
 static void json_motion(const struct analysis *a)
@@ -1304,6 +1431,8 @@ static void report_json(const struct analysis *a)
     json_number("signed_margin",
                 falls ? -a->deficit : known ? (double)a->m.margin : none);
     json_number("bearing", asked ? a->bearing : none);
+    int most = known ? most_stressed(a, 0, a->task.s.contacts) : -1;
+    json_number("peak_stress", most < 0 ? none : a->stress[most]);
     json_limits(a, asked);
     if (a->set->raised) json_raised(a, asked);
     if (a->set->own_error > 0) {
@@ -1322,6 +1451,7 @@ static void report_json(const struct analysis *a)
     if (a->set->profile) json_profile(a, good);
     json_error(a);
     if (good && a->set->forces) json_contacts(a);
+    if (good && a->set->forces) json_thrust(a);
     if (good && a->set->mechanism) json_motion(a);
     printf("}\n");
 }
@@ -1397,13 +1527,8 @@ static int draw(const struct analysis *a)
     char caption[256];
     write_caption(a, caption, sizeof caption);
     int falls = a->shown == KERN_FALLS;
-    struct draw_scene scene = { 0 };
-    scene.s = &a->task.s;
+    struct draw_scene scene = scene_of(a);
     scene.names = a->text.name;
-    scene.relative = a->set->relative;
-    scene.shrink = (double)shrinkage(a);
-    scene.force = a->shown == KERN_STANDS ? a->force : NULL;
-    scene.force_name = a->least ? "least forces" : NULL;
     scene.motion = falls || a->set->mechanism ? shown_motion(a) : NULL;
     scene.motion_name = falls ? NULL : "collapse mechanism just past the margin";
     scene.hinges = shown_motion(a);

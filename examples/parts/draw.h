@@ -496,7 +496,7 @@ DRAW_API int draw_is_line(const kern_structure *s, int c)
 
 /* The number of neighbours in the array, from c on, with the same two blocks:
    an interface. 0 where c is not its first. */
-static int draw_interface(const kern_structure *s, int c)
+DRAW_API int draw_interface(const kern_structure *s, int c)
 {
     const kern_contact *k = &s->contact[c];
     int n = 1;
