@@ -36,6 +36,31 @@ def structures(name):
     assert all(r['status'] in ('stands', 'falls') for r in found), found
     assert [r['file'] for r in found if r['status'] == 'falls'] == [
         'examples/structures/falls.kern']
+    for r in found:
+        resultants(r)
+    arch, = (r for r in found if r['file'].endswith('/arch.kern'))
+    for p in arch['resultants']:  # its forces are as symmetric as it is
+        assert any(abs(p['x'] + q['x']) < 1e-6 and abs(p['y'] - q['y']) < 1e-6
+                   and abs(p['stress'] - q['stress']) < 1e-3
+                   for q in arch['resultants']), p
+    assert len(arch['thrust']) == arch['blocks']
+
+
+def resultants(r):
+    """They are the sums of the contacts' forces; the thrust joins them."""
+    for p in r['resultants']:
+        pair = [c for c in r['contacts']
+                if (c['a'], c['b']) == (p['a'], p['b'])]
+        fx = sum(c['normal'] * c['nx'] - c['tangential'] * c['ny']
+                 for c in pair)
+        fy = sum(c['normal'] * c['ny'] + c['tangential'] * c['nx']
+                 for c in pair)
+        size = abs(fx) + abs(fy)
+        assert abs(p['fx'] - fx) + abs(p['fy'] - fy) < 1e-9 * size, p
+        assert p['stress'] is None or p['stress'] <= r['peak_stress'] * 1.001
+    places = {(p['x'], p['y']) for p in r['resultants']}
+    assert all((t['x%d' % k], t['y%d' % k]) in places
+               for t in r['thrust'] for k in (1, 2))
 
 
 def keys(name, text):

@@ -218,8 +218,9 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 void kern_py_free(struct text_file *t) { text_free(t); }
 int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
                  int relative, double shrink, const kern_force *force,
-                 const kern_motion *motion, const kern_motion *hinges,
-                 double hinged, const char *motion_name, int limiting,
+                 const char *force_name, const kern_motion *motion,
+                 const kern_motion *hinges, double hinged,
+                 const char *motion_name, int limiting,
                  const kern_real *value, double most, const char *caption)
 {
     FILE *out = fopen(path, "wb");
@@ -230,6 +231,7 @@ int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
     scene.relative = relative;
     scene.shrink = shrink;
     scene.force = force;
+    scene.force_name = force_name;
     scene.motion = motion;
     scene.motion_name = motion_name;
     scene.hinges = hinges;
@@ -351,8 +353,8 @@ _check_raised = _declare("kern_check_raised", _r, _p, _r, _i, _p)
 _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
-_draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, _p, _p, _r,
-                 c_char_p, _i, _p, _r, c_char_p)
+_draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
+                 _p, _r, c_char_p, _i, _p, _r, c_char_p)
 
 
 def _statuses() -> Any:
@@ -900,14 +902,18 @@ tolerance (0.25 deep)
                       Raising(raising.value) if stands else None,
                       share.value if stands and reserve else None)
 
-    def forces(self, shrink: float = 0.0) -> Any:
-        """kern_forces(): the least forces, normal and tangential of every
-        contact point, (n, 2). None where there are none, or none so exact."""
+    def _least(self, shrink: float) -> Any:
         force = self._forces()
         status = _least_forces(self._at_task, shrink, addressof(force))
         if status != Status.UNDECIDED:
             self._check(status)
-        return _view(force, 2) if status == _STANDS else None
+        return force if status == _STANDS else None
+
+    def forces(self, shrink: float = 0.0) -> Any:
+        """kern_forces(): the least forces, normal and tangential of every
+        contact point, (n, 2). None where there are none, or none so exact."""
+        force = self._least(shrink)
+        return force and _view(force, 2)
 
     def measure(self) -> Margin:
         """kern_measure(): margin and level."""
@@ -1021,11 +1027,12 @@ tolerance (0.25 deep)
 
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
             profile: bool = False, caption: Optional[str] = None) -> str:
-        """The picture of draw.h: stones, contacts, forces where it stands, the
-        motion where it falls or `mechanism` wants it; `profile` colours the
-        stones by their margins."""
+        """The picture of draw.h: stones, contacts, the least forces where it
+        stands, the motion where it falls or `mechanism` wants it; `profile`
+        colours the stones by their margins."""
         verdict, m = self.verdict(shrink), self.measure()
-        force = verdict._force if verdict else None
+        least = self._least(shrink) if verdict else None
+        force = least or (verdict._force if verdict else None)
         moves = (verdict._motion if not verdict
                  else None if m.saturated else m._motion)
         critical = self.critical(m)
@@ -1043,6 +1050,7 @@ tolerance (0.25 deep)
             path = os.path.join(folder, "picture.svg")
             if _draw(os.fsencode(path), byref(self._task.s), names,
                      self.options.relative, shrink, force,
+                     b"least forces" if least else None,
                      moves if mechanism or not verdict else None,
                      moves, m.fails if verdict else shrink,
                      b"collapse mechanism just past the margin" if verdict
