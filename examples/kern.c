@@ -1511,8 +1511,9 @@ static void write_caption(const struct analysis *a, char *out, size_t room)
                  a->deficit);
     else if (a->measured == KERN_STANDS)
         snprintf(level, sizeof level, "level %d, margin %.4g%s", a->m.level,
-                 (double)a->m.margin,
-                 a->m.saturated ? " (every kern closed)" : "");
+                 (double)a->m.margin, a->m.saturated ? " (every kern closed)"
+                                    : a->set->relative ? " of each contact"
+                                    : " (a length)");
     char shrunk[40] = "";
     if (shrinkage(a) > 0)
         snprintf(shrunk, sizeof shrunk, " when shrunk by %.4g",
@@ -1537,7 +1538,8 @@ static int draw(const struct analysis *a)
     scene.caption = caption;
     if (a->set->profile && a->profiled >= 0) {
         scene.value = a->fate[MARGIN];
-        scene.value_name = "margin of a stone";
+        scene.value_name = a->set->relative ? "margin of a stone, a share"
+                                            : "margin of a stone, a length";
         for (int i = 0; i < a->task.s.blocks; i++)
             if (!a->task.s.block[i].fixed)
                 scene.most = fmax(scene.most, (double)a->fate[MARGIN][i]);

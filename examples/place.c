@@ -5,7 +5,8 @@
 
    A stone is let down at many places, from left to right, and turns until it
    rests. kern_plan_try() predicts the margin of the wall with the stone there;
-   the plan of the wall stays as it is. Without arguments the wall is the one
+   the plan of the wall stays as it is. The best place is the one that is good
+   also a little beside it, since a hand is not exact. Without arguments the wall is the one
    below: a slab reaches out far to the left, and the stone holds it down or
    tips it, or lies elsewhere and makes no difference. The first argument is a
    file for a picture (- for none), the second a wall made of polygons. Times
@@ -27,6 +28,7 @@
 enum { CORNERS = 5, PLACES = 240, ROWS = 24 };
 
 #define LEANING 0.6 /* most a stone turns, rad */
+#define ERROR 0.1   /* of a place, in sizes of the stone */
 
 static const char built_in[] =
     "density 2400\n"
@@ -68,6 +70,7 @@ struct wall {
     double density;
     kern_margin alone;
     struct place place[PLACES];
+    double error;            /* of a place                                    */
     int best;                /* place, -1: none                               */
 };
 
@@ -260,6 +263,36 @@ static void view_wall(const struct wall *w, struct draw_view *v)
     draw_widen(v, v->high.x + size, v->high.y + 1.4 * size);
 }
 
+/* The least margin at place i and as far to both sides as the error; below 0
+   where it does not stand there. */
+static double sure_margin(const struct wall *w, int i)
+{
+    double least = HUGE_VAL;
+    int k;
+
+    for (k = 0; k < PLACES; k++) {
+        const struct place *p = &w->place[k];
+
+        if (fabs(p->x - w->place[i].x) <= w->error)
+            least = fmin(least, p->status == KERN_STANDS ? p->m.margin : -1);
+    }
+    return least;
+}
+
+static void find_best(struct wall *w)
+{
+    int i;
+
+    w->best = -1;
+    for (i = 0; i < PLACES; i++) { /* of equal ones the first */
+        double sure = sure_margin(w, i);
+
+        if (sure >= 0 && (w->best < 0
+                          || sure > sure_margin(w, w->best) + 1e-6))
+            w->best = i;
+    }
+}
+
 static void try_places(struct wall *w)
 {
     struct draw_view v;
@@ -267,7 +300,7 @@ static void try_places(struct wall *w)
     int i, tried = 0;
 
     view_wall(w, &v);
-    w->best = -1;
+    w->error = ERROR * sqrt(fabs(w->stone.area));
     for (i = 0; i < PLACES; i++) {
         struct place *p = &w->place[i];
 
@@ -281,11 +314,8 @@ static void try_places(struct wall *w)
         p->status = kern_plan_try(&w->plan, &w->stone, &p->m, NULL);
         spent += clock() - from;
         tried++;
-        if (p->status == KERN_STANDS
-            && (w->best < 0 /* of equal ones the first */
-                || p->m.margin > w->place[w->best].m.margin + 1e-6))
-            w->best = i;
     }
+    find_best(w);
     fprintf(stderr, "%d stones and one more: %d places tried, %.0f a second\n",
             w->file.blocks - w->file.fixed, tried,
             tried / ((double)(spent + 1) / CLOCKS_PER_SEC));
@@ -316,19 +346,22 @@ static void print_table(const struct wall *w)
     for (i = PLACES / ROWS / 2; i < PLACES; i += PLACES / ROWS)
         print_place(&w->place[i]);
     if (w->best >= 0) {
-        printf("\nbest of all %d places:\n", PLACES);
+        printf("\nbest of all %d places, with an error of %.2f to both "
+               "sides:\n", PLACES, w->error);
         print_place(&w->place[w->best]);
+        printf("there at least  %.3f\n", sure_margin(w, w->best));
     }
 }
 
 /* ---- the picture: the margin over the place, and the wall below --------- */
 
 #define WIDE 760.0      /* the page                                           */
-#define LEFT 62.0       /* of both drawings                                   */
+#define LEFT 74.0       /* of both drawings                                   */
 #define PLOT_TOP 24.0
 #define PLOT_HIGH 190.0
 #define FALLS_HIGH 22.0 /* a strip for the places where it falls              */
 #define GAP 26.0
+#define BELOW 62.0      /* of the drawings: the paragraph                     */
 
 static double plot_y(double margin, double most)
 {
@@ -371,6 +404,12 @@ static void draw_axes(const struct draw_view *v, double most, double bottom)
                   "stroke=\"" DRAW_EDGE "\" stroke-width=\"0.8\"");
         draw_number(v->out, x, bottom + 19, "middle", m * step + 0.0);
     }
+    draw_label(v->out, (LEFT + right) / 2, bottom + 38, "middle",
+               "place of the stone, in units of length");
+    fprintf(v->out, "<g transform=\"translate(18 %.2f) rotate(-90)\">\n",
+            PLOT_TOP + PLOT_HIGH / 2);
+    draw_label(v->out, 0, 0, "middle", "margin, in units of length");
+    draw_close(v->out);
 }
 
 static void draw_places(const struct wall *w, const struct draw_view *v,
@@ -427,8 +466,8 @@ static int draw_margins(struct wall *w, const char *path)
     FILE *out = fopen(path, "w");
     struct draw_view v;
     double most = w->alone.margin, bottom, high;
-    char text[300];
-    int bad;
+    char text[400];
+    int i, bad;
 
     if (!out)
         return complain(path, strerror(errno));
@@ -438,22 +477,24 @@ static int draw_margins(struct wall *w, const char *path)
     v.top = PLOT_TOP + PLOT_HIGH + FALLS_HIGH + GAP;
     v.scale = (WIDE - LEFT - DRAW_PAD) / (v.high.x - v.low.x);
     bottom = v.top + (v.high.y - v.low.y) * v.scale;
-    if (w->best >= 0)
-        most = fmax(most, w->place[w->best].m.margin);
+    for (i = 0; i < PLACES; i++)
+        if (w->place[i].status == KERN_STANDS)
+            most = fmax(most, w->place[i].m.margin);
     most *= 1.08;
-    snprintf(text, sizeof text, "Margin over the place of one more stone, in "
-             "units of length.\nOrange: the wall without it, %.3g. Red: the "
-             "wall falls.\nThe stone is drawn in its best place: %.3g.",
-             w->alone.margin,
-             w->best < 0 ? 0 : w->place[w->best].m.margin);
-    high = draw_paragraph(NULL, LEFT, bottom + 44, WIDE, 12.5, text);
+    snprintf(text, sizeof text, "Margin of the wall with one more stone, over "
+             "its place.\nOrange: the wall without it, %.3g. Red: the "
+             "wall falls.\nThe stone is drawn in its best place: %.3g, and "
+             "%.3g at least if it comes to lie %.2g to either side.",
+             w->alone.margin, w->best < 0 ? 0 : w->place[w->best].m.margin,
+             w->best < 0 ? 0 : sure_margin(w, w->best), w->error);
+    high = draw_paragraph(NULL, LEFT, bottom + BELOW, WIDE, 12.5, text);
     draw_begin(out, WIDE, ceil(high));
     fprintf(out, "<clipPath id=\"view\"><rect x=\"%.2f\" y=\"%.2f\" "
             "width=\"%.2f\" height=\"%.2f\"/></clipPath>\n", v.left, v.top,
             (v.high.x - v.low.x) * v.scale, bottom - v.top);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
     draw_axes(&v, most, bottom);
-    draw_paragraph(out, LEFT, bottom + 44, WIDE, 12.5, text);
+    draw_paragraph(out, LEFT, bottom + BELOW, WIDE, 12.5, text);
     draw_close(out);
     draw_wall(w, &v, most);
     draw_places(w, &v, most);
@@ -515,6 +556,7 @@ without the stone: level 7, margin 0.100
   5.59   1.06   -35.0  falls
   5.87   0.16     3.6      8  0.100
 
-best of all 240 places:
-  0.92   1.96     3.6     16  0.221
+best of all 240 places, with an error of 0.04 to both sides:
+  0.95   1.96     3.6     16  0.221
+there at least  0.221
 */

@@ -442,7 +442,7 @@ static int write_scatter(const struct study *y, int k, double *room)
     skip = strncmp(measures_words[k], "near: ", 6) == 0 ? 6 : 0;
     snprintf(axis, sizeof axis, "%s%s%s", measures_words[k] + skip, unit_of(k),
              skip ? " (near contacts counted)" : "");
-    plot_begin(&p, out, title, axis, "level of shaking at collapse", 70);
+    plot_begin(&p, out, title, axis, "level of shaking at collapse (after the last: never)", 70);
     for (int i = 0; i < n; i++)
         plot_point(&p, a[i], b[i],
                    draw_shade(1 - strtod(y->entry[i].irregularity, NULL) / 50,
