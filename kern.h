@@ -2000,22 +2000,28 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
     return KERN_OK;
 }
 
+/* Checks the arrays of a structure, and gravity. */
+static kern_status kern_arrays_check(const kern_structure *s)
+{
+    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
+        || s->contacts > KERN_CONTACTS_MOST)
+        return KERN_BAD_COUNT;
+    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
+        return KERN_BAD_POINTER;
+    return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
+}
+
 /* Checks a structure, of which so many of the first blocks and contacts have
    been checked before. */
 static kern_status kern_structure_check(const kern_structure *s,
                                         int blocks, int contacts,
                                         kern_fault *fault, int *free_blocks)
 {
-    kern_status status;
+    kern_status status = kern_arrays_check(s);
     int i, n = 0;
     int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
-    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
-        || s->contacts > KERN_CONTACTS_MOST)
-        return KERN_BAD_COUNT;
-    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
-        return KERN_BAD_POINTER;
-    if (!kern_vec_is_finite(s->gravity))
-        return KERN_BAD_NUMBER;
+    if (status != KERN_OK)
+        return status;
     for (i = 0; i < s->blocks; i++) {
         status = i < blocks ? KERN_OK
                             : kern_block_check(s->block + i, s->gravity);
@@ -3126,6 +3132,23 @@ typedef struct kern_growth {
     kern_side side;
 } kern_growth;
 
+/* Whether what grows can be reckoned with. */
+static kern_status kern_growth_check(const kern_growth *growth,
+                                     const kern_model *m)
+{
+    const kern_wrench *pattern = growth->pattern;
+    int i;
+    if (!pattern && !kern_has_side(m->s, growth->side))
+        return KERN_BAD_OPTION;
+    for (i = 0; pattern && i < m->s->blocks; i++)
+        if (kern_is_free(m, i) &&
+            !kern_is_finite(kern_wrench_sum(pattern + i))) {
+            m->work->fault.block = i;
+            return KERN_BAD_NUMBER;
+        }
+    return KERN_OK;
+}
+
 /* How a load grows or gravity turns: a verdict where the path begins, the
    climb, the proofs. Under loads that stay a tilt may stand again after it
    fell: then in even steps. */
@@ -3134,29 +3157,20 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
                              const kern_proof *proof)
 {
     const int tilt = growth->kind == KERN_PATH_TILT;
-    const kern_wrench *pattern = growth->pattern;
-    const kern_structure *s;
     kern_real step = KERN_R(0.05);
     kern_model m;
     kern_part part;
     kern_path path;
     int i, loaded = 0;
     kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
+    if (status == KERN_OK)
+        status = kern_growth_check(growth, &m);
     if (status != KERN_OK)
         return status;
-    s = &task->s;
-    if (!pattern && !kern_has_side(s, growth->side))
-        return KERN_BAD_OPTION;
-    for (i = 0; i < s->blocks; i++) {
-        if (!kern_is_free(&m, i))
-            continue;
-        loaded |= tilt && kern_wrench_sum(&s->block[i].load) > 0;
-        if (pattern && !kern_is_finite(kern_wrench_sum(pattern + i))) {
-            task->work->fault.block = i;
-            return KERN_BAD_NUMBER;
-        }
-    }
-    kern_path_push(&path, growth->kind, pattern, growth->side);
+    for (i = 0; tilt && i < task->s.blocks; i++)
+        loaded |= kern_is_free(&m, i)
+                  && kern_wrench_sum(&task->s.block[i].load) > 0;
+    kern_path_push(&path, growth->kind, growth->pattern, growth->side);
     path.proof = proof;
     path.end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
     if (tilt)
@@ -3626,6 +3640,16 @@ static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
     return least;
 }
 
+/* The other end of the line that contact point i ends; i where it is none. */
+static int kern_line_other(const kern_contact *contact, int i)
+{
+    const kern_contact *c = contact + i;
+    if (!c->line)
+        return i;
+    return i > 0 && c[-1].line && c[-1].a == c->a && c[-1].b == c->b
+           && c->travel * c[-1].travel < 0 ? i - 1 : i + 1;
+}
+
 /* What the blocks of contact i move of it, as the search would find it. Line:
    corners take ends along; ends stay midway between the two edges, the normal
    is the mean of both. Point: a corner takes it along, an edge turns the normal.
@@ -3634,9 +3658,7 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
                            int i, kern_block_rate *out)
 {
     const kern_contact *c = task->s.contact + i;
-    const int pair = !c->line ? i : i > 0 && c[-1].line && c[-1].a == c->a
-                     && c[-1].b == c->b && c->travel * c[-1].travel < 0
-                     ? i - 1 : i + 1;
+    const int pair = kern_line_other(task->s.contact, i);
     const kern_vec t = kern_vec_turn(c->n);
     const kern_real along = kern_vec_dot(rate[i].p, t)
                             + (rate[pair].travel - rate[i].travel) / 2;
@@ -6714,6 +6736,24 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
     return status;
 }
 
+/* Whether what moves hangs: no load, no fixed block, and no contact with another
+   presses one of these blocks against gravity. value[0..blocks) says which. */
+static int kern_hangs(const kern_structure *s, const kern_motion *motion,
+                      kern_real *value)
+{
+    int i, n = 0;
+    for (i = 0; i < s->blocks; i++) {
+        const int falls = kern_speed(motion + i) > 0;
+        value[i] = falls ? KERN_R(1) : KERN_R(-1);
+        n += falls;
+        if (falls && (s->block[i].fixed
+                      || kern_wrench_sum(&s->block[i].load) > 0))
+            return 0;
+    }
+    return n > 0 && kern_has_side(s, KERN_RIGHT)
+           && kern_hang_pass(s, value, 0) == 0;
+}
+
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof)
@@ -6722,7 +6762,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     kern_take take;
     kern_query q;
     kern_real *sum, *value;
-    int i, n = 0;
+    int n = 0;
     if (!proof || !proof->force || !proof->motion || !kern_is_finite(shrink)
         || kern_task_check(task, proof, &n) != KERN_OK)
         return KERN_INFINITY;
@@ -6735,16 +6775,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     q = kern_query_of(s, &task->options, shrink);
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
-    for (n = 0, i = 0; i < s->blocks; i++) {
-        const int falls = kern_speed(proof->motion + i) > 0;
-        value[i] = falls ? KERN_R(1) : KERN_R(-1);
-        n += falls;
-        if (falls && (s->block[i].fixed
-                      || kern_wrench_sum(&s->block[i].load) > 0))
-            return KERN_INFINITY;
-    }
-    if (n == 0 || !kern_has_side(s, KERN_RIGHT)
-        || kern_hang_pass(s, value, 0) > 0)
+    if (!kern_hangs(s, proof->motion, value))
         return KERN_INFINITY;
     q.fallen = value;
     return kern_prove_forces(s, &q, proof->force, sum);
@@ -9728,26 +9759,37 @@ static void kern_basis_costs(const kern_simplex *sx, const kern_real *cost,
 #define KERN_AUDIT_TOL KERN_PICK(1e-2, 1e30)
 /* Entries of the matrix beyond which a basis keeps no digits. */
 #define KERN_AUDIT_LARGE KERN_R(1e6)
-/* Whether header and places are inverse to each other, rows of S and spare
-   slots too; and for a network, where rounding is bounded, whether B x = b, and
-   B^-1 B = I for a vector of ones of mixed signs. */
+static int kern_audit_used(const kern_simplex *sx, int p)
+{ return p >= sx->lp->rows + 3 || (p < sx->lp->rows && sx->spare[p] < 0); }
+
+/* Header and places are inverse to each other, rows of S and spare slots too. */
+static void kern_audit_places(const kern_simplex *sx)
+{
+    const int cols = sx->lp->cols, end = kern_extra(sx, sx->extras);
+    int p, j, t;
+    for (j = 0; j < cols; j++)
+        KERN_ASSERT(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
+    for (t = 0; t < sx->extras; t++)
+        KERN_ASSERT(sx->spare[sx->slot[t]] == t);
+    for (p = 0; p < end; p++)
+        KERN_ASSERT(!kern_audit_used(sx, p) || sx->base[p] >= cols
+                    || sx->place[sx->base[p]] == p);
+}
+
+/* And for a network, where rounding is bounded, whether B x = b, and B^-1 B = I
+   for a vector of ones of mixed signs. */
 static void kern_simplex_audit(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     const int m = lp->rows, end = kern_extra(sx, sx->extras);
     kern_real v[KERN_AUDIT], want[KERN_AUDIT];
-    int p, j, t;
+    int p;
     if (end > KERN_AUDIT)
         return;
-    for (j = 0; j < lp->cols; j++)
-        KERN_ASSERT(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
-    for (t = 0; t < sx->extras; t++)
-        KERN_ASSERT(sx->spare[sx->slot[t]] == t);
+    kern_audit_places(sx);
     for (p = 0; p < end; p++) {
-        const int used = p >= m + 3 || (p < m && sx->spare[p] < 0);
-        want[p] = !used ? KERN_R(0) : p % 3 ? KERN_R(1) : KERN_R(-1);
-        KERN_ASSERT(!used || sx->base[p] >= lp->cols
-                    || sx->place[sx->base[p]] == p);
+        want[p] = !kern_audit_used(sx, p) ? KERN_R(0)
+                  : p % 3 ? KERN_R(1) : KERN_R(-1);
         v[p] = KERN_R(0);
     }
     for (p = 0; p < end; p++) {
@@ -10136,6 +10178,16 @@ static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 #include "kern_lp.h"
 #endif
 
+/* x is the ray along which the costs fall. */
+static void kern_simplex_ray(kern_simplex *sx, kern_real *x)
+{
+    int i;
+    for (i = 0; i < kern_extra(sx, sx->extras); i++)
+        sx->value[i] = -sx->alpha[i];
+    kern_simplex_read(sx, x);
+    x[sx->ray] = KERN_R(1);
+}
+
 /* The one entry of the engine. Starts from the last
    basis, or from the crash basis. x is written for every verdict: one that
    falls leaves A x = rhs in it, with what is negative about it, which tells
@@ -10173,13 +10225,10 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
         status = kern_simplex_primal(sx, work, limit);
     if (status < 0)
         return status;
-    if (status == KERN_LP_UNBOUNDED) {
-        for (i = 0; i < kern_extra(sx, sx->extras); i++)
-            sx->value[i] = -sx->alpha[i];
-    }
-    kern_simplex_read(sx, x);
     if (status == KERN_LP_UNBOUNDED)
-        x[sx->ray] = KERN_R(1);
+        kern_simplex_ray(sx, x);
+    else
+        kern_simplex_read(sx, x);
     for (i = 0; i < lp->rows; i++)
         y[i] = status == KERN_LP_INFEASIBLE
                || (status == KERN_LP_OPTIMAL && lp->cost)

@@ -2,7 +2,8 @@
 
 structures, profiles: JSON of examples/kern.c; pushes: of examples/push.c, of
 the structure that is built in; figures, walls: the folder that
-examples/shaking/figures.c and examples/walls/walls.c wrote into; svg: pictures.
+examples/shaking/figures.c and examples/walls/walls.c wrote into; svg: pictures;
+functions: C sources, whose functions must be short and simple.
 Fails with the first thing that is wrong.
 """
 import csv
@@ -135,6 +136,30 @@ def figures(folder):
         assert '| near: load factor, weaker half |' in file.read()
 
 
+# lines and complexity of the searches along a path: they may only shrink
+LONGER = {'kern_path_edge': (76, 45), 'kern_path_search': (70, 34),
+          'kern_path_plain': (60, 28), 'kern_inner_search': (60, 24)}
+
+
+def functions(*names):
+    """At most 60 lines, and a cyclomatic complexity of at most 16 (McCabe)."""
+    found = 0
+    for name in names:
+        with open(name, encoding='utf-8') as file:
+            text = re.sub(r'/\*.*?\*/|"(\\.|[^"\\\n])*"',
+                          lambda m: '\n' * m[0].count('\n'), file.read(),
+                          flags=re.S)
+        for f in re.finditer(r'^(?:\w[^;{}=]*\b(\w+)\([^;{}]*\))\n'
+                             r'\{(?: .*\}|\n(?:.*\n)*?\})$', text, re.M):
+            lines = f[0].count('\n') + 1
+            ways = 1 + len(re.findall(r'\b(?:if|for|while|case)\b|&&|\|\||\?',
+                                      f[0]))
+            found += 1
+            most = LONGER.get(f[1], (60, 16))
+            assert lines <= most[0] and ways <= most[1], (f[1], lines, ways)
+    assert found > 0, names
+
+
 def walls(folder):
     found = rows(folder, 'walls.csv')
     assert len(found) == 5 * 2 * 3
@@ -145,5 +170,6 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    checks = svg, structures, keys, profiles, pushes, figures, walls
+    checks = (svg, structures, keys, profiles, pushes, figures, functions,
+              walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])
