@@ -80,6 +80,8 @@ static int ints[KERN_INTS(BLOCKS, CONTACTS) + GUARD];
 static kern_real proof_reals[4 * BLOCKS];
 static kern_force force[CONTACTS];
 static kern_motion motion[BLOCKS];
+static kern_contact_rate point[CONTACTS];
+static kern_block_rate stone[BLOCKS];
 
 static const kern_real real_mark = KERN_R(12345);
 enum { INT_MARK = 12345 };
@@ -161,6 +163,7 @@ static kern_status ask(int which, kern_task *task, kern_real shrink)
     proof.motion = motion;
     switch (which) {
     case 0:
+        check_proof(task, shrink, kern_forces(task, shrink, force));
         status = kern_verdict(task, shrink, &proof);
         check_proof(task, shrink, status);
         return status;
@@ -168,6 +171,11 @@ static kern_status ask(int which, kern_task *task, kern_real shrink)
         status = kern_measure(task, &m, &proof);
         if (status >= 0)
             check_margin(task, &m, status);
+        if (status == KERN_STANDS) {
+            const kern_status got = kern_sensitivity(task, &m, &proof, point,
+                                                     stone);
+            PROPERTY(got == KERN_OK || got == KERN_UNDECIDED);
+        }
         return status;
     case 2:
         status = kern_deficit(task, &out);
