@@ -16,6 +16,26 @@ readme() { # its first two blocks of commands
     grep -q kern_test "$out/readme.sh" && in_a_copy "$out/readme.sh"
 }
 
+block_of() { # block_of WORD: the block of code in README with that word
+    awk -v word="$1" '/^```/ { if (on && index(text, word)) printf "%s", text
+        on = !on; text = ""; next } on { text = text $0 "\n" }' README.md
+}
+
+three_stones() { # its file, its function and its lines of Python
+    local kern here=$PWD
+    kern=$(program kern examples/kern.c) || return 1
+    block_of "block beam" >"$out/mine.kern"
+    block_of how_safe >"$out/mine.c"
+    block_of "import kern" >"$out/mine.py"
+    "$kern" --svg "$out/mine.svg" "$out/mine.kern" | grep -q ": stands" &&
+        $judge svg "$out/mine.svg" &&
+        gcc -std=c99 -Wall -Wextra -Werror -I. -c -o "$out/mine.o" \
+            "$out/mine.c" && cd "$out" && rm mine.svg &&
+        XDG_CACHE_HOME=$out/cache PYTHONPATH=$here/examples/python \
+            python3 mine.py | grep -q "stands=True" && cd "$here" &&
+        $judge svg "$out/mine.svg"
+}
+
 firmware() { # its commands; pivots, ticks and bytes are not compared
     awk '/^## / { here = /In firmware/ }
         here && /^```sh/ { on = 1; next } /^```/ { on = 0 } on' \
