@@ -155,6 +155,10 @@
                         says about the licence
    KERN_GLPK_ROWS       rows above which they do (three a free block); 96
 
+   Without a C library gcc is kept from calls of memcpy and memset by -Os and
+   -fno-tree-loop-distribute-patterns; -fno-math-errno makes the square root an
+   instruction where there is one.
+
 
    METHOD                                                            >>method
 
@@ -1192,7 +1196,8 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
 /* Adds a block behind the others and finds its contacts. Returns how many
    contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
    also where there is no room for it; the plan is then as it was. The block is
-   copied, its vertices are NOT: they must outlive the plan. Time: O(B). */
+   copied, its vertices are NOT: they must outlive the plan. Contacts are found
+   with the options of then, also their friction. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
 /* Takes block i away; those behind it move up, in contacts too. KERN_OK: done.

@@ -94,6 +94,7 @@ int main(void)
     numbers();
     strcpy(point, ".");
     refused("friction 0.5\n\0\0", 15, 2, "NUL");
+    refused("friction 0.5\nfriction 0.4\n", 26, 2, "given in line 1");
     if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
         refused(short_normal, sizeof short_normal - 1, 3, "no direction");
     check(text_load(&t, "/dev/zero") == -1 && strstr(t.message, "NUL"),

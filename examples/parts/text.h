@@ -13,7 +13,8 @@
        epsilon  E                                     step of Algorithm 1
        tolerance GAP [ANGLE]                          ANGLE in radians
 
-   and # begins a comment. A program uses text_load() or text_read(), then
+   and # begins a comment. friction, gravity, epsilon and tolerance are given once
+   at most, anywhere. A program uses text_load() or text_read(), then
    text_free(); of the rest text_show(), text_number() and text_utf8() may be of
    use.
 
@@ -66,6 +67,8 @@ struct text_contact {
     kern_real mu;          /* < 0: that of the file */
 };
 
+enum { TEXT_ONCE = 4 };    /* statements that are given once at most */
+
 struct text_reader {
     struct text_file *t;
     char *at, *end;        /* what is left of the line */
@@ -75,6 +78,7 @@ struct text_reader {
     int *slot, slots;      /* names by hash: index of the block + 1, 0: none */
     struct text_contact *contact;
     int contacts;
+    int given[TEXT_ONCE];  /* the lines of these statements, 0: none yet */
 };
 
 enum text_range { TEXT_ANY, TEXT_NOT_NEGATIVE, TEXT_POSITIVE };
@@ -347,8 +351,10 @@ static int text_polygon_fault(struct text_reader *r, const char *name,
         snprintf(place, sizeof place, ", at its vertex %.9g %.9g",
                  (double)b->vertex[fault->index].x,
                  (double)b->vertex[fault->index].y);
-    return text_fail(r->t, "%s '%s': %s%s", r->statement,
-                     text_show(shown, name), kern_status_text(status), place);
+    return text_fail(r->t, "%s '%s': %s%s%s", r->statement,
+                     text_show(shown, name), kern_status_text(status), place,
+                     status == KERN_CROSSING && b->vertices > 50
+                     ? "; simplify an outline of pixels first (contour.c)" : "");
 }
 
 static int text_body(struct text_reader *r, int fixed)
@@ -469,18 +475,22 @@ static int text_line(struct text_reader *r)
         const char *name;
         int (*read)(struct text_reader *);
     } statement[] = {
+        { "friction", text_friction }, { "gravity", text_gravity },
+        { "epsilon", text_epsilon },   { "tolerance", text_tolerance },
         { "block", text_block },       { "fixed", text_fixed },
         { "contact", text_contact },   { "load", text_load_at },
         { "torque", text_torque },     { "com", text_com },
-        { "density", text_density },   { "friction", text_friction },
-        { "gravity", text_gravity },   { "epsilon", text_epsilon },
-        { "tolerance", text_tolerance }
+        { "density", text_density }
     };
     char *word = text_next(r), shown[TEXT_SHOW_ROOM];
     if (*word == '\0') return 0;
     for (size_t i = 0; i < sizeof statement / sizeof *statement; i++) {
         if (strcmp(word, statement[i].name) != 0) continue;
         r->statement = statement[i].name;
+        if (i < TEXT_ONCE && r->given[i])
+            return text_fail(r->t, "%s: was given in line %d already",
+                             r->statement, r->given[i]);
+        if (i < TEXT_ONCE) r->given[i] = r->t->line;
         if (statement[i].read(r)) return -1;
         word = text_next(r);
         return *word ? text_expect(r, "the end of the line", word) : 0;
@@ -631,7 +641,7 @@ static inline int text_read(struct text_file *t, const char *data,
     if (length > 0) memcpy(t->text, data, length);
     t->text[length] = '\0';
 
-    struct text_reader r = { t, NULL, NULL, "", 1, 0, NULL, 0, NULL, 0 };
+    struct text_reader r = { t, NULL, NULL, "", 1, 0, NULL, 0, NULL, 0, { 0 } };
     int bad = text_make_room(&r, length) || text_lines(&r, length) ||
               text_contacts(&r);
     free(r.slot);

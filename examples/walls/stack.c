@@ -177,7 +177,7 @@ static int read_option(struct settings *o, const char *name, const char *word)
     static const char *const goal[] = { "shaking", "load" };
     struct stack_options *p = &o->plan;
     int k;
-    if (!word) return fail(name, "a value is expected");
+    if (!word) return fail(name, "a value is expected; see --help");
     if (strcmp(name, "--irregularity") == 0)
         return number(name, word, 0, 60, &o->irregularity);
     if (strcmp(name, "--stones") == 0)

@@ -249,8 +249,9 @@ STONES_API int stones_load(struct stones *s, const char *path)
     s->stones = 0;
     s->stone = NULL;
     if (bad) {
-        snprintf(line, sizeof line, t.line ? "line %d" : "it", t.line);
-        stones_fail(s, line, t.message);
+        snprintf(line, sizeof line, "line %d", t.line);
+        if (t.line) stones_fail(s, line, t.message);
+        else stones_fail(s, t.message, "");
     } else if (stones > STONES_MOST) {
         bad = stones_fail(s, "more than 1000 stones", "");
     } else {

@@ -170,7 +170,7 @@ static void walls_head(FILE *out)
                   "middle", stack_planner_name[p],
                   strlen(stack_planner_name[p]));
     for (int l = 0; l < WALLS_LEVELS; l++) {
-        snprintf(text, sizeof text, "%d", 10 + 10 * l);
+        snprintf(text, sizeof text, "%d %%", 10 + 10 * l);
         draw_text(out, 22, walls_top + (l + 0.5) * walls_high, 13, "middle",
                   text, strlen(text));
     }
@@ -420,9 +420,9 @@ static int walls_all(const char *folder, int sets, int quick)
                    sizeof *f.one);
     bad = !f.one || walls_make(&f) || walls_list(&f) || walls_tables(&f) ||
           walls_nine(&f, WALLS_COLLAPSE, "fig9.svg",
-                     "Q = level of collapse x f(filling)") ||
+                     "Q: level of collapse x worth of the filling") ||
           walls_nine(&f, WALLS_MARGIN, "fig9-margin.svg",
-                     "Q = margin / size x f(filling)");
+                     "Q: margin in stones x worth of the filling");
     free(f.one);
     return bad;
 }
