@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xfd47752e6d81c75du },
-    { 1000, 0x0bbafad31b1fd461u },
-    { 5000, 0xdc00f15b187a18fcu },
+    { 200, 0x8eec15390eff714fu },
+    { 1000, 0xcb628de4b9b948a4u },
+    { 5000, 0x718c12b48605e93fu },
 #else
-    { 200, 0x79f1a82b1451d748u },
-    { 1000, 0x5bf664bdf59ebd5bu },
-    { 5000, 0x3b9bc147beabe795u },
+    { 200, 0x5ad59152d1568379u },
+    { 1000, 0x5516107354208554u },
+    { 5000, 0xbd3b635a90ccb2c0u },
 #endif
 };
 
@@ -149,6 +149,26 @@ static void hash_proof(int forces, int motions)
     }
 }
 
+static kern_contact_rate point[CONTACTS];
+static kern_block_rate stone[BLOCKS];
+
+/* How the margin depends on places, and the least forces. */
+static void hash_rates(kern_work *work, const kern_margin *m,
+                       const kern_proof *proof)
+{
+    kern_status got = kern_sensitivity(task_of(work), m, proof, point, stone);
+    int i;
+    hash_int(got);
+    for (i = 0; i < s.blocks && got == KERN_OK; i++) {
+        hash_real(stone[i].place.x);
+        hash_real(stone[i].place.y);
+        hash_real(stone[i].turn);
+    }
+    got = kern_forces(task_of(work), m->margin / 2, force);
+    hash_verdict(got);
+    hash_proof(got == KERN_STANDS, 0);
+}
+
 static void hash_measure(kern_work *work, const kern_proof *proof)
 {
     kern_margin m;
@@ -167,7 +187,9 @@ static void hash_measure(kern_work *work, const kern_proof *proof)
     hash_real(m.epsilon);
     hash_proof(got == KERN_STANDS, got == KERN_FALLS || !m.saturated);
     if (got == KERN_STANDS) {
-        const kern_status at = kern_verdict(task_of(work), m.margin / 2, proof);
+        kern_status at;
+        hash_rates(work, &m, proof);
+        at = kern_verdict(task_of(work), m.margin / 2, proof);
         hash_verdict(at);
         hash_proof(at == KERN_STANDS, at == KERN_FALLS);
     }
