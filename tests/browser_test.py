@@ -291,8 +291,9 @@ def test_files(browser, folder):
 
 
 def test_frames(browser):
-    """What frames cost of the page's thread while a stone is dragged, in CPU
-    time; judged is the median, since one frame may compile code."""
+    """What frames cost of the page's thread while a stone is dragged. Judged is
+    CPU time, since others may be using the machine, and a machine may be half
+    as fast as one on which no frame takes 16 ms."""
     browser.events.clear()
     browser.send("Tracing.start", transferMode="ReportEvents",
                  categories="devtools.timeline,disabled-by-default-devtools"
@@ -307,18 +308,19 @@ def test_frames(browser):
     for event in browser.events:
         if event.get("method") == "Tracing.dataCollected":
             events += event["params"]["value"]
-    scripts = [e.get("tdur", e["dur"]) / 1000 for e in events
-               if e.get("name") == "FireAnimationFrame" and "dur" in e]
-    thread = max((e for e in events if e.get("name") == "FireAnimationFrame"),
-                 key=lambda e: e["ts"])
-    whole = sorted(e.get("tdur", e["dur"]) / 1000 for e in events
-                   if e.get("name") in ("RunTask", "ThreadControllerImpl::"
-                                        "RunTask") and "dur" in e
-                   and (e["pid"], e["tid"]) == (thread["pid"], thread["tid"]))
-    scripts = sorted(scripts)
-    print("frames: script median %.2f ms, worst %.2f; task worst %.2f"
-          % (scripts[len(scripts) // 2], scripts[-1], whole[-1]))
-    assert scripts[len(scripts) // 2] < 16
+    frames = [e for e in events
+              if e.get("name") == "FireAnimationFrame" and "dur" in e]
+    thread = {(e["pid"], e["tid"]) for e in frames}
+    tasks = [e for e in events if (e["pid"], e["tid"]) in thread and "dur" in e
+             and e.get("name", "").endswith("RunTask")]
+    for key, what in (("dur", "wall clock"), ("tdur", "CPU time")):
+        script = sorted(e.get(key, e["dur"]) / 1000 for e in frames)
+        task = sorted(e.get(key, e["dur"]) / 1000 for e in tasks)
+        print("%d frames, %s: script median %.2f ms, worst %.2f; any task of "
+              "the page worst %.2f, %d of %d above 16"
+              % (len(script), what, script[len(script) // 2], script[-1],
+                 task[-1], sum(t > 16 for t in task), len(task)))
+    assert script[len(script) // 2] < 16 and task[-1] < 32
     browser.ask("choose(30), press('Home')")
     browser.frame()
 
