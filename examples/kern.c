@@ -611,7 +611,7 @@ static int measure(struct analysis *a)
     a->measured = kern_measure(&a->task, &a->m, &limit);
     if (a->measured == KERN_BAD_STEP)
         return fail(a, a->set->epsilon < 0 ? a->text.epsilon_line : 0,
-                    "%s, the step is %.9g", kern_status_text(a->measured),
+                    "%s, the step is %.9g (--epsilon)", kern_status_text(a->measured),
                     (double)a->task.options.epsilon);
     if (a->measured < 0 && !is_open(a->measured))
         return fail_blocks(a, a->measured, &a->work.fault);
@@ -758,7 +758,7 @@ static void report_margin(const struct analysis *a)
     double value = falls ? a->deficit : (double)a->m.margin;
     printf("  %-10s  ", falls ? "deficit" : "margin");
     if (a->measured == KERN_LIMIT) {
-        printf("undecided by the limit of work: ");
+        printf("undecided by the limit of work (--limit): ");
         if (a->m.holds < 0) printf("not known to stand, ");
         else printf("stands at %.4g, ", (double)a->m.holds);
         printf("%s %.4g\n", a->m.fails < a->m.most ? "falls at" : "at most",
