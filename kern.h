@@ -3203,10 +3203,7 @@ KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof)
 {
-    kern_growth growth;
-    growth.kind = KERN_PATH_LOAD;
-    growth.pattern = NULL;
-    growth.side = side;
+    const kern_growth growth = {KERN_PATH_LOAD, NULL, side};
     return kern_push(task, shrink, &growth, factor, proof);
 }
 
@@ -3216,10 +3213,7 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real *factor,
                                          const kern_proof *proof)
 {
-    kern_growth growth;
-    growth.kind = KERN_PATH_LOAD;
-    growth.pattern = pattern;
-    growth.side = KERN_SHRINK;
+    const kern_growth growth = {KERN_PATH_LOAD, pattern, KERN_SHRINK};
     return pattern ? kern_push(task, shrink, &growth, factor, proof)
                    : KERN_BAD_POINTER;
 }
@@ -3228,10 +3222,7 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof)
 {
-    kern_growth growth;
-    growth.kind = KERN_PATH_TILT;
-    growth.pattern = NULL;
-    growth.side = side;
+    const kern_growth growth = {KERN_PATH_TILT, NULL, side};
     return kern_push(task, shrink, &growth, angle, proof);
 }
 
@@ -6746,8 +6737,9 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
     return status;
 }
 
-/* Whether what moves hangs: no load, no fixed block, and no contact with another
-   presses one of these blocks against gravity. value[0..blocks) says which. */
+/* Whether what moves hangs: no load, no fixed block, and no contact with
+   another presses one of these blocks against gravity. value[0..blocks) says
+   which. */
 static int kern_hangs(const kern_structure *s, const kern_motion *motion,
                       kern_real *value)
 {
@@ -6893,15 +6885,12 @@ static int kern_polygon_turn(const kern_block *block, int i)
     return turn > 0 ? 1 : -1;
 }
 
-static int kern_polygon_beside(const kern_block *block, int i, int back)
-{ return back ? kern_polygon_prev(block, i) : kern_polygon_next(block, i); }
-
 /* The next corner, or the one before. */
 static int kern_polygon_corner(const kern_block *block, int i, int back)
 {
     const int start = i;
     do
-        i = kern_polygon_beside(block, i, back);
+        i = back ? kern_polygon_prev(block, i) : kern_polygon_next(block, i);
     while (i != start && kern_polygon_turn(block, i) == 0);
     return i;
 }
@@ -7067,21 +7056,19 @@ static int kern_polygon_meets(const kern_parts *parts, int i)
 static kern_status kern_polygon_simple(const kern_block *block,
                                        kern_fault *fault)
 {
+    const kern_vec *v = block->vertex;
     const int n = block->vertices;
     kern_parts parts;
     int i, left = 0, right = 0, lowest = 0;
-    int rose = block->vertex[0].y > block->vertex[n - 1].y;
     for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
-        const int rises = block->vertex[kern_polygon_next(block, i)].y >
-                          block->vertex[i].y;
         fault->index = i;
         if (turn == 2)
             return KERN_CROSSING;
         left |= turn > 0;
         right |= turn < 0;
-        lowest += rises && !rose;
-        rose = rises;
+        lowest += v[kern_polygon_next(block, i)].y > v[i].y &&
+                  !(v[i].y > v[kern_polygon_prev(block, i)].y);
     }
     if (!(left && right) && lowest < 2)
         return KERN_OK;
@@ -7271,45 +7258,37 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
     return low > 0 ? 0 : most;
 }
 
-/* The first depth beyond the gap in b on the way from p to q, 0: none. From
-   some number on the steps double: a gap of a few roundings takes no end of
-   them otherwise. */
-static kern_real kern_overlap_edge(const kern_parts *b, kern_real gap,
-                                   kern_vec p, kern_vec q, int *nearest)
-{
-    const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
-    const kern_real length = kern_vec_dot(way, d);
-    kern_real s, step, stride = gap * KERN_STRIDE;
-    int left = KERN_STRIDES + 8 * b->block->vertices;
-    kern_box box;
-    kern_box_set(&box, p, q);
-    if (!kern_box_near(&box, &b->block->box, -gap))
-        return 0;
-    for (s = 0; s < length; s += step) {
-        const kern_vec at = kern_vec_step(p, s, d);
-        const kern_real depth = kern_polygon_depth(b, at, nearest);
-        if (depth > gap)
-            return depth;
-        step = kern_overlap_along(b->block, *nearest, gap, at, d, length - s);
-        step = kern_max(step, gap - depth + stride);
-        if (--left < 0)
-            stride *= 2;
-    }
-    return 0;
-}
-
-/* The first depth beyond the gap in b of the boundary of a, 0: none. */
+/* The first depth beyond the gap in b of the boundary of a, 0: none. From some
+   number on the steps along an edge double: a gap of a few roundings takes no
+   end of them otherwise. */
 static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
                                        kern_real gap)
 {
-    const kern_block *block = a->block;
-    kern_real depth = 0;
     int i, nearest = 0;
-    for (i = 0; i < block->vertices && !(depth > 0); i++)
-        depth = kern_overlap_edge(b, gap, block->vertex[i],
-                                  block->vertex[kern_polygon_next(block, i)],
-                                  &nearest);
-    return depth;
+    for (i = 0; i < a->block->vertices; i++) {
+        const kern_vec p = a->block->vertex[i];
+        const kern_vec q = a->block->vertex[kern_polygon_next(a->block, i)];
+        const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
+        const kern_real length = kern_vec_dot(way, d);
+        kern_real s, step, stride = gap * KERN_STRIDE;
+        int left = KERN_STRIDES + 8 * b->block->vertices;
+        kern_box box;
+        kern_box_set(&box, p, q);
+        if (!kern_box_near(&box, &b->block->box, -gap))
+            continue;
+        for (s = 0; s < length; s += step) {
+            const kern_vec at = kern_vec_step(p, s, d);
+            const kern_real depth = kern_polygon_depth(b, at, &nearest);
+            if (depth > gap)
+                return depth;
+            step = kern_overlap_along(b->block, nearest, gap, at, d,
+                                      length - s);
+            step = kern_max(step, gap - depth + stride);
+            if (--left < 0)
+                stride *= 2;
+        }
+    }
+    return 0;
 }
 
 /* The depth in b of an inner point of a, if it is beyond the gap. The points
@@ -7377,6 +7356,13 @@ static void kern_edge_set(kern_edge *e, const kern_block *block, int start,
     e->length = kern_vec_length(e->d);
     e->d = kern_vec_scale(e->d, 1 / e->length);
 }
+
+/* Where the foot of p on the line of e is, from its start on. */
+static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
+{ return kern_vec_dot(kern_vec_sub(p, e->p), e->d); }
+
+static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
+{ return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
 
 /* Before the first edge. */
 static void kern_edge_open(kern_edge *e, const kern_block *block)
@@ -7613,13 +7599,6 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
    dropped where its normal is far from that of the chord: it is that of the
    step's own edge. */
 
-/* Where the foot of p on the chord's line is, from the chord's start on. */
-static kern_real kern_chord_along(const kern_edge *e, kern_vec p)
-{ return kern_vec_dot(kern_vec_sub(p, e->p), e->d); }
-
-static kern_vec kern_chord_foot(const kern_edge *e, kern_vec p)
-{ return kern_vec_step(e->p, kern_chord_along(e, p), e->d); }
-
 /* Does direction d lead to the inner side of the chord, by more than a chord of
    some steps may be off? */
 static int kern_chord_inward(const kern_edge *e, kern_vec d)
@@ -7632,13 +7611,13 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
                              const kern_block *block, kern_real step,
                              kern_vec *p)
 {
-    const int back = 2 * kern_chord_along(f, *p) <= f->length;
+    const int back = 2 * kern_edge_along(f, *p) <= f->length;
     const int corner = back ? f->start : f->end;
     kern_vec way;
     int i = corner;
     *p = back ? f->p : f->q;
     do {
-        i = kern_polygon_beside(block, i, back);
+        i = back ? kern_polygon_prev(block, i) : kern_polygon_next(block, i);
         way = kern_polygon_way(block, corner, i);
     } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * step);
     return !kern_chord_inward(e, way) &&
@@ -7663,7 +7642,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
         return;
     }
     for (on = 0; on < 2; on++) {
-        const kern_real along = kern_chord_along(&e[on], p);
+        const kern_real along = kern_edge_along(&e[on], p);
         inside[on] = kern_min(along, e[on].length - along);
         if (!(half > 0 || corner != on || inside[on] > 0))
             inside[on] = -KERN_HUGE;
@@ -7671,12 +7650,12 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
     on = inside[0] < inside[1];
     if (kern_pair_opposed(pair, &e[0], &e[1])) {
         t = kern_vec_unit(kern_vec_sub(e[0].d, e[1].d));
-        q = kern_vec_mid(kern_chord_foot(&e[0], p), kern_chord_foot(&e[1], p));
+        q = kern_vec_mid(kern_edge_foot(&e[0], p), kern_edge_foot(&e[1], p));
     } else if (half > 0 ||
                kern_chord_stands(&e[on], &e[!on], pair->of[!on].parts.block,
                                  pair->step, &p)) {
         t = on ? kern_vec_scale(e[1].d, -1) : e[0].d;
-        q = kern_chord_foot(&e[on], p);
+        q = kern_edge_foot(&e[on], p);
     } else {
         return;
     }
@@ -7735,7 +7714,7 @@ static int kern_edge_bears(const kern_edge *e, const kern_block *block,
                            kern_vec p, kern_real inside, kern_real gap)
 {
     const kern_vec r = kern_vec_sub(p, e->p), t = kern_vec_sub(p, e->q);
-    const kern_real along = kern_vec_dot(r, e->d);
+    const kern_real along = kern_edge_along(e, p);
     return (along > inside && along < e->length - inside) ||
            (kern_vec_dot(r, r) <= gap * gap &&
             kern_polygon_turn(block, e->start) < 0) ||
@@ -8379,8 +8358,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     if (status < 0)
         return (int)status;
     /* first made about 1 long: its square may be no number */
-    normal = kern_vec_scale(out->n, 1 / kern_vec_largest(out->n));
-    normal = kern_vec_unit(normal);
+    normal = kern_vec_unit(
+        kern_vec_scale(out->n, 1 / kern_vec_largest(out->n)));
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
     line = length > KERN_FLOOR * kern_max(kern_vec_largest(out->p),
@@ -9772,7 +9751,7 @@ static void kern_basis_costs(const kern_simplex *sx, const kern_real *cost,
 static int kern_audit_used(const kern_simplex *sx, int p)
 { return p >= sx->lp->rows + 3 || (p < sx->lp->rows && sx->spare[p] < 0); }
 
-/* Header and places are inverse to each other, rows of S and spare slots too. */
+/* Header and places are inverse to each other; rows of S and spare slots. */
 static void kern_audit_places(const kern_simplex *sx)
 {
     const int cols = sx->lp->cols, end = kern_extra(sx, sx->extras);
