@@ -780,6 +780,7 @@ typedef struct kern_known {
                              that one was changed                             */
     kern_vec gravity;     /* that it was measured under,                      */
     int relative, nested; /* and how; nonzero: its kerns are nested           */
+    int solved;           /* nonzero: its forces were not poured              */
 } kern_known;
 
 /* What a call needs. kern_task_of() fills it; each field may be changed between
@@ -2310,6 +2311,7 @@ struct kern_model {
                                  all blocks but the last ...                  */
     kern_real balanced;       /* ... at this shrinkage                        */
     int complete;             /* nonzero: all are verified at a smaller one   */
+    int solved;               /* nonzero: pouring did not find them           */
     kern_real narrow, slope;  /* of the options, of the last question         */
     const kern_query *lazy; /* groups are opened when they are needed; NULL:
                                   all are                                     */
@@ -2403,7 +2405,8 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     known.motion = motion;
     known.force = force;
     known.holds = known.margin = known.fails = KERN_R(0);
-    known.blocks = known.contacts = known.relative = known.nested = 0;
+    known.blocks = known.contacts = known.relative = known.nested
+        = known.solved = 0;
     known.seen = KERN_R(0);
     known.gravity = kern_vec_make(0, 0);
     return known;
@@ -2418,7 +2421,7 @@ static void kern_model_order(kern_model *m, kern_vec along, int *list)
     int gap, i, j;
     for (i = 0; i < n; i++)
         depth[i] = kern_vec_dot(m->s->block[list[i]].centre, along);
-    for (gap = 1; gap < n / 9; gap = 3 * gap + 1)
+    for (gap = 1; gap < n / 64; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < n; i++) {
@@ -2558,10 +2561,10 @@ static void kern_model_scale(kern_model *m, int g)
     m->size[g] *= one;
 }
 
-/* All of the model for a query. */
-static void kern_model_set(kern_model *m, const kern_query *q)
+/* The loads of all groups, in the unit of force. */
+static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
-    int i, g;
+    int g;
     m->slope = kern_slope(q);
     m->weight = KERN_R(0);
     m->lazy = NULL;
@@ -2573,10 +2576,17 @@ static void kern_model_set(kern_model *m, const kern_query *q)
     if (!(m->weight > 0))
         m->weight = KERN_R(1);
     m->unit[m->groups] = KERN_R(0);
-    for (g = 0; g <= m->groups; g++)
-        m->local[g] = KERN_OUT;
     for (g = 0; g < m->groups; g++)
         kern_model_scale(m, g);
+}
+
+/* All of the model for a query. */
+static void kern_model_set(kern_model *m, const kern_query *q)
+{
+    int i, g;
+    kern_model_weigh(m, q);
+    for (g = 0; g <= m->groups; g++)
+        m->local[g] = KERN_OUT;
     for (i = 0; i < m->s->contacts; i++)
         kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
 }
@@ -2919,7 +2929,8 @@ static kern_real kern_known_seen(const kern_block *block, int blocks)
 
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
-static void kern_known_set(kern_task *task, kern_status status, int nested,
+static void kern_known_set(kern_task *task, kern_status status,
+                           const kern_model *m, const kern_path *path,
                            const kern_margin *out, const kern_proof *proof)
 {
     kern_known *known = &task->known;
@@ -2942,7 +2953,8 @@ static void kern_known_set(kern_task *task, kern_status status, int nested,
         known->contacts = task->s.contacts;
         known->gravity = task->s.gravity;
         known->relative = task->options.relative;
-        known->nested = nested;
+        known->nested = kern_travels_of(&task->s, &path->q, 0).nested;
+        known->solved = m->plain;
         known->seen = kern_known_seen(task->s.block, task->s.blocks);
     }
 }
@@ -2971,8 +2983,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (warm && status != KERN_BAD_STEP) /* forces may have changed */
         task->known.blocks = 0;
     if (warm && status >= 0)
-        kern_known_set(task, status,
-                       kern_travels_of(&task->s, &path.q, 0).nested, out, proof);
+        kern_known_set(task, status, &m, &path, out, proof);
     else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
         /* its proof has been written over */
         task->known.fails = KERN_R(0);
@@ -3823,6 +3834,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
 #define KERN_REGROWN       4       /* times that a unit of three is joined    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
+#define KERN_CHANGE_BUDGET 100     /* the same for a change                   */
 #define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
 
 /* What a contact's two rays make of the motion (wn, wt) along n and t: force
@@ -4786,10 +4798,10 @@ static void kern_pour_begin(kern_model *m)
 
 /* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
    with an open part, or KERN_POUR_DRY. */
-static kern_poured kern_pour(kern_model *m, kern_part *p)
+static kern_poured kern_pour(kern_model *m, kern_part *p, int each)
 {
     const int size = m->s->contacts + m->groups;
-    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
+    int budget = each * (size < KERN_POUR_LARGEST
                                      ? size : KERN_POUR_LARGEST);
     int at;
     m->regrown = 0;
@@ -5125,11 +5137,12 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 }
 
 /* Opens all groups as one part, in the place of what pouring needs. */
-static kern_status kern_part_all(kern_part *p, kern_model *m)
+static kern_status kern_part_all(kern_part *p, kern_model *m,
+                                 const kern_take *rest)
 {
     int g, k;
     p->m = m;
-    p->rest = m->common;
+    p->rest = *rest;
     p->groups = m->groups;
     p->contacts = p->own = m->s->contacts;
     p->ends = m->ends;
@@ -5154,6 +5167,21 @@ static kern_status kern_part_all(kern_part *p, kern_model *m)
     if (m->prior)
         p->simplex.prior = p->x;
     return KERN_OK;
+}
+
+/* Opens what moves in m->motion, and the last block. */
+static int kern_part_moved(kern_part *p, kern_model *m)
+{
+    int i, last = 0, groups = 0;
+    for (i = 0; i < m->s->blocks; i++) {
+        const int g = m->group[i];
+        if (g < m->groups && (i + 1 == m->s->blocks || kern_moves(m, i))) {
+            m->local[g] = 0;
+            last = g > last ? g : last;
+            groups++;
+        }
+    }
+    return kern_part_open(p, m, groups, last);
 }
 
 static void kern_falls_clear(kern_model *m)
@@ -5255,35 +5283,53 @@ static kern_real kern_prove_change(const kern_model *m, const kern_query *q)
     return kern_prove_rows(s, q, m->sum, total);
 }
 
-/* Whether the last block stands by a change of forces that balance all others,
-   which is looked for below it, and proven where they changed. */
-static int kern_model_change(kern_model *m, kern_part *p,
-                             const kern_query *q)
+/* The verdict by a change of forces that balance all but the last block: it is
+   passed down, and proven where they changed; or else by the linear program of
+   all, which begins with them. KERN_FALLS with an open part of what moves;
+   KERN_UNDECIDED also where no forces are known. */
+static kern_status kern_model_change(kern_model *m, kern_part *p,
+                                     const kern_query *q)
 {
     const int last = m->group[m->s->blocks - 1];
     const kern_force *known = m->prior;
-    kern_real error;
-    int g, done;
+    kern_real error = KERN_INFINITY;
+    kern_status status;
+    kern_poured poured = KERN_POURED;
+    int g;
     if (!known || !(q->shrink <= m->balanced))
-        return 0;
+        return KERN_UNDECIDED;
     kern_model_keep(m, known, q);
     if (last < m->groups) {
         kern_model_loosen(m, last);
         kern_model_load(m, q, last);
     }
-    done = kern_pass_down(m, last) || kern_pour(m, p) == KERN_POURED;
+    if (!kern_pass_down(m, last))
+        poured = kern_pour(m, p, m->solved ? KERN_CHANGE_BUDGET
+                                           : KERN_POUR_BUDGET);
     m->prior = known;
-    if (!done)
-        return 0;
+    if (poured == KERN_POUR_FALLS && !m->solved) {
+        kern_model_weigh(m, q);
+        return KERN_FALLS;
+    }
     for (g = 0; g < m->groups && m->complete; g++)
         if (m->next[g] == KERN_OUT)
             kern_model_loosen(m, g);
-    error = kern_prove_change(m, q);
-    if (!(error <= 1))
-        return 0;
-    m->work->error = kern_max(m->work->error, error);
-    p->found = KERN_STANDS;
-    return 1;
+    if (poured == KERN_POURED)
+        error = kern_prove_change(m, q);
+    if (error <= 1) {
+        m->work->error = kern_max(m->work->error, error);
+        p->found = KERN_STANDS;
+        return KERN_STANDS;
+    }
+    if (!m->solved)
+        return KERN_UNDECIDED;
+    kern_model_set(m, q);
+    if (kern_part_all(p, m, &m->rest) != KERN_OK)
+        return KERN_UNDECIDED;
+    status = kern_part_evaluate(p, q);
+    if (status == KERN_FALLS && !kern_part_moved(p, m))
+        status = KERN_UNDECIDED;
+    return status;
 }
 
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
@@ -5292,16 +5338,18 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
                                    const kern_query *q, int proven)
 {
     kern_poured poured;
+    kern_status status;
     kern_real error, total = KERN_R(0);
     int i;
     if (!kern_model_spend(m, m->query_units))
         return KERN_LIMIT;
     m->work->solves++;
-    if (kern_model_change(m, p, q))
-        return KERN_STANDS;
+    status = kern_model_change(m, p, q);
+    if (status != KERN_UNDECIDED)
+        return status;
     kern_model_set(m, q);
     kern_pour_begin(m);
-    poured = kern_pour(m, p);
+    poured = kern_pour(m, p, KERN_POUR_BUDGET);
     switch (poured) {
     case KERN_POURED: break;
     case KERN_POUR_FALLS: return KERN_FALLS;
@@ -5332,7 +5380,7 @@ static kern_status kern_model_plain(kern_model *m, kern_part *p,
 {
     kern_status status;
     kern_model_set(m, q);
-    status = kern_part_all(p, m);
+    status = kern_part_all(p, m, &m->common);
     m->plain = status == KERN_OK;
     return status;
 }
@@ -6230,18 +6278,10 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
     const kern_real fails = path->seed->fails;
     const kern_query q = kern_path_at(path, fails);
     kern_status status = KERN_UNDECIDED;
-    int i, last = 0, groups = 0, tries;
+    int tries;
     kern_model_set(m, &q);
-    for (i = 0; i < m->s->blocks; i++) {
-        const int g = m->group[i];
-        if (g < m->groups && (i + 1 == m->s->blocks || kern_moves(m, i))) {
-            m->local[g] = 0;
-            last = g > last ? g : last;
-            groups++;
-        }
-    }
-    if (groups < 2 || !kern_part_open(path->part, m, groups, last)
-        || kern_part_note(path->part) != KERN_STANDS)
+    if (!kern_part_moved(path->part, m) || path->part->groups < 2
+        || kern_part_note(path->part) != KERN_OK)
         return status;
     path->alone = 1;
     for (tries = 0; tries < 2 && status != KERN_FALLS; tries++, step *= 4)
@@ -8606,6 +8646,7 @@ static kern_status kern_trial_begin(const kern_trial *t, kern_stage *on,
     if (status == KERN_OK && !alone && t->balanced) {
         on->m.prior = task->known.force;
         on->m.balanced = task->known.holds;
+        on->m.solved = task->known.solved;
         on->m.complete = !t->nested || (proof && proof->force);
     }
     return status;
