@@ -8079,7 +8079,7 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
 /* Blocks are taken in the order of their lower ends along the longer side of
    the structure, and meet those before whose upper ends are not passed. A piece
    of ground that spans everything stays among these, but is one. Both sorts
-   are heap sorts, which need no memory. */
+   are Shell sorts, which need no memory. */
 
 /* Where p is along that side. */
 static kern_real kern_search_place(const kern_search *s, kern_vec p)
@@ -8115,21 +8115,15 @@ static void kern_search_swap(const kern_search *s, int *blocks, int i, int j)
 
 static void kern_search_sort(const kern_search *s, int *blocks, int n)
 {
-    int root = n / 2, i, child;
-    while (n > 1) {
-        if (root > 0)
-            root--; /* the heap grows until all are in it ...           */
-        else        /* ... then its first goes behind it, again and again */
-            kern_search_swap(s, blocks, 0, --n);
-        for (i = root; (child = 2 * i + 1) < n; i = child) {
-            if (child + 1 < n &&
-                kern_search_before(s, blocks, child, child + 1))
-                child++;
-            if (!kern_search_before(s, blocks, i, child))
-                break;
-            kern_search_swap(s, blocks, i, child);
-        }
-    }
+    int gap, i, k;
+    for (gap = 1; gap < n / 9; gap = 3 * gap + 1)
+        continue;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < n; i++)
+            for (k = i;
+                 k >= gap && kern_search_before(s, blocks, k, k - gap);
+                 k -= gap)
+                kern_search_swap(s, blocks, k, k - gap);
 }
 
 /* What follows from all blocks that have been looked at. */
