@@ -1358,11 +1358,12 @@ extern "C" {
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 
 /* How much stiffer contacts are along t than along n, for >>raised: what sticks
-   then slides by 1/KERN_STIFF of its approach at the most. */
-#define KERN_STIFF       KERN_PICK(1e3, 1e1)
-#define KERN_RAISE_ROUNDS  60      /* prices of contacts: from nothing       */
+   then slides by 1/KERN_STIFF of its approach at the most; and the most that a
+   proof takes for sticking. */
+#define KERN_STIFF       KERN_PICK(550, 10)
+#define KERN_STICKS      KERN_PICK(2e-3, 0.2)
+#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing       */
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
-#define KERN_RAISE_BOLD    6       /* that are not the mean of old and new    */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 #define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
 #define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
@@ -4092,8 +4093,10 @@ static void kern_least_matrix(kern_part *p, int contacts, int all)
     kern_least_clear(p);
     for (k = 0; k < contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
-                                               all ? KERN_R(0) : w[1]);
+        kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
+                                         all ? KERN_R(0) : w[1]);
+        if (all && p->price) /* as stiff along t for every friction */
+            s.tt = KERN_STIFF * s.nn;
         if (s.nn > 0)
             kern_least_spring(p, k, &s);
     }
@@ -4213,54 +4216,66 @@ static void kern_least_solve(const kern_part *p, const kern_real *b,
     }
 }
 
-/* The slope of the dual at u + share * step. */
-static kern_real kern_least_slope(const kern_part *p, const kern_real *b,
-                                  int contacts, kern_real share)
+/* The slope of the dual at u + share * step, where the loads' own part of it is
+   `push`; and how fast it falls there. */
+static kern_real kern_least_slope(const kern_part *p, kern_real push,
+                                  int contacts, kern_real share,
+                                  kern_real *fall)
 {
-    kern_real slope = KERN_R(0);
-    int i, k;
-    for (i = 0; i < 3 * p->groups; i++)
-        slope += b[i] * p->step[i];
+    int k;
+    *fall = KERN_R(0);
     for (k = 0; k < contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(
             p, k, w[0] + share * w[2], w[1] + share * w[3]);
-        slope -= s.f * w[2] + s.r * w[3];
+        push -= s.f * w[2] + s.r * w[3];
+        *fall += (s.nn * w[2] + 2 * s.nt * w[3]) * w[2] + s.tt * w[3] * w[3];
     }
-    return slope;
+    return push;
 }
 
-/* How far to go along the step: where the dual is largest, to a few percent. */
+/* How far to go along the step: where the dual is largest, to a few percent.
+   Its slope falls in pieces that are straight: between two places it is zero on
+   the tangent at one or the other, whichever side of where they meet that is. */
 static kern_real kern_least_share(const kern_part *p, const kern_real *b,
                                   int contacts)
 {
-    const kern_real first = kern_least_slope(p, b, contacts, KERN_R(0));
+    const kern_real push = kern_dot(b, p->step, 3 * p->groups);
+    const kern_real first = kern_dot(p->left, p->step, 3 * p->groups);
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
-    const int most = p->price ? KERN_LEAST_ROUNDS : 12; /* stiffness varies */
+    kern_real fall_lo = first, fall_hi, fall, slope;
     int round;
-    at_hi = kern_least_slope(p, b, contacts, hi);
+    at_hi = kern_least_slope(p, push, contacts, hi, &fall_hi);
     for (round = 0; round < 12 && at_hi > first / 8; round++) {
         lo = hi;
         at_lo = at_hi;
+        fall_lo = fall_hi;
         hi *= 4;
-        at_hi = kern_least_slope(p, b, contacts, hi);
+        at_hi = kern_least_slope(p, push, contacts, hi, &fall_hi);
     }
     if (at_hi >= -first / 8)
         return hi;
-    for (round = 0; round < most; round++) {
-        const kern_real share = kern_min(kern_max(at_lo / (at_lo - at_hi),
-                                                  KERN_R(0.1)), KERN_R(0.9));
-        kern_real slope;
-        at = lo + (hi - lo) * share;
-        slope = kern_least_slope(p, b, contacts, at);
+    for (round = 0; round < 12; round++) {
+        const kern_real wide = hi - lo, edge = wide * KERN_R(3e-4);
+        const kern_real meet = lo + (at_lo - at_hi - fall_hi * wide)
+                                    / (fall_lo - fall_hi);
+        at = lo + at_lo / fall_lo;
+        if (!(meet > lo && meet < hi))
+            at = lo + wide * at_lo / (at_lo - at_hi);
+        else if (at > meet)
+            at = hi + at_hi / fall_hi;
+        at = kern_min(kern_max(at, lo + edge), hi - edge);
+        slope = kern_least_slope(p, push, contacts, at, &fall);
         if (kern_abs(slope) <= first / 8)
             break;
         if (slope > 0) {
             lo = at;
             at_lo = slope;
+            fall_lo = fall;
         } else {
             hi = at;
             at_hi = slope;
+            fall_hi = fall;
         }
     }
     return at;
@@ -6453,7 +6468,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
    each contact takes that away (the fixed point of Acary, Cadoux, Lemarechal
    and Malick). Prices need not be exact: where every loaded contact approaches,
    the forces and the displacement are a proof, for contacts of other
-   stiffnesses. */
+   stiffnesses. From one round to the next prices are extrapolated (Anderson's
+   method with one difference): where contacts neither open nor begin to slide
+   any more, the map from prices to prices is linear. */
 
 static kern_real kern_prove_raised(const kern_structure *s,
                                    const kern_query *q,
@@ -6485,7 +6502,7 @@ static kern_real kern_prove_raised(const kern_structure *s,
                                        + kern_speed(motion + c->b))))
             return KERN_INFINITY;
         if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
-            error = kern_max(error, kern_abs(slide) * KERN_STIFF / (2 * press));
+            error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
     }
     return error;
 }
@@ -6532,6 +6549,9 @@ typedef struct kern_raise {
     const kern_query *q;
     kern_real tolerance;      /* of a group's equilibrium                     */
     kern_real *price;         /* of each contact of the part                  */
+    kern_real *last;          /* of each: what its last price led to, and how
+                                 much more that was                           */
+    int rounds;               /* prices since then                            */
     kern_real *begin, *best;  /* u and prices: without a push, with the largest
                                  so far                                       */
 } kern_raise;
@@ -6544,6 +6564,7 @@ static int kern_raise_open(kern_raise *r)
     if (!kern_least_open(p, r->m))
         return 0;
     r->price = kern_take_reals(&p->rest, p->contacts);
+    r->last = kern_take_reals(&p->rest, 2 * p->contacts);
     r->begin = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
     r->best = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
     if (!kern_take_fits(&p->rest) || !kern_least_lay(p, &p->rest))
@@ -6561,25 +6582,53 @@ static void kern_raise_load(kern_raise *r, const kern_query *q)
     r->tolerance = kern_least_load(r->p, q);
 }
 
-/* Writes the forces, and makes new prices: the mean of old and new, or just the
-   new ones. Returns whether every loaded contact approaches. */
-static int kern_raise_price(kern_raise *r, int bold)
+/* How much of the last change of what prices led to is taken back: what makes
+   the next change of prices least if the map is linear; and no more than that
+   change, or cycles begin. */
+static kern_real kern_raise_back(const kern_raise *r)
+{
+    kern_real up = KERN_R(0), down = KERN_R(0);
+    int k;
+    for (k = 0; k < r->p->contacts && r->rounds > 0; k++) {
+        const kern_real more = r->p->way[4 * (size_t)k + 3];
+        const kern_real change = more - r->last[2 * (size_t)k + 1];
+        up += more * change;
+        down += change * change;
+    }
+    return down > 0 ? kern_max(kern_min(up / down, KERN_R(1)), KERN_R(-1))
+                    : KERN_R(0);
+}
+
+/* Writes the forces, and makes new prices. Returns whether every loaded contact
+   approaches. */
+static int kern_raise_price(kern_raise *r)
 {
     kern_part *p = r->p;
     kern_model *m = r->m;
+    kern_real back;
     int k, pressed = 1;
     kern_least_write(p);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
-        const kern_real *w = p->way + 4 * (size_t)k;
+        kern_real *w = p->way + 4 * (size_t)k;
         const kern_real approach = w[0] + r->price[k];
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
                                                 / KERN_STIFF;
-        const kern_real price = kern_model_mu(m, i) * kern_max(slip, 0);
         pressed &= !(m->force[i].normal > r->tolerance * m->weight)
                    || approach > 0;
-        r->price[k] = bold ? price : (r->price[k] + price) / 2;
+        w[2] = kern_model_mu(m, i) * kern_max(slip, 0);
+        w[3] = w[2] - r->price[k];
     }
+    back = kern_raise_back(r);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real *w = p->way + 4 * (size_t)k;
+        kern_real *last = r->last + 2 * (size_t)k;
+        r->price[k] = r->rounds > 0
+                      ? kern_max(w[2] - back * (w[2] - last[0]), 0) : w[2];
+        last[0] = w[2];
+        last[1] = w[3];
+    }
+    r->rounds++;
     return pressed;
 }
 
@@ -6603,16 +6652,15 @@ static int kern_raise_proven(kern_raise *r)
 /* Looks for a proof, from nothing or from u and prices as they are. */
 static int kern_raise_settle(kern_raise *r, int cold, int rounds)
 {
-    int round;
-    for (round = 0; round < rounds; round++) {
+    r->rounds = 0;
+    while (r->rounds < rounds) {
+        const int first = cold && r->rounds == 0;
         const kern_status found = kern_least_find(
             r->p, r->p->b, r->p->contacts, r->tolerance, 4 * KERN_LEAST_MOST,
-            cold && round == 0 ? 0 : 1, KERN_RAISE_STEPS
-                                        + (cold && round == 0 ? 10 : 1));
+            !first, KERN_RAISE_STEPS + (first ? 10 : 1));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
-        if (kern_raise_price(r, round < KERN_RAISE_BOLD)
-            && found == KERN_STANDS && kern_raise_proven(r))
+        if (kern_raise_price(r) && found == KERN_STANDS && kern_raise_proven(r))
             return 1;
     }
     return 0;
@@ -6636,16 +6684,38 @@ static void kern_raise_restore(kern_raise *r, const kern_real *from)
         r->price[i] = *from++;
 }
 
-/* The largest of a sequence of shares of gravity that push it sideways, to
-   either side, and leave it raised; each from the largest found before. */
+/* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
+   share of the mean size: what an error of places, and of angles over that size,
+   does at the worst. Where kerns are not nested it must stay raised without the
+   second, too. */
+static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
+                           kern_real share)
+{
+    const kern_real most = q->relative ? share : share * r->m->mean;
+    int i, k, raised = 1;
+    q->factor = share;
+    for (k = kern_travels_of(r->m).nested; k < 2 && raised; k++) {
+        q->shrink = shrink + (kern_real)k * most;
+        r->m->slope = kern_slope(q);
+        for (i = 0; i < r->m->s->contacts; i++)
+            kern_model_arm(r->m, q, i, r->m->arm + 4 * (size_t)i);
+        kern_raise_load(r, q);
+        raised = kern_raise_settle(r, 0, KERN_RAISE_WARM);
+    }
+    return raised;
+}
+
+/* The largest of a sequence of shares to which it may be pushed, to either side,
+   and stay raised; each from the largest found before. */
 static kern_real kern_raise_reserve(kern_raise *r)
 {
     static const kern_real share[] = {
         KERN_R(0), KERN_R(0.001), KERN_R(0.002), KERN_R(0.003), KERN_R(0.004),
-        KERN_R(0.005), KERN_R(0.006), KERN_R(0.007), KERN_R(0.008),
-        KERN_R(0.01), KERN_R(0.012), KERN_R(0.015), KERN_R(0.02), KERN_R(0.03),
+        KERN_R(0.005), KERN_R(0.0055), KERN_R(0.006), KERN_R(0.007),
+        KERN_R(0.008), KERN_R(0.01), KERN_R(0.015), KERN_R(0.02), KERN_R(0.03),
         KERN_R(0.05), KERN_R(0.1)
     };
+    const kern_real shrink = r->q->shrink;
     kern_query q = *r->q;
     int most = (int)(sizeof share / sizeof share[0]) - 1;
     kern_raise_save(r, r->begin);
@@ -6654,9 +6724,7 @@ static kern_real kern_raise_reserve(kern_raise *r)
         kern_raise_save(r, r->best);
         for (; high - low > 1; at = (low + high) / 2) {
             kern_raise_restore(r, r->best);
-            q.factor = share[at];
-            kern_raise_load(r, &q);
-            if (kern_raise_settle(r, 0, KERN_RAISE_WARM)) {
+            if (kern_raise_push(r, &q, shrink, share[at])) {
                 low = at;
                 kern_raise_save(r, r->best);
             } else

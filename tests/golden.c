@@ -2,7 +2,7 @@
 
    The same bits on every machine: a hash of everything that the library says
    of some thousand random structures - contacts, verdicts, levels, margins,
-   forces, motions, deficits, load factors, angles - against those that stand
+   forces, motions, deficits, load factors, angles, raised or not - against those that stand
    below. tests/golden.sh compiles and runs it for many targets.
 
        golden [N]      the first N structures: 200, 1000 or 5000, the default
@@ -195,6 +195,20 @@ static void hash_measure(kern_work *work, const kern_proof *proof)
     }
 }
 
+static void hash_raised(kern_work *work, const kern_proof *proof)
+{
+    kern_raising raising = KERN_NOT_SHOWN;
+    kern_real reserve = 0;
+    const kern_status got = kern_raised(task_of(work), 0, &raising, &reserve,
+                                        proof);
+    hash_verdict(got);
+    if (got != KERN_STANDS)
+        return;
+    hash_int((int)raising);
+    hash_real(reserve);
+    hash_proof(1, raising != KERN_NOT_SHOWN);
+}
+
 /* Everything that can be asked of structure number `seed`. */
 static void hash_structure(int seed)
 {
@@ -226,6 +240,7 @@ static void hash_structure(int seed)
         if (got == KERN_STANDS)
             hash_real(out);
     }
+    hash_raised(&work, &proof);
     hash_int(work.pivots);
     hash_int(work.solves);
     hash_real(work.error);

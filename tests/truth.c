@@ -125,8 +125,8 @@ static void row(double least)
 
 int main(int argc, char **argv)
 {
-    static const double least[] = { 0, .001, .002, .003, .004, .005, .006, .007,
-                                    .008, .01, .012, .015, .02, .03, .05, .1 };
+    static const double least[] = { 0, .001, .002, .003, .004, .005, .0055, .006, .007,
+                                    .008, .01, .015, .02, .03, .05, .1 };
     char path[1000], line[2000];
     int column = -1;
     FILE *in;
