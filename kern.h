@@ -271,8 +271,9 @@
    profile     how much worse it gets after that: every stone's own margin or
                load factor, their mean, the mean of the weaker half, and the
                expected drop
-   raised      whether the load raises the forces that hold it; and how much of
-               gravity may push sideways until that is not shown (the reserve)
+   raised      whether the load raises the forces that hold it; and what share
+               of gravity may push sideways, and of the mean size its contacts
+               be off, until that is not shown (the reserve)
    sensitivity which way a stone should move or turn, and how exactly it must
                lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
@@ -324,18 +325,23 @@
 
                                      stays    moves     unclear
                                       kept   rejected   rejected
-       raised                         0.99     0.47       0.22
-       reserve at least 0.003         0.98     0.71       0.44
-       reserve at least 0.005         0.97     0.81       0.53
-       reserve at least 0.008         0.95     0.88       0.64
-       reserve at least 0.02          0.89     0.93       0.83
+       raised                         0.99     0.47       0.19
+       reserve at least 0.003         0.98     0.78       0.52
+       reserve at least 0.005         0.96     0.88       0.66
+       reserve at least 0.0055        0.96     0.89       0.70
+       reserve at least 0.007         0.95     0.91       0.75
+       reserve at least 0.02          0.85     0.97       0.88
        load factor above 0.02         0.93     0.67       0.59
        margin above 0.03 mean sizes   0.95     0.57       0.49
 
-   Recommended: a reserve of 0.008 or more. The larger reserve belongs to what
-   stays in 97 of 100 pairs (area under the curve; margin 0.87, load factor
-   0.91). All of 272 settled structures are raised, of 270 the reserve is 0.01
-   or more. Not shown is no proof of falling; what is raised may slip where the
+   Recommended: a reserve of 0.0055 or more (either half of the walls: 0.96,
+   0.89 and 0.90, 0.65 and 0.77). The larger reserve belongs to what stays in
+   97.5 of 100 pairs (area under the curve; margin 0.87, load factor 0.91). It
+   pushes and shrinks kerns at once, because a stone laid within e, and e over
+   its size in angle, errs in both: of pushes alone a reserve that keeps 0.96
+   rejects 0.88 and 0.63. All of 272 settled structures are raised, 271 with a
+   reserve of 0.006. In float 0.94 of what stays is raised, 0.89 with a reserve
+   of 0.0055. Not shown is no proof of falling; what is raised may slip where the
    first motion of a stone changes its contacts. tests/truth.c has the
    measurement.
 
@@ -1050,13 +1056,15 @@ KERN_API int kern_certain(const kern_task *task, kern_status verdict,
    KERN_STANDS: *out, and the proof as kern_check_raised() takes it, both its
    arrays (KERN_NOT_SHOWN: forces alone). KERN_FALLS: it does not stand; motion
    as in kern_verdict(), *out as it was. `reserve` may be NULL; else
-   *reserve is the largest share of gravity, among 0, .001, .002 ... .008, .01,
-   .012, .015, .02, .03, .05 and .1, that pushes sideways to either side and
-   leaves it raised, as far as is shown: 0 where it is not raised. See
-   >>measures. KERN_BAD_OPTION: a reserve without gravity. KERN_NO_SPACE also
-   where a structure is much wider than a wall of squares.
-   Time: 1.3 times that of the margin where it is raised, 3 to 4 times where it
-   is not shown; with the reserve 4 to 5 times. */
+   *reserve is the largest share, among 0, .001 ... .005, .0055, .006, .007,
+   .008, .01, .015, .02, .03, .05 and .1, of gravity that pushes sideways to
+   either side, while kerns shrink further by that share of the mean size of the
+   free blocks (relative: by that share), and leaves it raised, as far as is
+   shown: 0 where it is not raised. See >>measures. KERN_BAD_OPTION: a reserve
+   without gravity. KERN_NO_SPACE also where a structure is much wider than a
+   wall of squares.
+   Time: 1.2 times that of the margin where it is raised, 8 times where it is not
+   shown; with the reserve 4 times. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
@@ -6694,7 +6702,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     const kern_real most = q->relative ? share : share * r->m->mean;
     int i, k, raised = 1;
     q->factor = share;
-    for (k = kern_travels_of(r->m).nested; k < 2 && raised; k++) {
+    for (k = kern_travels_of(r->m->s, q, 0).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
         r->m->slope = kern_slope(q);
         for (i = 0; i < r->m->s->contacts; i++)

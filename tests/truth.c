@@ -118,7 +118,7 @@ static void row(double least)
         in[found[i].label] += found[i].raised == KERN_RAISED &&
                               found[i].reserve >= least;
     }
-    printf("%8.3f %9.3f %9.3f %9.3f\n", least, in[0] / all[0],
+    printf("%8.4f %9.3f %9.3f %9.3f\n", least, in[0] / all[0],
            all[1] > 0 ? 1 - in[1] / all[1] : 0,
            all[2] > 0 ? 1 - in[2] / all[2] : 0);
 }
