@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x8eec15390eff714fu },
-    { 1000, 0xcb628de4b9b948a4u },
-    { 5000, 0x718c12b48605e93fu },
+    { 200, 0xea7e0c5a69ceda77u },
+    { 1000, 0x06cdf8bcb1c364f2u },
+    { 5000, 0x8b155b2e863772c3u },
 #else
-    { 200, 0x5ad59152d1568379u },
-    { 1000, 0x5516107354208554u },
-    { 5000, 0xbd3b635a90ccb2c0u },
+    { 200, 0x17000b891cef3efdu },
+    { 1000, 0x4db9807ad4262288u },
+    { 5000, 0x7cd84986e43811f5u },
 #endif
 };
 
