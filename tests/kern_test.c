@@ -8914,12 +8914,13 @@ static const kern_force *force_at(const world *w, int k, const world *t,
     int j;
     for (j = 0; j < t->contacts; j++) {
         const kern_contact *e = &t->contact[j];
-        const int same = e->a == order[c->a] && e->b == order[c->b]
-                         && e->n.x * c->n.x + e->n.y * c->n.y > 0;
-        const int other = e->b == order[c->a] && e->a == order[c->b]
-                          && e->n.x * c->n.x + e->n.y * c->n.y < 0;
-        if ((same || other) && memcmp(&e->p, &c->p, sizeof c->p) == 0
-            && fabs((double)(e->n.x * c->n.y - e->n.y * c->n.x)) < 1e-9)
+        const int turned_round = e->b == order[c->a];
+        const double sign = turned_round ? -1 : 1;
+        if (memcmp(&e->p, &c->p, sizeof c->p) == 0
+            && e->a == order[turned_round ? c->b : c->a]
+            && e->b == order[turned_round ? c->a : c->b]
+            && fabs(sign * (double)e->n.x - (double)c->n.x) <= 0
+            && fabs(sign * (double)e->n.y - (double)c->n.y) <= 0)
             return &force[j];
     }
     return NULL;
@@ -8933,8 +8934,9 @@ static void forces_laws(void)
     static world w, t;
     static kern_force image[MAX_POINTS];
     static int order[MAX_BLOCKS];
+    const double tol = SINGLE ? 1e-2 : 1e-6;
     int seed, place, k, done = 0, asked_here = 0;
-    for (seed = 1; seed <= (SINGLE ? 0 : quick ? 200 : 1000); seed++) {
+    for (seed = 1; seed <= (quick ? 200 : 1000); seed++) {
         change c = no_change();
         double margin;
         random_world(&w, (unsigned long long)seed, 15);
@@ -8951,35 +8953,41 @@ static void forces_laws(void)
                 continue;
             done++;
             size = force_product(&w, least_of, least_of);
-            CHECK(force_product(&w, least_of, force_of) >= size * (1 - 1e-7));
+            CHECK(force_product(&w, least_of, force_of) >= size * (1 - tol));
             for (k = 0; k < w.contacts; k++)
                 most = fmax(most, (double)least_of[k].normal);
             c.shuffle = 0;
             c.mirror = 1;
             world_changed(&t, &w, &c, order);
-            CHECK_INT(least_forces(&t, d, image), KERN_STANDS);
+            if (least_forces(&t, d, image) != KERN_STANDS) {
+                CHECK(SINGLE); /* some are less exact there */
+                continue;
+            }
             for (k = 0; k < w.contacts; k++) {
-                CHECK_NEAR(image[k].normal, least_of[k].normal, 1e-6 * most);
+                CHECK_NEAR(image[k].normal, least_of[k].normal, tol * most);
                 CHECK_NEAR(image[k].tangential, -least_of[k].tangential,
-                           1e-6 * most);
+                           tol * most);
             }
             c.shuffle = 1;
             c.mirror = 0;
             world_changed(&t, &w, &c, order);
-            CHECK_INT(least_forces(&t, d, image), KERN_STANDS);
+            if (least_forces(&t, d, image) != KERN_STANDS) {
+                CHECK(SINGLE); /* some are less exact there */
+                continue;
+            }
             for (k = 0; k < w.contacts; k++) {
                 const kern_force *f = force_at(&w, k, &t, order, image);
                 CHECK(f != NULL);
                 if (!f)
                     continue;
-                CHECK_NEAR(f->normal, least_of[k].normal, 1e-6 * most);
-                CHECK_NEAR(f->tangential, least_of[k].tangential, 1e-6 * most);
+                CHECK_NEAR(f->normal, least_of[k].normal, tol * most);
+                CHECK_NEAR(f->tangential, least_of[k].tangential, tol * most);
             }
         }
     }
     context[0] = 0;
-    CHECK(SINGLE || asked_here > (quick ? 100 : 500));
-    CHECK(100 * done >= 99 * asked_here);
+    CHECK(asked_here > (quick ? 100 : 500));
+    CHECK(100 * done >= (SINGLE ? 97 : 99) * asked_here);
 }
 
 /* A fall, bad input, too little memory, too little work. */
