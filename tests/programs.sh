@@ -112,6 +112,22 @@ kept() { # no picture is written over a structure
     [ "$i" -eq 6 ]
 }
 
+large() { # the verdict on 2,000 bricks, which takes a tenth of a second
+    local kern
+    kern=$(program kern examples/kern.c) || return 1
+    awk 'BEGIN {
+        print "friction 0.6\nfixed ground  -9 -1  99 -1  99 0  -9 0"
+        for (c = 0; c < 50; c++)
+            for (i = 0; i < 40; i++) {
+                x = i + c % 2 / 2
+                y = c / 2
+                print "block b" c "_" i " *", x, y, x + 1, y, x + 1, y + 0.5,
+                    x, y + 0.5
+            }
+    }' >"$out/large.kern"
+    timeout 20 "$kern" --verdict "$out/large.kern" | grep -q ": stands"
+}
+
 reader() { # in any locale, and of files without an end
     local kern text
     kern=$(program kern examples/kern.c) &&
