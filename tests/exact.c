@@ -43,8 +43,6 @@
 
 enum { FREE = 14, ROWS = 3 * FREE, COLS = 2 * CONTACTS };
 
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 static kern_force force[CONTACTS];
 static kern_motion motion[BLOCKS];
 
@@ -517,8 +515,7 @@ static struct { long asked, undecided, refused; } of_family[FAMILIES];
 
 static void ask(int seed, int most, int families)
 {
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS), ints,
-                                  KERN_INTS(BLOCKS, CONTACTS));
+    kern_work work = whole_work();
     kern_proof proof;
     kern_status got;
     double shrink;

@@ -229,16 +229,7 @@ static void move_all(kern_vec turn, kern_vec way)
 static int random_family(int seed, int most, kern_work *work)
 {
     int family, i;
-    state = (uint64_t)seed * 2862933555777941757u + 3037000493u;
-    for (i = 0; i < 8; i++)
-        random_word();
-    options = kern_defaults();
-    options.mu = uniform(0.1, 1);
-    options.relative = random_below(6) == 0;
-    s.blocks = s.contacts = 0;
-    s.block = block;
-    s.contact = contact;
-    s.gravity = stones_vec(0, -9.8125);
+    random_begin(seed, 6);
     family = random_below(FAMILIES);
     i = random_count(1, most);
     switch (family) {

@@ -38,16 +38,8 @@ static void check_at(int line, int holds, const char *what)
 
 /* ==== One question, and what may be answered ======================== */
 
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 static kern_force force[CONTACTS];
 static kern_motion motion[BLOCKS];
-
-static kern_work whole_work(void)
-{
-    return kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS), ints,
-                        KERN_INTS(BLOCKS, CONTACTS));
-}
 
 static kern_status ask(kern_margin *m, kern_work *work)
 {

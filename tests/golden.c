@@ -103,8 +103,6 @@ static void hash_real(kern_real number)
 
 static kern_force force[CONTACTS];
 static kern_motion motion[BLOCKS];
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 
 static void hash_geometry(void)
 {
@@ -212,8 +210,7 @@ static void hash_raised(kern_work *work, const kern_proof *proof)
 /* Everything that can be asked of structure number `seed`. */
 static void hash_structure(int seed)
 {
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS), ints,
-                                  KERN_INTS(BLOCKS, CONTACTS));
+    kern_work work = whole_work();
     kern_proof proof;
     kern_real out = 0;
     int got, side;

@@ -14,9 +14,6 @@
 #include "../kern.h"
 #include "structures.h"
 
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
-
 /* Does a kern close where the margin ends? Then the load passes through what
    was left of it, within the tolerance or not. */
 static int closes(const kern_margin *m)
@@ -34,8 +31,7 @@ int main(int argc, char **argv)
     const int many = argc > 1 ? atoi(argv[1]) : 1000;
     int seed;
     for (seed = 1; seed <= many; seed++) {
-        kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
-                                      ints, KERN_INTS(BLOCKS, CONTACTS));
+        kern_work work = whole_work();
         kern_margin m;
         kern_status got;
         memset(&m, 0, sizeof m);

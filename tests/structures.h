@@ -23,6 +23,15 @@ static kern_contact contact[CONTACTS];
 static kern_options options;
 static kern_structure s;
 static uint64_t state;
+static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
+static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+
+/* All work memory that a structure may need. */
+static kern_work whole_work(void)
+{
+    return kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS), ints,
+                        KERN_INTS(BLOCKS, CONTACTS));
+}
 
 /* The structure, its options and this work memory. */
 static kern_task *task_of(kern_work *work)
@@ -229,9 +238,9 @@ static int random_count(int least, int most)
     return n < least ? least : n;
 }
 
-/* Structure number `seed`, of at most `most` free blocks (but three in an
-   arch; up to 14). The fault says why contacts could not be found. */
-static void random_structure(int seed, int most, kern_work *work)
+/* Before structure number `seed`: nothing is there, and lengths of one in
+   `relative` are relative. */
+static void random_begin(int seed, int relative)
 {
     int i;
     state = (uint64_t)seed * 2862933555777941757u + 3037000493u;
@@ -239,14 +248,20 @@ static void random_structure(int seed, int most, kern_work *work)
         random_word();
     options = kern_defaults();
     options.mu = uniform(0.1, 1);
-    options.relative = random_below(4) == 0;
+    options.relative = random_below(relative) == 0;
     s.blocks = s.contacts = 0;
     s.block = block;
     s.contact = contact;
-    s.gravity = vec_of(random_below(3) ? (kern_real)(0) : uniform(-2, 2),
-                              (kern_real)(-9.8125));
-    i = random_below(6);
-    switch (i) {
+    s.gravity = vec_of(0, (kern_real)(-9.8125));
+}
+
+/* Structure number `seed`, of at most `most` free blocks (but three in an
+   arch; up to 14). The fault says why contacts could not be found. */
+static void random_structure(int seed, int most, kern_work *work)
+{
+    random_begin(seed, 4);
+    s.gravity.x = random_below(3) ? (kern_real)(0) : uniform(-2, 2);
+    switch (random_below(6)) {
     case 0: make_tower(random_count(1, most), 0); break;
     case 1: make_tower(random_count(1, most), (kern_real)(0.2)); break;
     case 2: make_wall(random_count(1, most)); break;
