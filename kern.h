@@ -1797,6 +1797,7 @@ typedef struct kern_path {
     kern_part *part;          /* that fell last                               */
     const kern_seed *seed;    /* or NULL                                      */
     int alone;                /* nonzero: the part is evaluated alone         */
+    struct kern_inner *inner; /* evaluates the whole, or NULL                 */
     int begun;                /* nonzero: it is known to stand at the start   */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
@@ -1830,6 +1831,12 @@ static kern_travels kern_travels_of(const kern_structure *s,
 /* Goes in steps until it falls, and narrows the bracket there. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real step, int even);
+/* The verdict on the whole at a place, by the interior point; in *edge, where
+   it falls, where that ends. */
+static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
+                                       kern_real *edge);
+/* Whether there is one, and its last motion shows the edge. */
+static int kern_inner_sharp(const struct kern_inner *in);
 /* Does block i move in the last mechanism? */
 static int kern_moves(const kern_model *m, int i);
 /* Brackets the first place where it falls, by small parts where it can. */
@@ -2794,6 +2801,7 @@ static kern_status kern_path_begin(kern_path *path, kern_model *m,
     path->q = *q;
     path->seed = NULL;
     path->alone = path->begun = 0;
+    path->inner = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
@@ -4139,14 +4147,6 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
     return s0 + s1 + (s2 + s3);
 }
 
-/* Row i of the factor, as if from column 0 on; *from is its first column. */
-static kern_real *kern_least_row(const kern_part *p, int i, int *from)
-{
-    const int g = i / 3, length = 3 * (g - p->first[g] + 1);
-    *from = 3 * p->first[g];
-    return p->factor + p->offset[g] + (i - 3 * g) * length;
-}
-
 /* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
    columns. The rows are `wide_a` and `wide_b` apart. */
 static void kern_least_common(kern_real *c, const kern_real *a, int wide_a,
@@ -4213,16 +4213,37 @@ static void kern_least_factor(kern_part *p)
 static void kern_least_solve(const kern_part *p, const kern_real *b,
                              kern_real *out)
 {
-    int i, j, from;
-    for (i = 0; i < 3 * p->groups; i++) {
-        const kern_real *row = kern_least_row(p, i, &from);
-        out[i] = (b[i] - kern_dot(row, out + from, i - from)) / row[i - from];
+    int g, i;
+    for (g = 0; g < p->groups; g++) {
+        const int n = 3 * (g - p->first[g]), wide = n + 3;
+        const kern_real *u = p->factor + p->offset[g], *v = u + wide;
+        const kern_real *w = v + wide, *x = out + 3 * p->first[g];
+        kern_real s0 = b[3 * g], s1 = b[3 * g + 1], s2 = b[3 * g + 2];
+        for (i = 0; i < n; i++) {
+            s0 -= u[i] * x[i];
+            s1 -= v[i] * x[i];
+            s2 -= w[i] * x[i];
+        }
+        s0 /= u[n];
+        s1 = (s1 - v[n] * s0) / v[n + 1];
+        s2 = (s2 - w[n] * s0 - w[n + 1] * s1) / w[n + 2];
+        out[3 * g] = s0;
+        out[3 * g + 1] = s1;
+        out[3 * g + 2] = s2;
     }
-    for (i = 3 * p->groups - 1; i >= 0; i--) {
-        const kern_real *row = kern_least_row(p, i, &from);
-        out[i] /= row[i - from];
-        for (j = from; j < i; j++)
-            out[j] -= out[i] * row[j - from];
+    for (g = p->groups - 1; g >= 0; g--) {
+        const int n = 3 * (g - p->first[g]), wide = n + 3;
+        const kern_real *u = p->factor + p->offset[g], *v = u + wide;
+        const kern_real *w = v + wide;
+        kern_real *x = out + 3 * p->first[g];
+        const kern_real s2 = x[n + 2] / w[n + 2];
+        const kern_real s1 = (x[n + 1] - w[n + 1] * s2) / v[n + 1];
+        const kern_real s0 = (x[n] - w[n] * s2 - v[n] * s1) / u[n];
+        x[n] = s0;
+        x[n + 1] = s1;
+        x[n + 2] = s2;
+        for (i = 0; i < n; i++)
+            x[i] -= s0 * u[i] + s1 * v[i] + s2 * w[i];
     }
 }
 
@@ -5569,16 +5590,27 @@ static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
+/* Where the mechanism p->y that falls at s stops to fall: Newton's method. */
+static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
+                                  kern_real s)
+{
+    const kern_part *p = path->part;
+    const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
+    return path->kind == KERN_PATH_SHRINK
+           ? kern_shrink_edge(p, path->holds, s, power)
+           : s - power / kern_load_rate(path, q, s);
+}
+
 /* Asks at s. Where it falls Newton's method says where that ends. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
-    const kern_status status = path->alone ? kern_part_evaluate(p, &q)
-                                           : kern_model_evaluate(m, p, &q);
-    kern_real power = KERN_R(0);
-    int i;
+    const kern_status status = path->inner
+        ? kern_inner_evaluate(path->inner, s, &path->edge)
+        : path->alone ? kern_part_evaluate(p, &q)
+                      : kern_model_evaluate(m, p, &q);
     if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
         kern_path_note(m, path, status, s);
     if (status == KERN_STANDS)
@@ -5586,13 +5618,8 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     if (status == KERN_FALLS)
         path->fails = s;
     /* near to critical even a certificate that proves nothing tells where */
-    if (status == KERN_STANDS || p->found != KERN_FALLS)
-        return status;
-    for (i = 0; i < p->lp.rows; i++)
-        power += p->y[i] * p->rhs[i];
-    path->edge = path->kind == KERN_PATH_SHRINK
-                 ? kern_shrink_edge(p, path->holds, s, power)
-                 : s - power / kern_load_rate(path, &q, s);
+    if (status != KERN_STANDS && p->found == KERN_FALLS && !path->inner)
+        path->edge = kern_path_newton(path, &q, s);
     return status;
 }
 
@@ -5620,12 +5647,14 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
         const int inside = r >= lo && r <= hi;
         const int close = inside && hi - r <= aside * KERN_R(1.05);
         const int closed = close && r - lo <= under * KERN_R(1.05)
-                           && (r - lo >= under / 2 || lo <= path->start);
+                           && (r - lo >= under / 2 || lo <= path->start
+                               || path->inner);
         const int pivots = m->work->pivots;
         const int single = path->part->simplex.violated == 1;
         kern_real at;
         kern_status status;
-        if ((known && closed) || hi - lo <= half / 8
+        if ((closed && (known || kern_inner_sharp(path->inner)))
+            || hi - lo <= half / 8
             || aside + under > path->tolerance * KERN_WIDEST)
             break;
         if (close)
@@ -5797,9 +5826,15 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
    with mu = 0, predicts. */
 
 #define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
-#define KERN_INNER_BEYOND  3       /* predictions at the end, or no progress  */
+#define KERN_INNER_STALLED 3       /* without progress                        */
+#define KERN_INNER_CLEAR   KERN_R(1e-2) /* gap at which predictions are trusted */
 #define KERN_INNER_TRIES   6       /* and of its proofs                       */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
+#define KERN_INNER_LOST    KERN_R(1e6)   /* gap that comes of lost digits     */
+#define KERN_INNER_SOFT    KERN_R(0.01)  /* width over which kerns close       */
+#define KERN_INNER_APART   KERN_R(0.03)  /* least product beside their mean    */
+#define KERN_INNER_LIFT    KERN_R(1e-3)  /* gap from which a verdict begins    */
+#define KERN_INNER_SHARP   KERN_R(1e-4)  /* gap that is small beside a power   */
 
 typedef struct kern_inner {
     kern_part *p;             /* all groups; its u is y                       */
@@ -5810,6 +5845,13 @@ typedef struct kern_inner {
     kern_real at;             /* the place of the matrix where that is held,
                                  else s                                       */
     int held;                 /* nonzero: matrix and g stay, s is linear      */
+    int failed;               /* verdicts that were not decided               */
+    int along;                /* nonzero: g is the path's                     */
+    int sharp;                /* nonzero: the last motion shows the edge      */
+    int shrinks;              /* nonzero: the matrix changes, else the loads  */
+    kern_real *roll;          /* of a contact: how fast its point moves       */
+    kern_real rate;           /* largest of g along the path                  */
+    kern_real soft;           /* width over which kerns close                 */
     kern_real gap;            /* sum of x z: how far s can be from the edge   */
     kern_real least;          /* gap that is small enough                     */
     kern_real *x, *z;         /* of a ray: force and closing, both > 0        */
@@ -5843,16 +5885,41 @@ static void kern_inner_ways(const kern_part *p, const kern_real *v,
 static void kern_inner_carry(const kern_part *p, const kern_real *x,
                              kern_real *out)
 {
-    int k, end;
+    int k;
     for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
+        const kern_contact *c = p->m->s->contact + p->contact[k];
+        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
         const kern_real f = x[2 * k] + x[2 * k + 1];
-        const kern_real r = p->m->s->contact[i].mu * (x[2 * k] - x[2 * k + 1]);
-        for (end = 0; end < 2; end++)
-            if (p->ends[2 * k + end] < p->groups)
-                kern_model_carry(p->m, i, end, -f, -r,
-                                 out + 3 * p->ends[2 * k + end]);
+        const kern_real r = c->mu * (x[2 * k] - x[2 * k + 1]);
+        const kern_real fx = f * c->n.x - r * c->n.y;
+        const kern_real fy = f * c->n.y + r * c->n.x;
+        kern_real *h = out + 3 * p->ends[2 * k];
+        kern_real *t = out + 3 * p->ends[2 * k + 1];
+        h[0] += fx;
+        h[1] += fy;
+        h[2] += f * arm[0] + r * arm[1];
+        t[0] -= fx;
+        t[1] -= fy;
+        t[2] += f * arm[2] + r * arm[3];
     }
+}
+
+/* How far contact c's point lies from where it is taken to be: where a kern
+   closes the path has a bend, which is rounded as long as the gap is large.
+   In *rate how fast it moves. */
+static kern_real kern_inner_round(const kern_inner *in, const kern_contact *c,
+                                  kern_real *rate)
+{
+    const kern_model *m = in->p->m;
+    const kern_real travel = kern_travel(c, m->mean), l = kern_abs(travel);
+    const kern_real shift = kern_shift(travel, in->at, m->relative, rate);
+    const kern_real sign = travel > 0 ? KERN_R(1) : KERN_R(-1);
+    const kern_real root = KERN_SQRT((in->at - l) * (in->at - l)
+                                     + in->soft * in->soft);
+    if (m->relative || !(l > 0) || !(in->soft > 0))
+        return KERN_R(0);
+    *rate = sign * (1 - (in->at - l) / root) / 2;
+    return sign * (in->at + l - root) / 2 - shift;
 }
 
 /* out += share times what the shrinking of kerns makes of forces x */
@@ -5865,14 +5932,9 @@ static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_real f = share * (x[2 * k] + x[2 * k + 1]);
-        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-        kern_real rate;
-        kern_shift(kern_travel(m->s->contact + i, m->mean), in->s,
-                   m->relative, &rate);
-        if (h < p->groups) /* t x (f n + r t) = -f */
-            out[3 * h + 2] -= rate * f * m->unit[m->ends[2 * i]];
-        if (t < p->groups)
-            out[3 * t + 2] += rate * f * m->unit[m->ends[2 * i + 1]];
+        const kern_real rate = f * in->roll[k]; /* t x (f n + r t) = -f */
+        out[3 * p->ends[2 * k] + 2] -= rate * m->unit[m->ends[2 * i]];
+        out[3 * p->ends[2 * k + 1] + 2] += rate * m->unit[m->ends[2 * i + 1]];
     }
 }
 
@@ -5882,22 +5944,32 @@ static void kern_inner_rate(kern_inner *in)
     const kern_query q = kern_path_at(in->path, in->s);
     const kern_part *p = in->p;
     const kern_model *m = p->m;
-    const int shrink = in->path->kind == KERN_PATH_SHRINK;
     int n;
     for (n = 0; n < p->groups; n++) {
         kern_wrench w;
         w.fx = w.fy = w.torque = KERN_R(0);
-        if (!shrink)
+        if (!in->shrinks)
             kern_path_rate(in->path, m, &q, in->s, m->block[p->group[n]], &w);
         in->g[3 * n] = w.fx / m->weight;
         in->g[3 * n + 1] = w.fy / m->weight;
         in->g[3 * n + 2] = w.torque * m->unit[p->group[n]] / m->weight;
     }
-    if (shrink)
+    if (in->shrinks)
         kern_inner_shrink(in, in->x, KERN_R(1), in->g);
+    in->rate = kern_max(in->rate, kern_largest(in->g, 3 * p->groups));
 }
 
-/* The matrix and the loads at a place. */
+/* The loads of the model, group by group of the part. */
+static void kern_inner_load(kern_inner *in)
+{
+    kern_part *p = in->p;
+    int n, j;
+    for (n = 0; n < p->groups; n++)
+        for (j = 0; j < 3; j++)
+            p->rhs[3 * n + j] = p->m->load[3 * p->group[n] + j];
+}
+
+/* What depends on the place: the matrix where kerns shrink, else the loads. */
 static void kern_inner_place(kern_inner *in, kern_real place)
 {
     kern_part *p = in->p;
@@ -5905,29 +5977,35 @@ static void kern_inner_place(kern_inner *in, kern_real place)
     const kern_query q = kern_path_at(in->path, place);
     int n, k;
     in->at = place;
+    for (k = 0; in->shrinks && k < p->contacts; k++) {
+        const int i = p->contact[k];
+        kern_real *arm = m->arm + 4 * (size_t)i;
+        const kern_real more = kern_inner_round(in, m->s->contact + i,
+                                                in->roll + k);
+        kern_model_arm(m, &q, i, arm);
+        arm[0] -= more * m->unit[m->ends[2 * i]];
+        arm[2] += more * m->unit[m->ends[2 * i + 1]];
+    }
+    if (in->shrinks)
+        return;
     for (n = 0; n < p->groups; n++) {
-        kern_model_unit(m, &q, p->group[n]);
         kern_model_load(m, &q, p->group[n]);
         kern_model_scale(m, p->group[n]);
     }
-    for (k = 0; k < p->contacts; k++)
-        kern_model_arm(m, &q, p->contact[k],
-                       m->arm + 4 * (size_t)p->contact[k]);
+    kern_inner_load(in);
 }
 
 /* A(s) x - b(s), and unless they are held the matrix and g. */
 static void kern_inner_set(kern_inner *in)
 {
     kern_part *p = in->p;
-    int n, j;
+    int i;
     if (!in->held) {
         kern_inner_place(in, in->s);
         kern_inner_rate(in);
     }
-    for (n = 0; n < p->groups; n++)
-        for (j = 0; j < 3; j++)
-            in->over[3 * n + j] = (in->s - in->at) * in->g[3 * n + j]
-                                  - p->m->load[3 * p->group[n] + j];
+    for (i = 0; i < 3 * p->groups; i++)
+        in->over[i] = (in->s - in->at) * in->g[i] - p->rhs[i];
     kern_inner_carry(p, in->x, in->over);
 }
 
@@ -6028,17 +6106,43 @@ static void kern_inner_move(kern_inner *in, kern_real ds)
     in->gap = kern_dot(in->x, in->z, rays);
 }
 
-/* One step of the method; 0 if the call has no more work for it. */
+/* Lifts products x z that are near to 0, from where steps would be short, to a
+   share of a gap. */
+static void kern_inner_centre(kern_inner *in, kern_real gap)
+{
+    const int rays = 2 * in->p->contacts;
+    const kern_real mean = gap / KERN_R(rays);
+    int i, lifted = 0;
+    for (i = 0; i < rays; i++) {
+        const kern_real x = in->x[i];
+        in->dx[i] = KERN_R(0);
+        if (x * in->z[i] < mean && x > in->z[i])
+            in->z[i] = mean / x;
+        else if (x * in->z[i] < mean) {
+            in->x[i] = mean / in->z[i];
+            in->dx[i] = in->x[i] - x;
+            lifted = 1;
+        }
+    }
+    in->gap = kern_dot(in->x, in->z, rays);
+    if (lifted)
+        kern_inner_carry(in->p, in->dx, in->over);
+}
+
+/* One step of the method; 0 if the call has no more work for it, or the digits
+   do not reach for one. */
 static int kern_inner_advance(kern_inner *in)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    const int shrink = in->path->kind == KERN_PATH_SHRINK && !in->held;
+    const int shrink = in->shrinks && !in->held;
     kern_real of_x, of_z, ds, left = KERN_R(0), mu;
     int i;
     if (!kern_model_spend(p->m, 1 + p->cost / 150))
         return 0;
     kern_inner_factor(in, 0);
+    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE))
+        return 0;
     kern_inner_ways(p, p->u, p->way);
     for (i = 0; i < rays; i++)
         in->dx[i] = -in->x[i] / in->z[i] * p->way[i];
@@ -6051,7 +6155,8 @@ static int kern_inner_advance(kern_inner *in)
     for (i = 0; i < rays; i++)
         left += (in->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
     left /= in->gap;
-    mu = kern_max(in->gap * left * left * left, kern_max(in->least / 2,
+    mu = kern_max(in->gap * left * left * left, kern_max(
+        in->least * (in->held ? KERN_INNER_SHARP : KERN_R(0.5)),
         kern_largest(in->over, n) / kern_largest(in->g, n)));
     mu = kern_min(mu, in->gap) / KERN_R(rays);
     for (i = 0; i < n; i++)
@@ -6063,6 +6168,8 @@ static int kern_inner_advance(kern_inner *in)
                     / in->z[i];
     ds = kern_inner_step(in);
     kern_inner_move(in, ds);
+    if (!in->held)
+        kern_inner_centre(in, KERN_INNER_APART * in->gap);
     return 1;
 }
 
@@ -6171,27 +6278,35 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     rays = 2 * p->contacts;
     in->p = p;
     in->path = path;
-    in->x = kern_take_reals(&p->rest, rays);
+    p->x = in->x = kern_take_reals(&p->rest, rays);
+    p->y = p->u;
     in->z = kern_take_reals(&p->rest, rays);
     in->dx = kern_take_reals(&p->rest, rays);
     in->dz = kern_take_reals(&p->rest, rays);
-    in->g = kern_take_reals(&p->rest, 3 * p->groups);
+    p->rhs = kern_take_reals(&p->rest, 3 * p->groups);
+    in->roll = kern_take_reals(&p->rest, p->contacts);
+    in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->over = p->b;
-    in->held = 0;
+    in->held = in->failed = in->sharp = 0;
+    in->rate = KERN_R(1e-3) / path->unit;
+    in->shrinks = path->kind == KERN_PATH_SHRINK;
+    in->soft = KERN_INNER_SOFT * path->unit;
     in->s = path->holds;
     in->low = path->holds - KERN_R(0.1) * path->unit;
     in->least = path->tolerance * KERN_R(0.45);
-    return kern_take_fits(&p->rest) && kern_inner_begin(in);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    kern_inner_load(in);
+    return kern_inner_begin(in);
 }
 
-/* Whether the forces are a proof that it stands at s. */
+/* Whether the forces are a proof that it stands at the place of the matrix. */
 static int kern_inner_holds(kern_inner *in)
 {
     kern_part *p = in->p;
-    const kern_query q = kern_path_at(in->path, in->s);
+    const kern_query q = kern_path_at(in->path, in->at);
     kern_real error;
-    p->x = in->x;
     kern_part_forces(p);
     error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum);
     if (error <= 1)
@@ -6205,7 +6320,6 @@ static int kern_inner_falls(kern_inner *in)
     kern_part *p = in->p;
     const kern_query q = kern_path_at(in->path, in->at);
     kern_real error;
-    p->y = p->u;
     kern_part_motion(p);
     error = kern_prove_motion(p->m->s, &q, p->m->motion);
     if (error <= 1)
@@ -6213,78 +6327,157 @@ static int kern_inner_falls(kern_inner *in)
     return error <= 1;
 }
 
-/* The verdict at a place, which is held from now on. */
-static kern_status kern_inner_verdict(kern_inner *in, kern_real place)
+/* Holds the matrix at a place from now on. Where the path leads away from what
+   x misses there, g is that instead, and s turns into the share of it that is
+   still missing. */
+static void kern_inner_hold(kern_inner *in, kern_real place)
 {
-    int round;
+    kern_part *p = in->p;
+    const int n = 3 * p->groups;
+    kern_real way = kern_max(kern_abs(place - in->at), in->least);
+    int i;
+    in->soft = KERN_R(0);
+    if (!(in->gap <= KERN_INNER_LOST)) {
+        in->held = 0;
+        in->s = place;
+        kern_inner_begin(in);
+    }
     kern_inner_place(in, place);
+    kern_inner_rate(in);
     in->held = 1;
     kern_inner_set(in);
-    for (round = 0; round < KERN_INNER_ROUNDS; round++) {
+    in->along = kern_largest(in->over, n) < kern_largest(in->g, n) * way;
+    if (in->along)
+        return;
+    kern_inner_centre(in, kern_max(in->gap, KERN_INNER_LIFT));
+    in->s = place;
+    kern_inner_set(in);
+    way = kern_max(way, kern_largest(in->over, n) / in->rate);
+    in->s = place - way;
+    for (i = 0; i < n; i++)
+        in->g[i] = in->over[i] / way;
+    kern_inner_set(in);
+}
+
+/* The verdict at a place. A motion proves that it falls as long as it parts from
+   all contacts by more than rounding, which is before it is sharp enough for
+   Newton's method. */
+static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
+                                       kern_real *edge)
+{
+    kern_part *p = in->p;
+    const kern_real small = KERN_INNER_SHARP * in->least;
+    const int n = 3 * p->groups;
+    kern_status status = KERN_UNDECIDED;
+    int round, late = 0;
+    if (in->failed == KERN_INNER_STALLED)
+        return status;
+    kern_inner_hold(in, place);
+    p->m->work->solves++;
+    for (round = 0; round < KERN_INNER_ROUNDS && in->gap <= KERN_HUGE
+                    && late < KERN_INNER_STALLED; round++) {
+        kern_real power, left;
         if (!kern_inner_advance(in))
-            return KERN_LIMIT;
-        if (in->s >= place ? kern_inner_holds(in) : kern_inner_falls(in))
-            return in->s >= place ? KERN_STANDS : KERN_FALLS;
+            break;
+        left = place - in->s;
+        power = kern_dot(p->y, p->rhs, n);
+        /* what is missing may be less than a proof sees */
+        if ((left <= small || left * kern_largest(in->g, n) <= KERN_TOL)
+            && kern_inner_holds(in))
+            return KERN_STANDS;
+        if (status != KERN_FALLS && power < 0 && kern_inner_falls(in))
+            status = KERN_FALLS;
+        in->sharp = kern_abs(left + power) <= KERN_INNER_SHARP * left;
+        if (status == KERN_FALLS && in->sharp)
+            break;
+        late += in->gap <= 2 * small;
     }
-    return KERN_UNDECIDED;
+    if (status == KERN_UNDECIDED) {
+        in->gap = KERN_INFINITY;
+        in->failed++;
+    }
+    if (status == KERN_FALLS && in->along)
+        *edge = in->s;
+    else if (status == KERN_FALLS) {
+        const kern_query q = kern_path_at(in->path, place);
+        *edge = kern_path_newton(in->path, &q, place);
+    }
+    in->sharp = in->sharp && in->along;
+    return status;
+}
+
+static int kern_inner_sharp(const kern_inner *in)
+{ return in != NULL && in->sharp; }
+
+/* Follows the path to the first place where the whole falls, as far as it can
+   be followed. Returns nonzero where it is seen to stand to the end. */
+static int kern_inner_follow(kern_inner *in)
+{
+    int round, beyond = 0, stalled = 0;
+    for (round = 0; round < KERN_INNER_ROUNDS && !(in->gap <= in->least)
+                    && !beyond && stalled < KERN_INNER_STALLED;
+         round++) {
+        const kern_real gap = in->gap;
+        in->soft = kern_min(in->soft, gap / 20);
+        if (!(gap <= KERN_INNER_LOST) || !kern_inner_advance(in))
+            return 0;
+        beyond = in->gap <= KERN_INNER_CLEAR
+                 && in->ahead > in->high - in->least;
+        stalled = kern_abs(in->gap - gap) < gap / 32 ? stalled + 1 : 0;
+    }
+    return beyond;
+}
+
+/* Evaluates where the path has been followed to, and beyond. */
+static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
+                                   kern_path *path)
+{
+    kern_status status;
+    int round;
+    for (round = 0; round < KERN_INNER_TRIES && in->gap <= KERN_INNER_CLEAR
+                    && !kern_inner_holds(in) && kern_inner_advance(in); round++)
+        ;
+    if (in->s >= path->start && kern_inner_holds(in)) {
+        kern_path_note(m, path, KERN_STANDS, in->s);
+        path->holds = in->s;
+    }
+    if (!(in->ahead >= path->holds && in->ahead <= in->high))
+        return KERN_UNDECIDED;
+    path->edge = in->ahead;
+    status = kern_path_evaluate(m, path,
+                                kern_min(in->ahead + in->least, in->high));
+    return status == KERN_STANDS ? kern_path_evaluate(m, path, in->high)
+                                 : status;
 }
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. It is known to lie before `high`. Where the
-   prediction lies beyond that again and again, `last` is evaluated: if it
-   stands there, the search is over. */
+   where it is not found. It is known to lie before `high`; what lies between
+   `last` and that need not be evaluated. */
 static kern_status kern_inner_search(kern_model *m, kern_path *path,
                                      kern_real last, kern_real high)
 {
-    const kern_real same = 4 * path->unit * KERN_SAME_EDGE;
     kern_inner in;
-    kern_real edge, holds;
-    int round, beyond = 0, stalled = 0;
+    kern_status status;
     if (m->from > 0 || m->narrow > 0 || !kern_inner_open(&in, m, path))
         return KERN_UNDECIDED;
-    in.high = high;
-    for (round = 0; !(in.gap <= in.least) && beyond < KERN_INNER_BEYOND;
-         round++) {
-        const kern_real gap = in.gap;
-        if (round == KERN_INNER_ROUNDS || stalled == KERN_INNER_BEYOND
-            || !(gap <= KERN_HUGE) || !kern_inner_advance(&in))
-            return KERN_UNDECIDED;
-        beyond = in.ahead > high - in.least ? beyond + 1 : 0;
-        stalled = kern_abs(in.gap - gap) < gap / 32 ? stalled + 1 : 0;
-    }
-    if (beyond == KERN_INNER_BEYOND) {
-        if (kern_inner_verdict(&in, last) != KERN_STANDS)
-            return KERN_UNDECIDED;
-        kern_path_note(m, path, KERN_STANDS, last);
-        path->holds = last;
+    path->inner = &in;
+    path->fails = in.high = high;
+    status = kern_inner_follow(&in) ? kern_path_evaluate(m, path, last)
+                                    : kern_inner_ends(&in, m, path);
+    if (status == KERN_STANDS) {
         path->never = high >= path->end;
         if (path->never)
             path->fails = high;
         path->edge = path->never ? high : kern_max(path->edge, last);
-        return KERN_STANDS;
+    } else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
+        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (!in.sharp || path->fell > path->fails
+            || path->fails - path->holds > path->tolerance)
+            status = KERN_UNDECIDED;
     }
-    for (round = 0; !kern_inner_holds(&in); round++)
-        if (round == KERN_INNER_TRIES || !kern_inner_advance(&in))
-            return KERN_UNDECIDED;
-    if (in.s < path->start)
-        return KERN_UNDECIDED;
-    kern_path_note(m, path, KERN_STANDS, in.s);
-    holds = in.s;
-    edge = kern_min(kern_max(in.ahead, holds), holds + in.gap);
-    if (kern_inner_verdict(&in, kern_min(edge + in.least, path->end))
-        != KERN_FALLS)
-        return KERN_UNDECIDED;
-    kern_path_note(m, path, KERN_FALLS, in.at);
-    for (round = 0; round < KERN_INNER_TRIES
-                    && kern_abs(in.ahead - edge) > same; round++) {
-        edge = in.ahead;
-        if (!kern_inner_advance(&in))
-            break;
-    }
-    path->holds = holds;
-    path->fails = in.at;
-    path->edge = kern_min(kern_max(in.ahead, holds), in.at);
-    return KERN_STANDS;
+    path->inner = NULL;
+    return status == KERN_STANDS && path->stood >= path->holds
+           ? status : KERN_UNDECIDED;
 }
 
 static int kern_moves(const kern_model *m, int i)
@@ -6327,13 +6520,8 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const int seeded = !fell && path->seed && path->seed->fails > at;
     const int closed = fell && path->closed;
     const int near_part = fell && m->groups <= KERN_PLAIN_SMALL;
-    /* The walls' kerns close one after the other, and beyond a closed kern the
-       interior point sees no gradient: there the simplex method takes half of
-       the instructions; of an arch it takes three times as many. */
-    const int smooth = path->kind != KERN_PATH_SHRINK
-                       || m->s->contacts <= 3 * m->groups;
     kern_status status = KERN_UNDECIDED;
-    if (smooth && !seeded) /* else one verdict from the known forces may do */
+    if (!seeded) /* else one verdict from the known forces may do */
         status = kern_inner_search(m, path, closed ? at : path->end,
                                    closed ? path->fails : path->end);
     if (status == KERN_STANDS)
@@ -6341,6 +6529,15 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     status = kern_model_plain(m, path->part, &q);
     if (status != KERN_OK)
         return status;
+    if (!seeded && path->fell <= path->fails && path->stood >= path->holds) {
+        status = kern_path_evaluate(m, path, path->fails);
+        if (status == KERN_FALLS) {
+            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+            if (status == KERN_STANDS)
+                return status;
+        }
+    }
+    path->holds = holds;
     if (at > holds && (near_part || seeded)) {
         status = kern_path_evaluate(m, path, at);
         if (status == KERN_STANDS
