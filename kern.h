@@ -6156,7 +6156,7 @@ static int kern_inner_advance(kern_inner *in)
         left += (in->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
     left /= in->gap;
     mu = kern_max(in->gap * left * left * left, kern_max(
-        in->least * (in->held ? KERN_INNER_SHARP : KERN_R(0.5)),
+        in->least * (in->held ? KERN_INNER_SHARP / 4 : KERN_R(0.5)),
         kern_largest(in->over, n) / kern_largest(in->g, n)));
     mu = kern_min(mu, in->gap) / KERN_R(rays);
     for (i = 0; i < n; i++)
@@ -6369,6 +6369,7 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
     const kern_real small = KERN_INNER_SHARP * in->least;
     const int n = 3 * p->groups;
     kern_status status = KERN_UNDECIDED;
+    kern_real least = KERN_INFINITY, at = place;
     int round, late = 0;
     if (in->failed == KERN_INNER_STALLED)
         return status;
@@ -6376,7 +6377,8 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
     p->m->work->solves++;
     for (round = 0; round < KERN_INNER_ROUNDS && in->gap <= KERN_HUGE
                     && late < KERN_INNER_STALLED; round++) {
-        kern_real power, left;
+        const kern_real gap = in->gap;
+        kern_real power, left, error;
         if (!kern_inner_advance(in))
             break;
         left = place - in->s;
@@ -6387,22 +6389,28 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
             return KERN_STANDS;
         if (status != KERN_FALLS && power < 0 && kern_inner_falls(in))
             status = KERN_FALLS;
-        in->sharp = kern_abs(left + power) <= KERN_INNER_SHARP * left;
-        if (status == KERN_FALLS && in->sharp)
+        error = kern_abs(left + power)
+                + kern_largest(in->over, n) / kern_largest(in->g, n);
+        if (power < 0 && error < least) {
+            least = error;
+            at = in->s + (left + power) / 2; /* between the two bounds */
+        }
+        if (status == KERN_FALLS && least <= KERN_INNER_SHARP * left)
             break;
-        late += in->gap <= 2 * small;
+        late += kern_abs(in->gap - gap) < gap / 32 || in->gap <= small;
     }
     if (status == KERN_UNDECIDED) {
         in->gap = KERN_INFINITY;
         in->failed++;
     }
     if (status == KERN_FALLS && in->along)
-        *edge = in->s;
+        *edge = at;
     else if (status == KERN_FALLS) {
         const kern_query q = kern_path_at(in->path, place);
         *edge = kern_path_newton(in->path, &q, place);
     }
-    in->sharp = in->sharp && in->along;
+    in->sharp = in->along
+                && least <= 10 * in->path->unit * KERN_SAME_EDGE;
     return status;
 }
 
