@@ -5823,18 +5823,25 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
    with x~ the forces that mu demands. M has the pattern of the least forces
    of the part and is factored as theirs is. Each step is solved twice with one
    factor: mu and what is not linear are corrected by what the first solution,
-   with mu = 0, predicts. */
+   with mu = 0, predicts.
+
+   A kern that closes bends the path. kern_inner_follow() rounds the bends off
+   over a width that shrinks with the gap. A verdict holds the matrix at its
+   place: then the program is linear, and max s tells whether s reaches it. */
 
 #define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
-#define KERN_INNER_STALLED 3       /* without progress                        */
-#define KERN_INNER_CLEAR   KERN_R(1e-2) /* gap at which predictions are trusted */
-#define KERN_INNER_TRIES   6       /* and of its proofs                       */
+#define KERN_INNER_STEPS   40      /* of a search                             */
+#define KERN_INNER_STALLED 3       /* of them without effect; failed verdicts */
+#define KERN_INNER_TRIES   6       /* halvings of a step; steps for a proof   */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
-#define KERN_INNER_LOST    KERN_R(1e6)   /* gap that comes of lost digits     */
-#define KERN_INNER_SOFT    KERN_R(0.01)  /* width over which kerns close       */
-#define KERN_INNER_APART   KERN_R(0.03)  /* least product beside their mean    */
-#define KERN_INNER_LIFT    KERN_R(1e-3)  /* gap from which a verdict begins    */
-#define KERN_INNER_SHARP   KERN_R(1e-4)  /* gap that is small beside a power   */
+#define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
+#define KERN_INNER_SOFT    KERN_R(0.01)   /* width over which kerns close     */
+/* Gaps: of lost digits; at which a prediction counts; from which a verdict
+   begins; beside the power of a motion, that shows its edge. */
+#define KERN_INNER_LOST    KERN_R(1e6)
+#define KERN_INNER_CLEAR   KERN_R(1e-2)
+#define KERN_INNER_LIFT    KERN_R(1e-3)
+#define KERN_INNER_SHARP   KERN_R(1e-4)
 
 typedef struct kern_inner {
     kern_part *p;             /* all groups; its u is y                       */
@@ -5845,9 +5852,11 @@ typedef struct kern_inner {
     kern_real at;             /* the place of the matrix where that is held,
                                  else s                                       */
     int held;                 /* nonzero: matrix and g stay, s is linear      */
+    int slow;                 /* nonzero: the last step had no effect         */
     int failed;               /* verdicts that were not decided               */
-    int along;                /* nonzero: g is the path's                     */
-    int sharp;                /* nonzero: the last motion shows the edge      */
+    int steps;                /* of the search                                */
+    int along;                /* held: nonzero: g is the path's               */
+    kern_real end, error;     /* held: where s ends, and how exactly          */
     int shrinks;              /* nonzero: the matrix changes, else the loads  */
     kern_real *roll;          /* of a contact: how fast its point moves       */
     kern_real rate;           /* largest of g along the path                  */
@@ -6136,13 +6145,17 @@ static int kern_inner_advance(kern_inner *in)
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     const int shrink = in->shrinks && !in->held;
+    const kern_real gap = in->gap;
     kern_real of_x, of_z, ds, left = KERN_R(0), mu;
     int i;
-    if (!kern_model_spend(p->m, 1 + p->cost / 150))
+    if (!(gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
+        || !kern_model_spend(p->m, 1 + p->cost / 150))
         return 0;
     kern_inner_factor(in, 0);
-    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE))
+    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
+        in->gap = KERN_INFINITY;
         return 0;
+    }
     kern_inner_ways(p, p->u, p->way);
     for (i = 0; i < rays; i++)
         in->dx[i] = -in->x[i] / in->z[i] * p->way[i];
@@ -6170,6 +6183,7 @@ static int kern_inner_advance(kern_inner *in)
     kern_inner_move(in, ds);
     if (!in->held)
         kern_inner_centre(in, KERN_INNER_APART * in->gap);
+    in->slow = kern_abs(in->gap - gap) < gap / 32;
     return 1;
 }
 
@@ -6288,7 +6302,7 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->over = p->b;
-    in->held = in->failed = in->sharp = 0;
+    in->held = in->failed = in->along = in->steps = 0;
     in->rate = KERN_R(1e-3) / path->unit;
     in->shrinks = path->kind == KERN_PATH_SHRINK;
     in->soft = KERN_INNER_SOFT * path->unit;
@@ -6327,9 +6341,9 @@ static int kern_inner_falls(kern_inner *in)
     return error <= 1;
 }
 
-/* Holds the matrix at a place from now on. Where the path leads away from what
-   x misses there, g is that instead, and s turns into the share of it that is
-   still missing. */
+/* Holds the matrix at a place from now on. Where the path's g leads to less than
+   x misses there, g is what it misses instead, and at - s the share of it that
+   is still missing. What has lost its digits begins anew. */
 static void kern_inner_hold(kern_inner *in, kern_real place)
 {
     kern_part *p = in->p;
@@ -6346,6 +6360,7 @@ static void kern_inner_hold(kern_inner *in, kern_real place)
     kern_inner_rate(in);
     in->held = 1;
     kern_inner_set(in);
+    in->error = KERN_INFINITY;
     in->along = kern_largest(in->over, n) < kern_largest(in->g, n) * way;
     if (in->along)
         return;
@@ -6359,6 +6374,27 @@ static void kern_inner_hold(kern_inner *in, kern_real place)
     kern_inner_set(in);
 }
 
+/* Where the held program ends: between s, where forces are seen, and where the
+   power of the motion is 0. The closest two of all steps count. */
+static void kern_inner_bound(kern_inner *in, kern_real power)
+{
+    const int n = 3 * in->p->groups;
+    const kern_real apart = in->at - in->s + power;
+    const kern_real error = kern_abs(apart) + kern_largest(in->over, n)
+                                              / kern_largest(in->g, n);
+    if (power < 0 && error < in->error) {
+        in->error = error;
+        in->end = in->s + apart / 2;
+    }
+}
+
+/* Where what falls at the place of the matrix stops to fall. */
+static kern_real kern_inner_edge(const kern_inner *in)
+{
+    const kern_query q = kern_path_at(in->path, in->at);
+    return in->along ? in->end : kern_path_newton(in->path, &q, in->at);
+}
+
 /* The verdict at a place. A motion proves that it falls as long as it parts from
    all contacts by more than rounding, which is before it is sharp enough for
    Newton's method. */
@@ -6367,55 +6403,37 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
 {
     kern_part *p = in->p;
     const kern_real small = KERN_INNER_SHARP * in->least;
-    const int n = 3 * p->groups;
     kern_status status = KERN_UNDECIDED;
-    kern_real least = KERN_INFINITY, at = place;
     int round, late = 0;
-    if (in->failed == KERN_INNER_STALLED)
+    if (in->failed == KERN_INNER_STALLED || in->steps > KERN_INNER_STEPS)
         return status;
     kern_inner_hold(in, place);
     p->m->work->solves++;
-    for (round = 0; round < KERN_INNER_ROUNDS && in->gap <= KERN_HUGE
-                    && late < KERN_INNER_STALLED; round++) {
-        const kern_real gap = in->gap;
-        kern_real power, left, error;
-        if (!kern_inner_advance(in))
-            break;
-        left = place - in->s;
-        power = kern_dot(p->y, p->rhs, n);
+    for (round = 0; round < KERN_INNER_ROUNDS && late < KERN_INNER_STALLED
+                    && kern_inner_advance(in); round++) {
+        const kern_real left = place - in->s;
+        const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
         /* what is missing may be less than a proof sees */
-        if ((left <= small || left * kern_largest(in->g, n) <= KERN_TOL)
+        if ((left <= small
+             || left * kern_largest(in->g, 3 * p->groups) <= KERN_TOL)
             && kern_inner_holds(in))
             return KERN_STANDS;
         if (status != KERN_FALLS && power < 0 && kern_inner_falls(in))
             status = KERN_FALLS;
-        error = kern_abs(left + power)
-                + kern_largest(in->over, n) / kern_largest(in->g, n);
-        if (power < 0 && error < least) {
-            least = error;
-            at = in->s + (left + power) / 2; /* between the two bounds */
-        }
-        if (status == KERN_FALLS && least <= KERN_INNER_SHARP * left)
+        kern_inner_bound(in, power);
+        if (status == KERN_FALLS && in->error <= KERN_INNER_SHARP * left)
             break;
-        late += kern_abs(in->gap - gap) < gap / 32 || in->gap <= small;
+        late += in->slow || in->gap <= small;
     }
-    if (status == KERN_UNDECIDED) {
-        in->gap = KERN_INFINITY;
+    if (status == KERN_FALLS)
+        *edge = kern_inner_edge(in);
+    else
         in->failed++;
-    }
-    if (status == KERN_FALLS && in->along)
-        *edge = at;
-    else if (status == KERN_FALLS) {
-        const kern_query q = kern_path_at(in->path, place);
-        *edge = kern_path_newton(in->path, &q, place);
-    }
-    in->sharp = in->along
-                && least <= 10 * in->path->unit * KERN_SAME_EDGE;
     return status;
 }
 
 static int kern_inner_sharp(const kern_inner *in)
-{ return in != NULL && in->sharp; }
+{ return in && in->along && in->error <= 10 * in->path->unit * KERN_SAME_EDGE; }
 
 /* Follows the path to the first place where the whole falls, as far as it can
    be followed. Returns nonzero where it is seen to stand to the end. */
@@ -6425,13 +6443,12 @@ static int kern_inner_follow(kern_inner *in)
     for (round = 0; round < KERN_INNER_ROUNDS && !(in->gap <= in->least)
                     && !beyond && stalled < KERN_INNER_STALLED;
          round++) {
-        const kern_real gap = in->gap;
-        in->soft = kern_min(in->soft, gap / 20);
-        if (!(gap <= KERN_INNER_LOST) || !kern_inner_advance(in))
+        in->soft = kern_min(in->soft, in->gap / 20);
+        if (!kern_inner_advance(in))
             return 0;
         beyond = in->gap <= KERN_INNER_CLEAR
                  && in->ahead > in->high - in->least;
-        stalled = kern_abs(in->gap - gap) < gap / 32 ? stalled + 1 : 0;
+        stalled = in->slow ? stalled + 1 : 0;
     }
     return beyond;
 }
@@ -6479,7 +6496,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
         path->edge = path->never ? high : kern_max(path->edge, last);
     } else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (!in.sharp || path->fell > path->fails
+        if (!kern_inner_sharp(&in) || path->fell > path->fails
             || path->fails - path->holds > path->tolerance)
             status = KERN_UNDECIDED;
     }
@@ -6537,13 +6554,12 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     status = kern_model_plain(m, path->part, &q);
     if (status != KERN_OK)
         return status;
-    if (!seeded && path->fell <= path->fails && path->stood >= path->holds) {
-        status = kern_path_evaluate(m, path, path->fails);
-        if (status == KERN_FALLS) {
-            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-            if (status == KERN_STANDS)
-                return status;
-        }
+    if (!seeded && path->fell <= path->fails && path->stood >= path->holds
+        && path->fails - path->holds <= path->tolerance * KERN_WIDEST
+        && kern_path_evaluate(m, path, path->fails) == KERN_FALLS) {
+        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (status == KERN_STANDS)
+            return status;
     }
     path->holds = holds;
     if (at > holds && (near_part || seeded)) {
