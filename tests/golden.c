@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xea7e0c5a69ceda77u },
-    { 1000, 0x06cdf8bcb1c364f2u },
-    { 5000, 0x8b155b2e863772c3u },
+    { 200, 0x81444ff0618309ecu },
+    { 1000, 0xd9f4983628f48beau },
+    { 5000, 0x5e74e54b52a4145fu },
 #else
-    { 200, 0x17000b891cef3efdu },
-    { 1000, 0x4db9807ad4262288u },
-    { 5000, 0x7cd84986e43811f5u },
+    { 200, 0xc01f34fbf8287ab7u },
+    { 1000, 0x55184def83cf5ac5u },
+    { 5000, 0xa78a476a9dad3572u },
 #endif
 };
 
