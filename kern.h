@@ -5329,6 +5329,20 @@ static kern_real kern_prove_change(const kern_model *m, const kern_query *q)
     return kern_prove_rows(s, q, m->sum, total);
 }
 
+/* The linear program of all groups, which begins with the forces that are
+   known. */
+static kern_status kern_model_resolve(kern_model *m, kern_part *p,
+                                      const kern_query *q)
+{
+    kern_status status;
+    kern_model_set(m, q);
+    if (kern_part_all(p, m, &m->rest) != KERN_OK)
+        return KERN_UNDECIDED;
+    status = kern_part_evaluate(p, q);
+    return status == KERN_FALLS && !kern_part_moved(p, m) ? KERN_UNDECIDED
+                                                          : status;
+}
+
 /* The verdict by a change of forces that balance all but the last block: it is
    passed down, and proven where they changed; or else by the linear program of
    all, which begins with them. KERN_FALLS with an open part of what moves;
@@ -5339,7 +5353,6 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
     const int last = m->group[m->s->blocks - 1];
     const kern_force *known = m->prior;
     kern_real error = KERN_INFINITY;
-    kern_status status;
     kern_poured poured = KERN_POURED;
     int g;
     if (!known || !(q->shrink <= m->balanced))
@@ -5367,15 +5380,7 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
         p->found = KERN_STANDS;
         return KERN_STANDS;
     }
-    if (!m->solved)
-        return KERN_UNDECIDED;
-    kern_model_set(m, q);
-    if (kern_part_all(p, m, &m->rest) != KERN_OK)
-        return KERN_UNDECIDED;
-    status = kern_part_evaluate(p, q);
-    if (status == KERN_FALLS && !kern_part_moved(p, m))
-        status = KERN_UNDECIDED;
-    return status;
+    return m->solved ? kern_model_resolve(m, p, q) : KERN_UNDECIDED;
 }
 
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
