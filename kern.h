@@ -5227,7 +5227,7 @@ static int kern_part_moved(kern_part *p, kern_model *m)
             groups++;
         }
     }
-    return kern_part_open(p, m, groups, last);
+    return groups > 0 && kern_part_open(p, m, groups, last);
 }
 
 static void kern_falls_clear(kern_model *m)
