@@ -803,7 +803,8 @@ typedef struct kern_task {
    blocks are added. Everything may be read at any time; contacts that are given
    rather than found may be appended to contact[task.s.contacts]. A try trusts
    what kern_measure() checked and proved as long as blocks and contacts are as
-   many as they were then: who changes one of them by hand sets
+   many as they were then. That a mass, a centre or a load has changed it
+   notices, and trusts nothing; who changes a contact by hand sets
    task.known.fails to 0, or measures again, before the next try. */
 typedef struct kern_plan {
     kern_task task;       /* the structure as it is now                       */
@@ -8738,19 +8739,24 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 
 /* ---- Planning ---------------------------------------------------- >>plan */
 /* What is known of a structure is the bracket of its last margin, with forces
-   at the near end of it and a mechanism at the other end. A stone that does not
-   touch what moves there leaves the mechanism as it is: the old motion proves
-   it again. The forces change only below the stone: it is opened, and what it
-   rests on more heavily, and so on (kern_model_change()). Forces on blocks that
-   are not opened stay the same to the last bit, so their rows, which the
-   measure has verified, hold as before; the rows of all others, every cone, and
-   the sum of all forces are verified anew, on the caller's data. Where a stone
-   raises the margin, the blocks that moved are evaluated with the stone on
-   them, all else held, and the search goes on from there.
+   at the lower end of it and a mechanism at the other end. A stone that does
+   not touch what moves there leaves the mechanism as it is: the old motion
+   proves it again. The forces change only below the stone, from block to block
+   (kern_pass_down()), or where that ends in units (kern_pour()). Where the
+   forces of the plan came of a linear program, the program of the plan with the
+   stone begins with them (kern_model_change()). Where a stone raises the margin
+   the blocks that moved are evaluated with the stone on them, all else held,
+   and the search goes on from there.
+
+   Verified on the caller's data are the rows of all blocks whose forces changed,
+   the cones of their contacts, the sum of all forces, and the whole mechanism.
+   Forces on the others stay the same to the last bit: the measure has verified
+   their rows, at its shrinkage. At a smaller one forces at the ends of a line
+   that are moved outward exert the same; where forces are handed out there, or
+   kerns are not nested, all rows are verified at it.
 
    This holds for a plan that has not been changed since it was measured; of any
-   other only the bracket and the motion are a hint. What was measured is not
-   checked again. */
+   other only the bracket and the motion are a hint. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,

@@ -5729,7 +5729,7 @@ static void plan_by_hand(void)
     static world w;
     static site p;
     kern_contact *bad, good;
-    kern_block b;
+    kern_block b, aside;
     kern_margin m;
     int i;
     slab_on_pillar(&w);
@@ -5748,10 +5748,16 @@ static void plan_by_hand(void)
     CHECK_INT(kern_plan_bears(&p.plan, &b, 0, NULL), KERN_BAD_BLOCK);
     p.plan.task.s.contacts--;
     site_try(&p, &b, &m);
-    p.block[2].load.fx = 2 * p.block[2].mass;
-    p.plan.task.known.fails = 0;
+    aside = candidate(&w, 1, 5, 0, 0.2);
+    p.block[2].load.fx = 8 * p.block[2].mass; /* is noticed */
+    CHECK_INT(kern_plan_bears(&p.plan, &aside, 0, NULL), KERN_FALLS);
+    site_try(&p, &aside, &m);
     site_try(&p, &b, &m);
     p.block[2].load.fx = 0;
+    site_measure(&p, &m);
+    p.block[2].mass *= 3;
+    site_try(&p, &b, &m);
+    p.block[2].mass /= 3;
     site_measure(&p, &m);
     p.contact[2].mu = p.contact[3].mu = R(0.01);
     p.block[2].load.fx = p.block[2].mass;
