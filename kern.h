@@ -1638,9 +1638,9 @@ static kern_real kern_contact_length(const kern_contact *c)
    short. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
-    const kern_real length = kern_contact_length(c);
     return kern_is_gone(q, c->a, c->b)
-           || (length < q->shortest && length > 0);
+           || (q->shortest > 0 && kern_contact_length(c) > 0
+               && kern_contact_length(c) < q->shortest);
 }
 
 /* What gravity does to a mass. */
@@ -2252,8 +2252,8 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         kern_real speed;
-        if (kern_is_out(q, c)
-            || !(kern_speed(motion + c->a) + kern_speed(motion + c->b) > 0))
+        if (!(kern_speed(motion + c->a) + kern_speed(motion + c->b) > 0)
+            || kern_is_out(q, c))
             continue;
         speed = kern_closing(s, c, q, motion);
         if (!(speed <= KERN_HUGE))
@@ -4937,7 +4937,7 @@ static int kern_pass(kern_model *m, int g)
     kern_real b[3] = {left[0], left[1], left[2]}, u[3];
     const kern_vec down = m->s->gravity;
     const kern_real least = kern_vec_largest(down) / 2;
-    int e, n = 0, k;
+    int e, n = 0, lines = 0, k;
     for (e = m->touch[g]; e >= 0; e = m->after[e]) {
         const kern_real along = kern_vec_dot(m->s->contact[e >> 1].n, down);
         if (m->ends[e ^ 1] < g || !((e & 1 ? along : -along) > least))
@@ -4945,15 +4945,15 @@ static int kern_pass(kern_model *m, int g)
         if (n == KERN_ROWS_MOST)
             return 0;
         kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
-        kern_pour_row(m, e, row + n++);
-    }
-    for (k = 0; k + 1 < n; k++) {
-        const kern_contact *c = m->s->contact + (row[k].end >> 1);
-        if (c->line && row[k + 1].end == row[k].end + 2 && c[1].line) {
-            if (kern_pass_line(m, row + k, left, tolerance))
+        kern_pour_row(m, e, row + n);
+        lines = m->s->contact[e >> 1].line ? lines + 1 : 0;
+        if (lines == 2) {
+            lines = 0;
+            if (row[n - 1].end == e - 2
+                && kern_pass_line(m, row + n - 1, left, tolerance))
                 return 1;
-            k++;
         }
+        n++;
     }
     for (k = 0; k < n; k++) {
         const kern_force *f = m->force + (row[k].end >> 1);
@@ -5728,6 +5728,7 @@ static kern_travels kern_travels_of(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         const kern_real travel = kern_abs(kern_travel(c, q->mean));
         if (!(travel > 0)
+            || (c->line && travel >= t.least && travel <= t.most)
             || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
                 && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
             continue;
