@@ -377,19 +377,57 @@ static double rest_way_one(const struct rest_edge *e, kern_vec p, kern_vec d)
            ? fmax(way, 0) : HUGE_VAL;
 }
 
+/* Lengths within which nothing that might touch is passed over. */
+static const double rest_skip = 1e-6;
+
+/* What a stone covers across a direction, and how far it reaches along it. */
+struct rest_span { double low, high, reach; };
+
+static struct rest_span rest_span_of(const struct stone *s, kern_vec d)
+{
+    struct rest_span span = { HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+    for (int i = 0; i < s->n; i++) {
+        const double across = stones_cross(d, s->v[i]);
+        span.low = fmin(span.low, across);
+        span.high = fmax(span.high, across);
+        span.reach = fmax(span.reach, stones_dot(d, s->v[i]));
+    }
+    return span;
+}
+
+/* May the stone that covers a span meet this edge within a way along d? */
+static int rest_may_meet(const struct rest_span *span,
+                         const struct rest_edge *e, kern_vec d, double way)
+{
+    const double a = stones_cross(d, e->a), b = stones_cross(d, e->b);
+    return fmax(a, b) > span->low - rest_skip &&
+           fmin(a, b) < span->high + rest_skip &&
+           fmin(stones_dot(d, e->a), stones_dot(d, e->b)) - span->reach
+               < way + rest_skip;
+}
+
+/* The edges of a stone in place, in the order of its corners. */
+static void rest_edges_of(const struct stone *s, struct rest_edge *own)
+{
+    for (int i = 0; i < s->n; i++) own[i] = rest_edge_at(s, i);
+}
+
 /* How far a stone can go along d before it touches something. */
 STONES_API double rest_way(const struct rest_near *around,
                            const struct stone *s, kern_vec d)
 {
     const kern_vec back = stones_vec(-d.x, -d.y);
+    const struct rest_span span = rest_span_of(s, d);
+    struct rest_edge own[STONES_CORNERS];
     double way = HUGE_VAL;
-    for (int i = 0; i < s->n; i++) {
-        struct rest_edge own = rest_edge_at(s, i);
-        int ahead = stones_dot(own.n, d) > 0;
-        for (int k = 0; k < around->edges; k++) {
-            const struct rest_edge *e = &around->edge[k];
-            way = fmin(way, rest_way_one(e, own.a, d));
-            if (ahead) way = fmin(way, rest_way_one(&own, e->a, back));
+    rest_edges_of(s, own);
+    for (int k = 0; k < around->edges; k++) {
+        const struct rest_edge *e = &around->edge[k];
+        if (!rest_may_meet(&span, e, d, way)) continue;
+        for (int i = 0; i < s->n; i++) {
+            way = fmin(way, rest_way_one(e, own[i].a, d));
+            if (stones_dot(own[i].n, d) > 0)
+                way = fmin(way, rest_way_one(&own[i], e->a, back));
         }
     }
     return way;
@@ -420,24 +458,66 @@ static double rest_turn_one(const struct rest_edge *e, kern_vec c, kern_vec p,
     return rest_order(*turn);
 }
 
-/* How far a stone can turn about c before it touches something. */
+/* Squares of the distances from c to an edge's next and farthest point. */
+struct rest_ring { double low, high; };
+
+static struct rest_ring rest_ring_of(const struct rest_edge *e, kern_vec c)
+{
+    const kern_vec a = stones_sub(c, e->a), b = stones_sub(c, e->b);
+    const kern_vec t = stones_vec(-e->n.y, e->n.x);
+    const double aa = stones_dot(a, a), bb = stones_dot(b, b);
+    const double h = stones_dot(e->n, a);
+    struct rest_ring r;
+    r.low = stones_dot(t, a) > 0 && stones_dot(t, b) < 0 ? h * h
+                                                         : fmin(aa, bb);
+    r.low -= rest_skip * (1 + r.low);
+    r.high = fmax(aa, bb);
+    r.high += rest_skip * (1 + r.high);
+    return r;
+}
+
+static int rest_in_ring(const struct rest_ring *r, double square)
+{
+    return square > r->low && square < r->high;
+}
+
+/* How far a stone can turn about c before it touches something. A corner meets
+   an edge only where that has a point as far from c. */
 STONES_API double rest_turn(const struct rest_near *around,
                             const struct stone *s, kern_vec c, double side,
                             kern_vec *turn)
 {
-    double least = HUGE_VAL;
+    struct rest_edge own[STONES_CORNERS];
+    struct rest_ring ring[STONES_CORNERS];
+    double least = HUGE_VAL, square[STONES_CORNERS], reach = 0;
+    rest_edges_of(s, own);
     for (int i = 0; i < s->n; i++) {
-        struct rest_edge own = rest_edge_at(s, i);
-        for (int k = 0; k < around->edges; k++) {
-            kern_vec t[2];
-            double order[2];
-            order[0] = rest_turn_one(&around->edge[k], c, own.a, side, &t[0]);
-            order[1] = rest_turn_one(&own, c, around->edge[k].a, -side, &t[1]);
-            for (int j = 0; j < 2; j++)
-                if (order[j] < least) {
-                    least = order[j];
-                    *turn = t[j];
-                }
+        const kern_vec arm = stones_sub(own[i].a, c);
+        ring[i] = rest_ring_of(&own[i], c);
+        square[i] = stones_dot(arm, arm);
+        reach = fmax(reach, square[i]);
+    }
+    for (int k = 0; k < around->edges; k++) {
+        const struct rest_edge *e = &around->edge[k];
+        const struct rest_ring r = rest_ring_of(e, c);
+        const kern_vec arm = stones_sub(e->a, c);
+        if (r.low > reach) continue;
+        for (int i = 0; i < s->n; i++) {
+            kern_vec t;
+            double order = HUGE_VAL;
+            if (rest_in_ring(&r, square[i]))
+                order = rest_turn_one(e, c, own[i].a, side, &t);
+            if (order < least) {
+                least = order;
+                *turn = t;
+            }
+            order = HUGE_VAL;
+            if (rest_in_ring(&ring[i], stones_dot(arm, arm)))
+                order = rest_turn_one(&own[i], c, e->a, -side, &t);
+            if (order < least) {
+                least = order;
+                *turn = t;
+            }
         }
     }
     turn->y *= side;
@@ -445,6 +525,16 @@ STONES_API double rest_turn(const struct rest_near *around,
 }
 
 /* ---- Coming to rest ------------------------------------------------------ */
+
+/* Does the box of an edge come within a gap of a stone's box? */
+static int rest_is_beside(const struct rest_edge *e, const struct stone *s,
+                          double gap)
+{
+    return fmax(e->a.x, e->b.x) > s->low.x - gap &&
+           fmin(e->a.x, e->b.x) < s->high.x + gap &&
+           fmax(e->a.y, e->b.y) > s->low.y - gap &&
+           fmin(e->a.y, e->b.y) < s->high.y + gap;
+}
 
 /* Notes a point of contact, if its force has a part that points upward. */
 static void rest_hold(kern_vec p, double up, kern_vec *left, kern_vec *right)
@@ -459,18 +549,21 @@ static void rest_hold(kern_vec p, double up, kern_vec *left, kern_vec *right)
 static void rest_holds(const struct rest_near *around, const struct stone *s,
                        kern_vec *left, kern_vec *right)
 {
+    struct rest_edge own[STONES_CORNERS];
     *left = stones_vec(HUGE_VAL, 0);
     *right = stones_vec(-HUGE_VAL, 0);
-    for (int i = 0; i < s->n; i++) {
-        struct rest_edge own = rest_edge_at(s, i);
-        for (int k = 0; k < around->edges; k++) {
-            const struct rest_edge *e = &around->edge[k];
-            if (fabs(stones_dot(e->n, stones_sub(own.a, e->a))) < rest_touch &&
-                rest_on(e, own.a))
-                rest_hold(own.a, e->n.y, left, right);
-            if (fabs(stones_dot(own.n, stones_sub(e->a, own.a))) < rest_touch &&
-                rest_on(&own, e->a))
-                rest_hold(e->a, -own.n.y, left, right);
+    rest_edges_of(s, own);
+    for (int k = 0; k < around->edges; k++) {
+        const struct rest_edge *e = &around->edge[k];
+        if (!rest_is_beside(e, s, rest_skip)) continue;
+        for (int i = 0; i < s->n; i++) {
+            const kern_vec p = own[i].a;
+            if (fabs(stones_dot(e->n, stones_sub(p, e->a))) < rest_touch &&
+                rest_on(e, p))
+                rest_hold(p, e->n.y, left, right);
+            if (fabs(stones_dot(own[i].n, stones_sub(e->a, p))) < rest_touch &&
+                rest_on(&own[i], e->a))
+                rest_hold(e->a, -own[i].n.y, left, right);
         }
     }
 }
