@@ -57,8 +57,9 @@ static const char help[] =
 "      --walls N         best: so many walls are built; default 24, and fewer\n"
 "                        where these take more than some seconds\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
-"                        shaking, the level of collapse that its expected\n"
-"                        drop predicts, the default, or load\n"
+"                        shaking, the level that a table of its own says,\n"
+"                        the default, drop, the one that the expected drop\n"
+"                        predicts, or load\n"
 "      --beat F,M        best: a wall with more filling than F and a limit\n"
 "                        multiplier above M is wanted; implies --goal load\n"
 "      --out FILE        the wall; default stacked.kern\n"
@@ -152,7 +153,7 @@ static int read_beat(struct settings *o, const char *word)
         return fail("--beat", "FILLING,MULTIPLIER is expected");
     memcpy(fill, word, length);
     fill[length] = '\0';
-    o->plan.load = 1;
+    o->plan.goal = STACK_LOAD;
     return number("--beat", fill, 1e-3, 1, &o->plan.beat[0]) ||
            number("--beat", word + length + 1, 1e-3, 10, &o->plan.beat[1]);
 }
@@ -174,7 +175,6 @@ static int read_seeds(struct settings *o, const char *word)
 /* An option with a value. Returns 0, or -1 where something is wrong. */
 static int read_option(struct settings *o, const char *name, const char *word)
 {
-    static const char *const goal[] = { "shaking", "load" };
     struct stack_options *p = &o->plan;
     int k;
     if (!word) return fail(name, "a value is expected; see --help");
@@ -190,8 +190,8 @@ static int read_option(struct settings *o, const char *name, const char *word)
         return k < 0 ? -1 : 0;
     }
     if (strcmp(name, "--goal") == 0) {
-        k = one_of(name, word, strlen(word), goal, 2);
-        p->load = k == 1;
+        k = one_of(name, word, strlen(word), stack_goal_name, STACK_GOALS);
+        if (k >= 0) p->goal = (enum stack_goal)k;
         return k < 0 ? -1 : 0;
     }
     if (strcmp(name, "--width") == 0 || strcmp(name, "-w") == 0)
