@@ -336,6 +336,27 @@ static void test_quality(void)
     near_to("quality", stack_quality(0.2, 0.70), 0.1, 1e-12);
 }
 
+/* The step test: a box stays in every run; one whose centre is beside what
+   carries it moves in all. */
+static void test_steps(void)
+{
+    const double left[2] = { 0.2, 2.1 };
+    for (int k = 0; k < 2; k++) {
+        struct stones stock;
+        struct stack_wall w;
+        int moves;
+        if (two_boxes(&w, &stock)) return;
+        moves = stack_moves(&w, 2);
+        check(moves == 0, "boxes on the ground stay", moves, 0);
+        w.stone[w.laid++] = box(left[k], 1, left[k] + 1, 2);
+        moves = stack_moves(&w, 3);
+        check(moves == k * STACK_TESTS, "runs that move", moves,
+              k * STACK_TESTS);
+        stack_free(&w);
+        stones_free(&stock);
+    }
+}
+
 /* The limit multiplier of a box: it tips at width / height, or slides. */
 static void test_limit(void)
 {
@@ -358,7 +379,7 @@ static void test_limit(void)
 static void replay(struct stack_wall *w, const struct stack_wall *built)
 {
     const double most = 0.05;
-    const struct stack_run run = { 240, 4, 0, 2 };
+    const struct stack_run run = { 240, 4, 0, 0, 2 };
     for (int i = 0; i < built->laid; i++) {
         kern_contact contact[4000];
         if (stack_lay(w, &built->place[i])) {
@@ -495,6 +516,7 @@ int main(int argc, char **argv)
     test_rest();
     test_quality();
     test_limit();
+    test_steps();
     test_filters();
     test_bricks();
     test_same();

@@ -150,6 +150,7 @@ struct stack_wall {
     double *sky;            /* height of what is highest, column by column */
     int *owner;             /* block which that is                       */
     int upright;            /* long stones that stand on end             */
+    int lie;                /* no further one may                        */
     kern_contact *close;    /* room for contacts that are nearly closed  */
     kern_real *load;        /* and for the load factor of every block    */
     int columns;
@@ -704,8 +705,7 @@ static int stack_let_down(struct stack_wall *w, struct stack_list *list,
     double x, high = 0;
     stone_turn(&s, s.centre, stones_turned(a->along, stones_vec(b.x, -b.y)));
     if (s.high.x - s.low.x > w->options.width ||
-        (w->options.planner == STACK_BEST && stack_on_end(&s) &&
-         w->upright + 1 > stack_soldiers * (w->laid + 1)))
+        (w->lie && stack_on_end(&s)))
         return 0;
     x = fmin(fmax(a->x, -s.low.x), w->options.width - s.high.x);
     for (int i = 0; i < w->around.edges; i++)
@@ -844,16 +844,25 @@ struct stack_run {
     double rate;            /* steps a second                              */
     int substeps;
     double noise;           /* of every place and angle                    */
-    double seconds;
+    double least, seconds;  /* it ends after so long where all are calm    */
 };
 
 static const double stack_still = 0.02; /* a stone may not go farther      */
 
 /* The runs that a planner asks: as the stones lie, and with an error in each
    pose. */
-static const struct stack_run stack_runs[] = { { 240, 4, 0, 4 },
-                                               { 240, 4, 2e-4, 4 },
-                                               { 120, 6, 2e-4, 4 } };
+static const struct stack_run stack_runs[] = { { 240, 4, 0, 0, 4 },
+                                               { 240, 4, 2e-4, 0, 4 },
+                                               { 120, 6, 2e-4, 0, 4 } };
+
+/* The runs of the step test, which no planner sees, and how far a stone may go
+   there. */
+enum { STACK_TESTS = 6 };
+static const struct stack_run stack_tests[STACK_TESTS] = {
+    { 240, 4, 0, 1, 6 }, { 240, 4, 1e-4, 1, 6 }, { 240, 4, 1e-4, 1, 6 },
+    { 60, 4, 1e-4, 1, 6 }, { 120, 16, 1e-4, 1, 6 }, { 480, 32, 1e-4, 1, 4 }
+};
+static const double stack_moved = 0.05;
 
 /* An error of a pose, in -1 to 1. */
 static double stack_error(uint64_t *state)
@@ -916,7 +925,7 @@ STACK_API double stack_sway(const struct stack_wall *w,
     r.step = 1 / run->rate;
     r.substeps = run->substeps;
     for (int i = 1; i <= run->seconds * run->rate && sway <= most &&
-         fast > calm; i++) {
+         (fast > calm || i <= run->least * run->rate); i++) {
         if (rigid_step(&r)) sway = HUGE_VAL;
         if (i % look > 0) continue;
         fast = 0;
@@ -945,6 +954,18 @@ static int stack_stays(struct stack_wall *w, const struct stone *last)
     w->swayed++;
     w->slipped += !stays;
     return stays;
+}
+
+/* In how many runs of the step test the first stones of a wall move. */
+STACK_API int stack_moves(const struct stack_wall *w, int stones)
+{
+    struct stack_wall part = *w;
+    int moves = 0;
+    part.laid = stones;
+    for (int i = 0; i < STACK_TESTS; i++)
+        moves += stack_sway(&part, NULL, &stack_tests[i], (uint64_t)(100 + i),
+                            stack_moved) > stack_moved;
+    return moves;
 }
 
 /* A proof by shaking: the ground goes to and fro along a line, once a second,
@@ -1273,11 +1294,13 @@ static int stack_compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* What no weight makes good: a stone on its point or on its end. */
+/* What no weight makes good: a stone on its point or on its end, and a joint
+   that runs on. */
 static double stack_fault(const struct stack_candidate *c)
 {
-    const double fault = 0.5;
-    return fault * ((c->bed < masonry_point) + (c->upright != 0));
+    const double fault = 0.5, bond = 0.15;
+    return fault * ((c->bed < masonry_point) + (c->upright != 0) +
+                    (c->feature[STACK_BOND] < bond));
 }
 
 /* What a candidate costs before kern is asked; `low` is the lowest sky. */
@@ -1345,6 +1368,8 @@ static int stack_grow(struct stack_wall *w, struct stack_list *list,
         if (w->options.progress) w->options.progress(w, w->walls + 1);
         for (int round = 0; round < 2 && best < 0 && !bad; round++) {
             w->options.look = round > 0 ? STONES_MOST : look;
+            w->lie = round == 0 ||
+                     w->upright + 1 > stack_soldiers * (w->laid + 1);
             bad = stack_propose(w, list, g->share, chance, round > 0 && fine);
             if (!bad) best = stack_pick(w, list, g, chance, r);
         }
@@ -1376,7 +1401,8 @@ static double stack_value(struct stack_wall *w)
              : (w->options.goal == STACK_PROOF ? stack_proof(w)
                                                : fmax(0, stack_endures(w)))
                * stack_worth(fill - stack_more)
-               * fmin(1, 0.7 + 3 * (m.joint - 1));
+               * fmin(1, 0.7 + 3 * (m.joint - 1))
+               * (1 - m.upright) * (1 - m.bedless);
     double limit = stack_limit(&w->plan.task, w->plan.contact);
     if (limit < 0) limit = 1e-3 * w->m.margin / w->stock->size;
     if (beat[0] > 0 && fill > beat[0] && limit > beat[1])

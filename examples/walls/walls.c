@@ -35,11 +35,14 @@
 #include <time.h>
 
 static const char help[] =
-"usage: walls [--quick] [--sets N] FOLDER\n"
+"usage: walls [--quick] [--sets N] [--first S] [--steps N] FOLDER\n"
 "Builds walls with the planners of stack.h from N stocks a level of\n"
 "irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
 "must hold a folder `walls`.\n"
-"  --quick   2 stocks a level\n";
+"  --quick     2 stocks a level, 1 for the step test\n"
+"  --first S   the seed of the first stock; default 1\n"
+"  --steps N   the step test, of the walls of the first N stocks a level: each\n"
+"              step is let go in six runs of the simulator; default 0\n";
 
 enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_PATH = 4096 };
 
@@ -73,11 +76,16 @@ struct walls_one {
     struct masonry masonry;
     int tried, asked;
     double asking;
+    int tested;             /* by the step test: what follows is known      */
+    int some, all;          /* steps that move in some, in all of its runs  */
+    int falls;              /* runs in which the finished wall moves        */
 };
 
 struct walls {
     const char *folder;
     int sets, quick;
+    int first, steps;       /* seed of the first set; sets of the step test */
+    FILE *list;
     /* one a level, set and planner */
     struct walls_one *one;
 };
@@ -101,6 +109,17 @@ static int fail(const char *what, const char *name)
 
 /* ---- Building ------------------------------------------------------------ */
 
+static void walls_step_test(const struct stack_wall *w, struct walls_one *one)
+{
+    one->tested = 1;
+    for (int i = 1; i <= w->laid; i++) {
+        int moves = stack_moves(w, i);
+        one->some += moves > 0;
+        one->all += moves == STACK_TESTS;
+        one->falls = moves;
+    }
+}
+
 /* Plans one wall, writes and shakes it; leaves it open. */
 static int walls_build(const struct walls *f, const struct stones *stock,
                        int level, int set, int planner, struct stack_wall *w)
@@ -110,7 +129,7 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     char path[WALLS_PATH];
     clock_t start = clock();
     o.planner = (enum stack_planner)planner;
-    o.seed = (uint64_t)set + 1;
+    o.seed = (uint64_t)(f->first + set);
     if (f->quick) o.walls = 4;
     if (stack_open(w, stock, &o) || stack_plan(w))
         return fail("not enough memory for", "a wall");
@@ -123,11 +142,42 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     one->asked = w->asked;
     one->asking = w->asking;
     snprintf(path, sizeof path, "%s/walls/i%d-%02d-%s.kern", f->folder,
-             10 + 10 * level, set + 1, stack_planner_name[planner]);
+             10 + 10 * level, f->first + set, stack_planner_name[planner]);
     if (masonry_of(&w->plan.task.s, stock->size, &one->masonry))
         return fail("not enough memory for", "its figures");
     if (stack_write(w, path)) return fail("cannot write", path);
+    if (set < f->steps) walls_step_test(w, one);
     return table_once("walls", path, 1, &one->stability[WALLS_COLLAPSE]);
+}
+
+/* A line a wall, as soon as it is built. */
+static void walls_list(const struct walls *f, int level, int set, int planner)
+{
+    const struct walls_one *o = walls_at(f, level, set, planner);
+    fprintf(f->list, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,%.4f,"
+            "%.4f,%.4f,%.3g,%d,%d,%.0f", 10 + 10 * level, f->first + set,
+            stack_planner_name[planner], o->laid, o->fill,
+            o->stability[WALLS_LEVEL], o->stability[WALLS_MARGIN],
+            o->stability[WALLS_COLLAPSE], walls_quality(o, WALLS_COLLAPSE),
+            walls_quality(o, WALLS_MARGIN), o->masonry.bed,
+            o->masonry.bedless, o->masonry.upright, o->masonry.joint,
+            o->seconds, o->tried, o->asked, o->asked / fmax(o->asking, 1e-9));
+    if (o->tested)
+        fprintf(f->list, ",%d,%d,%d\n", o->some, o->all, o->falls);
+    else
+        fputs(",,,\n", f->list);
+    fflush(f->list);
+}
+
+static int walls_open_list(struct walls *f)
+{
+    f->list = plot_open(f->folder, "walls.csv");
+    if (!f->list) return -1;
+    fprintf(f->list, "irregularity,seed,planner,stones,filling,level,"
+            "margin_sizes,collapse,Q,Q_margin,bed,bedless,upright,joint,"
+            "seconds,candidates,asked,asked_a_second,moves_some,moves_all,"
+            "finished_moves\n");
+    return 0;
 }
 
 /* ---- Fig. 8 -------------------------------------------------------------- */
@@ -183,16 +233,17 @@ static int walls_make(const struct walls *f)
     FILE *out = plot_open(f->folder, "fig8.svg");
     int bad = !out;
     if (out) walls_head(out);
-    for (int l = 0; l < WALLS_LEVELS && !bad; l++)
-        for (int set = 0; set < f->sets && !bad; set++) {
+    for (int set = 0; set < f->sets && !bad; set++)
+        for (int l = 0; l < WALLS_LEVELS && !bad; l++) {
             struct stones stock;
-            fprintf(stderr, "walls: irregularity %d, set %d of %d\n",
-                    10 + 10 * l, set + 1, f->sets);
+            fprintf(stderr, "walls: set %d of %d, irregularity %d\n",
+                    set + 1, f->sets, 10 + 10 * l);
             bad = stones_make(&stock, 10 + 10 * l, WALLS_STONES,
-                              (uint64_t)set + 1);
+                              (uint64_t)(f->first + set));
             for (int p = 0; p < STACK_PLANNERS && !bad; p++) {
                 struct stack_wall w;
                 bad = walls_build(f, &stock, l, set, p, &w);
+                if (!bad) walls_list(f, l, set, p);
                 if (!bad && set == 0) walls_draw(f, out, l, p, &w);
                 stack_free(&w);
             }
@@ -248,32 +299,6 @@ static void walls_sum_up(const struct walls *f, int level, int planner,
     }
     walls_moments(x, f->sets, mean, sd);
     free(x);
-}
-
-static int walls_list(const struct walls *f)
-{
-    FILE *out = plot_open(f->folder, "walls.csv");
-    if (!out) return -1;
-    fprintf(out, "irregularity,set,planner,stones,filling,level,margin_sizes,"
-            "collapse,Q,Q_margin,bed,bedless,upright,joint,seconds,candidates,"
-            "asked,asked_a_second\n");
-    for (int l = 0; l < WALLS_LEVELS; l++)
-        for (int set = 0; set < f->sets; set++)
-            for (int p = 0; p < STACK_PLANNERS; p++) {
-                const struct walls_one *o = walls_at(f, l, set, p);
-                fprintf(out, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,"
-                        "%.4f,%.4f,%.4f,%.3g,%d,%d,%.0f\n", 10 + 10 * l,
-                        set + 1, stack_planner_name[p],
-                        o->laid, o->fill, o->stability[WALLS_LEVEL],
-                        o->stability[WALLS_MARGIN],
-                        o->stability[WALLS_COLLAPSE],
-                        walls_quality(o, WALLS_COLLAPSE),
-                        walls_quality(o, WALLS_MARGIN), o->masonry.bed,
-                        o->masonry.bedless, o->masonry.upright,
-                        o->masonry.joint, o->seconds, o->tried, o->asked,
-                        o->asked / fmax(o->asking, 1e-9));
-            }
-    return fclose(out) ? fail("cannot write", "walls.csv") : 0;
 }
 
 static void walls_difference(const struct walls *f, FILE *out, int more,
@@ -341,6 +366,30 @@ static void walls_means(const struct walls *f, FILE *out)
         }
 }
 
+/* The step test, in sums over all levels. */
+static void walls_steps(const struct walls *f, FILE *out)
+{
+    const int sets = f->steps < f->sets ? f->steps : f->sets;
+    fprintf(out, "\n| planner | walls | with a step that moves in some run | "
+            "in all runs | finished walls that move in some run | steps | "
+            "that move in some run |\n|---|---|---|---|---|---|---|\n");
+    for (int p = 0; p < STACK_PLANNERS; p++) {
+        int some = 0, all = 0, falls = 0, steps = 0, moving = 0;
+        for (int l = 0; l < WALLS_LEVELS; l++)
+            for (int set = 0; set < sets; set++) {
+                const struct walls_one *o = walls_at(f, l, set, p);
+                some += o->some > 0;
+                all += o->all > 0;
+                falls += o->falls > 0;
+                steps += o->laid;
+                moving += o->some;
+            }
+        fprintf(out, "| %s | %d | %d | %d | %d | %d | %d |\n",
+                stack_planner_name[p], WALLS_LEVELS * sets, some, all, falls,
+                steps, moving);
+    }
+}
+
 static int walls_tables(const struct walls *f)
 {
     FILE *csv = plot_open(f->folder, "fig9.csv");
@@ -364,6 +413,7 @@ static int walls_tables(const struct walls *f)
     walls_differences(f, md, STACK_COMBINED, STACK_HEURISTIC);
     walls_differences(f, md, STACK_BEST, STACK_HEURISTIC);
     walls_differences(f, md, STACK_BEST, STACK_COMBINED);
+    if (f->steps > 0) walls_steps(f, md);
     return fclose(csv) | fclose(md) ? fail("cannot write", "fig9") : 0;
 }
 
@@ -411,39 +461,52 @@ static int walls_nine(const struct walls *f, int stability, const char *name,
     return fclose(out) | bad ? fail("cannot write", name) : 0;
 }
 
-/* All of it, from so many stocks a level. */
-static int walls_all(const char *folder, int sets, int quick)
+/* All of it, into the folder of *f. */
+static int walls_all(struct walls *f)
 {
-    struct walls f = { folder, sets, quick, NULL };
     int bad;
-    f.one = calloc((size_t)(WALLS_LEVELS * sets * STACK_PLANNERS),
-                   sizeof *f.one);
-    bad = !f.one || walls_make(&f) || walls_list(&f) || walls_tables(&f) ||
-          walls_nine(&f, WALLS_COLLAPSE, "fig9.svg",
+    f->one = calloc((size_t)(WALLS_LEVELS * f->sets * STACK_PLANNERS),
+                    sizeof *f->one);
+    bad = !f->one || walls_open_list(f) || walls_make(f);
+    if (f->list && fclose(f->list)) bad = fail("cannot write", "walls.csv");
+    bad = bad || walls_tables(f) ||
+          walls_nine(f, WALLS_COLLAPSE, "fig9.svg",
                      "Q: level of collapse x worth of the filling") ||
-          walls_nine(&f, WALLS_MARGIN, "fig9-margin.svg",
+          walls_nine(f, WALLS_MARGIN, "fig9-margin.svg",
                      "Q: margin in stones x worth of the filling");
-    free(f.one);
+    free(f->one);
     return bad;
+}
+
+/* An option with a number above 0. */
+static int walls_number(const char *word, int *out)
+{
+    *out = word ? atoi(word) : 0;
+    return *out > 0 && *out <= 1000000;
 }
 
 int main(int argc, char **argv)
 {
-    const char *folder = NULL;
-    int quick = 0, sets = 0;
-    for (int i = 1; i < argc; i++) {
+    struct walls f = { NULL, 0, 0, 1, 0, NULL, NULL };
+    int bad = 0;
+    for (int i = 1; i < argc && !bad; i++) {
         if (strcmp(argv[i], "--help") == 0)
             return fputs(help, stdout) < 0 ? 2 : 0;
-        if (strcmp(argv[i], "--quick") == 0) quick = 1;
-        else if (strcmp(argv[i], "--sets") == 0 && i + 1 < argc &&
-                 atoi(argv[i + 1]) > 0)
-            sets = atoi(argv[++i]);
-        else if (argv[i][0] != '-' && !folder) folder = argv[i];
-        else folder = NULL, i = argc;
+        if (strcmp(argv[i], "--quick") == 0) f.quick = 1;
+        else if (strcmp(argv[i], "--sets") == 0)
+            bad = !walls_number(argv[++i], &f.sets) || f.sets > 1000;
+        else if (strcmp(argv[i], "--first") == 0)
+            bad = !walls_number(argv[++i], &f.first);
+        else if (strcmp(argv[i], "--steps") == 0)
+            bad = !walls_number(argv[++i], &f.steps);
+        else if (argv[i][0] != '-' && !f.folder) f.folder = argv[i];
+        else bad = 1;
     }
-    if (!folder || sets > 1000) {
+    if (bad || !f.folder) {
         fputs(help, stderr);
         return 2;
     }
-    return walls_all(folder, sets > 0 ? sets : quick ? 2 : 20, quick) ? 2 : 0;
+    if (f.sets == 0) f.sets = f.quick ? 2 : 20;
+    if (f.quick && f.steps == 0) f.steps = 1;
+    return walls_all(&f) ? 2 : 0;
 }
