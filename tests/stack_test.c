@@ -379,7 +379,7 @@ static void test_limit(void)
 static void replay(struct stack_wall *w, const struct stack_wall *built)
 {
     const double most = 0.05;
-    const struct stack_run run = { 240, 4, 0, 0, 2 };
+    const struct stack_run run = { 240, 4, 0, 0, 0, 2 };
     for (int i = 0; i < built->laid; i++) {
         kern_contact contact[4000];
         if (stack_lay(w, &built->place[i])) {

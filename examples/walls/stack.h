@@ -117,7 +117,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0,
-                               0.4, -1, 1, 24, 280000, STACK_PROOF, { 0, 0 },
+                               0.4, -1, 1, 16, 280000, STACK_PROOF, { 0, 0 },
                                NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
@@ -844,23 +844,26 @@ struct stack_run {
     double rate;            /* steps a second                              */
     int substeps;
     double noise;           /* of every place and angle                    */
+    double push;            /* sideways, as a share of gravity             */
     double least, seconds;  /* it ends after so long where all are calm    */
 };
 
 static const double stack_still = 0.02; /* a stone may not go farther      */
 
 /* The runs that a planner asks: as the stones lie, and with an error in each
-   pose. */
-static const struct stack_run stack_runs[] = { { 240, 4, 0, 0, 4 },
-                                               { 240, 4, 2e-4, 0, 4 },
-                                               { 120, 6, 2e-4, 0, 4 } };
+   pose and a push to either side. */
+static const struct stack_run stack_runs[] = {
+    { 240, 4, 0, 0, 0, 4 }, { 240, 4, 2e-4, 0.02, 0, 4 },
+    { 120, 6, 2e-4, -0.02, 0, 4 }
+};
 
 /* The runs of the step test, which no planner sees, and how far a stone may go
    there. */
 enum { STACK_TESTS = 6 };
 static const struct stack_run stack_tests[STACK_TESTS] = {
-    { 240, 4, 0, 1, 6 }, { 240, 4, 1e-4, 1, 6 }, { 240, 4, 1e-4, 1, 6 },
-    { 60, 4, 1e-4, 1, 6 }, { 120, 16, 1e-4, 1, 6 }, { 480, 32, 1e-4, 1, 4 }
+    { 240, 4, 0, 0, 1, 6 }, { 240, 4, 1e-4, 0, 1, 6 },
+    { 240, 4, 1e-4, 0, 1, 6 }, { 60, 8, 1e-4, 0, 1, 6 },
+    { 120, 16, 1e-4, 0, 1, 6 }, { 480, 32, 1e-4, 0, 1, 4 }
 };
 static const double stack_moved = 0.05;
 
@@ -924,6 +927,7 @@ STACK_API double stack_sway(const struct stack_wall *w,
     if (stack_world(&r, w, last, run->noise, seed)) sway = HUGE_VAL;
     r.step = 1 / run->rate;
     r.substeps = run->substeps;
+    r.gravity.x = -run->push * r.gravity.y;
     for (int i = 1; i <= run->seconds * run->rate && sway <= most &&
          (fast > calm || i <= run->least * run->rate); i++) {
         if (rigid_step(&r)) sway = HUGE_VAL;
@@ -968,56 +972,49 @@ STACK_API int stack_moves(const struct stack_wall *w, int stones)
     return moves;
 }
 
+/* The most that stack_proof() says. */
+static const double stack_proven = 20;
+
 /* A proof by shaking: the ground goes to and fro along a line, once a second,
    and farther and farther. Returns how far, in per cent of a stone, when the
-   stones have gone a quarter of their size in the mean, up to 20; the mean of
-   a start to either side. */
+   stones have gone a quarter of their size in the mean. */
 STACK_API double stack_proof(const struct stack_wall *w)
 {
-    const double unit = w->stock->size, seconds = 12, most = 0.2, fall = 4;
+    const double unit = w->stock->size, seconds = 10, fall = 4;
     const double turn = 2 * 3.14159265358979323846;
-    double sum = 0;
-    for (int side = -1; side <= 1; side += 2) {
-        struct rigid_world r;
-        double time = 0, mean = 0;
-        int bad = stack_world(&r, w, NULL, 1e-4, 1);
-        for (int i = 1; !bad && time < seconds && mean <= 0.25; i++) {
-            double x, at = r.blocks > 0 ? r.block[0].at.x : 0;
-            time = i * r.step;
-            x = w->ground[0].x / unit + side * most * time / seconds
-                                        * sin(turn * time);
-            r.block[0].v.x = (x - at) / r.step;
-            bad = rigid_step(&r);
-            if (i % 24 > 0) continue;
-            mean = 0;
-            for (int k = 1; k < r.blocks; k++)
-                mean += fmin(fall, stack_gone(&r.block[k], &w->stone[k - 1],
-                                              unit)) / (r.blocks - 1);
-        }
-        rigid_free(&r);
-        sum += bad ? 0 : 100 * most * time / seconds;
+    struct rigid_world r;
+    double time = 0, mean = 0;
+    int bad = stack_world(&r, w, NULL, 1e-4, 1);
+    for (int i = 1; !bad && time < seconds && mean <= 0.25; i++) {
+        double to;
+        time = i * r.step;
+        to = w->ground[0].x / unit
+           + stack_proven / 100 * time / seconds * sin(turn * time);
+        r.block[0].v.x = (to - r.block[0].at.x) / r.step;
+        bad = rigid_step(&r);
+        if (i % 24 > 0) continue;
+        mean = 0;
+        for (int k = 1; k < r.blocks; k++)
+            mean += fmin(fall, stack_gone(&r.block[k], &w->stone[k - 1], unit))
+                  / (r.blocks - 1);
     }
-    return sum / 2;
+    rigid_free(&r);
+    return bad ? 0 : stack_proven * time / seconds;
 }
 
 /* ---- What may be laid ---------------------------------------------------- */
 
 /* The load itself must raise the forces that hold the wall with a candidate,
-   and do so with this share of gravity to either side; and nothing may move in
-   the simulator. */
-static const double stack_reserve = 0.008;
-
+   and nothing may move in the simulator. */
 static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
     kern_block block;
     kern_raising raising;
-    kern_real reserve = 0;
     return kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK &&
-           kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)
+           kern_plan_raised(&w->plan, &block, &raising, NULL, NULL)
                == KERN_STANDS &&
-           raising == KERN_RAISED && reserve >= stack_reserve &&
-           stack_stays(w, &s);
+           raising == KERN_RAISED && stack_stays(w, &s);
 }
 
 /* ---- Filters ------------------------------------------------------------- */
@@ -1388,21 +1385,24 @@ static const double stack_more = 0.04;
 
 /* What `best` wants to be high. A wall without a limit is worth less than any
    that has one, and one that lacks stones that were asked for less still. What
-   is to be exceeded counts little more once it is. */
-static double stack_value(struct stack_wall *w)
+   is to be exceeded counts little more once it is. No proof is made where that
+   could not be more than `most`. */
+static double stack_value(struct stack_wall *w, double most)
 {
     const double enough = 1.05, *beat = w->options.beat;
     double fill = stack_fill(w);
     struct masonry m;
     if (w->options.most <= w->stock->stones && w->laid < w->options.most)
         return w->laid - w->options.most;
-    if (w->options.goal != STACK_LOAD)
-        return masonry_of(&w->plan.task.s, w->stock->size, &m) ? 0
-             : (w->options.goal == STACK_PROOF ? stack_proof(w)
-                                               : fmax(0, stack_endures(w)))
-               * stack_worth(fill - stack_more)
-               * fmin(1, 0.7 + 3 * (m.joint - 1))
-               * (1 - m.upright) * (1 - m.bedless);
+    if (w->options.goal != STACK_LOAD) {
+        if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
+        const double worth = stack_worth(fill - stack_more)
+                           * fmin(1, 0.7 + 3 * (m.joint - 1))
+                           * (1 - m.upright) * (1 - m.bedless);
+        if (w->options.goal == STACK_DROP)
+            return worth * fmax(0, stack_endures(w));
+        return worth * stack_proven > most ? worth * stack_proof(w) : 0;
+    }
     double limit = stack_limit(&w->plan.task, w->plan.contact);
     if (limit < 0) limit = 1e-3 * w->m.margin / w->stock->size;
     if (beat[0] > 0 && fill > beat[0] && limit > beat[1])
@@ -1484,7 +1484,7 @@ STACK_API int stack_best(struct stack_wall *w)
         w->walls = i;
         bad = stack_restore(w, kept, from) ||
               stack_grow(w, &list, &g, chance, &r);
-        value = stack_value(w);
+        value = stack_value(w, most);
         if (value <= most) continue;
         most = value;
         good = g;
