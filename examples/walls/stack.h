@@ -798,9 +798,9 @@ STACK_API double stack_endures(struct stack_wall *w)
     return at_one - slope * log(drop + least);
 }
 
-/* Asks the plan what the wall would be with a candidate: its margin, and where
-   that is the goal its load factor, which the stone is added for. Returns 1
-   where it stands. */
+/* Asks the plan what the wall would be with a candidate: for `best` whether it
+   stands, and where that is the goal its load factor, which the stone is added
+   for; for the others its margin. Returns 1 where it stands. */
 static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
@@ -830,7 +830,9 @@ static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
         memcpy(known.force, w->force,
                (size_t)w->plan.task.s.contacts * sizeof(kern_force));
         w->plan.task.known = known;
-    } else if (status == KERN_OK)
+    } else if (status == KERN_OK && w->options.planner == STACK_BEST)
+        status = kern_plan_bears(&w->plan, &block, 0, NULL);
+    else if (status == KERN_OK)
         status = kern_plan_try(&w->plan, &block, &c->m, NULL);
     w->asking += (double)(clock() - start) / CLOCKS_PER_SEC;
     return status == KERN_STANDS;
