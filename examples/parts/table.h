@@ -468,25 +468,25 @@ static inline int table_collapse(struct table *t, struct table_report *r)
 enum { TABLE_LEVELS = 20 };
 
 /* The level of collapse of the structure in a file, shaken once at each level
-   of TABLE_LEVELS, in its `unit` of length. Says what is wrong on stderr. */
+   of TABLE_LEVELS up to that, in its `unit` of length. Says what is wrong on
+   stderr. */
 static inline int table_once(const char *program, const char *path,
                              double unit, double *level)
 {
     static const struct table empty;
     struct table t = empty;
-    struct table_report r = { NULL, NULL, 0, 0, 0, 0 };
-    int bad;
-    t.plan.first = 1;
-    t.plan.last = TABLE_LEVELS;
-    t.plan.repeat = 1;
+    int bad, at = 0;
     t.plan.unit = unit;
     t.plan.seed = 1;
     t.file = path;
-    bad = table_load(&t) || table_collapse(&t, &r);
+    bad = table_load(&t);
+    while (!bad && ++at <= TABLE_LEVELS) {
+        if (table_shake(&t, at, 0, NULL))
+            bad = table_fail(&t, "not enough memory to shake it");
+        else if (table_mean_score(&t) > table_threshold) break;
+    }
     if (bad) fprintf(stderr, "%s: %s: %s\n", program, path, t.text.message);
-    *level = r.level;
-    free(r.ads);
-    free(r.first);
+    *level = at;
     table_free(&t);
     return bad;
 }
