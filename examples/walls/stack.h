@@ -642,7 +642,8 @@ static const double stack_slide = 0.8; /* most that a stone slides, in sizes */
 static const double stack_level = 0.1; /* tops of one height, in sizes       */
 static const double stack_steep = 0.9; /* cosine of the steepest bed        */
 
-/* The faces that look upward and can be seen from there, and a grid; for `best`
+/* The faces that look upward and can be seen from there, the longer ones of a
+   stone of many corners, and a grid; for `best`
    also the joints between tops of one height, that a stone may cross. */
 static int stack_anchors(const struct stack_wall *w, double step,
                          struct stack_anchor *a)
@@ -652,10 +653,12 @@ static int stack_anchors(const struct stack_wall *w, double step,
     int n = 0;
     for (int b = 1; b < w->plan.task.s.blocks; b++)
         for (int i = 0; i < w->stone[b - 1].n; i++) {
-            struct rest_edge e = rest_edge_at(&w->stone[b - 1], i);
+            const struct stone *s = &w->stone[b - 1];
+            struct rest_edge e = rest_edge_at(s, i);
             double x = (e.a.x + e.b.x) / 2;
+            double least = (s->n > STONES_BEDS ? 0.3 : 0.15) * size;
             int column = stack_column(w, x);
-            if (e.n.y < stack_steep || e.a.x - e.b.x < 0.15 * size ||
+            if (e.n.y < stack_steep || e.a.x - e.b.x < least ||
                 column >= w->columns || w->owner[column] != b)
                 continue;
             a[n].x = x;

@@ -130,17 +130,18 @@ STONES_API void stone_turn(struct stone *s, kern_vec about, kern_vec turn)
 }
 
 /* The edges of the hull that a stone may lie on: the longest first, none like
-   one before it. */
+   one before it. A stone of many corners lies on few of them. */
 static void stone_find_beds(struct stone *s)
 {
     const double alike = 0.9986; /* cosine of 3 degrees */
+    const int most = s->n > STONES_BEDS ? STONES_BEDS / 2 : STONES_BEDS;
     struct rigid_pt p[STONES_CORNERS], hull[2 * STONES_CORNERS];
     double last = HUGE_VAL;
     int n;
     for (int i = 0; i < s->n; i++) p[i] = rigid_vec(s->v[i].x, s->v[i].y);
     n = build_hull(p, s->n, hull);
     s->beds = 0;
-    while (s->beds < STONES_BEDS) {
+    while (s->beds < most) {
         double longest = 0.04 * s->area;
         kern_vec bed = { 0, 0 };
         for (int i = 0; i < n; i++) {
