@@ -85,15 +85,20 @@ class Program(unittest.TestCase):
                              [want[key] for key in ("vx", "vy", "spin")])
 
     def test_readme(self):
-        """The example of the README runs, in the folder that it names."""
+        """The example of the README runs, and draws its picture."""
         code = re.search(r"```python\n(.*?)```",
                          (ROOT / "README.md").read_text(), re.S).group(1)
-        out = subprocess.run([sys.executable, "-S", "-c", code], cwd=MODULE,
-                             stdout=subprocess.PIPE, check=True)
-        *margin, load = out.stdout.decode().split()
-        self.assertEqual(" ".join(margin), "Margin(stands=True, margin=1.0, "
-                         "level=37, saturated=True)")
-        self.assertAlmostEqual(float(load), 0.4, 6)
+        with tempfile.TemporaryDirectory() as folder:
+            out = subprocess.run(
+                [sys.executable, "-S", "-c", code], cwd=folder,
+                env={**os.environ, "PYTHONPATH": str(MODULE)},
+                stdout=subprocess.PIPE, check=True).stdout.decode()
+            xml.dom.minidom.parse(os.path.join(folder, "mine.svg"))
+        found = re.fullmatch(r"Verdict\(stands=True\) Margin\(stands=True, "
+                             r"margin=(.*), level=16, saturated=False\) (.*)\n",
+                             out)
+        self.assertAlmostEqual(float(found.group(1)), 0.4, 6)
+        self.assertAlmostEqual(float(found.group(2)), 0.388, 6)
 
     @staticmethod
     def shapes(text):

@@ -318,10 +318,12 @@ static double safety(const struct sample *s)
     return s->value[MEASURE_NEAR_WEAK_LOAD];
 }
 
+struct ranked { double safety; const struct sample *sample; };
+
 static int by_safety(const void *a, const void *b)
 {
-    const double x = safety(*(const struct sample *const *)a);
-    const double y = safety(*(const struct sample *const *)b);
+    const double x = ((const struct ranked *)a)->safety;
+    const double y = ((const struct ranked *)b)->safety;
     return (x > y) - (x < y);
 }
 
@@ -335,24 +337,27 @@ static int ascending(const void *a, const void *b)
 static int plot_quarters(const struct figures *f, const struct plot *p,
                          const double *x, double most)
 {
-    const struct sample **s = malloc((size_t)f->samples * sizeof *s);
+    struct ranked *s = malloc((size_t)f->samples * sizeof *s);
     double *ads = malloc((size_t)f->samples * sizeof *ads);
     char shade[8];
     int bad = !s || !ads;
-    for (int i = 0; i < f->samples && !bad; i++) s[i] = &f->sample[i];
+    for (int i = 0; i < f->samples && !bad; i++) {
+        s[i].safety = safety(&f->sample[i]);
+        s[i].sample = &f->sample[i];
+    }
     if (!bad) qsort(s, (size_t)f->samples, sizeof *s, by_safety);
     for (int q = 0; q < 4 && !bad; q++) {
         const int from = f->samples * q / 4, n = f->samples * (q + 1) / 4 - from;
         double median[LEVELS];
         if (n == 0) continue;
         for (int l = 0; l < LEVELS; l++) {
-            for (int i = 0; i < n; i++) ads[i] = s[from + i]->shaken.ads[l];
+            for (int i = 0; i < n; i++) ads[i] = s[from + i].sample->shaken.ads[l];
             qsort(ads, (size_t)n, sizeof *ads, ascending);
             median[l] = (ads[(n - 1) / 2] + ads[n / 2]) / 2;
         }
         plot_curve(p, x, median, LEVELS, DRAW_INK, 5);
         plot_curve(p, x, median, LEVELS, draw_shade(
-            safety(s[from + n / 2]) / most, shade), 3.4);
+            s[from + n / 2].safety / most, shade), 3.4);
     }
     free(s);
     free(ads);
@@ -519,7 +524,7 @@ static int read_arguments(struct figures *f, int argc, char **argv)
             return fputs(help, stdout) < 0 ? -1 : 1;
         if (strcmp(word, "--quick") == 0) f->quick = 1;
         else if (strcmp(word, "--json") == 0) f->json = 1;
-        else if (strcmp(word, "--seed") == 0 && argv[i + 1]) {
+        else if (strcmp(word, "--seed") == 0 && i + 1 < argc) {
             if (read_seeds(f, argv[++i])) return -1;
         } else if (word[0] != '-' && !f->folder) f->folder = word;
         else f->folder = NULL, i = argc;
