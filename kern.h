@@ -37,10 +37,9 @@
 
    Kern is the paper's word for what is left of a contact interface when it has
    been shrunk; it is not the engineer's kern of a section, its middle third.
-   The largest d at which forces in equilibrium still exist is the margin d*.
-   The level is Algorithm 1 of the paper: the number of steps of size epsilon
-   after which they exist no longer. A structure that falls anyway has level 0
-   and a deficit: how much larger its contacts would have to be.
+   The largest d at which forces in equilibrium still exist is the margin d*;
+   the level counts it in steps of size epsilon. A structure that falls anyway
+   has a deficit: how much larger its contacts would have to be.
 
 
    HOW TO USE IT                                                        >>use
@@ -177,14 +176,11 @@
    mechanism, and the proof that nothing holds it.
 
    Forces are passed on from top to bottom (>>pour), three equations at a time
-   where blocks can be balanced alone. What cannot be balanced even where
-   everything else could exert whatever is needed is a small part that falls;
-   the simplex method (>>lp) finds its motion. Where no small part decides, an
-   interior-point method (>>inner) finds forces, motion and critical place
-   together (arches; loads and tilts that move a wall as a whole), or the
-   simplex method does (walls whose kerns close one after the other). The margin
-   is found from above (>>search): no edge of the whole lies beyond the edge of
-   a part, all else held.
+   where blocks can be balanced alone. What cannot be balanced is a small part
+   that falls: the simplex method (>>lp) finds its motion. Where no small part
+   decides, an interior-point method (>>inner) finds forces, motion and critical
+   place together. The margin is found from above (>>search): no edge of the
+   whole lies beyond the edge of a part, all else held.
 
 
    RULES                                                               >>rules
@@ -341,8 +337,8 @@
    its size in angle, errs in both: of pushes alone a reserve that keeps 0.96
    rejects 0.88 and 0.63. All of 272 settled structures are raised, 271 with a
    reserve of 0.006. In float 0.94 of what stays is raised, 0.89 with a reserve
-   of 0.0055. Not shown is no proof of falling; what is raised may slip where the
-   first motion of a stone changes its contacts. tests/truth.c has the
+   of 0.0055. Not shown is no proof of falling; what is raised may slip where
+   the first motion of a stone changes its contacts. tests/truth.c has the
    measurement.
 
    Forces. Many sets of forces hold a structure, and no measure depends on
@@ -1056,16 +1052,15 @@ KERN_API int kern_certain(const kern_task *task, kern_status verdict,
    whose forces nothing presses is not raised. Kerns are shrunk by `shrink`.
    KERN_STANDS: *out, and the proof as kern_check_raised() takes it, both its
    arrays (KERN_NOT_SHOWN: forces alone). KERN_FALLS: it does not stand; motion
-   as in kern_verdict(), *out as it was. `reserve` may be NULL; else
-   *reserve is the largest share, among 0, .001 ... .005, .0055, .006, .007,
-   .008, .01, .015, .02, .03, .05 and .1, of gravity that pushes sideways to
-   either side, while kerns shrink further by that share of the mean size of the
-   free blocks (relative: by that share), and leaves it raised, as far as is
-   shown: 0 where it is not raised. See >>measures. KERN_BAD_OPTION: a reserve
-   without gravity. KERN_NO_SPACE also where a structure is much wider than a
-   wall of squares.
-   Time: 1.2 times that of the margin where it is raised, 8 times where it is not
-   shown; with the reserve 4 times. */
+   as in kern_verdict(), *out as it was. `reserve` may be NULL; else *reserve is
+   the largest share, among 0, .001 ... .005, .0055, .006, .007, .008, .01,
+   .015, .02, .03, .05 and .1, of gravity that pushes sideways to either side,
+   while kerns shrink further by that share of the mean size of the free blocks
+   (relative: by that share), and leaves it raised, as far as is shown: 0 where
+   it is not raised. See >>measures. KERN_BAD_OPTION: a reserve without gravity.
+   KERN_NO_SPACE also where a structure is much wider than a wall of squares.
+   Time: 1.2 times that of the margin where it is raised, 8 times where it is
+   not shown; with the reserve 4 times. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
