@@ -378,10 +378,10 @@
        noise   verdict right of       certain   of these   median error
                those that                        wrong      of the margin
                stand     fall
-       0.2      99.6    100.0         78.5       0.00       1.3
-       0.5      99.1     99.2         67.4       0.06       1.6
-       1        98.9     95.5         61.4       0.29       2.9
-       2        97.9     89.2         57.5       1.10       4.4
+       0.2      99.6    100.0         78.1       0.00       1.3
+       0.5      99.1     99.2         65.1       0.06       1.6
+       1        98.9     95.5         57.2       0.07       2.9
+       2        97.9     89.2         42.6       0.47       4.4
 
 
    LIMITS                                                            >>limits
@@ -1036,13 +1036,15 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
 /* Whether the verdict of a measured structure holds within the error that
    kern_measured() was given: 1 yes, 0 no. It stands for certain if it also
-   stands with half the error allowed in gaps and angles and with its kerns
-   shrunk by e, and falls for certain if it also falls with twice the error
-   allowed and with its kerns grown by e. verdict is that of kern_verdict() at
-   0, KERN_STANDS or KERN_FALLS. out[0..room) receives the contacts of that
-   query. Below 0: what kern_contacts() or kern_verdict() returns,
-   KERN_BAD_OPTION where the options are not those of kern_measured() or for any
-   other verdict. */
+   stands with half the error allowed in gaps and angles, with its kerns shrunk
+   by e and with friction angles less by 4 theta, and falls for certain if it
+   also falls with three times the error allowed and with its kerns grown by
+   2 e. As the stated error grows "falls for certain" only ends; "stands for
+   certain" begins where the error explains the gaps, and ends where it is too
+   large. verdict is that of kern_verdict() at 0, KERN_STANDS or KERN_FALLS.
+   out[0..room) receives the contacts of that query. Below 0: what
+   kern_contacts() or kern_verdict() returns, KERN_BAD_OPTION where the options
+   are not those of kern_measured() or for any other verdict. */
 KERN_API int kern_certain(const kern_task *task, kern_status verdict,
                           kern_contact *out, int room);
 
@@ -7160,7 +7162,9 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_ERROR_FOOT    KERN_R(2.0)  /* beyond the end of an edge          */
 /* Shares of the error that are allowed where a verdict is to be certain. */
 #define KERN_CERTAIN_STANDS KERN_R(0.5)
-#define KERN_CERTAIN_FALLS  KERN_R(2.0)
+#define KERN_CERTAIN_FALLS  KERN_R(3.0)
+#define KERN_CERTAIN_GROWTH KERN_R(2.0)  /* of kerns, in errors of place      */
+#define KERN_CERTAIN_SLOPE  KERN_R(4.0)  /* of contacts, in errors of angle   */
 /* Share of the size of the smaller free block above which no step is too low
    to carry, however wide the gap: a pebble keeps its shape. */
 #define KERN_STEP_MOST  KERN_R(0.1)
@@ -10785,7 +10789,10 @@ KERN_API int kern_certain(const kern_task *task, kern_status verdict,
                                      &other.options, out, room, task->work);
     if (other.s.contacts < 0)
         return other.s.contacts;
-    again = kern_verdict(&other, verdict == KERN_STANDS ? e : -e, NULL);
+    if (verdict == KERN_STANDS)
+        other.options.narrow += KERN_CERTAIN_SLOPE * task->options.turn / e;
+    again = kern_verdict(&other, verdict == KERN_STANDS
+                                 ? e : -KERN_CERTAIN_GROWTH * e, NULL);
     return again == KERN_UNDECIDED || again >= 0
         ? again == verdict : (int)again;
 }

@@ -8522,8 +8522,8 @@ static void narrow_by_hand(void)
 static void narrow_random(void)
 {
     static world w, now;
-    int seed, compared = 0;
-    for (seed = 1; seed <= 400; seed++) {
+    int seed, compared = 0, structures = 0;
+    for (seed = 1; seed <= (quick ? 400 : 40000); seed++) {
         static const double rate[] = {0, 0.03, 0.3, 3, 300};
         double last = HUGE_VAL;
         size_t i;
@@ -8538,6 +8538,7 @@ static void narrow_random(void)
             int side;
             if (margin_narrow(&w, k, &margin) != KERN_STANDS)
                 break;
+            structures += i == 1;
             CHECK(margin <= last + EDGE * size);
             last = margin;
             for (side = -1; side <= 1; side += 2) {
@@ -8559,7 +8560,8 @@ static void narrow_random(void)
         }
     }
     context[0] = 0;
-    CHECK(compared > 500);
+    CHECK(compared > (quick ? 500 : 50000));
+    CHECK(structures > (quick ? 100 : 10000));
 }
 
 /* ---- the largest push of one stone ---- */
