@@ -1826,9 +1826,9 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
 /* The travels of the kerns of all contacts from one on. */
 static kern_travels kern_travels_of(const kern_structure *s,
                                     const kern_query *q, int from);
-/* Goes in steps until it falls, and narrows the bracket there. */
-static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step, int even);
+/* Goes in even steps until it falls, and narrows the bracket there. */
+static kern_status kern_path_walk(kern_model *m, kern_path *path,
+                                  kern_real step);
 /* The verdict on the whole at a place, by the interior point; in *edge, where
    it falls, where that ends. */
 static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
@@ -2869,7 +2869,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
         if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
         if (status == KERN_STANDS && done == KERN_OK)
-            status = kern_path_climb(m, path, out->most / KERN_SCAN, 1);
+            status = kern_path_walk(m, path, out->most / KERN_SCAN);
     }
     if (path->never && path->end < out->most) /* where the scan said it falls */
         return KERN_UNDECIDED;
@@ -3215,7 +3215,7 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
     status = kern_path_evaluate(&m, &path, KERN_R(0));
     path.begun = status == KERN_STANDS;
     if (status == KERN_STANDS)
-        status = loaded ? kern_path_climb(&m, &path, step, 1)
+        status = loaded ? kern_path_walk(&m, &path, step)
                         : kern_path_search(&m, &path, step, step);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
@@ -3328,7 +3328,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
         even = !kern_travels_of(m->s, &path->q, 0).nested;
         step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
     }
-    status = even ? kern_path_climb(m, path, step, 1)
+    status = even ? kern_path_walk(m, path, step)
                   : kern_path_search(m, path, step, step);
     *at = path->edge;
     if (status == KERN_STANDS && !path->never)
@@ -5738,45 +5738,151 @@ static kern_travels kern_travels_of(const kern_structure *s,
     return t;
 }
 
+/* Evaluates at a place beyond `at`; where that is too near to critical to tell,
+   a little aside. */
+static kern_status kern_path_beyond(kern_model *m, kern_path *path,
+                                    kern_real at, kern_real next)
+{
+    kern_status status = kern_path_evaluate(m, path, next);
+    int tries;
+    for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
+        status = kern_path_evaluate(m, path,
+            kern_max(next - path->tolerance * KERN_R(tries) / 4,
+                     at + (next - at) / 2));
+    return status;
+}
+
+/* It stands to the end of the path. */
+static kern_status kern_path_saturate(kern_path *path)
+{
+    path->never = 1;
+    path->edge = path->fails = path->end;
+    return KERN_STANDS;
+}
+
 /* Goes from a place that stands toward the end, until it falls; then finds the
-   edge. Steps grow as long as they need few pivots (far beyond the edge the
-   simplex has much to do that is of no use), or are `even` where verdicts may
-   change more than once. */
+   edge. Steps grow as long as they need few pivots: far beyond the edge the
+   simplex has much to do that is of no use. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step, int even)
+                                   kern_real step)
 {
     const kern_real end = path->end, least = step / 4;
     kern_real at = path->holds;
-    int round, tries;
+    int round;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
         const kern_real next = kern_min(end, at + step);
         const int before = m->work->pivots;
-        kern_status status = kern_path_evaluate(m, path, next);
+        const kern_status status = kern_path_beyond(m, path, at, next);
         int pivots;
-        /* too near to critical to tell: a little aside */
-        for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
-            status = kern_path_evaluate(m, path,
-                kern_max(next - path->tolerance * KERN_R(tries) / 4,
-                         at + (next - at) / 2));
         if (status == KERN_FALLS)
             return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
         if (status != KERN_STANDS)
             return status;
-        if (next >= end) {
-            path->never = 1;
-            path->edge = path->fails = end;
-            return KERN_STANDS;
-        }
+        if (next >= end)
+            return kern_path_saturate(path);
         at = next;
         pivots = m->work->pivots - before;
-        if (!even && 3 * pivots < KERN_MANY)
+        if (3 * pivots < KERN_MANY)
             step *= KERN_R(1.6);
-        else if (!even && pivots < KERN_MANY)
+        else if (pivots < KERN_MANY)
             step *= KERN_R(1.25);
-        else if (!even && pivots > 2 * KERN_MANY)
+        else if (pivots > 2 * KERN_MANY)
             step *= KERN_R(0.7);
-        if (!even)
-            step = kern_max(step, kern_max(least, at / 16));
+        step = kern_max(step, kern_max(least, at / 16));
+    }
+    return KERN_UNDECIDED;
+}
+
+/* Row of point c about the first point of its pair, the unit of torques being
+   the mean size; adds what its force exerts to b. */
+static void kern_walk_row(const kern_model *m, const kern_contact *first,
+                          const kern_contact *c, kern_real place,
+                          const kern_force *force, kern_row *row, kern_real *b)
+{
+    const kern_real sign = c->a == first->a ? KERN_R(1) : KERN_R(-1);
+    const kern_real one = sign / m->mean;
+    const kern_vec arm = kern_vec_sub(kern_contact_at(c, place, m->relative),
+                                      first->p);
+    row->n[0] = sign * c->n.x;
+    row->n[1] = sign * c->n.y;
+    row->n[2] = kern_vec_cross(arm, c->n) * one;
+    row->turn = kern_vec_dot(arm, c->n) * one; /* arm x t */
+    row->mu = kern_friction(c, m->slope);
+    row->wn = row->wt = KERN_R(0);
+    b[0] += force->normal * row->n[0] - force->tangential * row->n[1];
+    b[1] += force->normal * row->n[1] + force->tangential * row->n[0];
+    b[2] += force->normal * row->n[2] + force->tangential * row->turn;
+}
+
+/* Whether points of a pair that lie in a row from contact i to j carry at
+   `place` what m->force makes them carry where they are at `from`. */
+static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
+                             kern_real place)
+{
+    const kern_contact *c = m->s->contact + i;
+    kern_row row[KERN_ROWS_MOST];
+    kern_real b[3] = {0, 0, 0}, none[3] = {0, 0, 0}, u[3];
+    int k;
+    if (j - i > KERN_ROWS_MOST)
+        return 0;
+    for (k = i; k < j; k++)
+        kern_walk_row(m, c, m->s->contact + k, from, m->force + k, row, b);
+    for (k = i; k < j; k++)
+        kern_walk_row(m, c, m->s->contact + k, place, m->force + k,
+                      row + (k - i), none);
+    return kern_pour_solve(row, j - i, b, KERN_POUR_TOL * kern_largest(b, 3), u)
+           == KERN_STANDS;
+}
+
+/* Whether the forces m->force that hold the structure at `from` hold it at
+   `place`, where kerns are larger: lines carry there what they carry at `from`,
+   points that move along different tangents perhaps. */
+static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
+{
+    const kern_contact *c = m->s->contact;
+    int i, j;
+    for (i = 0; i < m->s->contacts; i = j) {
+        for (j = i + 1; j < m->s->contacts && !c[i].line && !c[j].line
+                        && ((c[j].a == c[i].a && c[j].b == c[i].b)
+                            || (c[j].a == c[i].b && c[j].b == c[i].a)); j++)
+            ;
+        if (!c[i].line && !kern_walk_carries(m, i, j, from, place))
+            return 0;
+    }
+    return 1;
+}
+
+/* The same in even steps, where verdicts may change more than once. Where forces
+   found farther on hold it at all steps between, these are left out. */
+static kern_status kern_path_walk(kern_model *m, kern_path *path,
+                                  kern_real step)
+{
+    const kern_real end = path->end;
+    kern_real at = path->holds;
+    int round, stride = 1, k;
+    for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
+        const kern_real next = kern_min(end, at + KERN_R(stride) * step);
+        const kern_real holds = path->holds;
+        const kern_status status = kern_path_beyond(m, path, at, next);
+        for (k = stride - 1; k > 0 && status == KERN_STANDS; k--)
+            if (!kern_walk_holds(m, path->holds, at + KERN_R(k) * step))
+                break;
+        if (k > 0) {
+            stride = 1;
+            path->holds = holds;
+            if (status == KERN_STANDS) /* the proof is that of `next` */
+                kern_path_evaluate(m, path, holds);
+            continue;
+        }
+        if (status == KERN_FALLS)
+            return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (status != KERN_STANDS)
+            return status;
+        if (next >= end)
+            return kern_path_saturate(path);
+        at = next;
+        if (path->kind == KERN_PATH_SHRINK)
+            stride *= 2;
     }
     return KERN_UNDECIDED;
 }
@@ -6572,7 +6678,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
             && (closed || (seeded && kern_path_still_falls(m, path))))
             return status;
         if (status == KERN_STANDS && seeded)
-            return kern_path_climb(m, path, step, 0);
+            return kern_path_climb(m, path, step);
         if (status == KERN_STANDS || status == KERN_FALLS)
             status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
         if (status == KERN_STANDS && path->holds > holds)
@@ -6582,7 +6688,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     status = kern_path_evaluate(m, path, holds);
     if (status == KERN_FALLS && holds > path->start)
         status = kern_path_evaluate(m, path, path->start);
-    return status == KERN_STANDS ? kern_path_climb(m, path, step, 0) : status;
+    return status == KERN_STANDS ? kern_path_climb(m, path, step) : status;
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x81444ff0618309ecu },
-    { 1000, 0xd9f4983628f48beau },
-    { 5000, 0x5e74e54b52a4145fu },
+    { 200, 0x5cd654f13d7920b8u },
+    { 1000, 0x11236fff2143d58fu },
+    { 5000, 0x21f2888bacc8bb3cu },
 #else
-    { 200, 0xc01f34fbf8287ab7u },
-    { 1000, 0x55184def83cf5ac5u },
-    { 5000, 0xa78a476a9dad3572u },
+    { 200, 0xcafacfe4cb4a0b88u },
+    { 1000, 0x29d59a48a42f3019u },
+    { 5000, 0x5ad8c756100eb259u },
 #endif
 };
 
