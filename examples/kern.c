@@ -1399,10 +1399,9 @@ static void json_open(unsigned open)
 static void report_json(const struct analysis *a)
 {
     int good = !a->error[0];
-    int asked = good && !a->set->verdict_only;
+    int asked = good && !a->set->verdict_only, lines = good ? line_points(a) : 0;
     int known = asked && a->measured >= 0;
     int falls = known && a->measured == KERN_FALLS;
-    int lines = good ? line_points(a) : 0;
     int proven = known || (good && a->measured == KERN_LIMIT);
     double none = (double)NAN;
     printf("{");
