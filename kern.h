@@ -5902,6 +5902,8 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
             *v = seed->last;
         else if (seed->motion)
             *v = seed->motion[i];
+        if (!kern_moves(m, i)) /* an interior point leaves a little of it */
+            v->vx = v->vy = v->spin = KERN_R(0);
     }
     error = kern_prove_motion(m->s, &q, m->motion);
     if (!(error <= 1) || seed->fails - path->holds > path->tolerance)
