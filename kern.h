@@ -5865,7 +5865,8 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
         const kern_real holds = path->holds;
         const kern_status status = kern_path_beyond(m, path, at, next);
         for (k = stride - 1; k > 0 && status == KERN_STANDS; k--)
-            if (!kern_walk_holds(m, path->holds, at + KERN_R(k) * step))
+            if (!kern_model_spend(m, 1 + m->s->contacts / 32)
+                || !kern_walk_holds(m, path->holds, at + KERN_R(k) * step))
                 break;
         if (k > 0) {
             stride = 1;
