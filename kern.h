@@ -4954,7 +4954,8 @@ static int kern_pass(kern_model *m, int g)
     }
     for (k = 0; k < n; k++) {
         const kern_force *f = m->force + (row[k].end >> 1);
-        kern_model_carry(m, row[k].end >> 1, row[k].end & 1, -f->normal, -f->tangential, b);
+        kern_model_carry(m, row[k].end >> 1, row[k].end & 1, -f->normal,
+                         -f->tangential, b);
     }
     if (kern_pour_solve(row, n, b, tolerance, u) != KERN_STANDS)
         return 0;
@@ -5852,8 +5853,8 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
     return 1;
 }
 
-/* The same in even steps, where verdicts may change more than once. Where forces
-   found farther on hold it at all steps between, these are left out. */
+/* The same in even steps, where verdicts may change more than once. Steps at
+   which forces found farther on hold it too are left out. */
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step)
 {
@@ -6454,9 +6455,9 @@ static int kern_inner_falls(kern_inner *in)
     return error <= 1;
 }
 
-/* Holds the matrix at a place from now on. Where the path's g leads to less than
-   x misses there, g is what it misses instead, and at - s the share of it that
-   is still missing. What has lost its digits begins anew. */
+/* Holds the matrix at a place from now on. Where the path's g is less than what
+   x misses there, that becomes g, and at - s the share of it that is still
+   missing. What has lost its digits begins anew. */
 static void kern_inner_hold(kern_inner *in, kern_real place)
 {
     kern_part *p = in->p;
@@ -6508,9 +6509,9 @@ static kern_real kern_inner_edge(const kern_inner *in)
     return in->along ? in->end : kern_path_newton(in->path, &q, in->at);
 }
 
-/* The verdict at a place. A motion proves that it falls as long as it parts from
-   all contacts by more than rounding, which is before it is sharp enough for
-   Newton's method. */
+/* The verdict at a place. A motion proves that it falls as long as it parts
+   from all contacts by more than rounding, which is before it is sharp enough
+   for Newton's method. */
 static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
                                        kern_real *edge)
 {
