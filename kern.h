@@ -5627,6 +5627,115 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
+/* How a bracket is narrowed: the path's edge beside it, and the next steps. */
+typedef struct kern_bracket {
+    kern_real aside, under;   /* from the edge, beyond it and before          */
+    kern_real share;          /* of the bracket, of a step without an edge    */
+    int inside;               /* nonzero: the edge lies in the bracket        */
+    int close, closed;        /* fails lies close to the edge; both ends do   */
+    int known;                /* nonzero: the edge is exact                   */
+} kern_bracket;
+
+static void kern_bracket_look(kern_bracket *b, const kern_path *path)
+{
+    const kern_real under = path->edge - path->holds;
+    const kern_real beyond = path->fails - path->edge;
+    b->inside = under >= 0 && beyond >= 0;
+    b->close = b->inside && beyond <= b->aside * KERN_R(1.05);
+    b->closed = b->close && under <= b->under * KERN_R(1.05)
+                && (under >= b->under / 2 || path->holds <= path->start
+                    || path->inner);
+}
+
+/* Whether the bracket is as narrow as it gets. */
+static int kern_bracket_ends(const kern_bracket *b, const kern_path *path)
+{
+    const kern_real least = path->tolerance * KERN_R(0.45) / 8;
+    return (b->closed && (b->known || kern_inner_sharp(path->inner)))
+           || path->fails - path->holds <= least
+           || b->aside + b->under > path->tolerance * KERN_WIDEST;
+}
+
+/* The place that is evaluated next. */
+static kern_real kern_bracket_next(kern_bracket *b, const kern_path *path)
+{
+    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
+    const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
+    kern_real at;
+    if (b->close)
+        return b->closed ? r : kern_max(r - b->under, path->start);
+    if (b->inside && r + kern_max(b->aside, error) < hi)
+        at = r + kern_max(b->aside, error);
+    else {
+        at = lo + kern_max((hi - lo) * b->share,
+                           path->tolerance * KERN_R(0.45));
+        b->share = kern_min(2 * b->share, KERN_R(0.5));
+    }
+    return at > lo && at < hi ? at : lo + (hi - lo) / 2;
+}
+
+/* Goes farther from where no verdict could be proven. Returns 0 in a jam, where
+   neither proof comes nearer. */
+static int kern_bracket_widen(kern_bracket *b, const kern_path *path)
+{
+    if (b->close)
+        b->under *= 2;
+    else if (b->inside)
+        b->aside *= 2;
+    else
+        b->share *= KERN_R(0.7);
+    return b->inside || path->fails - path->holds
+                        > path->tolerance * KERN_WIDEST;
+}
+
+static void kern_bracket_share(kern_bracket *b, const kern_path *path)
+{
+    b->share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
+}
+
+/* Evaluates the edge of a closed bracket, which stays as it is: another
+   mechanism may fall there. */
+static kern_status kern_bracket_check(kern_bracket *b, kern_model *m,
+                                      kern_path *path)
+{
+    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
+    const kern_proof *proof = path->proof;
+    kern_status status;
+    path->proof = NULL;
+    status = kern_path_evaluate(m, path, r);
+    path->proof = proof;
+    b->known = status != KERN_FALLS
+               || path->edge > r - path->unit * KERN_SAME_EDGE;
+    if (b->known)
+        path->edge = r;
+    path->holds = lo;
+    path->fails = hi;
+    return status;
+}
+
+/* Evaluates the next place, and notes what that tells of the bracket. In *goes
+   whether it is to be narrowed further. */
+static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
+                                     kern_path *path, int *goes)
+{
+    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
+    const kern_real at = kern_bracket_next(b, path);
+    const int pivots = m->work->pivots;
+    const int single = path->part->simplex.violated == 1;
+    const kern_status status = kern_path_evaluate(m, path, at);
+    if (status == KERN_FALLS && at < lo) {
+        path->fails = hi; /* both proofs hold, within their tolerances */
+        path->edge = r;
+        b->under *= 2;
+    } else if (status == KERN_FALLS)
+        kern_bracket_share(b, path);
+    else if (status == KERN_UNDECIDED)
+        *goes = kern_bracket_widen(b, path);
+    else if (status == KERN_STANDS)
+        b->known = b->close && single && pivots == m->work->pivots;
+    return status;
+}
+
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
    place, where the verdict changes. With w half of the tolerance:
    1. evaluate at the place that Newton's method predicts, plus w: where another
@@ -5638,72 +5747,22 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static kern_status kern_path_edge(kern_model *m, kern_path *path,
                                   int rounds)
 {
-    const kern_real half = path->tolerance * KERN_R(0.45);
-    const kern_real same = path->unit * KERN_SAME_EDGE;
-    const kern_proof *proof = path->proof;
-    kern_real aside = half, under = half;
-    kern_real share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
-    int round, known = 0;
-    path->closed = 0;
-    for (round = 0; round < rounds; round++) {
-        const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-        const kern_real error = (hi - r) / path->unit * (hi - r) / 2;
-        const int inside = r >= lo && r <= hi;
-        const int close = inside && hi - r <= aside * KERN_R(1.05);
-        const int closed = close && r - lo <= under * KERN_R(1.05)
-                           && (r - lo >= under / 2 || lo <= path->start
-                               || path->inner);
-        const int pivots = m->work->pivots;
-        const int single = path->part->simplex.violated == 1;
-        kern_real at;
+    kern_bracket b;
+    int round, goes = 1;
+    b.aside = b.under = path->tolerance * KERN_R(0.45);
+    b.known = path->closed = 0;
+    kern_bracket_share(&b, path);
+    for (round = 0; round < rounds && goes; round++) {
         kern_status status;
-        if ((closed && (known || kern_inner_sharp(path->inner)))
-            || hi - lo <= half / 8
-            || aside + under > path->tolerance * KERN_WIDEST)
+        kern_bracket_look(&b, path);
+        if (kern_bracket_ends(&b, path))
             break;
-        if (close)
-            at = closed ? r : kern_max(r - under, path->start);
-        else if (inside && r + kern_max(aside, error) < hi)
-            at = r + kern_max(aside, error);
-        else {
-            at = lo + kern_max((hi - lo) * share, half);
-            share = kern_min(2 * share, KERN_R(0.5));
-        }
-        if (!close && !(at > lo && at < hi))
-            at = lo + (hi - lo) / 2;
-        path->proof = closed ? NULL : proof; /* only of the ends */
-        status = kern_path_evaluate(m, path, at);
-        path->proof = proof;
+        status = b.closed ? kern_bracket_check(&b, m, path)
+                          : kern_bracket_step(&b, m, path, &goes);
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
-        if (closed) {
-            known = status != KERN_FALLS || path->edge > r - same;
-            if (known)
-                path->edge = r;
-            path->holds = lo;
-            path->fails = hi;
-        } else if (status == KERN_FALLS && at < lo) {
-            path->fails = hi; /* both proofs hold, within their tolerances */
-            path->edge = r;
-            under *= 2;
-            continue;
-        } else if (status == KERN_UNDECIDED) {
-            if (close)
-                under *= 2;
-            else if (inside)
-                aside *= 2;
-            else if (hi - lo <= path->tolerance * KERN_WIDEST)
-                break; /* a jam: neither proof comes nearer */
-            else
-                share *= KERN_R(0.7);
-        }
-        if (!closed && !close && status == KERN_STANDS
-            && rounds < KERN_EDGE_ROUNDS)
+        if (!b.close && status == KERN_STANDS && rounds < KERN_EDGE_ROUNDS)
             return KERN_STANDS; /* the whole is evaluated there first */
-        if (!closed && status == KERN_STANDS)
-            known = close && single && pivots == m->work->pivots;
-        if (!closed && status == KERN_FALLS)
-            share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
     }
     if (round == rounds && rounds < KERN_EDGE_ROUNDS)
         return KERN_STANDS;
