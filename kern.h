@@ -6707,51 +6707,89 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
     return status;
 }
 
+/* How far the search for the first edge of a path has come. */
+typedef struct kern_probe {
+    kern_real start;          /* of the path                                  */
+    kern_real first, step;    /* from there; of a climb                       */
+    kern_real holds;          /* the farthest place that stands               */
+    kern_real at;             /* the next place                               */
+    int fell;                 /* nonzero: a part fell                         */
+    int seeded;               /* nonzero: something is known about `at`       */
+    int done;                 /* nonzero: the search is over                  */
+} kern_probe;
+
+/* Ends what the interior point left: a bracket that is narrow, but not enough. */
+static kern_status kern_plain_bracket(kern_model *m, kern_path *path)
+{
+    if (path->fell <= path->fails && path->stood >= path->holds
+        && path->fails - path->holds <= path->tolerance * KERN_WIDEST
+        && kern_path_evaluate(m, path, path->fails) == KERN_FALLS)
+        return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+    return KERN_UNDECIDED;
+}
+
+/* Begins at the next place, where something is known about it. */
+static kern_status kern_plain_at(kern_model *m, kern_path *path,
+                                 kern_probe *probe, int seeded, int closed)
+{
+    const kern_real holds = path->holds;
+    kern_status status = kern_path_evaluate(m, path, probe->at);
+    probe->done = 1;
+    if (status == KERN_STANDS
+        && (closed || (seeded && kern_path_still_falls(m, path))))
+        return status;
+    if (status == KERN_STANDS && seeded)
+        return kern_path_climb(m, path, probe->step);
+    if (status == KERN_STANDS || status == KERN_FALLS)
+        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+    probe->done = status == KERN_STANDS && path->holds > holds;
+    if (!probe->done)
+        path->holds = holds;
+    return status;
+}
+
+/* Climbs from path->holds, or if it does not stand there, from the start. */
+static kern_status kern_plain_climb(kern_model *m, kern_path *path,
+                                    kern_real step)
+{
+    const kern_real holds = path->holds;
+    kern_status status = kern_path_evaluate(m, path, holds);
+    if (status == KERN_FALLS && holds > path->start)
+        status = kern_path_evaluate(m, path, path->start);
+    return status == KERN_STANDS ? kern_path_climb(m, path, step) : status;
+}
+
 /* As kern_path_search(), by the interior point, or else by the linear program
-   of the whole. Where something is known it begins at `at`, where that
-   stands. Else, or if it is not decided there, it climbs from path->holds. */
+   of the whole. Where something is known it begins at the next place, where
+   that stands. Else, or if it is not decided there, it climbs from
+   path->holds. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_real step, kern_real at, int fell)
+                                   kern_probe *probe)
 {
     const kern_real holds = path->holds;
     const kern_query q = kern_path_at(path, holds);
-    const int seeded = !fell && path->seed && path->seed->fails > at;
-    const int closed = fell && path->closed;
-    const int near_part = fell && m->groups <= KERN_PLAIN_SMALL;
+    const int seeded = !probe->fell && path->seed
+                       && path->seed->fails > probe->at;
+    const int closed = probe->fell && path->closed;
+    const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     kern_status status = KERN_UNDECIDED;
     if (!seeded) /* else one verdict from the known forces may do */
-        status = kern_inner_search(m, path, closed ? at : path->end,
+        status = kern_inner_search(m, path, closed ? probe->at : path->end,
                                    closed ? path->fails : path->end);
     if (status == KERN_STANDS)
         return status;
     status = kern_model_plain(m, path->part, &q);
     if (status != KERN_OK)
         return status;
-    if (!seeded && path->fell <= path->fails && path->stood >= path->holds
-        && path->fails - path->holds <= path->tolerance * KERN_WIDEST
-        && kern_path_evaluate(m, path, path->fails) == KERN_FALLS) {
-        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (status == KERN_STANDS)
-            return status;
-    }
+    if (!seeded && kern_plain_bracket(m, path) == KERN_STANDS)
+        return KERN_STANDS;
     path->holds = holds;
-    if (at > holds && (near_part || seeded)) {
-        status = kern_path_evaluate(m, path, at);
-        if (status == KERN_STANDS
-            && (closed || (seeded && kern_path_still_falls(m, path))))
+    if (probe->at > holds && (small || seeded)) {
+        status = kern_plain_at(m, path, probe, seeded, closed);
+        if (probe->done)
             return status;
-        if (status == KERN_STANDS && seeded)
-            return kern_path_climb(m, path, step);
-        if (status == KERN_STANDS || status == KERN_FALLS)
-            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (status == KERN_STANDS && path->holds > holds)
-            return status;
-        path->holds = holds;
     }
-    status = kern_path_evaluate(m, path, holds);
-    if (status == KERN_FALLS && holds > path->start)
-        status = kern_path_evaluate(m, path, path->start);
-    return status == KERN_STANDS ? kern_path_climb(m, path, step) : status;
+    return kern_plain_climb(m, path, probe->step);
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
@@ -6787,6 +6825,66 @@ static kern_status kern_path_part(kern_model *m, kern_path *path)
     return status;
 }
 
+/* The next place stands; `last` tells that its forces are a proof. */
+static kern_status kern_probe_stood(kern_probe *probe, kern_model *m,
+                                    kern_path *path, int last)
+{
+    const kern_real at = probe->at;
+    probe->holds = at;
+    probe->done = 1;
+    if (probe->fell && last) {
+        path->edge = kern_min(kern_max(path->edge, at), path->fails);
+        return KERN_STANDS;
+    }
+    if (probe->seeded && kern_path_still_falls(m, path))
+        return KERN_STANDS;
+    if (at >= path->end)
+        return kern_path_saturate(path);
+    probe->done = 0;
+    if (probe->fell)
+        return kern_part_again(path->part, m) == KERN_OK ? KERN_STANDS
+                                                         : KERN_NO_SPACE;
+    if (probe->seeded && kern_path_moved(m, path, probe->first) == KERN_FALLS)
+        probe->fell = 1;
+    else
+        probe->at = kern_min(path->end, path->seed && path->seed->fails > 0
+                             ? at + probe->first
+                             : probe->start + 2 * (at - probe->start));
+    return KERN_STANDS;
+}
+
+/* A part falls at the next place. */
+static kern_status kern_probe_fell(kern_probe *probe, kern_path *path)
+{
+    if (probe->at <= probe->start) {
+        probe->done = !path->begun;
+        return path->begun ? KERN_UNDECIDED : KERN_FALLS;
+    }
+    probe->fell = 1;
+    path->closed = 0;
+    return KERN_STANDS;
+}
+
+/* Narrows the bracket of the part that fell; the next place lies before. */
+static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
+                                   kern_path *path, kern_status status)
+{
+    if (status == KERN_STANDS
+        && path->edge > probe->start + path->tolerance) {
+        status = kern_path_part(m, path);
+        probe->at = path->holds;
+        probe->done = status == KERN_STANDS && kern_part_is_whole(path->part)
+                      && probe->at > probe->holds && path->closed;
+    } else {
+        const kern_real next = kern_max(probe->start,
+            kern_min(path->edge, probe->at) - path->tolerance / 2);
+        if (!(next < probe->at))
+            return KERN_UNDECIDED; /* critical where it starts */
+        probe->at = next;
+    }
+    return status;
+}
+
 /* The first edge of a path on which the verdict changes but once. What falls
    at some place is a part, most often a small one, and no edge of the whole
    lies beyond that of a part, all else held. So the path is poured where the
@@ -6795,72 +6893,42 @@ static kern_status kern_path_part(kern_model *m, kern_path *path)
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
-    const kern_real start = path->holds;
     const kern_seed *seed = path->seed;
-    int seeded = seed && seed->fails > start && seed->fails <= path->end;
-    kern_real holds = start, at = kern_min(start + first, path->end);
-    int round, fell = 0;
-    if (seeded)
-        at = kern_max(start, seed->holds);
-    path->start = start;
+    kern_probe probe;
+    int round;
+    probe.start = probe.holds = path->start = path->holds;
+    probe.first = first;
+    probe.step = step;
+    probe.fell = probe.done = 0;
+    probe.seeded = seed && seed->fails > probe.start
+                   && seed->fails <= path->end;
+    probe.at = m->plain ? probe.start
+               : probe.seeded ? kern_max(probe.start, seed->holds)
+                              : kern_min(probe.start + first, path->end);
     if (m->plain)
-        return kern_path_plain(m, path, step, start, 0);
+        return kern_path_plain(m, path, &probe);
     kern_falls_clear(m);
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const int last = fell ? path->closed : seeded || at >= path->end;
-        kern_status status = kern_path_pour(m, path, at, last);
-        if (status == KERN_STANDS) {
-            holds = at;
-            if (fell && last) {
-                path->edge = kern_min(kern_max(path->edge, at), path->fails);
-                return status;
-            }
-            if (seeded && kern_path_still_falls(m, path))
-                return status;
-            if (at >= path->end) {
-                path->never = 1;
-                path->edge = path->fails = at;
-                return status;
-            }
-            if (fell)
-                status = kern_part_again(path->part, m) == KERN_OK
-                         ? KERN_STANDS : KERN_NO_SPACE;
-            else if (seeded && kern_path_moved(m, path, first) == KERN_FALLS)
-                fell = 1;
-            else
-                at = kern_min(path->end, seed && seed->fails > 0
-                                         ? at + first
-                                         : start + 2 * (at - start));
-        } else if (status == KERN_FALLS) {
-            if (at <= start && !path->begun)
-                return status;
-            if (at <= start)
-                break;
-            fell = 1;
-            path->closed = 0;
-            status = KERN_STANDS;
-        }
-        seeded = 0;
-        path->holds = holds;
-        if (status == KERN_STANDS && fell
-            && path->edge > start + path->tolerance) {
-            status = kern_path_part(m, path);
-            at = path->holds;
-            if (status == KERN_STANDS && kern_part_is_whole(path->part)
-                && at > holds && path->closed)
-                return status;
-        } else if (fell) {
-            const kern_real next = kern_max(start, kern_min(path->edge, at)
-                                                   - path->tolerance / 2);
-            if (!(next < at))
-                break; /* critical where it starts */
-            at = next;
-        }
-        if (status != KERN_STANDS)
+        const int last = probe.fell ? path->closed
+                                    : probe.seeded || probe.at >= path->end;
+        kern_status status = kern_path_pour(m, path, probe.at, last);
+        if (status == KERN_STANDS)
+            status = kern_probe_stood(&probe, m, path, last);
+        else if (status == KERN_FALLS)
+            status = kern_probe_fell(&probe, path);
+        if (probe.done)
+            return status;
+        probe.seeded = 0;
+        path->holds = probe.holds;
+        if (probe.fell)
+            status = kern_probe_part(&probe, m, path, status);
+        if (probe.done || status != KERN_STANDS)
             break;
     }
-    path->holds = holds;
-    return kern_path_plain(m, path, step, at, fell);
+    if (probe.done)
+        return KERN_STANDS;
+    path->holds = probe.holds;
+    return kern_path_plain(m, path, &probe);
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
