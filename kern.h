@@ -5963,10 +5963,14 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
             *v = seed->last;
         else if (seed->motion)
             *v = seed->motion[i];
-        if (!kern_moves(m, i)) /* an interior point leaves a little of it */
-            v->vx = v->vy = v->spin = KERN_R(0);
     }
     error = kern_prove_motion(m->s, &q, m->motion);
+    /* an interior point leaves a little motion in what rests */
+    for (i = 0; i < m->s->blocks && !(error <= 1); i++)
+        if (!kern_moves(m, i))
+            m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
+    if (!(error <= 1))
+        error = kern_prove_motion(m->s, &q, m->motion);
     if (!(error <= 1) || seed->fails - path->holds > path->tolerance)
         return 0;
     m->work->error = kern_max(m->work->error, error);
