@@ -5,6 +5,7 @@
 # with structures in it. Needs clang, lld (wasm-ld), gzip and base64; the same
 # versions of them make the same page.
 set -eu
+shopt -s extglob
 cd "$(dirname "$0")"
 page=${1:-kern.html}
 out=$(mktemp -d)
@@ -35,6 +36,7 @@ clang --target=wasm32 -std=c99 -Os -mbulk-memory \
             gzip -9n <"$out/page.wasm" | base64 -w 76
             printf '%s\n' "${line#*<!-- wasm -->}"
             ;;
+        *([[:space:]])/\**\*/) ;; # a comment of one line
         *) printf '%s\n' "$line" ;;
         esac
     done <page.html
