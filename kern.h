@@ -6632,8 +6632,9 @@ static int kern_inner_follow(kern_inner *in)
 
 /* Evaluates where the path has been followed to, and beyond. */
 static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
-                                   kern_path *path)
+                                   kern_path *path, kern_real last)
 {
+    const kern_real edge = path->edge;
     kern_status status;
     int round;
     for (round = 0; round < KERN_INNER_TRIES && in->gap <= KERN_INNER_CLEAR
@@ -6647,17 +6648,21 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
         return KERN_UNDECIDED;
     path->edge = in->ahead;
     status = kern_path_evaluate(m, path,
-                                kern_min(in->ahead + in->least, in->high));
-    return status == KERN_STANDS ? kern_path_evaluate(m, path, in->high)
-                                 : status;
+                                kern_min(in->ahead + in->least, last));
+    if (status == KERN_STANDS)
+        status = kern_path_evaluate(m, path, last);
+    if (status == KERN_STANDS)
+        path->edge = edge;
+    return status;
 }
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. It is known to lie before `high`; what lies between
-   `last` and that need not be evaluated. */
+   where it is not found. `last` is the end of the path, or a place from which
+   to path->fails nothing need be evaluated. */
 static kern_status kern_inner_search(kern_model *m, kern_path *path,
-                                     kern_real last, kern_real high)
+                                     kern_real last)
 {
+    const kern_real high = last < path->end ? path->fails : path->end;
     kern_inner in;
     kern_status status;
     if (m->from > 0 || m->narrow > 0 || !kern_inner_open(&in, m, path))
@@ -6665,7 +6670,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
     path->inner = &in;
     path->fails = in.high = high;
     status = kern_inner_follow(&in) ? kern_path_evaluate(m, path, last)
-                                    : kern_inner_ends(&in, m, path);
+                                    : kern_inner_ends(&in, m, path, last);
     if (status == KERN_STANDS) {
         path->never = high >= path->end;
         if (path->never)
@@ -6771,6 +6776,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
                                    kern_probe *probe)
 {
     const kern_real holds = path->holds;
+    const kern_real edge = path->edge, fails = path->fails;
     const kern_query q = kern_path_at(path, holds);
     const int seeded = !probe->fell && path->seed
                        && path->seed->fails > probe->at;
@@ -6778,8 +6784,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     kern_status status = KERN_UNDECIDED;
     if (!seeded) /* else one verdict from the known forces may do */
-        status = kern_inner_search(m, path, closed ? probe->at : path->end,
-                                   closed ? path->fails : path->end);
+        status = kern_inner_search(m, path, closed ? probe->at : path->end);
     if (status == KERN_STANDS)
         return status;
     status = kern_model_plain(m, path->part, &q);
@@ -6788,6 +6793,10 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     if (!seeded && kern_plain_bracket(m, path) == KERN_STANDS)
         return KERN_STANDS;
     path->holds = holds;
+    if (closed) { /* the bracket of the part, in which nothing was found */
+        path->edge = edge;
+        path->fails = fails;
+    }
     if (probe->at > holds && (small || seeded)) {
         status = kern_plain_at(m, path, probe, seeded, closed);
         if (probe->done)

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x5cd654f13d7920b8u },
-    { 1000, 0x11236fff2143d58fu },
-    { 5000, 0x21f2888bacc8bb3cu },
+    { 200, 0x2a23dcc6f3d4791du },
+    { 1000, 0x57ae45dc7d8641beu },
+    { 5000, 0xde090b8c70ce4836u },
 #else
-    { 200, 0xcafacfe4cb4a0b88u },
-    { 1000, 0x29d59a48a42f3019u },
-    { 5000, 0x5ad8c756100eb259u },
+    { 200, 0x06311b99773b1191u },
+    { 1000, 0x55b646fb5ddce8a4u },
+    { 5000, 0x78a36235c32d3833u },
 #endif
 };
 
