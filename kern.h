@@ -5622,7 +5622,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     if (status == KERN_FALLS)
         path->fails = s;
     /* near to critical even a certificate that proves nothing tells where */
-    if (status != KERN_STANDS && p->found == KERN_FALLS && !path->inner)
+    if (!path->inner && status != KERN_STANDS && p->found == KERN_FALLS)
         path->edge = kern_path_newton(path, &q, s);
     return status;
 }
