@@ -1842,6 +1842,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step);
 /* The largest magnitude of n numbers. */
 static kern_real kern_largest(const kern_real *v, int n);
+/* Is d a point of the pair of c? */
+static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 
 /* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
    half a circle by arithmetic alone. */
@@ -5902,9 +5904,8 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
     const kern_contact *c = m->s->contact;
     int i, j;
     for (i = 0; i < m->s->contacts; i = j) {
-        for (j = i + 1; j < m->s->contacts && !c[i].line && !c[j].line
-                        && ((c[j].a == c[i].a && c[j].b == c[i].b)
-                            || (c[j].a == c[i].b && c[j].b == c[i].a)); j++)
+        for (j = i + 1; j < m->s->contacts && !c[i].line
+                        && kern_same_interface(c + i, c + j); j++)
             ;
         if (!c[i].line && !kern_walk_carries(m, i, j, from, place))
             return 0;
