@@ -56,7 +56,7 @@ board() { # on the bare Cortex-M4F; libm has the square root of a double
     missing arm-none-eabi-gcc qemu-system-arm && return
     for precision in "" -DKERN_SINGLE; do
         # shellcheck disable=SC2086
-        { arm-none-eabi-gcc -O2 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard \
+        { arm-none-eabi-gcc -Os -mcpu=cortex-m4 -mthumb -mfloat-abi=hard \
             -mfpu=fpv4-sp-d16 $exact $precision -ffunction-sections \
             -fdata-sections -Wl,--gc-sections -nostartfiles -DGOLDEN_BARE \
             -T "$root/examples/firmware/mps2-an386.ld" \
