@@ -11,7 +11,7 @@
    CONTENTS: search for the tags
      I    Manual            >>what >>use >>conventions >>memory >>verdicts
                             >>config >>method >>rules >>measures >>measured
-                            >>limits >>determinism >>misra >>references
+                            >>limits >>determinism
      II   Declarations      >>decl >>types >>sizes >>api
      III  The argument      >>impl >>vec >>statics >>kern (Algorithm 1)
                             >>work >>check >>proof >>model >>engine
@@ -20,7 +20,7 @@
                             >>raised
      V    Geometry          >>tol >>polygon >>contact, and >>plan
      VI   Linear programs   >>lp, and >>words
-     VII  Changes           >>changes, and the licence
+     VII  Sources           >>references >>misra >>changes, and the licence
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -86,17 +86,11 @@
    say m, kg, s. Angles are in radians, counter-clockwise positive. The world
    is a plane: think of one unit of depth, and of a density per area.
 
-   Blocks are polygons in world coordinates, so a planner that tries a stone in
-   many places moves its vertices and fills in the block again; everything that
-   the library sees is data which the caller can print, edit or make by other
-   means: contacts may come from polygons, a camera or a tactile sensor. What a
-   stone touches of those before it is found by kern_touch() and follows what
-   was found before, so a stone is added by appending, and the last one taken
-   back by making `contacts` smaller.
-
-   Outlines from an image have steps of a pixel. A step no higher than the gap
-   (>>rules) is no key; where a pixel is more, set options.gap to a pixel and a
-   half.
+   Blocks are polygons in world coordinates: a planner that tries a stone in
+   many places moves its vertices and fills in the block again. Contacts come
+   from polygons, or are given: by a camera, a tactile sensor or by hand. The
+   contacts of a new stone (kern_touch()) are appended to those found before,
+   and the last stone is taken back by making `contacts` smaller.
 
 
    MEMORY                                                            >>memory
@@ -118,13 +112,13 @@
        KERN_INTS, bytes              1,388     3,368     8,408    32,528
        both KERN_LEAN_ sizes         8,644    11,844    19,524    62,412
 
-   Memory as large as KERN_REALS was enough for every structure that was tried.
-   KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where a few
-   blocks alone decide the margin, as in most walls: 0.4 MB for 1000 blocks
-   instead of 9. Where many blocks move at the margin, as in arches, a call
-   needs more and says so (KERN_NO_SPACE): of 1,900 random structures of 10 to
-   15 blocks 5 % of the verdicts, 36 % of the margins, 26 % of the load factors.
-   Between the two, 2.9 MB were enough for every wall of 1000 blocks.
+   KERN_REALS was enough for every structure that was tried. KERN_LEAN_REALS and
+   KERN_LEAN_INTS (from 10 blocks on) are enough where a few blocks decide the
+   margin, as in most walls: 0.4 MB for 1000 blocks instead of 9. Where many
+   blocks move at the margin, as in arches, a call needs more and returns
+   KERN_NO_SPACE: of 1,900 random structures of 10 to 15 blocks 5 % of the
+   verdicts, 36 % of the margins, 26 % of the load factors. 2.9 MB were enough
+   for every wall of 1000 blocks.
 
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -274,18 +268,17 @@
                lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
 
-   A kern closes to its middle, but never lets go. So the margin does not see a
-   sliver that carries load: a stone whose one end rests on 2 micrometres has
-   the margin of the other end, or a saturated one. A saturated margin is half
-   the longest contact and says nothing about safety: do not compare it. The
-   bearing length sees the sliver: a robot that places stones less exactly than
-   that cannot count on it.
+   Kerns shrink to a point, and a point still carries. So the margin does not
+   see a sliver that carries load: a stone whose one end rests on 2 micrometres
+   has the margin of the other end. A saturated margin is half the longest
+   contact and says nothing about safety: do not compare it. The bearing length
+   sees the sliver: a robot that places stones less exactly than that cannot
+   count on it.
 
-   All but the profile belong to the weakest place of a structure: use them for
-   what must not fall at all. Whether half of a wall comes down is another
-   question than when its first stone does. In a shaking test of 272 structures,
-   each at 20 levels, these ranked the levels of collapse (Spearman's rank
-   correlation; 1 would be perfect):
+   All but the profile belong to the weakest place of a structure. Whether half
+   of a wall comes down is another question than when its first stone does. In a
+   shaking test of 272 structures, each at 20 levels, these ranked the levels of
+   collapse (Spearman's rank correlation; 1 would be perfect):
 
                                      contacts     kern_near()
        margin, level                   0.23           0.42
@@ -295,24 +288,23 @@
        load factor, weaker half        0.59           0.75
        expected drop                                  0.80
 
-   A stone that rocks soon meets the next one, or comes down on an edge that
-   was just off its bed: contacts that a little motion closes count nearly as
-   much as those that are closed. kern_near() includes them. It is not for
-   verdicts, since a gap carries nothing yet. Most stones of a wall stay when a
-   few fall far: the expected drop weighs each stone's chance to fall with its
-   height. Its constants were chosen on half of the structures (study --tune
-   names it); on the other the correlation is 0.80 too. Of the structures of 18
-   stones and more it is 0.66 (weaker half: 0.56). To predict collapse:
+   A stone that rocks soon meets the next one: contacts that a little motion
+   closes count nearly as much as those that are closed. kern_near() includes
+   them; it is not for verdicts, since a gap carries nothing yet. The expected
+   drop weighs each stone's chance to fall with its height; its constants were
+   chosen on half of the structures, and on the other half the correlation is
+   0.80 too (structures of 18 stones and more: 0.66; weaker half: 0.56). To
+   predict collapse:
 
        task.options = kern_near(&task.options, kern_mean_size(block, blocks));
        find the contacts with these, then
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop: larger is worse
 
-   The load factors of single stones also tell which of them move first: in
-   four structures of five the first to move is in the weakest quarter. Where
-   stones slide before they tip, as in low walls, all load factors end at mu,
-   and rank less well. examples/shaking/study has the whole comparison.
+   In four structures of five the first stone to move is in the weakest quarter
+   of the load factors. Where stones slide before they tip, as in low walls, all
+   load factors end at mu, and rank less well. examples/shaking/study has the
+   whole comparison.
 
    Whether a stone stays where it is laid is what kern_raised() tells best. Of
    969 placements for which forces exist, a stone in a geometric resting pose on
@@ -330,50 +322,50 @@
        load factor above 0.02         0.93     0.67       0.59
        margin above 0.03 mean sizes   0.95     0.57       0.49
 
-   Recommended: a reserve of 0.0055 or more (halves of the walls: 0.95 and 0.96,
-   0.90 and 0.91, 0.65 and 0.77). The larger reserve belongs to what stays in
-   97.5 of 100 pairs (area under the curve; margin 0.87, load factor 0.91). It
-   pushes and shrinks kerns at once, because a stone laid within e, and e over
-   its size in angle, errs in both: of pushes alone a reserve that keeps 0.96
-   rejects 0.88 and 0.63. All of 272 settled structures are raised, 271 with a
-   reserve of 0.006. In float 0.94 of what stays is raised, 0.89 with a reserve
-   of 0.0055. Not shown is no proof of falling; what is raised may slip where
-   the first motion of a stone changes its contacts. tests/truth.c has the
-   measurement.
+   Recommended: a reserve of 0.0055 or more. The larger reserve belongs to what
+   stays in 97.5 of 100 pairs (area under the curve; margin 0.87, load factor
+   0.91). It pushes and shrinks kerns at once, because a stone laid within e,
+   and e over its size in angle, errs in both. All of 272 settled structures are
+   raised, 271 with a reserve of 0.006. In float 0.94 of what stays is raised,
+   0.89 with a reserve of 0.0055. "Not shown" is no proof of falling; what is
+   raised may slip where the first motion of a stone changes its contacts.
+   tests/truth.c has the measurement.
 
-   Forces. Many sets of forces hold a structure, and no measure depends on
-   which; those of a proof are the first that were found. To look at, take those
-   of kern_forces(). There is one such set wherever forces exist, so it shows
-   the structure and not the method; it is symmetric where the structure is,
-   loads all that can carry, and uses no more friction than it must. Equal
-   springs at all contact points would answer so, if sliding parted blocks as it
-   does in mechanisms. In examples/structures/arch.kern their thrust is 86.8,
-   where the least is 81.3 and the largest 105.2. Those of kern_raised() are
-   closer to friction, but with friction they are not unique, and took five
-   times as long. Both say nothing of how stones of some stiffness share a load.
-   They were found in all of 1,241 settled structures, at 0, at half of the
-   margin and at `holds`; of 973 rows of wedges in all at 0, in 38 % at `holds`,
-   where forces grow without bound; with sizes of 1 to 1e4 in 79 % at 0.
+   Forces. Many sets of forces hold a structure, no measure depends on which,
+   and a proof has the first that was found. To look at, take the least forces
+   (kern_forces()): one set, symmetric where the structure is, which loads all
+   that can carry and uses no more friction than it must. Equal springs at all
+   contact points would answer so, if sliding were dilatant. In
+   examples/structures/arch.kern their thrust is 86.8, where the least is 81.3
+   and the largest 105.2. Those of kern_raised() are closer to friction, but
+   with friction not unique. Neither says how stones of some stiffness share a
+   load. Least forces were found in all of 1,241 settled structures, at 0, at
+   half of the margin and at `holds`; of 973 rows of wedges in all at 0, in 38 %
+   at `holds`, where forces grow without bound; with sizes of 1 to 1e4 in 79 %
+   at 0.
 
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
    Outline. Simplify it first (Douglas and Peucker), to one to three pixels: raw
-   points on a grid touch each other and make KERN_CROSSING. kern_block_init()
-   takes them in either direction; its density is that of the material times the
-   thickness. examples/contour.c shows these steps. Of a rounded stone of 10,000
-   points within 3, 6, 12, 24 mm on 2 m, 56, 35, 29, 19 vertices stay, and the
-   margin is 0.25, 0.33, 0.33, 0.33 m. Error. Tell kern_measured() the standard
-   error e of a stone's place (pixel, simplification and registration together,
-   as squares) and theta of its angle. Of a stone of 40, 200, 1000 vertices the
-   margin is then the same within 2 %; without, it is that of the
-   discretisation. Overlaps beyond the error are modelling errors:
-   kern_overlaps() lists them. Measure the stones again, or accept them:
-   options.overlap. Certainty. kern_certain() says whether a verdict holds
-   within the error. 272 structures that stand and 233 from which a stone was
-   taken (226 fall), every pose with Gaussian noise of a share of the mean size
-   and every vertex with half of it, 10 times (tests/noise.c), in per cent;
-   errors of margins in e:
+   points on a grid touch each other and make KERN_CROSSING. What steps of a
+   pixel remain carry no load of their own where they are no higher than the gap
+   (>>rules): where a pixel is more, set options.gap to a pixel and a half. The
+   density is that of the material times the thickness. examples/contour.c shows
+   these steps. Of a rounded stone of 10,000 points within 3, 6, 12, 24 mm on
+   2 m, 56, 35, 29, 19 vertices stay, and the margin is 0.25, 0.33, 0.33, 0.33 m.
+
+   Error. Tell kern_measured() the standard error e of a stone's place (pixel,
+   simplification and registration together, as squares) and theta of its angle.
+   Of a stone of 40, 200, 1000 vertices the margin is then the same within 2 %;
+   without, it is that of the discretisation. Overlaps beyond the error are
+   modelling errors: kern_overlaps() lists them. Measure the stones again, or
+   accept them: options.overlap.
+
+   Certainty. kern_certain() says whether a verdict holds within the error. 272
+   structures that stand and 233 from which a stone was taken (226 fall), every
+   pose with Gaussian noise of a share of the mean size and every vertex with
+   half of it, 10 times (tests/noise.c), in per cent; errors of margins in e:
 
        noise   verdict right of       certain   of these   median error
                those that                        wrong      of the margin
@@ -414,60 +406,7 @@
                              program is linked: they flush small numbers to 0
 
    Only + - * / and square root are used, and KERN_SQRT must round as IEEE asks.
-   tests/golden.c compares a hash of all results, and notices wrong flags.
-
-
-   MISRA                                                             >>misra
-
-   There is no claim of compliance. The header deviates with intent from these
-   rules of MISRA C:2012: 2.5, 8.7 (macros and functions that are there for the
-   caller); 10.3, 10.4, 10.8 (small whole numbers among kern_real, and indices
-   among int and enum: they are exact); 11.5 (an array that is free for the
-   moment holds something else); 12.1, 12.3 (precedence without brackets where
-   it is that of algebra; variables of one kind declared together); 13.3, 13.4
-   (indices that count on in passing, as in p[n++]); 14.1, 14.2, 14.4 (loops
-   over steps that grow; pointers and flags as conditions); 15.5, 15.7 (a
-   function that refuses does so in its first lines); 16.4 (no default where the
-   compiler can tell which one is missing); 17.8 (a parameter serves as the
-   variable that it starts); 18.4 (a slice of an array is a pointer into it);
-   20.1, 20.5 (one file holds declarations and implementation; the list of
-   statuses is expanded twice).
-
-
-   REFERENCES                                                    >>references
-
-   The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia,
-   V. Thangavelu, N. Napp, Approximate Stability Analysis for Drystacked
-   Structures, IEEE/RSJ International Conference on Intelligent Robots and
-   Systems (IROS), 2019.
-
-   Limit analysis of masonry: J. Heyman, The stone skeleton, Int. J. Solids
-   Struct. 2 (1966). By linear programming: R. K. Livesley, Limit analysis of
-   structures formed from rigid blocks, Int. J. Numer. Meth. Engng 12 (1978).
-   Certificates: J. Farkas, Theorie der einfachen Ungleichungen, J. reine angew.
-   Math. 124 (1902).
-   Least forces: C. L. Lawson, R. J. Hanson, Solving Least Squares Problems
-   (1974), ch. 23; O. L. Mangasarian, A finite Newton method for classification,
-   Optim. Methods Softw. 17 (2002), for the dual of piecewise constant
-   curvature; S. Mehrotra, On the implementation of a primal-dual interior point
-   method, SIAM J. Optim. 2 (1992), for predictor and corrector.
-   Simplex method: R. G. Bland, New finite pivoting rules for the simplex
-   method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A simplex
-   algorithm for piecewise-linear programming, Math. Programming 33 (1985), for
-   long steps; E. Hellerman, D. Rarick, Reinversion with the preassigned pivot
-   procedure, Math. Programming 1 (1971), for the triangular part and its
-   spikes; J. Bisschop, A. Meeraus, Matrix augmentation and partitioning in the
-   updating of the basis inverse, Math. Programming 13 (1977), and P. E. Gill,
-   W. Murray, M. A. Saunders, M. H. Wright, Sparse matrix methods in
-   optimization, SIAM J. Sci. Stat. Comput. 5 (1984), for the dense complement.
-   Raised: V. Acary, F. Cadoux, C. Lemarechal, J. Malick, A formulation of the
-   linear discrete Coulomb friction problem via convex optimization, ZAMM 91
-   (2011), for prices as a fixed point of least forces.
-   Newton's method along a path: W. Dinkelbach, On nonlinear fractional
-   programming, Management Science 13 (1967).
-   Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction of the
-   number of points required to represent a digitized line or its caricature,
-   Canadian Cartographer 10 (1973). */
+   tests/golden.c compares a hash of all results, and notices wrong flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -1353,28 +1292,6 @@ extern "C" {
 #define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
 /* Pivots and gains below this share of the largest are rounding. */
 #define KERN_PIVOT_TOL   KERN_PICK(1e-10, 1e-5)
-/* Width of the bracket of a measure, in mean block sizes, and how many times
-   wider it may get where neither proof can be completed nearer to critical. */
-#define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
-#define KERN_WIDEST      KERN_PICK(20, 20)
-/* Edges that differ by less, in the same unit, are one. */
-#define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
-
-/* A block this slow rests, where the fastest of a mechanism has speed 1. */
-#define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
-
-/* How much stiffer contacts are along t than along n, for >>raised: what sticks
-   then slides by 1/KERN_STIFF of its approach at the most; and the most that a
-   proof takes for sticking. */
-#define KERN_STIFF       KERN_PICK(550, 10)
-#define KERN_STICKS      KERN_PICK(2e-3, 0.2)
-/* How far loaded contacts may slide, in approaches of the one pressed most. */
-#define KERN_SLID        KERN_R(100)
-#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing       */
-#define KERN_RAISE_WARM    10      /* from those of a smaller push            */
-#define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
-#define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
-#define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 /* Least and largest mass [kg] and sum of all that acts on a block [N], least
    size of a block [m], least power of a motion [W]: of these the squares, the
    moments and products with KERN_BOUND are numbers, and keep all digits. */
@@ -1392,27 +1309,7 @@ extern "C" {
 /* Angle [rad] from which an option for the angle is refused: it would take a
    corner for a face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST KERN_R(0.5)
-/* Share of the fastest block's speed below which a mechanism rests. */
-#define KERN_REST       KERN_R(1e-4)
 #define KERN_OUT (-1)
-
-/* Bounds of loops and counts. */
-#define KERN_EDGE_ROUNDS   200     /* evaluations to narrow a bracket         */
-#define KERN_FIRST         KERN_R(0.12)
-#define KERN_SCAN          1001    /* steps where kerns are not nested        */
-#define KERN_FALL_ROUNDS   8       /* of a collapse, and two for each block   */
-#define KERN_TILTS         400     /* steps of a tilt under loads             */
-#define KERN_FACTOR_MOST   KERN_R(1e6)
-#define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
-/* Expected drop: the load factor at which a stone's chance to fall is 1/e, and
-   the least height that counts, in mean block sizes: chosen on one half of
-   the structures of a shaking test; 0.05 to 0.1 rank the others as well. */
-#define KERN_DROP_LOAD     KERN_R(0.07)
-#define KERN_DROP_HEIGHT   KERN_R(0.3)
-#define KERN_BLOCKS_MOST   20000   /* the work memory still counts in int     */
-#define KERN_CONTACTS_MOST 1000000
-#define KERN_COUNT_MOST    100000000
-#define KERN_WORK_MOST     2000000000 /* units of one call                    */
 
 /* Without its sign, also where it is -0: on most processors one instruction,
    which compilers do not find by themselves. */
@@ -1926,6 +1823,11 @@ static kern_status kern_level_nested(kern_model *m, const kern_path *path,
 /* Slices are handed out one after the other. Without arrays (real NULL) they
    are only counted: one layout function says both what is needed and where it
    lies, so the two cannot disagree. */
+
+#define KERN_BLOCKS_MOST   20000   /* the work memory still counts in int     */
+#define KERN_CONTACTS_MOST 1000000
+#define KERN_COUNT_MOST    100000000
+#define KERN_WORK_MOST     2000000000 /* units of one call                    */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2781,6 +2683,19 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 
 
 /* ---- The measures --------------------------------------------- >>measure */
+
+/* Width of the bracket of a measure, in mean block sizes, and how many times
+   wider it may get where neither proof can be completed nearer to critical. */
+#define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
+#define KERN_WIDEST      KERN_PICK(20, 20)
+/* Edges that differ by less, in the same unit, are one. */
+#define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
+#define KERN_EDGE_ROUNDS   200     /* evaluations to narrow a bracket         */
+#define KERN_FIRST         KERN_R(0.12) /* first step, in mean block sizes    */
+#define KERN_SCAN          1001    /* steps where kerns are not nested        */
+#define KERN_TILTS         400     /* steps of a tilt under loads             */
+#define KERN_FACTOR_MOST   KERN_R(1e6)
+
 static kern_real kern_step(const kern_query *q, const kern_options *o)
 {
     if (o->epsilon > 0)
@@ -3262,6 +3177,14 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
    blocks is the same model with fewer groups: it needs no memory of its own,
    and its programs grow smaller. */
 
+#define KERN_FALL_ROUNDS   8       /* of a collapse, and two for each block   */
+#define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
+/* Expected drop: the load factor at which a stone's chance to fall is 1/e, and
+   the least height that counts, in mean block sizes: chosen on one half of
+   the structures of a shaking test; 0.05 to 0.1 rank the others as well. */
+#define KERN_DROP_LOAD     KERN_R(0.07)
+#define KERN_DROP_HEIGHT   KERN_R(0.3)
+
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
     kern_real sum, weak_sum;  /* of the values of all that fell, of that half */
@@ -3447,6 +3370,9 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 }
 
 /* ---- What is critical ---------------------------------------- >>critical */
+
+/* Share of the fastest block's speed below which a mechanism rests. */
+#define KERN_REST       KERN_R(1e-4)
 
 /* Velocity of block b relative to block a where contact point c acts. */
 static kern_motion kern_meeting_motion(const kern_structure *s,
@@ -3846,6 +3772,9 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_LEAST_MOST  KERN_R(50)
 /* Share of the largest velocity that is no approach. */
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
+/* How much stiffer contacts are along t than along n, for >>raised: what sticks
+   then slides by 1/KERN_STIFF of its approach at the most. */
+#define KERN_STIFF       KERN_PICK(550, 10)
 #define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
@@ -4992,6 +4921,8 @@ static int kern_pass_down(kern_model *m, int g)
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
+#define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
+
 /* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
 static kern_status kern_part_lay(kern_part *p)
 {
@@ -6007,6 +5938,9 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
    over a width that shrinks with the gap. A verdict holds the matrix at its
    place: then the program is linear, and max s tells whether s reaches it. */
 
+/* A block this slow rests, where the fastest of a mechanism has speed 1. */
+#define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
+#define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 #define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
 #define KERN_INNER_STEPS   40      /* of a search                             */
 #define KERN_INNER_STALLED 3       /* of them without effect; failed verdicts */
@@ -6957,6 +6891,14 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
    stiffnesses. From one round to the next prices are extrapolated (Anderson's
    method with one difference): where contacts neither open nor begin to slide
    any more, the map from prices to prices is linear. */
+
+/* The most that a proof takes for sticking, in approaches. */
+#define KERN_STICKS      KERN_PICK(2e-3, 0.2)
+/* How far loaded contacts may slide, in approaches of the one pressed most. */
+#define KERN_SLID        KERN_R(100)
+#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
+#define KERN_RAISE_WARM    10      /* from those of a smaller push            */
+#define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 
 static kern_real kern_prove_raised(const kern_structure *s,
                                    const kern_query *q,
@@ -11068,7 +11010,62 @@ KERN_API kern_options kern_near(const kern_options *options,
 #endif /* KERN_IMPLEMENTED */
 #endif /* KERN_IMPLEMENTATION */
 
-/* ==== Part VII: Changes ========================================= >>changes
+/* ==== Part VII: Sources and changes ====================================== */
+
+/* REFERENCES                                                    >>references
+
+   The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia,
+   V. Thangavelu, N. Napp, Approximate Stability Analysis for Drystacked
+   Structures, IEEE/RSJ International Conference on Intelligent Robots and
+   Systems (IROS), 2019.
+
+   Limit analysis of masonry: J. Heyman, The stone skeleton, Int. J. Solids
+   Struct. 2 (1966). By linear programming: R. K. Livesley, Limit analysis of
+   structures formed from rigid blocks, Int. J. Numer. Meth. Engng 12 (1978).
+   Certificates: J. Farkas, Theorie der einfachen Ungleichungen, J. reine angew.
+   Math. 124 (1902).
+   Least forces: C. L. Lawson, R. J. Hanson, Solving Least Squares Problems
+   (1974), ch. 23; O. L. Mangasarian, A finite Newton method for classification,
+   Optim. Methods Softw. 17 (2002), for the dual of piecewise constant
+   curvature; S. Mehrotra, On the implementation of a primal-dual interior point
+   method, SIAM J. Optim. 2 (1992), for predictor and corrector.
+   Simplex method: R. G. Bland, New finite pivoting rules for the simplex
+   method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A simplex
+   algorithm for piecewise-linear programming, Math. Programming 33 (1985), for
+   long steps; E. Hellerman, D. Rarick, Reinversion with the preassigned pivot
+   procedure, Math. Programming 1 (1971), for the triangular part and its
+   spikes; J. Bisschop, A. Meeraus, Matrix augmentation and partitioning in the
+   updating of the basis inverse, Math. Programming 13 (1977), and P. E. Gill,
+   W. Murray, M. A. Saunders, M. H. Wright, Sparse matrix methods in
+   optimization, SIAM J. Sci. Stat. Comput. 5 (1984), for the dense complement.
+   Raised: V. Acary, F. Cadoux, C. Lemarechal, J. Malick, A formulation of the
+   linear discrete Coulomb friction problem via convex optimization, ZAMM 91
+   (2011), for prices as a fixed point of least forces.
+   Newton's method along a path: W. Dinkelbach, On nonlinear fractional
+   programming, Management Science 13 (1967).
+   Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction of the
+   number of points required to represent a digitized line or its caricature,
+   Canadian Cartographer 10 (1973).
+
+
+   MISRA                                                             >>misra
+
+   There is no claim of compliance. The header deviates with intent from these
+   rules of MISRA C:2012: 2.5, 8.7 (macros and functions that are there for the
+   caller); 10.3, 10.4, 10.8 (small whole numbers among kern_real, and indices
+   among int and enum: they are exact); 11.5 (an array that is free for the
+   moment holds something else); 12.1, 12.3 (precedence without brackets where
+   it is that of algebra; variables of one kind declared together); 13.3, 13.4
+   (indices that count on in passing, as in p[n++]); 14.1, 14.2, 14.4 (loops
+   over steps that grow; pointers and flags as conditions); 15.5, 15.7 (a
+   function that refuses does so in its first lines); 16.4 (no default where the
+   compiler can tell which one is missing); 17.8 (a parameter serves as the
+   variable that it starts); 18.4 (a slice of an array is a pointer into it);
+   20.1, 20.5 (one file holds declarations and implementation; the list of
+   statuses is expanded twice).
+
+
+   CHANGES                                                          >>changes
 
    Before 1.0 a minor version may add fields at the end of a struct and statuses
    below 0, may need more work memory and may move a margin within its
