@@ -1945,43 +1945,34 @@ static kern_status kern_arrays_check(const kern_structure *s)
    been checked before. */
 static kern_status kern_structure_check(const kern_structure *s,
                                         int blocks, int contacts,
-                                        kern_fault *fault, int *free_blocks)
+                                        kern_fault *fault)
 {
     kern_status status = kern_arrays_check(s);
-    int i, n = 0;
+    int i, any = 0;
     int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
-    if (status != KERN_OK)
-        return status;
-    for (i = 0; i < s->blocks; i++) {
-        status = i < blocks ? KERN_OK
-                            : kern_block_check(s->block + i, s->gravity);
-        if (status != KERN_OK) {
+    for (i = 0; i < s->blocks && status == KERN_OK; i++) {
+        const kern_block *b = s->block + i;
+        if (i >= blocks)
+            status = kern_block_check(b, s->gravity);
+        if (status != KERN_OK)
             fault->block = i;
-            return status;
-        }
-        if (s->block[i].fixed)
-            continue;
-        loaded |= kern_wrench_sum(&s->block[i].load) > 0;
-        n++;
+        any |= !b->fixed;
+        loaded |= !b->fixed && kern_wrench_sum(&b->load) > 0;
     }
-    if (n == 0)
+    if (status == KERN_OK && !any)
         return KERN_NO_FREE;
-    if (!loaded)
+    if (status == KERN_OK && !loaded)
         return KERN_NO_LOAD;
-    for (i = contacts; i < s->contacts; i++) {
+    for (i = contacts; i < s->contacts && status == KERN_OK; i++) {
         status = kern_contact_check(s->contact + i, s->blocks);
-        if (status != KERN_OK) {
+        if (status != KERN_OK)
             fault->index = i;
-            return status;
-        }
     }
-    *free_blocks = n;
-    return KERN_OK;
+    return status;
 }
 
-/* The task, and where the answer goes; counts the free blocks. */
-static kern_status kern_task_check(const kern_task *task, const void *out,
-                                   int *free_blocks)
+/* The task, and where the answer goes. */
+static kern_status kern_task_check(const kern_task *task, const void *out)
 {
     kern_status status;
     if (!task || !task->work || !task->work->real || !task->work->index)
@@ -1993,9 +1984,19 @@ static kern_status kern_task_check(const kern_task *task, const void *out,
     kern_work_begin(task->work);
     status = kern_options_check(&task->options);
     if (status == KERN_OK)
-        status = kern_structure_check(&task->s, 0, 0, &task->work->fault,
-                                      free_blocks);
+        status = kern_structure_check(&task->s, 0, 0, &task->work->fault);
     return status == KERN_OK && !out ? KERN_BAD_POINTER : status;
+}
+
+/* The same with a shrinkage, and the query that they ask. */
+static kern_status kern_query_check(const kern_task *task, kern_real shrink,
+                                    const void *out, kern_query *q)
+{
+    const kern_status status = kern_task_check(task, out);
+    if (status != KERN_OK)
+        return status;
+    *q = kern_query_of(&task->s, &task->options, shrink);
+    return kern_is_finite(shrink) ? KERN_OK : KERN_BAD_NUMBER;
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
@@ -2173,28 +2174,20 @@ KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
     kern_take take;
     kern_query q;
     kern_real *sum;
-    int n = 0;
-    if (!force || !kern_is_finite(shrink)
-        || kern_task_check(task, force, &n) != KERN_OK)
+    if (kern_query_check(task, shrink, force, &q) != KERN_OK)
         return KERN_INFINITY;
     kern_take_open(&take, task->work);
     sum = kern_take_reals(&take, 4 * task->s.blocks);
-    if (!kern_take_fits(&take))
-        return KERN_INFINITY;
-    q = kern_query_of(&task->s, &task->options, shrink);
-    return kern_prove_forces(&task->s, &q, force, sum);
+    return kern_take_fits(&take) ? kern_prove_forces(&task->s, &q, force, sum)
+                                 : KERN_INFINITY;
 }
 
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
                                      const kern_motion *motion)
 {
     kern_query q;
-    int n = 0;
-    if (!motion || !kern_is_finite(shrink)
-        || kern_task_check(task, motion, &n) != KERN_OK)
-        return KERN_INFINITY;
-    q = kern_query_of(&task->s, &task->options, shrink);
-    return kern_prove_motion(&task->s, &q, motion);
+    return kern_query_check(task, shrink, motion, &q) == KERN_OK
+           ? kern_prove_motion(&task->s, &q, motion) : KERN_INFINITY;
 }
 
 /* ---- The model ------------------------------------------------- >>model */
@@ -2401,14 +2394,17 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     kern_model_touch(m);
 }
 
-/* Opens the model of a structure that has been checked, with so many free
-   blocks: of the task, or else of its last block with all others held. */
+/* Opens the model of a structure that has been checked: of the task, or else of
+   its last block with all others held. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
-                                   const kern_structure *s, const kern_query *q,
-                                   int free_blocks)
+                                   const kern_structure *s, const kern_query *q)
 {
+    int i, groups = 0;
+    m->from = s == &task->s ? 0 : s->blocks - 1;
+    for (i = m->from; i < s->blocks; i++)
+        groups += !s->block[i].fixed;
     kern_take_open(&m->rest, task->work);
-    kern_model_lay(m, s->blocks, free_blocks, s->contacts);
+    kern_model_lay(m, s->blocks, groups, s->contacts);
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     m->s = s;
@@ -2418,7 +2414,6 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->weight = KERN_R(1);
-    m->from = s == &task->s ? 0 : s->blocks - 1;
     m->prior = NULL;
     m->lazy = NULL;
     m->balanced = KERN_R(0);
@@ -2708,7 +2703,7 @@ static kern_real kern_step(const kern_query *q, const kern_options *o)
 static kern_status kern_path_begin(kern_path *path, kern_model *m,
                                    kern_part *part, const kern_task *task,
                                    const kern_structure *s,
-                                   const kern_query *q, int free_blocks)
+                                   const kern_query *q)
 {
     path->kind = KERN_PATH_SHRINK;
     path->part = part;
@@ -2724,7 +2719,7 @@ static kern_status kern_path_begin(kern_path *path, kern_model *m,
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
     path->never = path->closed = 0;
-    return kern_model_open(m, task, s, &path->q, free_blocks);
+    return kern_model_open(m, task, s, &path->q);
 }
 
 /* Along the path a load grows or gravity turns instead. */
@@ -2745,14 +2740,9 @@ static kern_status kern_path_open(kern_path *path, kern_model *m,
                                   kern_real shrink, const void *out)
 {
     kern_query q;
-    int free_blocks = 0;
-    kern_status status = kern_task_check(task, out, &free_blocks);
-    if (status == KERN_OK && !kern_is_finite(shrink))
-        status = KERN_BAD_NUMBER;
-    if (status != KERN_OK)
-        return status;
-    q = kern_query_of(&task->s, &task->options, shrink);
-    return kern_path_begin(path, m, part, task, &task->s, &q, free_blocks);
+    const kern_status status = kern_query_check(task, shrink, out, &q);
+    return status == KERN_OK
+           ? kern_path_begin(path, m, part, task, &task->s, &q) : status;
 }
 
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
@@ -3501,11 +3491,9 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       kern_critical *out)
 {
     kern_query q;
-    int i, free_blocks = 0;
-    kern_status status = kern_task_check(
-        task, proof && proof->motion ? out : NULL, &free_blocks);
-    if (status == KERN_OK && !kern_is_finite(shrink))
-        status = KERN_BAD_NUMBER;
+    int i;
+    kern_status status = kern_query_check(
+        task, shrink, proof && proof->motion ? out : NULL, &q);
     for (i = 0; status == KERN_OK && i < task->s.blocks; i++)
         if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
             task->work->fault.block = i;
@@ -3513,7 +3501,6 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
         }
     if (status != KERN_OK)
         return status;
-    q = kern_query_of(&task->s, &task->options, shrink);
     out->contact = -1;
     out->groups = 0;
     kern_critical_contacts(task, &q, proof, out);
@@ -3654,13 +3641,14 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
 {
     kern_query q;
     kern_real gain = KERN_R(0), most = KERN_R(0);
-    int i, n = 0;
-    kern_status status = kern_task_check(
-        task, margin && proof && proof->force && proof->motion && contact
-              ? block : NULL, &n);
+    int i;
+    kern_status status = kern_query_check(
+        task, margin ? margin->margin : KERN_R(0),
+        margin && proof && proof->force && proof->motion && contact ? block
+                                                                    : NULL,
+        &q);
     if (status != KERN_OK)
         return status;
-    q = kern_query_of(&task->s, &task->options, margin->margin);
     for (i = 0; i < task->s.contacts; i++) {
         const kern_real g = kern_contact_gain(task, &q, i, proof, KERN_R(1),
                                               contact + i);
@@ -7302,9 +7290,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     kern_take take;
     kern_query q;
     kern_real *sum, *value;
-    int n = 0;
-    if (!proof || !proof->force || !proof->motion || !kern_is_finite(shrink)
-        || kern_task_check(task, proof, &n) != KERN_OK)
+    if (!proof || !proof->force || !proof->motion
+        || kern_query_check(task, shrink, proof, &q) != KERN_OK)
         return KERN_INFINITY;
     s = &task->s;
     kern_take_open(&take, task->work);
@@ -7312,7 +7299,6 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     value = kern_take_reals(&take, s->blocks);
     if (!kern_take_fits(&take) || raising == KERN_NOT_SHOWN)
         return KERN_INFINITY;
-    q = kern_query_of(s, &task->options, shrink);
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
     if (!kern_hangs(s, proof->motion, value))
@@ -7621,32 +7607,42 @@ static kern_status kern_polygon_simple(const kern_block *block,
     return KERN_OK;
 }
 
-/* Fills in area, box and centre if the polygon is a good one. The area is added
-   up from the triangles between vertex 0 and the edges: measured from there,
-   against round-off far from the origin. */
-static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
+/* The area of a polygon, and its box. The area is added up from the triangles
+   between vertex 0 and the edges, against round-off far from the origin; *spread
+   is the sum without signs, *moment that of the area about vertex 0. */
+static kern_real kern_polygon_area(const kern_block *block, kern_box *box,
+                                   kern_real *spread, kern_vec *moment)
 {
-    const kern_vec o = block->vertex[0];
-    kern_real area = 0, spread = 0, least; /* spread: areas without signs */
-    kern_vec moment = kern_vec_make(0, 0);
-    kern_status status;
+    kern_real area = 0;
     int i;
-    block->area = 0; /* vertices are read, and faults told, as written */
-    kern_box_empty(&block->box);
+    kern_box_empty(box);
+    *spread = 0;
+    *moment = kern_vec_make(0, 0);
     for (i = 0; i < block->vertices; i++) {
-        const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
-        const kern_vec w = kern_vec_sub(
+        const kern_vec o = block->vertex[0], p = block->vertex[i];
+        const kern_vec u = kern_vec_sub(p, o), w = kern_vec_sub(
             block->vertex[kern_polygon_next(block, i)], o);
         const kern_real part = kern_vec_cross(u, w) / 2;
-        fault->index = i;
-        if (!kern_vec_is_moderate(p))
-            return KERN_BAD_NUMBER;
-        kern_box_add(&block->box, p);
+        kern_box_add(box, p);
         area += part;
-        spread += kern_abs(part);
-        moment = kern_vec_step(moment, part / 3, kern_vec_add(u, w));
+        *spread += kern_abs(part);
+        *moment = kern_vec_step(*moment, part / 3, kern_vec_add(u, w));
     }
+    return area;
+}
+
+/* Fills in area, box and centre if the polygon is a good one. */
+static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
+{
+    kern_real area, spread, least;
+    kern_vec moment;
+    kern_status status;
+    block->area = 0; /* vertices are read, and faults told, as written */
+    for (fault->index = 0; fault->index < block->vertices; fault->index++)
+        if (!kern_vec_is_moderate(block->vertex[fault->index]))
+            return KERN_BAD_NUMBER;
     fault->index = -1;
+    area = kern_polygon_area(block, &block->box, &spread, &moment);
     least = KERN_FLOOR * kern_box_largest(&block->box) *
             kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, KERN_LEAST_SIZE * KERN_LEAST_SIZE);
@@ -7657,7 +7653,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
         return status;
     fault->index = -1;
     block->area = area;
-    block->centre = kern_vec_step(o, 1 / area, moment);
+    block->centre = kern_vec_step(block->vertex[0], 1 / area, moment);
     return kern_abs(area) > least ? KERN_OK : KERN_NO_AREA;
 }
 
@@ -8503,17 +8499,11 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
    area differ. */
 static int kern_block_is_stale(const kern_block *block)
 {
-    kern_real area = 0;
+    kern_real spread;
+    kern_vec moment;
     kern_box box;
-    int i;
-    kern_box_empty(&box);
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec o = block->vertex[0], p = block->vertex[i];
-        const kern_vec q = block->vertex[kern_polygon_next(block, i)];
-        kern_box_add(&box, p);
-        area += kern_vec_cross(kern_vec_sub(p, o), kern_vec_sub(q, o)) / 2;
-    }
-    return i > 0
+    const kern_real area = kern_polygon_area(block, &box, &spread, &moment);
+    return block->vertices > 0
            && (kern_vec_largest(kern_vec_sub(box.low, block->box.low)) > 0
                || kern_vec_largest(kern_vec_sub(box.high, block->box.high)) > 0
                || !(kern_abs(area - block->area)
@@ -9071,7 +9061,6 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 typedef struct kern_trial {
     kern_plan *plan;
     int found;                /* contacts of the block                        */
-    int free_blocks;
     int balanced;             /* nonzero: known forces balance all others     */
     int nested;               /* nonzero: the kerns are                       */
     kern_query q;
@@ -9109,7 +9098,7 @@ static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
     from = t->balanced ? known->contacts : 0;
     kern_plan_count(plan, t->found);
     status = kern_structure_check(s, t->balanced ? known->blocks : 0, from,
-                                  &plan->task.work->fault, &t->free_blocks);
+                                  &plan->task.work->fault);
     if (status == KERN_OK && !out)
         status = KERN_BAD_POINTER;
     if (status != KERN_OK)
@@ -9140,8 +9129,7 @@ static kern_status kern_trial_begin(const kern_trial *t, kern_stage *on,
     on->s.contact += task->s.contacts - t->found;
     on->s.contacts = t->found;
     status = kern_path_begin(&on->path, &on->m, &on->part, task,
-                             alone ? &on->s : &task->s, &t->q,
-                             alone ? 1 : t->free_blocks);
+                             alone ? &on->s : &task->s, &t->q);
     on->path.proof = proof;
     if (status == KERN_OK && !alone && t->balanced) {
         on->m.prior = task->known.force;
