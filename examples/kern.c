@@ -13,8 +13,10 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
+#include "parts/args.h"
 #include "parts/draw.h"
 #include "parts/json.h"
+#include "parts/room.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -25,17 +27,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-
-/* Is stream 1 (stdout) or 2 (stderr) a terminal? The C library cannot tell. */
-#if defined(_WIN32)
-#include <io.h>
-#define IS_TERMINAL(stream) (_isatty(stream) != 0)
-#elif defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#define IS_TERMINAL(stream) (isatty(stream) != 0)
-#else
-#define IS_TERMINAL(stream) 0
-#endif
 
 static const char help[] =
 "usage: kern [options] FILE...\n"
@@ -294,7 +285,7 @@ static int find_contacts(struct analysis *a)
 /* What a large structure is busy with, under its verdict on a terminal. */
 static void show_stage(const struct analysis *a, const char *what)
 {
-    if (a->task.s.blocks < 200 || !IS_TERMINAL(2)) return;
+    if (a->task.s.blocks < 200 || !ARGS_TERMINAL(2)) return;
     fprintf(stderr, "\r%-20s%s", what, *what ? "" : "\r");
     fflush(stderr);
 }
@@ -307,14 +298,9 @@ static void *array(int count, size_t size)
 
 static int take_memory(struct analysis *a)
 {
-    int reals = 0, ints = 0;
     int blocks = a->task.s.blocks, contacts = a->task.s.contacts;
     if (contacts > MOST_CONTACTS) return fail_memory(a);
-    kern_work_need(blocks, contacts, &reals, &ints);
-    if (reals < 0 || ints < 0) return fail_memory(a);
-    kern_real *real = malloc((size_t)reals * sizeof *real + 1);
-    int *index = malloc((size_t)ints * sizeof *index + 1);
-    a->work = kern_work_of(real, reals, index, ints);
+    a->work = room_work(blocks, contacts);
     a->force = array(contacts, sizeof *a->force);
     a->last_force = array(contacts, sizeof *a->last_force);
     a->critical.limit = array(contacts, sizeof *a->critical.limit);
@@ -327,14 +313,13 @@ static int take_memory(struct analysis *a)
         bad |= !a->fate[k];
     }
     bad |= !a->critical.limit || !a->critical.meeting;
-    return real && index && a->force && a->last_force && a->motion &&
-           a->collapse && !bad ? 0 : fail_memory(a);
+    return a->work.real && a->work.index && a->force && a->last_force &&
+           a->motion && a->collapse && !bad ? 0 : fail_memory(a);
 }
 
 static void free_work(struct analysis *a)
 {
-    free(a->work.real);
-    free(a->work.index);
+    room_free_work(&a->work);
     free(a->force);
     free(a->last_force);
     free(a->critical.limit);
@@ -1562,7 +1547,7 @@ static int draw(const struct analysis *a)
 static void show_progress(const struct settings *set, int number, int *shown)
 {
     static clock_t next = CLOCKS_PER_SEC;
-    if (clock() < next || !IS_TERMINAL(2)) return;
+    if (clock() < next || !ARGS_TERMINAL(2)) return;
     next = clock() + CLOCKS_PER_SEC / 10;
     fprintf(stderr, "\rkern: file %d of %d ", number + 1, set->files);
     fflush(stderr);
@@ -1594,12 +1579,12 @@ static int run_file(const struct settings *set, int number, int *shown)
         (double)NAN;
     int bad = analyse(&a);
     if (!bad && !set->json) {
-        if (IS_TERMINAL(1)) clear_progress(shown);
+        if (ARGS_TERMINAL(1)) clear_progress(shown);
         report_verdict(&a);
     }
     if (!bad && !set->verdict_only) measure(&a);
     show_stage(&a, "");
-    if (a.error[0] || IS_TERMINAL(1)) clear_progress(shown);
+    if (a.error[0] || ARGS_TERMINAL(1)) clear_progress(shown);
     int status = exit_status_of(&a);
     if (a.error[0]) {
         fflush(stdout); /* so that a common log keeps the order */
@@ -1640,20 +1625,6 @@ static int bad_use(const char *what, const char *word)
 {
     fprintf(stderr, "kern: %s %s; try kern --help\n", what, word);
     return -1;
-}
-
-/* The value of option `name` at argv[*i]: after "=", or the next argument.
-   Returns 0 where the argument is another one. */
-static int option_value(char **argv, int *i, const char *name,
-                        const char **value)
-{
-    size_t n = strlen(name);
-    if (strncmp(argv[*i], name, n) != 0) return 0;
-    *value = NULL;
-    if (argv[*i][n] == '=' && name[1] == '-') *value = argv[*i] + n + 1;
-    else if (argv[*i][n] != '\0') return 0;
-    else if (argv[*i + 1]) *value = argv[++*i];
-    return 1;
 }
 
 static int number_option(const char *name, const char *value, int zero,
@@ -1701,7 +1672,7 @@ static int read_option(struct settings *set, char **argv, int *i)
     };
     const char *word = argv[*i], *value;
     for (size_t k = 0; k < sizeof number / sizeof *number; k++)
-        if (option_value(argv, i, number[k].name, &value))
+        if (args_value(argv, i, number[k].name, &value))
             return number_option(number[k].name, value, number[k].zero,
                                  number[k].out);
     for (size_t k = 0; k < sizeof flag / sizeof *flag; k++)
@@ -1709,16 +1680,15 @@ static int read_option(struct settings *set, char **argv, int *i)
             *flag[k].out = 1;
             return 0;
         }
-    if (option_value(argv, i, "--measured", &value))
+    if (args_value(argv, i, "--measured", &value))
         return error_option("--measured", value, &set->error, &set->turn);
-    if (option_value(argv, i, "--error", &value))
+    if (args_value(argv, i, "--error", &value))
         return error_option("--error", value, &set->own_error, &set->own_turn);
-    if (option_value(argv, i, "--svg", &set->svg)) {
-        size_t n = set->svg ? strlen(set->svg) : 0;
-        if (n > 4 && strcmp(set->svg + n - 4, ".svg") == 0) return 0;
-        return n > 0 ? bad_use("--svg takes a name that ends in .svg, read",
-                               set->svg)
-                     : bad_use("a file name is missing after", "--svg");
+    if (args_value(argv, i, "--svg", &set->svg)) {
+        if (args_is_svg(set->svg)) return 0;
+        return set->svg && set->svg[0]
+             ? bad_use("--svg takes a name that ends in .svg, read", set->svg)
+             : bad_use("a file name is missing after", "--svg");
     }
     return bad_use("unknown option", word);
 }

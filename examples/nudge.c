@@ -14,7 +14,9 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
+#include "parts/args.h"
 #include "parts/draw.h"
+#include "parts/room.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -89,14 +91,11 @@ static int open_task(struct nudge *n)
 {
     struct text_file *t = &n->file;
     const size_t blocks = (size_t)t->blocks;
-    int reals, ints;
     size_t room;
 
     n->room = 32 * t->blocks + 64;
     room = (size_t)n->room;
-    kern_work_need(t->blocks, n->room, &reals, &ints);
-    n->work = kern_work_of(malloc((size_t)reals * sizeof(kern_real)), reals,
-                           malloc((size_t)ints * sizeof(int)), ints);
+    n->work = room_work(t->blocks, n->room);
     n->contact = malloc(room * sizeof *n->contact);
     n->force = malloc(room * sizeof *n->force);
     n->point = malloc(room * sizeof *n->point);
@@ -131,8 +130,7 @@ static int open_file(struct nudge *n, const char *path)
 
 static void close_file(struct nudge *n)
 {
-    free(n->work.real);
-    free(n->work.index);
+    room_free_work(&n->work);
     free(n->contact);
     free(n->force);
     free(n->point);
@@ -167,6 +165,7 @@ static int find_bed(const struct nudge *n, int stone, kern_vec *along)
     double most = 0;
     int k;
 
+    along->x = along->y = 0;
     for (k = 0; k < n->task.s.contacts; k++) {
         const kern_contact *c = &n->contact[k];
 
@@ -421,11 +420,9 @@ int main(int argc, char **argv)
 {
     static struct nudge n;
     const char *svg = argc > 1 ? argv[1] : "-";
-    const size_t length = strlen(svg);
     int bad;
 
-    if (argc > 4 || (strcmp(svg, "-") != 0
-                     && (length < 5 || strcmp(svg + length - 4, ".svg") != 0))) {
+    if (argc > 4 || (strcmp(svg, "-") != 0 && !args_is_svg(svg))) {
         puts("usage: nudge [OUT.svg | - [STRUCTURE.kern [STONE]]]\n"
              "Which way each stone should move, and how exactly it must lie.");
         return strcmp(svg, "--help") == 0 || strcmp(svg, "-h") == 0 ? 0 : 2;

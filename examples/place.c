@@ -4,10 +4,10 @@
        ./place place.svg examples/structures/wall-60.kern
 
    A stone is let down at many places, from left to right, and turns until it
-   rests. kern_plan_try() predicts the margin of the wall with the stone there;
-   the plan of the wall stays as it is. The best place is the one that is good
-   also a little beside it, since a hand is not exact. Without arguments the wall is the one
-   below: a slab reaches out far to the left, and the stone holds it down or
+   rests. kern_plan_try() gives the margin of the wall with the stone there; the
+   plan of the wall stays as it is. The best place is the one that is good also a
+   little beside it, since a hand is not exact. Without arguments the wall is the
+   one below: a slab reaches out far to the left, and the stone holds it down or
    tips it, or lies elsewhere and makes no difference. The first argument is a
    file for a picture (- for none), the second a wall made of polygons. Times
    go to stderr. */
@@ -15,7 +15,9 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
+#include "parts/args.h"
 #include "parts/draw.h"
+#include "parts/room.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -191,17 +193,11 @@ static void make_stone(struct wall *w)
 
 static int plan_wall(struct wall *w)
 {
-    int blocks = w->file.blocks + 1, contacts = 32 * blocks, reals, ints, i;
+    int blocks = w->file.blocks + 1, i;
 
-    kern_work_need(blocks, contacts, &reals, &ints);
-    w->work = kern_work_of(malloc((size_t)reals * sizeof(kern_real)), reals,
-                           malloc((size_t)ints * sizeof(int)), ints);
-    w->plan = kern_plan_of(
-        malloc((size_t)blocks * sizeof(kern_block)), blocks,
-        malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        kern_known_of(malloc((size_t)blocks * sizeof(kern_motion)),
-                      malloc((size_t)contacts * sizeof(kern_force))),
-        &w->work);
+    w->plan = room_plan(blocks, 32 * blocks, &w->work);
+    if (!room_is_there(&w->plan))
+        return complain("memory", strerror(errno));
     w->plan.task.options = w->file.options;
     w->plan.task.s.gravity = w->file.gravity;
     for (i = 0; i < w->file.blocks; i++) {
@@ -236,12 +232,7 @@ static int open_wall(struct wall *w, const char *path)
 
 static void close_wall(struct wall *w)
 {
-    free(w->work.real);
-    free(w->work.index);
-    free(w->plan.block);
-    free(w->plan.contact);
-    free(w->plan.task.known.motion);
-    free(w->plan.task.known.force);
+    room_free_plan(&w->plan);
     text_free(&w->file);
 }
 
@@ -506,22 +497,20 @@ static int draw_margins(struct wall *w, const char *path)
 int main(int argc, char **argv)
 {
     static struct wall w;
-    const size_t n = argc > 1 ? strlen(argv[1]) : 0;
+    const char *svg = argc > 1 ? argv[1] : "-";
     int bad;
 
-    if (argc > 3 || (n > 0 && strcmp(argv[1], "-") != 0 &&
-                     (n < 5 || strcmp(argv[1] + n - 4, ".svg") != 0))) {
+    if (argc > 3 || (strcmp(svg, "-") != 0 && !args_is_svg(svg))) {
         puts("usage: place [OUT.svg | - [WALL.kern]]\n"
              "The margin of a wall over the place of one more stone.");
-        return strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0
-             ? 0 : 2;
+        return strcmp(svg, "--help") == 0 || strcmp(svg, "-h") == 0 ? 0 : 2;
     }
     bad = open_wall(&w, argc > 2 ? argv[2] : NULL);
     if (!bad) {
         try_places(&w);
         print_table(&w);
-        if (argc > 1 && strcmp(argv[1], "-") != 0)
-            bad = draw_margins(&w, argv[1]);
+        if (strcmp(svg, "-") != 0)
+            bad = draw_margins(&w, svg);
     }
     close_wall(&w);
     return bad ? 1 : 0;

@@ -14,8 +14,10 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
+#include "parts/args.h"
 #include "parts/draw.h"
 #include "parts/json.h"
+#include "parts/room.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -95,11 +97,9 @@ static int find_pushes(struct pushes *p)
 static int open_task(struct pushes *p)
 {
     struct text_file *t = &p->file;
-    int room = t->given ? t->contacts : 32 * t->blocks + 64, reals, ints;
+    const int room = t->given ? t->contacts : 32 * t->blocks + 64;
 
-    kern_work_need(t->blocks, room, &reals, &ints);
-    p->work = kern_work_of(malloc((size_t)reals * sizeof(kern_real)), reals,
-                           malloc((size_t)ints * sizeof(int)), ints);
+    p->work = room_work(t->blocks, room);
     p->contact = malloc((size_t)room * sizeof *p->contact + 1);
     p->pattern = calloc((size_t)t->blocks, sizeof *p->pattern);
     p->most = calloc((size_t)t->blocks, sizeof *p->most);
@@ -132,8 +132,7 @@ static int open_file(struct pushes *p, const char *path)
 
 static void close_file(struct pushes *p)
 {
-    free(p->work.real);
-    free(p->work.index);
+    room_free_work(&p->work);
     free(p->contact);
     free(p->pattern);
     free(p->most);
@@ -271,11 +270,9 @@ int main(int argc, char **argv)
     const int json = argc > 1 && strcmp(argv[1], "--json") == 0;
     const char *svg = argc > 1 + json ? argv[1 + json] : "-";
     const char *path = argc > 2 + json ? argv[2 + json] : NULL;
-    const size_t n = strlen(svg);
     int bad;
 
-    if (argc > 3 + json || (strcmp(svg, "-") != 0
-                            && (n < 5 || strcmp(svg + n - 4, ".svg") != 0))) {
+    if (argc > 3 + json || (strcmp(svg, "-") != 0 && !args_is_svg(svg))) {
         puts("usage: push [--json] [OUT.svg | - [STRUCTURE.kern]]\n"
              "The largest push that each stone bears, by direction.");
         return strcmp(svg, "--help") == 0 || strcmp(svg, "-h") == 0 ? 0 : 2;

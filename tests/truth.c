@@ -15,6 +15,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
+#include "../examples/parts/room.h"
 #include "../examples/parts/text.h"
 
 enum { MANY = 20000, POINTS = 4000, LABELS = 3,
@@ -72,15 +73,12 @@ static void read_one(const char *folder, const char *name, int label)
     char path[1000];
     struct text_file t;
     kern_work work;
-    int reals, ints;
     snprintf(path, sizeof path, "%s/structures/%s.kern", folder, name);
     if (text_load(&t, path)) {
         printf("%s: %s\n", path, t.message);
         exit(1);
     }
-    kern_work_need(t.blocks, 800, &reals, &ints);
-    work = kern_work_of(malloc(sizeof(kern_real) * (size_t)reals), reals,
-                        malloc(sizeof(int) * (size_t)ints), ints);
+    work = room_work(t.blocks, 800);
     found[count].label = label;
     if (measure(&t, &found[count], &work) >= 0) {
         if (getenv("TRUTH_EACH"))
@@ -89,8 +87,7 @@ static void read_one(const char *folder, const char *name, int label)
                    found[count].load);
         count++;
     }
-    free(work.real);
-    free(work.index);
+    room_free_work(&work);
     text_free(&t);
 }
 

@@ -12,6 +12,7 @@
 #define MEASURES_H
 
 #include "../../kern.h"
+#include "room.h"
 #include "text.h"
 
 #include <math.h>
@@ -38,26 +39,19 @@ struct measures_of {
 static void measures_drop(struct measures_of *m)
 {
     free(m->contact);
-    free(m->work.real);
-    free(m->work.index);
     m->contact = NULL;
-    m->work.real = NULL;
-    m->work.index = NULL;
+    room_free_work(&m->work);
 }
 
 /* Finds the contacts with the options as they are, in room that grows until it
    is enough, and with it the work memory. Returns 0, or -1. */
 MEASURES_API int measures_contacts(struct measures_of *m)
 {
-    int room = 16 * m->text.blocks + 64, reals, ints, found;
+    int room = 16 * m->text.blocks + 64, found;
     do {
         measures_drop(m);
-        kern_work_need(m->task.s.blocks, room, &reals, &ints);
         m->contact = malloc((size_t)room * sizeof *m->contact);
-        m->work = kern_work_of(malloc((size_t)reals * sizeof *m->work.real),
-                               reals,
-                               malloc((size_t)ints * sizeof *m->work.index),
-                               ints);
+        m->work = room_work(m->task.s.blocks, room);
         if (!m->contact || !m->work.real || !m->work.index) return -1;
         found = kern_contacts(m->text.block, m->text.blocks, &m->task.options,
                               m->contact, room, &m->work);

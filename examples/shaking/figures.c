@@ -17,6 +17,7 @@
 #define KERN_IMPLEMENTATION
 #include "../../kern.h"
 
+#include "../parts/args.h"
 #include "../parts/build.h"
 #include "../parts/draw.h"
 #include "../parts/json.h"
@@ -502,16 +503,13 @@ static int figure_seven(const struct figures *f)
 /* S, or S-T. */
 static int read_seeds(struct figures *f, const char *word)
 {
-    char *end;
-    long first = strtol(word, &end, 10), last = first;
-    if (end > word && *end == '-') last = strtol(word = end + 1, &end, 10);
-    if (end == word || *end || first < 1 || last < first || last > MOST_SEED) {
+    int last;
+    if (args_range(word, 1, MOST_SEED, &f->first, &last)) {
         fprintf(stderr, "figures: --seed takes S or S-T, from 1 to %d\n",
                 MOST_SEED);
         return -1;
     }
-    f->first = (int)first;
-    f->samples = (int)(last - first) + 1;
+    f->samples = last - f->first + 1;
     return 0;
 }
 

@@ -13,6 +13,7 @@
 #define KERN_IMPLEMENTATION
 #include "../../kern.h"
 
+#include "../parts/args.h"
 #include "../parts/draw.h"
 #include "../parts/json.h"
 #include "../parts/rigid.h"
@@ -27,17 +28,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-
-/* Is stream 2 (stderr) a terminal? The C library cannot tell. */
-#if defined(_WIN32)
-#include <io.h>
-#define IS_TERMINAL(stream) (_isatty(stream) != 0)
-#elif defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#define IS_TERMINAL(stream) (isatty(stream) != 0)
-#else
-#define IS_TERMINAL(stream) 0
-#endif
 
 static const char help[] =
 "usage: shake [options] FILE...\n"
@@ -85,7 +75,7 @@ static time_t began; /* the file that is shaken */
 /* Says what is going on where someone may be waiting. */
 static void show_progress(const struct table *t, int repetition, int level)
 {
-    if (!IS_TERMINAL(2) || difftime(time(NULL), began) < 2) return;
+    if (!ARGS_TERMINAL(2) || difftime(time(NULL), began) < 2) return;
     fprintf(stderr, "\rshake: %.40s, repetition %d of %d, level %d   ",
             t->file, repetition + 1, t->plan.repeat, level);
     fflush(stderr);
@@ -93,7 +83,7 @@ static void show_progress(const struct table *t, int repetition, int level)
 
 static void clear_progress(void)
 {
-    if (IS_TERMINAL(2)) fprintf(stderr, "\r%*s\r", 90, "");
+    if (ARGS_TERMINAL(2)) fprintf(stderr, "\r%*s\r", 90, "");
 }
 
 /* ---- Reports ------------------------------------------------------------- */
@@ -488,68 +478,24 @@ static int bad_use(const char *what, const char *word)
     return -1;
 }
 
-/* The value of option `name` at argv[*i]: after "=", or the next argument.
-   Returns 1 and moves *i on, or 0 where this is another option. */
-static int option_value(char **argv, int *i, const char *name,
-                        const char **value)
-{
-    size_t n = strlen(name);
-    if (strncmp(argv[*i], name, n) != 0) return 0;
-    *value = "";
-    if (argv[*i][n] == '=' && name[1] == '-') *value = argv[*i] + n + 1;
-    else if (argv[*i][n] != '\0') return 0;
-    else if (argv[*i + 1]) *value = argv[++*i];
-    return 1;
-}
-
-/* Reads an integer at *s within a range and moves *s behind it. */
-static int read_integer(const char **s, long least, long most, int *out)
-{
-    char *end;
-    long value;
-    if (**s < '0' || **s > '9') return -1;
-    errno = 0;
-    value = strtol(*s, &end, 10);
-    if (errno || value < least || value > most) return -1;
-    *out = (int)value;
-    *s = end;
-    return 0;
-}
-
-/* "A-B", "A..B", or "B", which is 1-B. */
+/* A-B, or N, which is 1-N. */
 static int read_levels(struct settings *set, const char *s)
 {
-    int first = 1, last;
-    if (read_integer(&s, 1, MOST_LEVELS, &last)) return -1;
-    if (*s) {
-        size_t n = *s == '-' ? 1 : strncmp(s, "..", 2) == 0 ? 2 : 0;
-        first = last;
-        s += n;
-        if (n == 0 || read_integer(&s, first, MOST_LEVELS, &last)) return -1;
-    }
-    set->plan.first = first;
-    set->plan.last = last;
-    return *s ? -1 : 0;
-}
-
-/* S, or S-T. */
-static int read_seeds(struct settings *set, const char *s)
-{
-    if (read_integer(&s, 0, INT_MAX - 1, &set->first)) return -1;
-    set->last = set->first;
-    if (*s++ == '\0') return 0;
-    return s[-1] != '-' || read_integer(&s, set->first, INT_MAX - 1, &set->last)
-           || *s ? -1 : 0;
+    if (args_range(s, 1, MOST_LEVELS, &set->plan.first, &set->plan.last))
+        return -1;
+    if (!strchr(s, '-')) set->plan.first = 1;
+    return 0;
 }
 
 static int read_number(struct settings *set, const char *name, const char *s)
 {
     int bad;
     const char *word = s;
+    if (!s) return bad_use("a number is missing after", name);
     if (strcmp(name, "--repeat") == 0)
-        bad = read_integer(&s, 1, 100000, &set->plan.repeat) || *s;
+        bad = args_integer(&s, 1, 100000, &set->plan.repeat) || *s;
     else if (strcmp(name, "--show") == 0)
-        bad = read_integer(&s, 1, MOST_LEVELS, &set->show) || *s;
+        bad = args_integer(&s, 1, MOST_LEVELS, &set->show) || *s;
     else if (strcmp(name, "--levels") == 0)
         bad = read_levels(set, s);
     else if (strcmp(name, "--unit") == 0) {
@@ -557,18 +503,17 @@ static int read_number(struct settings *set, const char *name, const char *s)
         bad = !text_number(s, &unit) || !(unit > 0);
         set->plan.unit = (double)unit;
     } else
-        bad = read_seeds(set, s);
+        bad = args_range(s, 0, INT_MAX - 1, &set->first, &set->last);
     if (!bad) return 0;
     fprintf(stderr, "shake: %s does not take '%s'; try shake --help\n", name,
             word);
     return -1;
 }
 
-/* A picture's name ends in .svg, so that no structure is written over. */
 static int read_picture(const char *option, const char *name)
 {
-    size_t n = strlen(name);
-    if (n > 4 && strcmp(name + n - 4, ".svg") == 0) return 0;
+    if (args_is_svg(name)) return 0;
+    if (!name) return bad_use("a file name is missing after", option);
     fprintf(stderr, "shake: %s takes a name that ends in .svg, read '%s'\n",
             option, name);
     return -1;
@@ -580,13 +525,13 @@ static int read_option(struct settings *set, char **argv, int *i)
                                           "--unit", "--show" };
     const char *word = argv[*i], *value;
     for (int k = 0; k < (int)(sizeof number / sizeof number[0]); k++)
-        if (option_value(argv, i, number[k], &value) ||
-            (k == 0 && option_value(argv, i, "-l", &value)) ||
-            (k == 1 && option_value(argv, i, "-n", &value)))
+        if (args_value(argv, i, number[k], &value) ||
+            (k == 0 && args_value(argv, i, "-l", &value)) ||
+            (k == 1 && args_value(argv, i, "-n", &value)))
             return read_number(set, number[k], value);
-    if (option_value(argv, i, "--svg", &set->svg))
+    if (args_value(argv, i, "--svg", &set->svg))
         return read_picture("--svg", set->svg);
-    if (option_value(argv, i, "--film", &set->film))
+    if (args_value(argv, i, "--film", &set->film))
         return read_picture("--film", set->film);
     if (strcmp(word, "--json") != 0) return bad_use("unknown option", word);
     set->json = 1;

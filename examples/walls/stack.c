@@ -13,6 +13,7 @@
 #define KERN_IMPLEMENTATION
 #include "../../kern.h"
 
+#include "../parts/args.h"
 #include "../parts/draw.h"
 #include "../parts/measures.h"
 #include "../parts/table.h"
@@ -158,20 +159,6 @@ static int read_beat(struct settings *o, const char *word)
            number("--beat", word + length + 1, 1e-3, 10, &o->plan.beat[1]);
 }
 
-/* One seed, or the first and the last. */
-static int read_seeds(struct settings *o, const char *word)
-{
-    char first[40];
-    const size_t n = strcspn(word, "-");
-    if (n >= sizeof first) return fail("--seed", "S or S-T is expected");
-    memcpy(first, word, n);
-    first[n] = '\0';
-    if (whole("--seed", first, 0, INT_MAX, &o->first)) return -1;
-    o->last = o->first;
-    return word[n] == '-' ? whole("--seed", word + n + 1, o->first,
-                                  INT_MAX - 1, &o->last) : 0;
-}
-
 /* An option with a value. Returns 0, or -1 where something is wrong. */
 static int read_option(struct settings *o, const char *name, const char *word)
 {
@@ -182,7 +169,9 @@ static int read_option(struct settings *o, const char *name, const char *word)
         return number(name, word, 0, 60, &o->irregularity);
     if (strcmp(name, "--stones") == 0)
         return whole(name, word, 1, STONES_MOST, &o->stones);
-    if (strcmp(name, "--seed") == 0) return read_seeds(o, word);
+    if (strcmp(name, "--seed") == 0)
+        return args_range(word, 0, INT_MAX - 1, &o->first, &o->last)
+             ? fail(name, "S or S-T is expected") : 0;
     if (strcmp(name, "--planner") == 0) {
         k = one_of(name, word, strlen(word), stack_planner_name,
                    STACK_PLANNERS);
@@ -216,11 +205,9 @@ static int read_option(struct settings *o, const char *name, const char *word)
         return number(name, word, 0, 10, &p->friction);
     if (strcmp(name, "--joints") == 0)
         return number(name, word, 0, 10, &p->joints);
-    if (strcmp(name, "--svg") == 0 || strcmp(name, "--film") == 0) {
-        const size_t n = strlen(word);
-        if (n < 5 || strcmp(word + n - 4, ".svg") != 0)
-            return fail(name, "a name that ends in .svg is expected");
-    }
+    if ((strcmp(name, "--svg") == 0 || strcmp(name, "--film") == 0) &&
+        !args_is_svg(word))
+        return fail(name, "a name that ends in .svg is expected");
     if (strcmp(name, "--out") == 0) o->out = word;
     else if (strcmp(name, "--svg") == 0) o->svg = word;
     else if (strcmp(name, "--film") == 0) o->film = word;

@@ -35,6 +35,7 @@
 #include "../parts/draw.h"
 #include "../parts/random.h"
 #include "../parts/rigid.h"
+#include "../parts/room.h"
 #include "masonry.h"
 #include "stones.h"
 
@@ -171,14 +172,9 @@ STACK_API void stack_free(struct stack_wall *w)
     free(w->stone);
     free(w->place);
     free(w->used);
-    free(w->plan.block);
-    free(w->plan.contact);
-    free(w->plan.task.known.motion);
-    free(w->plan.task.known.force);
+    room_free_plan(&w->plan);
     free(w->motion);
     free(w->force);
-    free(w->work.real);
-    free(w->work.index);
     free(w->sky);
     free(w->owner);
     free(w->close);
@@ -216,20 +212,12 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     static const struct stack_wall empty;
     const size_t stones = (size_t)stock->stones;
     const int blocks = stock->stones + 2, contacts = 40 * blocks;
-    int reals, ints, corners = 4;
+    int corners = 4;
     *w = empty;
     w->stock = stock;
     w->options = *options;
     for (int i = 0; i < stock->stones; i++) corners += stock->stone[i].n;
-    kern_work_need(blocks, contacts, &reals, &ints);
-    w->work = kern_work_of(malloc((size_t)reals * sizeof(kern_real)), reals,
-                           malloc((size_t)ints * sizeof(int)), ints);
-    w->plan = kern_plan_of(
-        malloc((size_t)blocks * sizeof(kern_block)), blocks,
-        malloc((size_t)contacts * sizeof(kern_contact)), contacts,
-        kern_known_of(malloc((size_t)blocks * sizeof(kern_motion)),
-                      malloc((size_t)contacts * sizeof(kern_force))),
-        &w->work);
+    w->plan = room_plan(blocks, contacts, &w->work);
     w->motion = malloc((size_t)blocks * sizeof(kern_motion));
     w->force = malloc((size_t)contacts * sizeof(kern_force));
     w->close = malloc((size_t)contacts * sizeof *w->close);
@@ -244,10 +232,9 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     w->sky = malloc((size_t)w->columns * sizeof *w->sky);
     w->owner = malloc((size_t)w->columns * sizeof *w->owner);
     w->around.edge = malloc((size_t)corners * sizeof *w->around.edge);
-    if (!w->work.real || !w->work.index || !w->plan.block || !w->stone ||
-        !w->plan.contact || !w->plan.task.known.motion || !w->motion ||
-        !w->place || !w->plan.task.known.force || !w->force || !w->used ||
-        !w->sky || !w->owner || !w->around.edge || !w->close || !w->load)
+    if (!room_is_there(&w->plan) || !w->stone || !w->motion || !w->place ||
+        !w->force || !w->used || !w->sky || !w->owner || !w->around.edge ||
+        !w->close || !w->load)
         return -1;
     w->ground[0] = stones_vec(-1, -0.5);
     w->ground[1] = stones_vec(options->width + 1, -0.5);
