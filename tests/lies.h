@@ -9,6 +9,8 @@
 #ifndef LIES_H
 #define LIES_H
 
+#include "../examples/parts/random.h"
+
 #include <glpk.h>
 #include <stdint.h>
 
@@ -29,9 +31,8 @@ static long lies_told;
 
 static int lie_random(int end)
 {
-    static uint32_t state = 1;
-    state = state * 1664525u + 1013904223u;
-    return (int)((state >> 8) % (uint32_t)end);
+    static uint64_t state = 1;
+    return (int)(random_bits(&state) % (uint64_t)end);
 }
 
 /* Is this lie to be told now? */

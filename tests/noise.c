@@ -15,6 +15,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
+#include "../examples/parts/random.h"
 #include "../examples/parts/text.h"
 
 enum { MOST_FILES = 1000, MOST_VERTICES = 20000, MOST_BLOCKS = 500,
@@ -43,14 +44,11 @@ static int *integer, reals, integers;
 
 /* ---- noise ---- */
 
-static unsigned long long state;
+static uint64_t state;
 
-static double uniform(void) /* xorshift, above 0 and below 1 */
+static double uniform(void) /* above 0 and below 1 */
 {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return ((double)(state >> 12) + 0.5) / 4503599627370496.0;
+    return ((double)(random_bits(&state) >> 12) + 0.5) / 4503599627370496.0;
 }
 
 static double gauss(void)
@@ -202,9 +200,8 @@ static void row(double share, int seeds)
     int i, k;
     for (i = 0; i < samples; i++)
         for (k = 0; k < seeds; k++) {
-            state = 88172645463325252u + (unsigned long long)k * 7919 +
-                    (unsigned long long)i * 104729 +
-                    (unsigned long long)(share * 1e6) * 1299709;
+            state = 88172645463325252u + (uint64_t)k * 7919 +
+                    (uint64_t)i * 104729 + (uint64_t)(share * 1e6) * 1299709;
             uniform(), uniform(), uniform();
             ask_disturbed(&sample[i], share * sample[i].size, &score);
         }

@@ -10,6 +10,7 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
+#include "../examples/parts/random.h"
 #include "../examples/parts/rigid.h"
 #include "../examples/parts/text.h"
 
@@ -476,15 +477,10 @@ static void test_pieces(void)
    wedge, then four for each wall. */
 static int wedges(unsigned seed, struct rigid_pt *v, double *mu)
 {
-    unsigned state = seed * 2654435761u + 1u;
+    uint64_t state = seed;
     double draw[8], x = 0, lean[5];
     int many = 1 + (int)(seed % 4), n = 0;
-    for (int i = 0; i < 8; i++) {
-        state ^= state << 13;
-        state ^= state >> 17;
-        state ^= state << 5;
-        draw[i] = state / 4294967296.0;
-    }
+    for (int i = 0; i < 8; i++) draw[i] = random_share(random_mixed(&state));
     *mu = 0.1 + 0.7 * draw[0];
     for (int i = 0; i <= many; i++) lean[i] = 0.6 * (draw[i + 1] - 0.5);
     for (int i = 0; i < many; i++) {
