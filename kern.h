@@ -511,7 +511,7 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_UNDECIDED, -1, "undecided: neither proof could be completed")      \
     X(KERN_NO_SPACE, -2, "an array is too short for the result or the work")  \
     X(KERN_BAD_POINTER, -3, "a pointer is null where an array is expected")   \
-    X(KERN_BAD_NUMBER, -4, "a number is infinite, not one, or out of bounds") \
+    X(KERN_BAD_NUMBER, -4, "not a number, or infinite, or out of bounds")   \
     X(KERN_BAD_COUNT, -5, "a count is negative or above its limit")          \
     X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
     X(KERN_NO_AREA, -7, "a polygon has no area")                              \

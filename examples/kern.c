@@ -74,7 +74,7 @@ static const char help_format[] =
 "File: one statement a line; # begins a comment. Units are yours (SI: m, kg, N).\n"
 "  fixed    NAME  X1 Y1  X2 Y2  X3 Y3 ...        ground, any simple polygon\n"
 "  block    NAME  MASS  X1 Y1  X2 Y2  X3 Y3 ...  MASS *: area x density\n"
-"  friction MU         default 0.4               gravity GX GY   default 0 -9.81\n"
+"  friction MU         tan of its angle; 0.4     gravity GX GY   default 0 -9.81\n"
 "  density  D          of later blocks, 1        epsilon E       as above\n"
 "  tolerance GAP [ANGLE]  widest gap and angle (rad) of a contact; 1e-3 of the\n"
 "                      smaller block, 0.0175\n"

@@ -398,7 +398,8 @@ class KernError(ValueError):
         self.index, self.value = fault.index, fault.value
         place = ""
         if self.status == Status.OVERLAP:
-            place = " (%.4g deep)" % self.value
+            place = " (%.4g deep; %.4g is allowed: Options.overlap)" % (
+                self.value, fault.allowed)
         elif self.status == Status.STALE:
             place = ": call update()"
         elif self.index >= 0:
@@ -781,7 +782,7 @@ class Structure:
     Traceback (most recent call last):
         ...
     kern.KernError: 'low' and 'top': two blocks overlap deeper than the gap \
-tolerance (0.25 deep)
+tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
     """
 
     def __init__(self, blocks: Iterable[Block],
@@ -1244,7 +1245,9 @@ read 'much'
 def read(path: Union[str, os.PathLike]) -> Structure:
     """A structure from a file in the format of text.h."""
     file = pathlib.Path(path)
-    return parse(file.read_bytes(), file.stem)
+    structure = parse(file.read_bytes(), str(path))
+    structure.name = file.stem
+    return structure
 
 
 def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
