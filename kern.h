@@ -172,9 +172,10 @@
    Forces are passed on from top to bottom (>>pour), three equations at a time
    where blocks can be balanced alone. What cannot be balanced is a small part
    that falls: the simplex method (>>lp) finds its motion. Where no small part
-   decides, an interior-point method (>>inner) finds forces, motion and critical
-   place together. The margin is found from above (>>search): no edge of the
-   whole lies beyond the edge of a part, all else held.
+   decides, an interior-point method (>>inner) finds forces, motion and margin
+   together. The margin is found from above (>>search): a part that falls while
+   all other blocks are held is a motion of the whole, so the whole falls no
+   later than any of its parts.
 
 
    RULES                                                               >>rules
@@ -205,8 +206,7 @@
                length. The longest contact begins a face, points come last.
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
-   Points closer than that add nothing, and a larger gap removes no support.
-   Contacts that the caller gives are taken as they are: normals are made unit;
+   A larger gap removes no support. Contacts that the caller gives are taken as they are: normals are made unit;
    the two points of a line lie along t within `angle`, or it is refused.
 
    Shrinkage. A contact point has a way u = t or -t and a travel l >= 0:
@@ -1655,9 +1655,9 @@ static inline kern_real kern_arms(const kern_structure *s,
 
    At a place that falls y gives the power -y.rhs > 0, which changes along the
    path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
-   (Newton's method). It converges quadratically, from the side that falls. Half
-   a tolerance to each side of the critical place the verdict is proven: the
-   bracket is narrow, and both its ends are.
+   (Newton's method). It converges quadratically, from the side that falls. The
+   verdicts half a tolerance to each side of the critical place are then proven:
+   they are the bracket.
 
    As long as possible the search evaluates a small part (kern_path_search()),
    and the whole only where it finds none (kern_path_plain()). */
@@ -1913,9 +1913,9 @@ static kern_status kern_options_check(const kern_options *o)
     return KERN_OK;
 }
 
+/* A contact whose normal may have any length. */
 static kern_status kern_contact_check(const kern_contact *c, int blocks)
 {
-    const kern_real n = c->n.x * c->n.x + c->n.y * c->n.y;
     if (c->a < 0 || c->a >= blocks || c->b < 0 || c->b >= blocks)
         return KERN_BAD_BLOCK;
     if (c->a == c->b)
@@ -1923,11 +1923,7 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
     if (!kern_vec_is_moderate(c->p) || !kern_vec_is_finite(c->n)
         || !kern_is_finite(c->mu) || !(kern_abs(c->travel) <= KERN_FAR))
         return KERN_BAD_NUMBER;
-    if (c->mu < 0)
-        return KERN_BAD_FRICTION;
-    if (kern_abs(n - 1) > KERN_R(64) * KERN_EPS)
-        return KERN_BAD_NORMAL;
-    return KERN_OK;
+    return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
 /* Checks the arrays of a structure, and gravity. */
@@ -1964,7 +1960,11 @@ static kern_status kern_structure_check(const kern_structure *s,
     if (status == KERN_OK && !loaded)
         return KERN_NO_LOAD;
     for (i = contacts; i < s->contacts && status == KERN_OK; i++) {
-        status = kern_contact_check(s->contact + i, s->blocks);
+        const kern_contact *c = s->contact + i;
+        status = kern_contact_check(c, s->blocks);
+        if (status == KERN_OK && kern_abs(kern_vec_dot(c->n, c->n) - 1)
+                                 > KERN_R(64) * KERN_EPS)
+            status = KERN_BAD_NORMAL;
         if (status != KERN_OK)
             fault->index = i;
     }
@@ -6871,9 +6871,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 /* Forces that a load puts on unstressed contacts of some stiffness: f >= 0 just
    where blocks approach, sticking where |r| < mu f, else sliding against r.
    They are looked for as least forces of stiff contacts (>>least), a program
-   with a solution wherever forces exist, but with the flow of limit analysis,
-   which parts where it slides: f = k (approach + mu slip). A price mu slip on
-   each contact takes that away (the fixed point of Acary, Cadoux, Lemarechal
+   with a solution wherever forces exist, but with the associated flow rule of
+   limit analysis, by which what slides parts: f = k (approach + mu slip). A
+   price mu slip on each contact takes that away (the fixed point of Acary, Cadoux, Lemarechal
    and Malick). Prices need not be exact: where every loaded contact approaches,
    the forces and the displacement are a proof, for contacts of other
    stiffnesses. From one round to the next prices are extrapolated (Anderson's
@@ -6923,8 +6923,8 @@ static kern_real kern_prove_raised(const kern_structure *s,
     return error;
 }
 
-/* One look at the set of blocks with a value >= 0: takes out those that a
-   contact with a block outside presses against gravity. Returns how many. */
+/* One pass over the contacts: takes those blocks out of the set (value >= 0)
+   that a block outside presses against gravity. Returns how many. */
 static int kern_hang_pass(const kern_structure *s, kern_real *value, int back)
 {
     const kern_real least = KERN_R(1e-9)
@@ -6942,8 +6942,8 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value, int back)
     return out;
 }
 
-/* Marks the largest set of blocks that nothing outside presses against gravity,
-   by a value >= 0. Returns how many there are. */
+/* The largest set of blocks that no block outside presses against gravity; they
+   get a value >= 0. Returns how many there are. */
 static int kern_hang_find(const kern_structure *s, kern_real *value)
 {
     const int weighs = kern_vec_dot(s->gravity, s->gravity) > 0;
@@ -7016,7 +7016,7 @@ static kern_real kern_raise_back(const kern_raise *r)
 }
 
 /* Writes the forces, and makes new prices. Returns whether every loaded contact
-   approaches, and none slides so far that a jam would have to be fallen into. */
+   approaches, and none slides so far as only a stone that falls into a jam. */
 static int kern_raise_price(kern_raise *r)
 {
     kern_part *p = r->p;
@@ -7323,8 +7323,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_TURN       KERN_R(1e-6)
 /* Most vertices of a polygon: its mean turn is then well above KERN_TURN. */
 #define KERN_VERTICES_MOST 1000000
-/* Share of the size: the gap that a mason does not see, and the line that he
-   would call a point. */
+/* Share of the size: the default gap, and the length of the shortest line. */
 #define KERN_GAP        KERN_R(1e-3)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: measured against shaking tests; anything from 0.03 to 0.1
@@ -7344,8 +7343,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_CERTAIN_FALLS  KERN_R(3.0)
 #define KERN_CERTAIN_GROWTH KERN_R(2.0)  /* of kerns, in errors of place      */
 #define KERN_CERTAIN_SLOPE  KERN_R(4.0)  /* of contacts, in errors of angle   */
-/* Share of the size of the smaller free block above which no step is too low
-   to carry, however wide the gap: a pebble keeps its shape. */
+/* Share of the size of the smaller free block: higher steps are not simplified
+   away, however wide the gap. */
 #define KERN_STEP_MOST  KERN_R(0.1)
 /* Most parts of an outline that have a box of their own, and by how many edges
    they are longer than need be: more take more stack, shorter ones time. */
@@ -8850,40 +8849,28 @@ KERN_API int kern_touch(const kern_block *block, int b,
 
 /* ---- contacts that are given ---- */
 
-static kern_status kern_given_check(const kern_contact *c, kern_vec q)
-{
-    if (c->a < 0 || c->b < 0)
-        return KERN_BAD_BLOCK;
-    if (c->a == c->b)
-        return KERN_SAME_BLOCK;
-    if (!kern_vec_is_finite(c->n) || !kern_is_finite(c->mu) ||
-        !kern_vec_is_moderate(c->p) || !kern_vec_is_moderate(q))
-        return KERN_BAD_NUMBER;
-    if (c->mu < 0)
-        return KERN_BAD_FRICTION;
-    if (!(kern_vec_largest(c->n) > 0) ||
-        !kern_is_finite(1 / kern_vec_largest(c->n)))
-        return KERN_BAD_NORMAL;
-    return KERN_OK;
-}
-
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options)
 {
     kern_vec d, normal;
     kern_status status;
-    kern_real length;
+    kern_real length, longest;
     int line;
     if (!options || !out)
         return (int)KERN_BAD_POINTER;
+    out->travel = 0;
     status = kern_options_check(options);
     if (status >= 0)
-        status = kern_given_check(out, q);
+        status = kern_contact_check(out, KERN_COUNT_MOST);
     if (status < 0)
         return (int)status;
+    if (!kern_vec_is_moderate(q))
+        return (int)KERN_BAD_NUMBER;
+    longest = kern_vec_largest(out->n);
+    if (!(longest > 0) || !kern_is_finite(1 / longest))
+        return (int)KERN_BAD_NORMAL;
     /* first made about 1 long: its square may be no number */
-    normal = kern_vec_unit(
-        kern_vec_scale(out->n, 1 / kern_vec_largest(out->n)));
+    normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
     line = length > KERN_FLOOR * kern_max(kern_vec_largest(out->p),
