@@ -2509,6 +2509,14 @@ static void kern_model_set(kern_model *m, const kern_query *q)
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->work, m->limit, units); }
 
+/* Whether a proof with this error holds; notes the largest such error. */
+static int kern_model_proven(const kern_model *m, kern_real error)
+{
+    if (error <= 1)
+        m->work->error = kern_max(m->work->error, error);
+    return error <= 1;
+}
+
 /* Makes the known forces of the line that begins with contact i, where they
    balance, into forces at a smaller shrinkage: they move outward, and exert the
    same. Returns whether it is a line. */
@@ -3700,6 +3708,25 @@ static void kern_part_list(kern_part *p, int own)
     }
 }
 
+/* The loads of a query, to three numbers a group. Returns what equilibrium may
+   miss. */
+static kern_real kern_part_load(const kern_part *p, const kern_query *q,
+                                kern_real *to)
+{
+    kern_model *m = p->m;
+    kern_real least = KERN_INFINITY;
+    int n, j;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n];
+        kern_model_load(m, q, g);
+        kern_model_scale(m, g);
+        least = kern_min(least, m->size[g]);
+        for (j = 0; j < 3; j++)
+            *to++ = m->load[3 * g + j];
+    }
+    return KERN_FEAS_TOL * least;
+}
+
 /* Opens the part of the `groups` groups that m->local marks, the last of which
    is `last`. Returns 0 if the work memory does not hold it. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
@@ -4303,23 +4330,6 @@ static int kern_least_open(kern_part *p, kern_model *m)
     return 1;
 }
 
-/* The loads of a query. Returns what equilibrium may miss. */
-static kern_real kern_least_load(kern_part *p, const kern_query *q)
-{
-    kern_model *m = p->m;
-    kern_real least = KERN_INFINITY;
-    int n, j;
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        kern_model_load(m, q, g);
-        kern_model_scale(m, g);
-        least = kern_min(least, m->size[g]);
-        for (j = 0; j < 3; j++)
-            p->b[3 * n + j] = m->load[3 * g + j];
-    }
-    return KERN_FEAS_TOL * least;
-}
-
 /* Writes the forces of u. */
 static void kern_least_write(kern_part *p)
 {
@@ -4348,14 +4358,13 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     kern_model_set(&m, &path.q);
     if (!kern_least_open(&part, &m) || !kern_least_lay(&part, &part.rest))
         return KERN_NO_SPACE;
-    error = kern_least_load(&part, &path.q);
+    error = kern_part_load(&part, &path.q, part.b);
     status = kern_least_find(&part, part.b, part.contacts, error, KERN_BOUND,
                              0, KERN_FORCES_ROUNDS);
     if (status == KERN_STANDS) {
         kern_least_write(&part);
-        error = kern_prove_forces(m.s, &path.q, m.force, m.sum);
-        if (error <= 1) {
-            task->work->error = kern_max(task->work->error, error);
+        if (kern_model_proven(&m, kern_prove_forces(m.s, &path.q, m.force,
+                                                    m.sum))) {
             kern_proof_out(&m, &proof, status);
             return status;
         }
@@ -4942,16 +4951,12 @@ static kern_status kern_part_lay(kern_part *p)
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
     kern_model *m = p->m;
-    int n, k, edge, j;
+    int n, k, edge;
     KERN_ASSERT(p->lp.rows == 3 * p->groups && p->own <= p->contacts);
     m->slope = kern_slope(q);
-    for (n = 0; n < p->groups; n++) {
+    for (n = 0; n < p->groups; n++)
         kern_model_unit(m, q, p->group[n]);
-        kern_model_load(m, q, p->group[n]);
-        kern_model_scale(m, p->group[n]);
-        for (j = 0; j < 3; j++)
-            p->rhs[3 * n + j] = m->load[3 * p->group[n] + j];
-    }
+    kern_part_load(p, q, p->rhs);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_contact *c = m->s->contact + i;
@@ -5037,10 +5042,7 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
         kern_part_forces(p);
         error = kern_prove_forces(m->s, q, m->force, m->sum);
     }
-    if (!(error <= 1))
-        return KERN_UNDECIDED;
-    m->work->error = kern_max(m->work->error, error);
-    return status;
+    return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
 
 /* Sum of the solution: of all normal forces, in weights. */
@@ -5295,8 +5297,7 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
             kern_model_loosen(m, g);
     if (poured == KERN_POURED)
         error = kern_prove_change(m, q);
-    if (error <= 1) {
-        m->work->error = kern_max(m->work->error, error);
+    if (kern_model_proven(m, error)) {
         p->found = KERN_STANDS;
         return KERN_STANDS;
     }
@@ -5310,7 +5311,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
 {
     kern_poured poured;
     kern_status status;
-    kern_real error, total = KERN_R(0);
+    kern_real total = KERN_R(0);
     int i;
     if (!kern_model_spend(m, m->query_units))
         return KERN_LIMIT;
@@ -5321,11 +5322,8 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     kern_model_set(m, q);
     kern_pour_begin(m);
     poured = kern_pour(m, p, KERN_POUR_BUDGET);
-    switch (poured) {
-    case KERN_POURED: break;
-    case KERN_POUR_FALLS: return KERN_FALLS;
-    default: return KERN_UNDECIDED;
-    }
+    if (poured != KERN_POURED)
+        return poured == KERN_POUR_FALLS ? KERN_FALLS : KERN_UNDECIDED;
     for (i = 0; i < m->s->contacts; i++)
         total += m->force[i].normal;
     if (total > KERN_BOUND / 2)
@@ -5337,11 +5335,8 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
         m->force[i].normal *= m->weight;
         m->force[i].tangential *= m->weight;
     }
-    error = kern_prove_forces(m->s, q, m->force, m->sum);
-    if (!(error <= 1))
-        return KERN_UNDECIDED;
-    m->work->error = kern_max(m->work->error, error);
-    return KERN_STANDS;
+    return kern_model_proven(m, kern_prove_forces(m->s, q, m->force, m->sum))
+           ? KERN_STANDS : KERN_UNDECIDED;
 }
 
 /* From now on the linear program of all groups answers every query; it starts
@@ -5891,9 +5886,9 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
             m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
     if (!(error <= 1))
         error = kern_prove_motion(m->s, &q, m->motion);
-    if (!(error <= 1) || seed->fails - path->holds > path->tolerance)
+    if (seed->fails - path->holds > path->tolerance
+        || !kern_model_proven(m, error))
         return 0;
-    m->work->error = kern_max(m->work->error, error);
     kern_path_note(m, path, KERN_FALLS, seed->fails);
     path->fails = seed->fails;
     path->edge = seed->edge;
@@ -6420,12 +6415,9 @@ static int kern_inner_holds(kern_inner *in)
 {
     kern_part *p = in->p;
     const kern_query q = kern_path_at(in->path, in->at);
-    kern_real error;
     kern_part_forces(p);
-    error = kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum);
-    if (error <= 1)
-        p->m->work->error = kern_max(p->m->work->error, error);
-    return error <= 1;
+    return kern_model_proven(
+        p->m, kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum));
 }
 
 /* Whether the motion is a proof that it falls at the place of the matrix. */
@@ -6433,12 +6425,9 @@ static int kern_inner_falls(kern_inner *in)
 {
     kern_part *p = in->p;
     const kern_query q = kern_path_at(in->path, in->at);
-    kern_real error;
     kern_part_motion(p);
-    error = kern_prove_motion(p->m->s, &q, p->m->motion);
-    if (error <= 1)
-        p->m->work->error = kern_max(p->m->work->error, error);
-    return error <= 1;
+    return kern_model_proven(p->m,
+                             kern_prove_motion(p->m->s, &q, p->m->motion));
 }
 
 /* Holds the matrix at a place from now on. Where the path's g is less than what
@@ -6995,7 +6984,7 @@ static int kern_raise_open(kern_raise *r)
 static void kern_raise_load(kern_raise *r, const kern_query *q)
 {
     r->q = q;
-    r->tolerance = kern_least_load(r->p, q);
+    r->tolerance = kern_part_load(r->p, q, r->p->b);
 }
 
 /* How much of the last change of what prices led to is taken back: what makes
@@ -7054,18 +7043,14 @@ static int kern_raise_price(kern_raise *r)
 static int kern_raise_proven(kern_raise *r)
 {
     kern_part *p = r->p;
-    kern_real error;
+    const kern_model *m = r->m;
     int i;
     p->y = p->step;
     for (i = 0; i < 3 * p->groups; i++)
         p->y[i] = -p->u[i];
     kern_part_motion(p);
-    error = kern_prove_raised(r->m->s, r->q, r->m->force, r->m->motion,
-                              r->m->sum);
-    if (!(error <= 1))
-        return 0;
-    r->m->work->error = kern_max(r->m->work->error, error);
-    return 1;
+    return kern_model_proven(
+        m, kern_prove_raised(m->s, r->q, m->force, m->motion, m->sum));
 }
 
 /* Looks for a proof, from nothing or from u and prices as they are. */
