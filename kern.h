@@ -156,9 +156,9 @@
    METHOD                                                            >>method
 
    Names of the paper and of this file: alpha (friction) `mu`, epsilon
-   `epsilon`, f_n and f_r `normal` and `tangential`, A_eq the columns of
-   >>model, w the right-hand side. Every free block is in equilibrium, Eqs. (1)
-   to (3):
+   `epsilon`, f_n and f_r `normal` and `tangential`, A_eq the columns that
+   kern_part_set() writes, w the right-hand side. Every free block is in
+   equilibrium, Eqs. (1) to (3):
 
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
 
@@ -206,8 +206,9 @@
                length. The longest contact begins a face, points come last.
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
-   A larger gap removes no support. Contacts that the caller gives are taken as they are: normals are made unit;
-   the two points of a line lie along t within `angle`, or it is refused.
+   A larger gap removes no support. Contacts that the caller gives are taken as
+   they are: normals are made unit; the two points of a line lie along t within
+   `angle`, or it is refused.
 
    Shrinkage. A contact point has a way u = t or -t and a travel l >= 0:
      line      The two ends go to each other; l is half the length.
@@ -336,13 +337,13 @@
    (kern_forces()): one set, symmetric where the structure is, which loads all
    that can carry and uses no more friction than it must. Equal springs at all
    contact points would answer so, if sliding were dilatant. In
-   examples/structures/arch.kern their thrust is 86.8, where the least is 81.3
-   and the largest 105.2. Those of kern_raised() are closer to friction, but
-   with friction not unique. Neither says how stones of some stiffness share a
-   load. Least forces were found in all of 1,241 settled structures, at 0, at
-   half of the margin and at `holds`; of 973 rows of wedges in all at 0, in 38 %
-   at `holds`, where forces grow without bound; with sizes of 1 to 1e4 in 79 %
-   at 0.
+   examples/structures/arch.kern their horizontal thrust is 86.5, where the
+   least is 81.0 and the largest 104.9. Those of kern_raised() are closer to
+   friction, but with friction not unique. Neither says how stones of some
+   stiffness share a load. Least forces were found in all of 1,241 settled
+   structures, at 0, at half of the margin and at `holds`; of 973 rows of
+   wedges in all at 0, in 38 % at `holds`, where forces grow without bound;
+   with sizes of 1 to 1e4 in 79 % at 0.
 
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
@@ -353,7 +354,7 @@
    (>>rules): where a pixel is more, set options.gap to a pixel and a half. The
    density is that of the material times the thickness. examples/contour.c shows
    these steps. Of a rounded stone of 10,000 points within 3, 6, 12, 24 mm on
-   2 m, 56, 35, 29, 19 vertices stay, and the margin is 0.25, 0.33, 0.33, 0.33 m.
+   2 m, 56, 35, 29, 19 vertices stay; the margin is 0.25, 0.33, 0.33, 0.33 m.
 
    Error. Tell kern_measured() the standard error e of a stone's place (pixel,
    simplification and registration together, as squares) and theta of its angle.
@@ -6862,12 +6863,12 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
    They are looked for as least forces of stiff contacts (>>least), a program
    with a solution wherever forces exist, but with the associated flow rule of
    limit analysis, by which what slides parts: f = k (approach + mu slip). A
-   price mu slip on each contact takes that away (the fixed point of Acary, Cadoux, Lemarechal
-   and Malick). Prices need not be exact: where every loaded contact approaches,
-   the forces and the displacement are a proof, for contacts of other
-   stiffnesses. From one round to the next prices are extrapolated (Anderson's
-   method with one difference): where contacts neither open nor begin to slide
-   any more, the map from prices to prices is linear. */
+   price mu slip on each contact takes that away (the fixed point of Acary,
+   Cadoux, Lemarechal and Malick). Prices need not be exact: where every loaded
+   contact approaches, the forces and the displacement are a proof, for contacts
+   of other stiffnesses. From one round to the next prices are extrapolated
+   (Anderson's method with one difference): where contacts neither open nor
+   begin to slide any more, the map from prices to prices is linear. */
 
 /* The most that a proof takes for sticking, in approaches. */
 #define KERN_STICKS      KERN_PICK(2e-3, 0.2)
@@ -7089,8 +7090,8 @@ static void kern_raise_restore(kern_raise *r, const kern_real *from)
 }
 
 /* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
-   share of the mean size: what an error of places, and of angles over that size,
-   does at the worst. Where kerns are not nested it must stay raised without the
+   share of the mean size: the worst that errors of places, and of angles over
+   that size, do. Where kerns are not nested it must stay raised without the
    second, too. */
 static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
                            kern_real share)
@@ -7109,7 +7110,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     return raised;
 }
 
-/* The largest of a sequence of shares to which it may be pushed, to either side,
+/* The largest of a sequence of shares by which it may be pushed to either side
    and stay raised; each from the largest found before. */
 static kern_real kern_raise_reserve(kern_raise *r)
 {
@@ -7592,8 +7593,8 @@ static kern_status kern_polygon_simple(const kern_block *block,
 }
 
 /* The area of a polygon, and its box. The area is added up from the triangles
-   between vertex 0 and the edges, against round-off far from the origin; *spread
-   is the sum without signs, *moment that of the area about vertex 0. */
+   between vertex 0 and the edges, against round-off far from the origin;
+   *spread is the sum without signs, *moment that of the area about vertex 0. */
 static kern_real kern_polygon_area(const kern_block *block, kern_box *box,
                                    kern_real *spread, kern_vec *moment)
 {
