@@ -581,11 +581,13 @@ static int stack_same(const struct stack_place *a, const struct stack_place *b,
            fabs(a->turn.y - b->turn.y) < within;
 }
 
-/* Notes a stone at rest, if it lies in the frame and is not known yet.
+/* Notes a stone at rest, if it lies in the frame and is not known yet; one of
+   many corners finds a hold anywhere, so that places a little apart are one.
    Returns -1 where memory is lacking. */
 static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
                       const struct stone *s)
 {
+    const double within = (s->n > STONES_BEDS ? 0.03 : 1e-3) * w->stock->size;
     struct stack_candidate *more, c;
     if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
         return 0;
@@ -598,7 +600,7 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
     if (c.inside < s->area / 2) return 0;
     for (int i = list->count - 1; i >= 0 && list->one[i].place.stone == stone;
          i--)
-        if (stack_same(&list->one[i].place, &c.place, 1e-3 * w->stock->size))
+        if (stack_same(&list->one[i].place, &c.place, within))
             return 0;
     c.feature[STACK_EDGES] = stack_edges(&w->around, s);
     c.feature[STACK_HOLE] = -stack_hole(w, s);
@@ -708,12 +710,21 @@ static int stack_let_down(struct stack_wall *w, struct stack_list *list,
            stack_slide_on(w, list, stone, s, 1);
 }
 
-/* Fills the list with candidates of the next stones of the stock. `share` of
-   all that could be are looked at; `fine`: of all stones, on a finer grid.
-   Returns 0, or -1 where memory is lacking. */
-STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
-                            double share, struct build *chance, int fine)
+/* Is a number of stones asked for? */
+static int stack_asked(const struct stack_wall *w)
 {
+    return w->options.most <= w->stock->stones;
+}
+
+/* Fills the list with candidates of the next stones of the stock, or of `all`
+   that are left; `share` of what could be is looked at. `all` is on a finer
+   grid, for `best` only where a number of stones is asked for. Returns 0, or -1
+   where memory is lacking. */
+STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
+                            double share, struct build *chance, int all)
+{
+    const int fine = all && (stack_asked(w) ||
+                             w->options.planner != STACK_BEST);
     const double size = w->stock->size;
     const double step = (fine ? stack_fine : stack_grid) * size;
     int stones = 0, anchors, bad = 0, room = (int)(w->options.width / step) + 2;
@@ -725,7 +736,7 @@ STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
     anchors = stack_anchors(w, step, anchor);
     list->count = 0;
     for (int k = 0; k < w->stock->stones &&
-         (fine || stones < w->options.look); k++) {
+         (all || stones < w->options.look); k++) {
         const struct stone *s = &w->stock->stone[k];
         if (w->used[k]) continue;
         stones++;
@@ -1098,15 +1109,18 @@ static int stack_filter(struct stack_wall *w, struct stack_list *list)
 
 /* ---- Search: one wall by the filters ------------------------------------- */
 
-/* The same, of what also stays in the simulator. */
+/* Where so many candidates that stand are not raised or move, none is laid. */
+enum { STACK_TRIES = 128 };
+
+/* The same, of what is also raised and stays in the simulator. */
 STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
 {
-    int best = stack_filter(w, list);
-    while (best >= 0 && !stack_holds(w, &list->one[best])) {
+    for (int i = 0; i < STACK_TRIES; i++) {
+        int best = stack_filter(w, list);
+        if (best < 0 || stack_holds(w, &list->one[best])) return best;
         stack_strike(list, best);
-        best = stack_filter(w, list);
     }
-    return best;
+    return -1;
 }
 
 /* Takes away the last stones, down to a number of them. */
@@ -1142,14 +1156,14 @@ static void stack_give_up(struct stack_wall *w)
              w->stock->stones - w->laid);
 }
 
-/* Chooses and lays one stone. Returns 1 where it is laid, 0 where none can be,
+/* Chooses and lays one stone, of the next or of all that are left. Returns 1 where it is laid, 0 where none can be,
    -1 where memory is lacking. */
 static int stack_step(struct stack_wall *w, struct stack_list *list,
                       double share, struct build *chance)
 {
     int best = -1;
-    for (int fine = 0; fine < 2 && best < 0; fine++) {
-        if (stack_propose(w, list, share, chance, fine)) return -1;
+    for (int all = 0; all < 2 && best < 0; all++) {
+        if (stack_propose(w, list, share, chance, all)) return -1;
         best = stack_choose(w, list);
     }
     return best >= 0 && !stack_lay(w, &list->one[best].place);
@@ -1173,7 +1187,6 @@ static int stack_restore(struct stack_wall *w, const struct stack_place *place,
 STACK_API int stack_build(struct stack_wall *w)
 {
     enum { RETREATS = 20 };
-    const int asked = w->options.most <= w->stock->stones;
     struct stack_list list = { NULL, 0, 0 };
     struct build *chance = calloc(1, sizeof *chance);
     struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
@@ -1187,7 +1200,7 @@ STACK_API int stack_build(struct stack_wall *w)
             most = w->laid;
             memcpy(kept, w->place, (size_t)most * sizeof *kept);
         }
-        if (!asked || retreats == RETREATS) {
+        if (!stack_asked(w) || retreats == RETREATS) {
             if (w->laid < most && stack_restore(w, kept, most)) laid = -1;
             stack_give_up(w);
             break;
@@ -1343,26 +1356,20 @@ static int stack_pick(struct stack_wall *w, struct stack_list *list,
 }
 
 /* Builds on what is there. Where none of the next stones has a place, one of
-   all that are left may; where a number of stones is asked for, on a finer
-   grid. */
+   all that are left may. */
 static int stack_grow(struct stack_wall *w, struct stack_list *list,
                       const struct stack_weights *g, struct build *chance,
                       const struct stack_skies *r)
 {
-    const int fine = w->options.most <= w->stock->stones;
-    const int look = w->options.look;
     int bad = 0;
     while (!bad && !stack_ends(w)) {
         int best = -1;
         if (w->options.progress) w->options.progress(w, w->walls + 1);
-        for (int round = 0; round < 2 && best < 0 && !bad; round++) {
-            w->options.look = round > 0 ? STONES_MOST : look;
-            w->lie = round == 0 ||
-                     w->upright + 1 > stack_soldiers * (w->laid + 1);
-            bad = stack_propose(w, list, g->share, chance, round > 0 && fine);
+        for (int all = 0; all < 2 && best < 0 && !bad; all++) {
+            w->lie = !all || w->upright + 1 > stack_soldiers * (w->laid + 1);
+            bad = stack_propose(w, list, g->share, chance, all);
             if (!bad) best = stack_pick(w, list, g, chance, r);
         }
-        w->options.look = look;
         if (!bad && (best < 0 || stack_lay(w, &list->one[best].place))) {
             stack_give_up(w);
             break;
@@ -1384,7 +1391,7 @@ static double stack_value(struct stack_wall *w, double most)
     const double enough = 1.05, *beat = w->options.beat;
     double fill = stack_fill(w);
     struct masonry m;
-    if (w->options.most <= w->stock->stones && w->laid < w->options.most)
+    if (stack_asked(w) && w->laid < w->options.most)
         return w->laid - w->options.most;
     if (w->options.goal != STACK_LOAD) {
         if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
