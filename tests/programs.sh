@@ -252,6 +252,7 @@ stacking() { # stones, features, walls that stand at every step; bad input
         "$stack" --planner combined --no-shaking --out "$out/v.kern" \
             --svg "$out/v.svg" --against "$out/w.kern" \
             examples/structures/irregular-wall.kern &&
+        grep -q "sideways reserve" "$out/film.svg" &&
         $judge svg "$out"/{film,w,v}.svg || return 1
     for bad in "" "--irregularity 99" "--threshold no=1 x" "no-such-file" \
         "--irregularity 10 --walls 1.5" "--planner x" "a b"; do

@@ -65,8 +65,8 @@ static const char help[] =
 "                        multiplier above M is wanted; implies --goal load\n"
 "      --out FILE        the wall; default stacked.kern\n"
 "      --svg OUT.svg     its picture; default stacked.svg\n"
-"      --film OUT.svg    a picture that shows how it is built, with margin and\n"
-"                        level after each stone\n"
+"      --film OUT.svg    a picture that shows how it is built, with margin, level\n"
+"                        and sideways reserve after each stone\n"
 "      --steps NAME      a picture a step: NAME-01.svg and so on\n"
 "      --against FILE    another wall, for the same table\n"
 "      --no-shaking      leave out the shaking test\n"
@@ -83,7 +83,8 @@ static const char help[] =
 "\n"
 "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
 
-enum { EXIT_DONE = 0, EXIT_NONE = 1, EXIT_BAD = 2, PATH = 4096 };
+enum { EXIT_DONE = 0, EXIT_NONE = 1, EXIT_BAD = 2, PATH = 4096,
+       FILM_BARS = 60 };    /* pixels, the highest bar of a film           */
 
 struct settings {
     struct stack_options plan;
@@ -269,15 +270,26 @@ static int draw_wall(const struct stack_wall *w, const char *path)
     return bad ? fail(path, "cannot be written") : 0;
 }
 
-/* Lays the wall once more, and notes its margin after each stone. */
-static int lay_again(struct stack_wall *w, kern_margin *m)
+/* What the film says of the wall after each stone. */
+struct scene {
+    kern_margin m;
+    kern_real reserve;      /* against a push sideways, as a share of gravity */
+};
+
+/* Lays the wall once more, and notes its margin and its reserve after each
+   stone; 0 where it is not raised. */
+static int lay_again(struct stack_wall *w, struct scene *after)
 {
     const int laid = w->laid;
     int bad = 0;
     stack_cut(w, 0);
     for (int i = 0; i < laid && !bad; i++) {
+        kern_raising raising;
         bad = stack_lay(w, &w->place[i]);
-        m[i] = w->m;
+        after[i].m = w->m;
+        if (kern_raised(&w->plan.task, 0, &raising, &after[i].reserve, NULL)
+                != KERN_STANDS || raising != KERN_RAISED)
+            after[i].reserve = 0;
     }
     return bad;
 }
@@ -292,29 +304,43 @@ static void film_show(FILE *out, double seconds, double from, double to)
             seconds, fmax(from, 0.0001), fmin(to, 1), to >= 1);
 }
 
-/* Stones appear one after the other, each with its margin as a bar under the
-   wall and a line that says it, and it begins again. */
+/* A bar under the wall, one of two beside each other for stone i of some. */
+static void film_bar(const struct stack_wall *w, const struct draw_view *v,
+                     double foot, int i, int second, double share)
+{
+    const double wide = (DRAW_WIDTH - 2 * DRAW_PAD) / w->laid;
+    const double high = FILM_BARS * share;
+    draw_rect(v->out, v->left + wide * (i + 0.4 * second),
+              foot + FILM_BARS - high, 0.4 * wide, high,
+              second ? "fill=\"#c2703d\"" : "fill=\"" DRAW_KERN "\"");
+}
+
+/* Stones appear one after the other, each with its margin and its reserve as
+   bars under the wall and a line that says both, and it begins again. */
 static void put_film(const struct stack_wall *w, const struct draw_view *v,
-                     const kern_margin *m, double foot)
+                     const struct scene *after, double foot)
 {
     const double each = 0.4, hold = 3, all = each * w->laid + hold;
-    const double high = 60, wide = (DRAW_WIDTH - 2 * DRAW_PAD) / w->laid;
-    double most = 1e-9;
-    char text[120];
-    for (int i = 0; i < w->laid; i++) most = fmax(most, m[i].margin);
+    double most[2] = { 1e-9, 1e-9 };
+    char text[200];
     for (int i = 0; i < w->laid; i++) {
-        const double at = each * i / all, bar = high * m[i].margin / most;
+        most[0] = fmax(most[0], after[i].m.margin);
+        most[1] = fmax(most[1], after[i].reserve);
+    }
+    for (int i = 0; i < w->laid; i++) {
+        const double at = each * i / all, size = w->stock->size;
+        const struct scene *now = &after[i];
         film_show(v->out, all, at, 1);
         stack_draw_stone(w, v, i);
-        draw_rect(v->out, v->left + wide * i, foot + high - bar, 0.8 * wide, bar,
-                  "fill=\"" DRAW_KERN "\"");
+        film_bar(w, v, foot, i, 0, now->m.margin / most[0]);
+        film_bar(w, v, foot, i, 1, now->reserve / most[1]);
         draw_close(v->out);
         film_show(v->out, all, at, i + 1 < w->laid ? at + each / all : 1);
-        snprintf(text, sizeof text, "stone %d of %d: level %d, margin %.3f mean "
-                 "stones (bars: after each stone, to %.3f)", i + 1, w->laid,
-                 m[i].level, m[i].margin / w->stock->size,
-                 most / w->stock->size);
-        draw_text(v->out, v->left, foot + high + 18, 12.5, "start", text,
+        snprintf(text, sizeof text, "stone %d of %d: level %d, margin %.3f "
+                 "stones (blue, to %.3f), sideways reserve %.3f g "
+                 "(brown, to %.3f)", i + 1, w->laid, now->m.level,
+                 now->m.margin / size, most[0] / size, now->reserve, most[1]);
+        draw_text(v->out, v->left, foot + FILM_BARS + 18, 12.5, "start", text,
                   strlen(text));
         draw_close(v->out);
     }
@@ -322,22 +348,22 @@ static void put_film(const struct stack_wall *w, const struct draw_view *v,
 
 static int draw_film(struct stack_wall *w, const char *path)
 {
-    kern_margin *m = malloc((size_t)w->laid * sizeof *m);
+    struct scene *after = malloc((size_t)w->laid * sizeof *after);
     FILE *out = fopen(path, "w");
     struct draw_view v;
-    int bad = !m || lay_again(w, m);
+    int bad = !after || lay_again(w, after);
     if (out && !bad) {
         stack_view(w, &v, DRAW_WIDTH);
         v.out = out;
         const double foot = v.top + (v.high.y - v.low.y) * v.scale + 14;
-        draw_begin(out, DRAW_WIDTH, ceil(foot + 60 + 18 + DRAW_PAD));
+        draw_begin(out, DRAW_WIDTH, ceil(foot + FILM_BARS + 18 + DRAW_PAD));
         draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
         stack_draw_frame(w, &v);
-        put_film(w, &v, m, foot);
+        put_film(w, &v, after, foot);
         draw_close(out);
         bad = draw_end(out);
     }
-    free(m);
+    free(after);
     if (!out) return fail(path, strerror(errno));
     bad |= fclose(out);
     return bad ? fail(path, "cannot be written") : 0;
