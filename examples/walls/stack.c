@@ -55,7 +55,7 @@ static const char help[] =
 "      --friction MU     default 0.4\n"
 "      --joints MU       friction in head joints, steeper than 45 degrees, for\n"
 "                        the margin alone; default: that of all contacts\n"
-"      --walls N         best: so many walls are built; default 16, and fewer\n"
+"      --walls N         best: so many walls are built; default 48, and fewer\n"
 "                        where these take more than some seconds\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
 "                        shaking, the level that a table of its own says,\n"

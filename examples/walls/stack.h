@@ -36,6 +36,7 @@
 #include "../parts/random.h"
 #include "../parts/rigid.h"
 #include "../parts/room.h"
+#include "../parts/table.h"
 #include "masonry.h"
 #include "stones.h"
 
@@ -107,7 +108,8 @@ struct stack_options {
     uint64_t seed;          /* of what `best` leaves to chance            */
     int walls;              /* that `best` builds                         */
     int effort;             /* no further one after so many candidates and
-                               questions to kern; 0: no such limit        */
+                               questions to kern, and STACK_SWAY for each
+                               that was let go; 0: no such limit          */
     enum stack_goal goal;   /* what it wants to be high                   */
     double beat[2];         /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
@@ -118,11 +120,14 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0,
-                               0.4, -1, 1, 16, 280000, STACK_PROOF, { 0, 0 },
+                               0.4, -1, 1, 48, 180000, STACK_PROOF, { 0, 0 },
                                NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
+
+/* What it takes to let a stone go in the simulator, in candidates. */
+enum { STACK_SWAY = 100 };
 
 /* A small stone fills what others leave: below this share of the mean area. */
 static const double stack_filler = 0.25;
@@ -631,9 +636,33 @@ static const double stack_slide = 0.8; /* most that a stone slides, in sizes */
 static const double stack_level = 0.1; /* tops of one height, in sizes       */
 static const double stack_steep = 0.9; /* cosine of the steepest bed        */
 
+/* The middle of every notch of the sky, between what rises on either side or the
+   side of the frame: a stone that just fits is let down nowhere else. */
+static int stack_notches(const struct stack_wall *w, struct stack_anchor *a)
+{
+    const double level = stack_level * w->stock->size;
+    double left = 0;
+    int n = 0, down = 1;
+    for (int c = 1; c <= w->columns; c++) {
+        const double rise = c < w->columns ? w->sky[c] - w->sky[c - 1]
+                                           : HUGE_VAL;
+        if (rise < -level) {
+            left = w->stone[w->owner[c - 1] - 1].high.x;
+            down = 1;
+        } else if (rise > level && down) {
+            const double right = c < w->columns
+                ? w->stone[w->owner[c] - 1].low.x : w->options.width;
+            a[n].x = (left + right) / 2;
+            a[n++].along = stones_vec(1, 0);
+            down = 0;
+        }
+    }
+    return n;
+}
+
 /* The faces that look upward and can be seen from there, the longer ones of a
-   stone of many corners, and a grid; for `best`
-   also the joints between tops of one height, that a stone may cross. */
+   stone of many corners, and a grid; for `best` also the notches, and the joints
+   between tops of one height, that a stone may cross. */
 static int stack_anchors(const struct stack_wall *w, double step,
                          struct stack_anchor *a)
 {
@@ -657,7 +686,9 @@ static int stack_anchors(const struct stack_wall *w, double step,
         a[n].x = (i + 0.5) * w->options.width / grid;
         a[n++].along = stones_vec(1, 0);
     }
-    for (int c = 1; c < w->columns && w->options.planner == STACK_BEST; c++) {
+    if (w->options.planner != STACK_BEST) return n;
+    n += stack_notches(w, a + n);
+    for (int c = 1; c < w->columns; c++) {
         if (w->owner[c] == w->owner[c - 1] ||
             fabs(w->sky[c] - w->sky[c - 1]) > stack_level * size)
             continue;
@@ -730,7 +761,7 @@ STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
     int stones = 0, anchors, bad = 0, room = (int)(w->options.width / step) + 2;
     struct stack_anchor *anchor;
     for (int i = 0; i < w->laid; i++) room += w->stone[i].n;
-    room += w->columns;
+    room += 2 * w->columns;
     anchor = malloc((size_t)room * sizeof *anchor);
     if (!anchor) return -1;
     anchors = stack_anchors(w, step, anchor);
@@ -975,34 +1006,58 @@ STACK_API int stack_moves(const struct stack_wall *w, int stones)
     return moves;
 }
 
-/* The most that stack_proof() says. */
-static const double stack_proven = 20;
+/* The least and the most that stack_proof() tells apart, levels. */
+static const double stack_proof_low = 1, stack_proof_high = 30;
 
-/* A proof by shaking: the ground goes to and fro along a line, once a second,
-   and farther and farther. Returns how far, in per cent of a stone, when the
-   stones have gone a quarter of their size in the mean. */
-STACK_API double stack_proof(const struct stack_wall *w)
+/* Do the stones keep their places, within a quarter of a size in the mean, when
+   the ground runs along the figure of eight of table.h at some level? It begins
+   at another moment than the shaking test, and stones lie otherwise. */
+static int stack_endures_level(const struct stack_wall *w, double level,
+                               uint64_t seed)
 {
-    const double unit = w->stock->size, seconds = 10, fall = 4;
-    const double turn = 2 * 3.14159265358979323846;
+    const double unit = w->stock->size, allowed = 0.25;
     struct rigid_world r;
     double time = 0, mean = 0;
-    int bad = stack_world(&r, w, NULL, 1e-4, 1);
-    for (int i = 1; !bad && time < seconds && mean <= 0.25; i++) {
-        double to;
+    int bad = stack_world(&r, w, NULL, table_noise, seed);
+    const struct rigid_pt from = bad ? rigid_vec(0, 0) : r.block[0].at;
+    const struct rigid_pt on = rigid_unit(2 * table_pi * table_frequency
+                                          * r.step);
+    struct rigid_pt q = rigid_unit(2 * table_pi * (double)seed / 5);
+    for (int i = 1; !bad && time < table_fade_ends && mean < 2 * allowed; i++) {
+        struct rigid_pt to, *at = &r.block[0].at;
         time = i * r.step;
-        to = w->ground[0].x / unit
-           + stack_proven / 100 * time / seconds * sin(turn * time);
-        r.block[0].v.x = (to - r.block[0].at.x) / r.step;
+        to = table_eight(q, table_amplitude * level * table_strength(time));
+        r.block[0].v = rigid_vec((from.x + to.x - at->x) / r.step,
+                                 (from.y + to.y - at->y) / r.step);
         bad = rigid_step(&r);
-        if (i % 24 > 0) continue;
+        q = rigid_turned(q, on);
+        if (i % table_look_every > 0) continue;
         mean = 0;
-        for (int k = 1; k < r.blocks; k++)
-            mean += fmin(fall, stack_gone(&r.block[k], &w->stone[k - 1], unit))
-                  / (r.blocks - 1);
+        for (int k = 1; k < r.blocks; k++) {
+            struct rigid_block b = r.block[k];
+            b.at = rigid_vec(b.at.x - to.x, b.at.y - to.y);
+            mean += stack_gone(&b, &w->stone[k - 1], unit) / (r.blocks - 1);
+        }
     }
     rigid_free(&r);
-    return bad ? 0 : stack_proven * time / seconds;
+    return !bad && mean <= allowed;
+}
+
+/* A proof by shaking: the highest level, to 5 per cent, that the wall endures
+   twice; 0 where that is below `least`. */
+STACK_API double stack_proof(const struct stack_wall *w, double least)
+{
+    double level = fmax(least, stack_proof_low), step = 2;
+    if (!stack_endures_level(w, level, 1) || !stack_endures_level(w, level, 2))
+        return least > stack_proof_low ? 0 : stack_proof_low;
+    while (step > 1.03) {
+        const double next = level * step;
+        if (next <= stack_proof_high && stack_endures_level(w, next, 1) &&
+            stack_endures_level(w, next, 2))
+            level = next;
+        else step = sqrt(step);
+    }
+    return level;
 }
 
 /* ---- What may be laid ---------------------------------------------------- */
@@ -1224,6 +1279,7 @@ struct stack_weights {
     double stable;          /* a load factor of 1/20, where that is the goal */
     double slope, bond, edges; /* the features                             */
     double bed, step;       /* length of beds; unevenness of a course      */
+    double end;             /* area of what ends a course                  */
     double noise;
     double share;           /* of the candidates that are looked at        */
 };
@@ -1305,6 +1361,15 @@ static double stack_fault(const struct stack_candidate *c)
                     (c->feature[STACK_BOND] < bond));
 }
 
+/* What a stone at a side of the frame has more than the mean area, as a share
+   of that. More is better: ends of courses hold what is between. */
+static double stack_end(const struct stack_wall *w, const struct stone *s)
+{
+    const double side = 0.1 * w->stock->size;
+    return s->low.x < side || s->high.x > w->options.width - side
+           ? s->area / w->stock->area - 1 : 0;
+}
+
 /* What a candidate costs before kern is asked; `low` is the lowest sky. */
 static double stack_cost(const struct stack_wall *w,
                          const struct stack_candidate *c, double low,
@@ -1319,7 +1384,8 @@ static double stack_cost(const struct stack_wall *w,
          - g->slope * c->feature[STACK_SLOPE]
          - g->bond * c->feature[STACK_BOND]
          - g->edges * c->feature[STACK_EDGES]
-         - g->bed * fmin(c->bed, 1) + g->step * c->step + stack_fault(c);
+         - g->bed * fmin(c->bed, 1) + g->step * c->step
+         - g->end * stack_end(w, &s) + stack_fault(c);
 }
 
 /* The candidate of least cost that may be laid; -1: none. The load factor is
@@ -1400,7 +1466,8 @@ static double stack_value(struct stack_wall *w, double most)
                            * (1 - m.upright) * (1 - m.bedless);
         if (w->options.goal == STACK_DROP)
             return worth * fmax(0, stack_endures(w));
-        return worth * stack_proven > most ? worth * stack_proof(w) : 0;
+        return worth * stack_proof_high > most
+               ? worth * stack_proof(w, most / worth) : 0;
     }
     double limit = stack_limit(&w->plan.task, w->plan.contact);
     if (limit < 0) limit = 1e-3 * w->m.margin / w->stock->size;
@@ -1422,14 +1489,15 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
                                         struct build *chance)
 {
     struct stack_weights g;
-    g.notch = build_uniform(chance, 1.1, 1.6);
-    g.height = stack_between(chance, 0.3, 1.5);
+    g.notch = build_uniform(chance, 1.15, 1.75);
+    g.height = stack_between(chance, 0.4, 2);
     g.stable = stack_between(chance, 0.01, 0.3);
     g.slope = stack_between(chance, 0.02, 0.5);
     g.bond = stack_between(chance, 0.1, 1);
     g.edges = stack_between(chance, 0.02, 0.5);
-    g.bed = stack_between(chance, 0.1, 0.6);
-    g.step = stack_between(chance, 0.2, 1);
+    g.bed = stack_between(chance, 0.15, 0.9);
+    g.step = stack_between(chance, 0.2, 1.2);
+    g.end = stack_between(chance, 0.15, 1);
     g.noise = stack_between(chance, 0.005, 0.1);
     g.share = build_uniform(chance, 0.15, 0.6);
     if (o->goal == STACK_LOAD) g.share = fmin(1, 2 * g.share);
@@ -1441,10 +1509,10 @@ static struct stack_weights stack_vary(struct stack_weights g,
                                        struct build *chance)
 {
     double *one[] = { &g.height, &g.stable, &g.slope, &g.bond, &g.edges,
-                      &g.bed, &g.step, &g.noise, &g.share };
+                      &g.bed, &g.step, &g.end, &g.noise, &g.share };
     for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
         *one[i] *= exp(build_uniform(chance, -0.4, 0.4));
-    g.notch = fmin(1.8, fmax(0.9, g.notch + build_uniform(chance, -0.1, 0.1)));
+    g.notch = fmin(1.85, fmax(0.9, g.notch + build_uniform(chance, -0.1, 0.1)));
     return g;
 }
 
@@ -1456,7 +1524,7 @@ STACK_API int stack_best(struct stack_wall *w)
     struct stack_list list = { NULL, 0, 0 };
     struct build *chance = calloc(1, sizeof *chance);
     struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
-    const struct stack_options options = w->options;
+    const struct stack_options *o = &w->options;
     struct stack_weights good;
     struct stack_skies r;
     const size_t n = ((size_t)w->columns + 4 * STACK_COLUMNS)
@@ -1472,11 +1540,13 @@ STACK_API int stack_best(struct stack_wall *w)
           !r.closed[1];
     if (!bad) chance->state = w->options.seed * UINT64_C(2862933555777941757)
                             + 3037000493u;
-    for (int i = 0; i < options.walls && !bad; i++) {
-        const int fresh = keep == 0 || i < options.walls / 4;
-        struct stack_weights g = stack_weigh(&options, chance);
+    for (int i = 0; i < o->walls && !bad; i++) {
+        const int fresh = keep == 0 || i < o->walls / 4;
+        struct stack_weights g = stack_weigh(o, chance);
         double value;
-        if (options.effort > 0 && w->tried + w->asked > options.effort) break;
+        if (o->effort > 0 && w->tried + w->asked + STACK_SWAY * w->swayed
+                             > o->effort)
+            break;
         int from = fresh ? 0 : (int)build_uniform(chance, 0, keep - 1);
         if (!fresh && build_uniform(chance, 0, 1) < 0.6)
             g = stack_vary(good, chance);
@@ -1491,7 +1561,6 @@ STACK_API int stack_best(struct stack_wall *w)
         memcpy(kept, w->place, (size_t)keep * sizeof *kept);
     }
     if (!bad) bad = stack_restore(w, kept, keep);
-    w->options = options;
     if (!stack_ends(w)) stack_give_up(w);
     free(list.one);
     free(chance);

@@ -396,13 +396,14 @@ static struct rest_span rest_span_of(const struct stone *s, kern_vec d)
     return span;
 }
 
-/* May the stone that covers a span meet this edge within a way along d? */
+/* May the stone that covers a span meet this edge within a way along d? What
+   its side only grazes it passes by: it fits where it just fits. */
 static int rest_may_meet(const struct rest_span *span,
                          const struct rest_edge *e, kern_vec d, double way)
 {
     const double a = stones_cross(d, e->a), b = stones_cross(d, e->b);
-    return fmax(a, b) > span->low - rest_skip &&
-           fmin(a, b) < span->high + rest_skip &&
+    return fmax(a, b) > span->low + rest_beside &&
+           fmin(a, b) < span->high - rest_beside &&
            fmin(stones_dot(d, e->a), stones_dot(d, e->b)) - span->reach
                < way + rest_skip;
 }
