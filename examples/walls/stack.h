@@ -120,7 +120,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0,
-                               0.4, -1, 1, 48, 180000, STACK_PROOF, { 0, 0 },
+                               0.4, -1, 1, 48, 140000, STACK_PROOF, { 0, 0 },
                                NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
@@ -884,11 +884,11 @@ struct stack_run {
 
 static const double stack_still = 0.02; /* a stone may not go farther      */
 
-/* The runs that a planner asks: as the stones lie, and with an error in each
-   pose and a push to either side. */
+/* The runs that a planner asks: as the stones lie, with an error in each pose
+   and a push to either side, and in long steps for longer. */
 static const struct stack_run stack_runs[] = {
     { 240, 4, 0, 0, 0, 4 }, { 240, 4, 2e-4, 0.02, 0, 4 },
-    { 120, 6, 2e-4, -0.02, 0, 4 }
+    { 120, 6, 2e-4, -0.02, 0, 4 }, { 90, 6, 2e-4, 0, 0.5, 6 }
 };
 
 /* The runs of the step test, which no planner sees, and how far a stone may go
@@ -1062,17 +1062,23 @@ STACK_API double stack_proof(const struct stack_wall *w, double least)
 
 /* ---- What may be laid ---------------------------------------------------- */
 
+/* The share of gravity that may push sideways while the load still raises the
+   forces: what the library recommends. */
+static const double stack_reserve = 0.0055;
+
 /* The load itself must raise the forces that hold the wall with a candidate,
-   and nothing may move in the simulator. */
+   with that reserve, and nothing may move in the simulator. */
 static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
     kern_block block;
     kern_raising raising;
+    kern_real reserve;
     return kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK &&
-           kern_plan_raised(&w->plan, &block, &raising, NULL, NULL)
+           kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)
                == KERN_STANDS &&
-           raising == KERN_RAISED && stack_stays(w, &s);
+           raising == KERN_RAISED && reserve >= stack_reserve &&
+           stack_stays(w, &s);
 }
 
 /* ---- Filters ------------------------------------------------------------- */
