@@ -324,6 +324,13 @@ static void test_rest(void)
     near_to("way to a box", rest_way(&w.around, &t, stones_vec(-1, 0)), 0.1,
             1e-12);
     near_to("way down", rest_way(&w.around, &t, stones_vec(0, -1)), 0, 1e-12);
+    /* it fits where it just fits, and not where it is wider */
+    t = box(1, 2, 1.5, 3);
+    near_to("into a gap as wide", rest_way(&w.around, &t, stones_vec(0, -1)), 2,
+            1e-12);
+    t = box(1 - 1e-6, 2, 1.5, 3);
+    near_to("not into a narrower one",
+            rest_way(&w.around, &t, stones_vec(0, -1)), 1, 1e-12);
     stack_free(&w);
     stones_free(&stock);
 }
@@ -427,6 +434,43 @@ static void test_walls(int seeds)
             }
 }
 
+/* Notches between the boxes and beside them; a large stone at a side. */
+static void test_notches(void)
+{
+    struct stack_anchor a[400];
+    struct stones stock;
+    struct stack_wall w;
+    struct stone end = box(3, 0, 4, 1.5), inner = box(2.6, 0, 3.6, 1.5);
+    if (two_boxes(&w, &stock)) return;
+    check(stack_notches(&w, a) == 2, "notches", stack_notches(&w, a), 2);
+    near_to("middle between two boxes", a[0].x, 1.25, 1e-12);
+    near_to("middle up to the side", a[1].x, 3.25, 1e-12);
+    near_to("half a stone more at the side", stack_end(&w, &end), 0.5, 1e-12);
+    near_to("not at the side", stack_end(&w, &inner), 0, 0);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+/* The proof: a box on the ground endures more than a post that stands on its
+   end; below what is asked for nothing is said. */
+static void test_proof(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    double low, high;
+    if (two_boxes(&w, &stock)) return;
+    low = stack_proof(&w, 0);
+    put(&w, 3.2, 0, 3.4, 2.4);
+    high = stack_proof(&w, 0);
+    check(low > 2 * high, "boxes endure more than a post", low, 2 * high);
+    check(high > stack_proof_low, "a post endures something", high,
+          stack_proof_low);
+    near_to("less than was asked for", stack_proof(&w, 2 * low), 0, 0);
+    check(stack_proof(&w, high * 0.99) >= high * 0.99, "as much", high, high);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
 /* The same input, the same wall. */
 static void test_same(void)
 {
@@ -457,6 +501,7 @@ static void test_bricks(void)
         struct masonry m = { 0, 0, 0, 0 };
         o.width = 8.5;
         o.height = 3;
+        o.walls = 16;
         o.seed = (uint64_t)seed;
         stones_make(&stock, 0, 30, 1);
         for (int i = 0; i < stock.stones; i++) stone_of(&stock.stone[i], v, 4);
@@ -517,6 +562,8 @@ int main(int argc, char **argv)
     test_quality();
     test_limit();
     test_steps();
+    test_notches();
+    test_proof();
     test_filters();
     test_bricks();
     test_same();
