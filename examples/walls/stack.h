@@ -1217,8 +1217,8 @@ static void stack_give_up(struct stack_wall *w)
              w->stock->stones - w->laid);
 }
 
-/* Chooses and lays one stone, of the next or of all that are left. Returns 1 where it is laid, 0 where none can be,
-   -1 where memory is lacking. */
+/* Chooses and lays one stone, of the next or of all that are left. Returns 1
+   where it is laid, 0 where none can be, -1 where memory is lacking. */
 static int stack_step(struct stack_wall *w, struct stack_list *list,
                       double share, struct build *chance)
 {

@@ -35,14 +35,16 @@
 #include <time.h>
 
 static const char help[] =
-"usage: walls [--quick] [--sets N] [--first S] [--steps N] FOLDER\n"
+"usage: walls [--quick] [--sets N] [--first S] [--steps N] [--from LIST] FOLDER\n"
 "Builds walls with the planners of stack.h from N stocks a level of\n"
 "irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
 "must hold a folder `walls`.\n"
 "  --quick     2 stocks a level, 1 for the step test\n"
 "  --first S   the seed of the first stock; default 1\n"
 "  --steps N   the step test, of the walls of the first N stocks a level: each\n"
-"              step is let go in six runs of the simulator; default 0\n";
+"              step is let go in six runs of the simulator; default 0\n"
+"  --from LIST builds nothing: Fig. 9 of walls that are listed, a walls.csv of one\n"
+"              run or of several\n";
 
 enum { WALLS_LEVELS = 5, WALLS_STONES = 36, WALLS_PATH = 4096 };
 
@@ -83,6 +85,7 @@ struct walls_one {
 
 struct walls {
     const char *folder;
+    const char *from;       /* a list of walls that were built before       */
     int sets, quick;
     int first, steps;       /* seed of the first set; sets of the step test */
     FILE *list;
@@ -177,6 +180,42 @@ static int walls_open_list(struct walls *f)
             "margin_sizes,collapse,Q,Q_margin,bed,bedless,upright,joint,"
             "seconds,candidates,asked,asked_a_second,moves_some,moves_all,"
             "finished_moves\n");
+    return 0;
+}
+
+/* One line of a list; what is not of these sets is passed over. */
+static void walls_line(const struct walls *f, const char *line)
+{
+    struct walls_one o = { 0 };
+    char planner[20];
+    int level, seed, found = sscanf(line, "%d,%d,%19[a-z],%d,%lf,%lf,%lf,%lf,"
+        "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,%d", &level, &seed,
+        planner, &o.laid, &o.fill, &o.stability[WALLS_LEVEL],
+        &o.stability[WALLS_MARGIN], &o.stability[WALLS_COLLAPSE],
+        &o.masonry.bed, &o.masonry.bedless, &o.masonry.upright,
+        &o.masonry.joint, &o.seconds, &o.tried, &o.asked, &o.some, &o.all,
+        &o.falls);
+    const int set = seed - f->first;
+    level = level / 10 - 1;
+    if (found < 15 || set < 0 || set >= f->sets || level < 0 ||
+        level >= WALLS_LEVELS)
+        return;
+    o.tested = found == 18;
+    for (int p = 0; p < STACK_PLANNERS; p++)
+        if (strcmp(planner, stack_planner_name[p]) == 0)
+            *walls_at(f, level, set, p) = o;
+}
+
+/* Reads the walls of all sets from a list. */
+static int walls_read(const struct walls *f)
+{
+    FILE *in = fopen(f->from, "r");
+    char line[400];
+    if (!in) return fail("cannot read", f->from);
+    while (fgets(line, sizeof line, in)) walls_line(f, line);
+    fclose(in);
+    for (int i = 0; i < WALLS_LEVELS * f->sets * STACK_PLANNERS; i++)
+        if (f->one[i].laid == 0) return fail("not all walls are in", f->from);
     return 0;
 }
 
@@ -467,7 +506,8 @@ static int walls_all(struct walls *f)
     int bad;
     f->one = calloc((size_t)(WALLS_LEVELS * f->sets * STACK_PLANNERS),
                     sizeof *f->one);
-    bad = !f->one || walls_open_list(f) || walls_make(f);
+    bad = !f->one || (f->from ? walls_read(f)
+                              : walls_open_list(f) || walls_make(f));
     if (f->list && fclose(f->list)) bad = fail("cannot write", "walls.csv");
     bad = bad || walls_tables(f) ||
           walls_nine(f, WALLS_COLLAPSE, "fig9.svg",
@@ -487,7 +527,7 @@ static int walls_number(const char *word, int *out)
 
 int main(int argc, char **argv)
 {
-    struct walls f = { NULL, 0, 0, 1, 0, NULL, NULL };
+    struct walls f = { NULL, NULL, 0, 0, 1, 0, NULL, NULL };
     int bad = 0;
     for (int i = 1; i < argc && !bad; i++) {
         if (strcmp(argv[i], "--help") == 0)
@@ -499,6 +539,8 @@ int main(int argc, char **argv)
             bad = !walls_number(argv[++i], &f.first);
         else if (strcmp(argv[i], "--steps") == 0)
             bad = !walls_number(argv[++i], &f.steps);
+        else if (strcmp(argv[i], "--from") == 0)
+            bad = !(f.from = argv[++i]);
         else if (argv[i][0] != '-' && !f.folder) f.folder = argv[i];
         else bad = 1;
     }
