@@ -1046,6 +1046,26 @@ static double gap_between(const kern_block *a, const kern_block *b)
     return least;
 }
 
+/* Given contacts whose normal leads from b, over the contact, into a. */
+static void report_normals(const struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    int shown = 0;
+    for (int k = 0; k < s->contacts && a->text.given && shown < 5; k++) {
+        const kern_contact *c = &s->contact[k];
+        const kern_vec u = s->block[c->a].centre, v = s->block[c->b].centre;
+        if ((c->p.x - u.x) * c->n.x + (c->p.y - u.y) * c->n.y >= 0 ||
+            (v.x - c->p.x) * c->n.x + (v.y - c->p.y) * c->n.y >= 0)
+            continue;
+        printf("  contact %s %s at (%.6g, %.6g): its normal, %.4g %.4g, leads "
+               "into %s\n", name_of(a, c->a, one), name_of(a, c->b, two),
+               (double)c->p.x, (double)c->p.y, (double)c->n.x, (double)c->n.y,
+               name_of(a, c->a, one));
+        shown++;
+    }
+}
+
 /* What a structure that falls may lack: ground, or contacts. */
 static void report_lack(const struct analysis *a)
 {
@@ -1058,6 +1078,7 @@ static void report_lack(const struct analysis *a)
     if (s->gravity.y > 0)
         printf("  gravity points up: %.6g %.6g\n", (double)s->gravity.x,
                (double)s->gravity.y);
+    report_normals(a);
     for (int i = 0; i < s->blocks && shown < 5; i++) {
         int touches = s->block[i].fixed || a->text.given, nearest = -1;
         double least = HUGE_VAL;
