@@ -582,6 +582,20 @@ static void find_error(struct analysis *a)
         a->least_friction = fmax(mu - slope, 0) / (1 + mu * slope);
 }
 
+/* The deficit of what falls, the bearing length of what stands. */
+static void find_lengths(struct analysis *a)
+{
+    kern_real length = 0;
+    a->deficit = a->bearing = (double)NAN;
+    if (a->measured == KERN_FALLS) {
+        kern_status status = kern_deficit(&a->task, &length);
+        a->deficit = status < 0 ? (double)NAN : (double)length;
+    } else if (a->measured == KERN_STANDS) {
+        kern_status status = kern_bearing(&a->task, &length, NULL);
+        a->bearing = value_or_nan(status, length);
+    }
+}
+
 /* What follows the verdict. */
 static int measure(struct analysis *a)
 {
@@ -602,19 +616,7 @@ static int measure(struct analysis *a)
                     (double)a->task.options.epsilon);
     if (a->measured < 0 && !is_open(a->measured))
         return fail_blocks(a, a->measured, &a->work.fault);
-    a->deficit = (double)NAN;
-    if (a->measured == KERN_FALLS) {
-        kern_real deficit = 0;
-        kern_status status;
-        status = kern_deficit(&a->task, &deficit);
-        a->deficit = status < 0 ? (double)NAN : (double)deficit;
-    }
-    a->bearing = (double)NAN;
-    if (a->measured == KERN_STANDS) {
-        kern_real length = 0;
-        kern_status status = kern_bearing(&a->task, &length, NULL);
-        a->bearing = value_or_nan(status, length);
-    }
+    find_lengths(a);
     find_limit(a);
     find_stress(a);
     show_stage(a, "  load factors ...");
@@ -1676,8 +1678,9 @@ static int error_option(const char *name, const char *value, kern_real *error,
 }
 
 /* Reads argv[*i], with what belongs to it; 0 where it is fine. */
-static int read_option(struct settings *set, char **argv, int *i)
+static int read_option(void *settings, char **argv, int *i)
 {
+    struct settings *set = settings;
     struct { const char *name; int zero; kern_real *out; } number[] = {
         { "--epsilon", 0, &set->epsilon }, { "-e", 0, &set->epsilon },
         { "--mu", 1, &set->mu }, { "--gap", 0, &set->gap },
@@ -1718,23 +1721,13 @@ int main(int argc, char **argv)
 {
     struct settings set = { -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0,
                             0, 0, NULL, argv, 0 };
-    int options = 1;
-    for (int i = 1; i < argc; i++) {
-        const char *word = argv[i];
-        if (!options || word[0] != '-' || word[1] == '\0') {
-            set.file[set.files++] = argv[i]; /* over arguments read already */
-        } else if (strcmp(word, "--") == 0) {
-            options = 0;
-        } else if (strcmp(word, "--help") == 0 ||
-                   strcmp(word, "-h") == 0) {
-            return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0
-                 ? EXIT_BAD : EXIT_STANDS;
-        } else if (strcmp(word, "--version") == 0) {
-            return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
-        } else if (read_option(&set, argv, &i)) {
-            return EXIT_BAD;
-        }
-    }
+    set.files = args_read(argc, argv, read_option, &set);
+    if (set.files == ARGS_BAD) return EXIT_BAD;
+    if (set.files == ARGS_HELP)
+        return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0
+             ? EXIT_BAD : EXIT_STANDS;
+    if (set.files == ARGS_VERSION)
+        return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == 0) {
         fputs("kern: no file is given\n", stderr);
         fputs(help, stderr);

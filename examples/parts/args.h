@@ -70,4 +70,30 @@ static inline int args_is_svg(const char *name)
     return n > 4 && strcmp(name + n - 4, ".svg") == 0;
 }
 
+enum { ARGS_HELP = -1, ARGS_VERSION = -2, ARGS_BAD = -3 };
+
+/* Reads the options: option() takes the one at argv[*i] with what belongs to it,
+   and returns 0 where it is fine. What is no option, and all behind --, moves to
+   the front of argv. Returns how many these are, or one of the above. */
+static inline int args_read(int argc, char **argv,
+                            int (*option)(void *set, char **argv, int *i),
+                            void *set)
+{
+    int files = 0, options = 1;
+    for (int i = 1; i < argc; i++) {
+        const char *word = argv[i];
+        if (!options || word[0] != '-' || word[1] == '\0')
+            argv[files++] = argv[i]; /* over arguments read already */
+        else if (strcmp(word, "--") == 0)
+            options = 0;
+        else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0)
+            return ARGS_HELP;
+        else if (strcmp(word, "--version") == 0)
+            return ARGS_VERSION;
+        else if (option(set, argv, &i))
+            return ARGS_BAD;
+    }
+    return files;
+}
+
 #endif /* ARGS_H */

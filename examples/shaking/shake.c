@@ -519,8 +519,9 @@ static int read_picture(const char *option, const char *name)
     return -1;
 }
 
-static int read_option(struct settings *set, char **argv, int *i)
+static int read_option(void *settings, char **argv, int *i)
 {
+    struct settings *set = settings;
     static const char *const number[] = { "--levels", "--repeat", "--seed",
                                           "--unit", "--show" };
     const char *word = argv[*i], *value;
@@ -542,21 +543,13 @@ int main(int argc, char **argv)
 {
     struct settings set = { { 1, 20, 1, 1, 1, show_progress }, 1, 1, 0, 0, NULL,
                             NULL, argv, 0 };
-    int options = 1, status = EXIT_DONE;
-    for (int i = 1; i < argc; i++) {
-        const char *word = argv[i];
-        if (!options || word[0] != '-' || word[1] == '\0') {
-            set.file[set.files++] = argv[i]; /* over arguments read already */
-        } else if (strcmp(word, "--") == 0) {
-            options = 0;
-        } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
-            return fputs(help, stdout) < 0 ? EXIT_BAD : EXIT_DONE;
-        } else if (strcmp(word, "--version") == 0) {
-            return puts("shake " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_DONE;
-        } else if (read_option(&set, argv, &i)) {
-            return EXIT_BAD;
-        }
-    }
+    int status = EXIT_DONE;
+    set.files = args_read(argc, argv, read_option, &set);
+    if (set.files == ARGS_BAD) return EXIT_BAD;
+    if (set.files == ARGS_HELP)
+        return fputs(help, stdout) < 0 ? EXIT_BAD : EXIT_DONE;
+    if (set.files == ARGS_VERSION)
+        return puts("shake " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_DONE;
     if (set.files == 0) {
         fputs("shake: no file is given\n", stderr);
         fputs(help, stderr);
