@@ -6529,18 +6529,29 @@ static void ladder(world *w, double x)
     world_touch(w);
 }
 
-static void t08_ladder(void)
+static double ladder_slips(double mu) { return pi / 2 - 2 * atan(mu); }
+
+/* The angle at which rods slip, between one that stands and one that falls, for
+   three coefficients of friction. */
+static void rods_slip(void (*build)(world *, double), double stands,
+                      double falls, double (*angle)(double),
+                      const double degrees[3])
 {
     static const double mu[] = {0.2, 0.4, 0.5};
-    static const double degrees[] = {67.380, 46.397, 36.870};
     int k;
     for (k = 0; k < 3; k++) {
-        double angle;
+        double found;
         given.mu = (double)R(mu[k]);
-        angle = threshold(ladder, 1.5, 0.1);
-        CHECK_NEAR(angle, pi / 2 - 2 * atan(given.mu), 4 * EDGE);
-        CHECK_NEAR(angle * 180 / pi, degrees[k], SINGLE ? 0.3 : 6e-4);
+        found = threshold(build, stands, falls);
+        CHECK_NEAR(found, angle(given.mu), 4 * EDGE);
+        CHECK_NEAR(found * 180 / pi, degrees[k], SINGLE ? 0.3 : 6e-4);
     }
+}
+
+static void t08_ladder(void)
+{
+    static const double degrees[] = {67.380, 46.397, 36.870};
+    rods_slip(ladder, 1.5, 0.1, ladder_slips, degrees);
 }
 
 /* ---- T9: an A-frame ---- */
@@ -6562,18 +6573,12 @@ static void a_frame(world *w, double x)
     world_touch(w);
 }
 
+static double a_frame_slips(double mu) { return atan(2 * mu); }
+
 static void t09_a_frame(void)
 {
-    static const double mu[] = {0.2, 0.4, 0.5};
     static const double degrees[] = {21.801, 38.660, 45};
-    int k;
-    for (k = 0; k < 3; k++) {
-        double angle;
-        given.mu = (double)R(mu[k]);
-        angle = threshold(a_frame, 0.05, 1.4);
-        CHECK_NEAR(angle, atan(2 * given.mu), 4 * EDGE);
-        CHECK_NEAR(angle * 180 / pi, degrees[k], SINGLE ? 0.3 : 6e-4);
-    }
+    rods_slip(a_frame, 0.05, 1.4, a_frame_slips, degrees);
 }
 
 /* ---- T11, T12: arches ---- */
