@@ -109,12 +109,12 @@
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS, bytes             6,544    15,024    42,704   206,624
-       KERN_INTS, bytes              1,388     3,368     8,408    32,528
-       both KERN_LEAN_ sizes         8,644    11,844    19,524    62,412
+       KERN_INTS, bytes              1,976     4,456    12,160    54,016
+       both KERN_LEAN_ sizes         9,000    12,200    19,880    63,000
 
    KERN_REALS was enough for every structure that was tried. KERN_LEAN_REALS and
    KERN_LEAN_INTS (from 10 blocks on) are enough where a few blocks decide the
-   margin, as in most walls: 0.4 MB for 1000 blocks instead of 9. Where many
+   margin, as in most walls: 0.4 MB for 1000 blocks instead of 11. Where many
    blocks move at the margin, as in arches, a call needs more and returns
    KERN_NO_SPACE: of 1,900 random structures of 10 to 15 blocks 5 % of the
    verdicts, 36 % of the margins, 26 % of the load factors. 2.9 MB were enough
@@ -783,18 +783,21 @@ typedef struct kern_lp {
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions, for arrays: of contact points, and of work memory for a
    structure of so many blocks (fixed ones included) and contact points or for a
-   linear program by itself. See >>memory. KERN_EXTRAS is the room for the dense
-   part of a basis, and KERN_LEAN_EXTRAS what a wall needs of it. */
+   linear program by itself. See >>memory. KERN_ROOM holds the factors of a basis
+   with an S (see >>lp) of so many rows, three entries each; KERN_LEAN_EXTRAS is
+   what a wall needs, KERN_LP_ROOM what a dense program does. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : (blocks) + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
+#define KERN_ROOM(blocks, extras) \
+    (((extras) * (extras) + 5 * (extras) + 18 * (blocks)) / 3)
 #define KERN_REALS_OF(blocks, contacts, extras) \
     ((extras) * (extras) + 5 * (extras) + 48 * (blocks) + 12 * (contacts) \
      + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS_OF(blocks, contacts, extras) \
-    (2 * (extras) + 25 * (blocks) + 9 * (contacts) + 16)
+    (KERN_ROOM(blocks, extras) + 34 * (blocks) + 9 * (contacts) + 36)
 #define KERN_REALS(blocks, contacts) \
     KERN_REALS_OF(blocks, contacts, KERN_EXTRAS(blocks))
 #define KERN_INTS(blocks, contacts) \
@@ -808,8 +811,10 @@ typedef struct kern_lp {
     (8 * (blocks) + 4 * (contacts) \
      + KERN_INTS_OF(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks), \
                     KERN_EXTRAS(KERN_LEAN_PART(blocks))))
-#define KERN_LP_REALS(rows, cols) ((rows) * (rows) + 9 * (rows) + 12)
-#define KERN_LP_INTS(rows, cols) (6 * (rows) + (cols) + 4)
+#define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
+#define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 4 * (rows) + 16)
+#define KERN_LP_INTS(rows, cols) \
+    (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* Pointers must not be NULL where it does not say so: KERN_BAD_POINTER. Every
@@ -824,8 +829,8 @@ typedef struct kern_lp {
    (KERN_BAD_MASS), an area below that or above 1e200 m^2 (KERN_NO_AREA,
    KERN_BAD_NUMBER), and where weight and load of a free block together are
    above 1e100 N, or below 1e-100 N and not 0 (KERN_BAD_NUMBER; float: 1e15,
-   1e-15). B is the number of blocks, C of contact points, k the size of the
-   dense complement (see >>lp). */
+   1e-15). B is the number of blocks, C of contact points, k the size of S
+   (see >>lp). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -2619,10 +2624,11 @@ typedef struct kern_program {
 
 typedef struct kern_simplex {
     const kern_program *lp;
-    int groups;             /* of a network, else 0                           */
-    int room;               /* most extras, and the stride of inv             */
-    int extras;             /* in use: the size of S                          */
-    int pivots;             /* since the base was chosen                      */
+    int groups;             /* of three rows; the last may be short           */
+    int most, factors;      /* room for them, and how many there are          */
+    int own, factored;      /* of them, of columns in their own groups, and
+                               when the basis was factored last               */
+    int room;               /* for entries of all, in groups                  */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
     const kern_real *prior; /* a solution like the one looked for, or NULL    */
@@ -2631,21 +2637,19 @@ typedef struct kern_simplex {
     int settled;            /* no pivot since the values were refined         */
     int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
-    int *base;              /* position: its variable, a column, or cols + row
-                               of a filler, a unit vector                     */
-    int *spare;             /* slot: its row of S, or -1 where it is basic    */
-    int *off;               /* slot: the group that its column leads to       */
-    int *slot;              /* slot of a row of S                             */
-    int *place;             /* column: its position, or KERN_OUT              */
+    int *base;              /* row: its variable, a column, or cols + row of a
+                               filler, a unit vector                          */
+    int *place;             /* column: its row, or KERN_OUT                   */
+    int *pivot, *first;     /* factor: the row in which it pivots, and the first
+                               of its groups of entries; one more             */
+    int *at;                /* group of entries: its first row                */
+    int *extra;             /* columns of factors from own to factored        */
     int *link;              /* scratch: groups + 1 + 2 rows                   */
-    kern_real *block;       /* 18 a group: D^-1, and what its columns do to
-                               the groups that they lead to                   */
-    kern_real *inv;         /* S^-1                                           */
-    kern_real *value;       /* position: of its variable; 0 in spare slots    */
-    kern_real *alpha;       /* position: of the entering column               */
-    kern_real *row;         /* position: its price; then the prices y of rows */
-    kern_real *across;      /* of a row of the inverse, at the spare slots    */
-    kern_real *temp;        /* scratch; rows + room                           */
+    kern_real *entry;       /* three a group                                  */
+    kern_real *value;       /* row: of its variable                           */
+    kern_real *alpha;       /* row: of the entering column                    */
+    kern_real *row;         /* row: its variable's price; then the prices y   */
+    kern_real *temp;        /* scratch, rows                                  */
 } kern_simplex;
 
 struct kern_part {
@@ -2678,7 +2682,7 @@ struct kern_part {
 /* The engine, in >>lp. */
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
-static void kern_certificate_lift(kern_simplex *sx, kern_real *y);
+static void kern_certificate_lift(kern_simplex *sx, kern_real *y, int own);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int own,
@@ -4938,7 +4942,7 @@ static kern_status kern_part_lay(kern_part *p)
         p->lp.rhs = p->rhs = kern_take_reals(&take, 3 * n);
         p->x = kern_take_reals(&take, 2 * p->contacts);
         p->y = kern_take_reals(&take, 3 * n + 3);
-        kern_simplex_lay(&p->simplex, &p->lp, room, &take);
+        kern_simplex_lay(&p->simplex, &p->lp, KERN_ROOM(n, room), &take);
         if (kern_take_fits(&take)) {
             p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
             return KERN_OK;
@@ -5031,9 +5035,9 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
     for (lift = 0; status == KERN_FALLS && !(error <= 1)
-                   && lift <= p->simplex.started; lift++) {
+                   && lift <= 2 * p->simplex.started; lift++) {
         if (lift)
-            kern_certificate_lift(&p->simplex, p->y);
+            kern_certificate_lift(&p->simplex, p->y, lift > 1);
         kern_part_motion(p);
         error = kern_prove_motion(m->s, q, m->motion);
     }
@@ -9232,29 +9236,31 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 /* ==== Part VI: Linear programs =========================================== */
 
 /* ---- The LP room --------------------------------------------------- >>lp */
-/* minimise cost . x  where  A x = rhs,  x >= 0.
+/* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
 
-   The basis is kept as a cheap base B0 and a small dense complement. Columns
-   of a network (`ends` given) touch one or two groups of three rows. In the
-   order in which groups carry each other, each group takes the best three of
-   the basic columns that lead from it to later groups or to none, so
+   The inverse of the basis B is a product of factors, one for each column that
+   has entered (the product form of the inverse):
 
-            | D1          |     B0 is block lower triangular, its blocks D are
-       B0 = | *  D2       |     3 x 3, and a solve costs a few products a
-            | *  *  D3    |     group.
+       B^-1 = E_n ... E_2 E_1.
 
-   Basic columns that found no place are the extras E, and the slots of B0 that
-   hold a column which is not basic (or none: a filler, a unit vector that
-   completes D) are its spares. With S = (B0^-1 E) at the spare slots,
+   E_i is the unit matrix but for one column: with alpha the entering column in
+   terms of the basis, and p the row in which it pivots, that is -alpha / alpha_p
+   with 1 / alpha_p in row p. Rows come in groups of three; only groups of alpha
+   that are not zero are kept.
 
-       B x = b:      v = B0^-1 b,  S z = v_spare,  x = B0^-1 (b - E z)
-       B' y = c:     w = B0^-T c,  S' u = c_E - E' w,  y = B0^-T (c + u)
+   Columns of a network (`ends` given) touch one or two groups. When the basis is
+   factored they enter in the order in which groups carry each other, each in a
+   row of the first of its groups. There they meet no column of another group:
+   a tower keeps six entries a column. A column that finds no row in its group
+   would fill all that lies below, so it is kept as it is. With B0 the basis that
+   has fillers (unit vectors) in the place of these columns C, and S the rows of
+   B0^-1 C in which they are,
 
-   S is dense and as small as the basis is unbalanced: 0 for a tower, a third
-   of the number of groups for a wall. A pivot changes S by a row and a column
-   at the most, and S^-1, which is what is stored, by one rank. Without `ends`
-   the base is the unit matrix and S is the basis itself: the usual small dense
-   simplex, by the same code.
+       B x = b:      v = B0^-1 b,  S z = v_fillers,   x = B0^-1 (b - C z)
+       B' y = c:     w = B0^-T c,  S' u = c_C - C' w,  y = B0^-T (c + u)
+
+   S, a Schur complement, is factored as B0 is. After that a pivot appends one
+   factor. Without `ends` all rows are one group.
 
    Vectors over the rows have three more places at their end: there lie the
    rows of the group that a column leads to which leads to none. Reading it
@@ -9262,30 +9268,18 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 /* A column whose part outside of the basis is less depends on it. */
 #define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
-/* Square of the share of a column that must be new to its group's block: an
-   inverse of up to thirty a group. Less makes the base grow from course to
-   course, more fills the dense complement. */
-#define KERN_BASE_TOL    KERN_PICK(1e-3, 1e-2)
-/* Largest entry of an inverse with which three columns are taken as is. */
-#define KERN_BASE_GOOD   KERN_PICK(30, 10)
+/* Least pivot of a column in its own group, where its entries are about 1. Less
+   makes the inverse grow from course to course, more makes S larger. */
+#define KERN_OWN_TOL     KERN_R(0.03)
 /* Determinant of three columns, each about 1 long, for the crash basis. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
 /* Residual of the basic solution at which refinement ends, and above which the
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
 #define KERN_REFACTOR_TOL   KERN_PICK(1e-12, 1e-5)
-#define KERN_REFACTOR      40      /* least pivots between factorisations     */
+#define KERN_REFACTOR      40      /* most pivots between factorisations      */
 #define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 
-
-/* A position in the basis is a slot, which is as many as there are rows, or
-   that of extra e. Between them lie three for the rows of none, with fillers
-   that stay 0: what goes over positions goes straight through. */
-static inline int kern_extra(const kern_simplex *sx, int e)
-{ return sx->lp->rows + 3 + e; }
-
-static inline int kern_is_spare(const kern_simplex *sx, int p)
-{ return p < sx->lp->rows && sx->spare[p] >= 0; }
 
 /* ---- columns ---- */
 
@@ -9351,455 +9345,257 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
     }
 }
 
-/* The first of the groups of network column j in the order of carrying. */
+/* The first of the groups of column j in the order of carrying; 0 without a
+   network. */
 static int kern_lp_first(const kern_program *lp, int j)
 {
-    const int head = kern_lp_head(lp, j), tail = kern_lp_tail(lp, j);
+    const int head = lp->ends ? kern_lp_head(lp, j) : 0;
+    const int tail = lp->ends ? kern_lp_tail(lp, j) : 0;
     return head < tail ? head : tail;
 }
 
-/* ---- solves with the base ---- */
-
-/* Lets the columns of group g carry what v has there, and passes the rest on
-   to the groups that they lead to. */
-static inline void kern_base_carry(const kern_simplex *sx, int g, kern_real *v)
+/* Its last group, or `least` if that is later. */
+static int kern_lp_reach(const kern_program *lp, int j, int least)
 {
-    const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
-    const int *off = sx->off + 3 * g;
-    kern_real *x = v + 3 * g;
-    const kern_real b0 = x[0], b1 = x[1], b2 = x[2];
-    int s;
-    if (b0 >= 0 && b0 <= 0 && b1 >= 0 && b1 <= 0 && b2 >= 0 && b2 <= 0)
-        return;
-    for (s = 0; s < 3; s++, d += 3, f += 3) {
-        kern_real *w = v + 3 * off[s];
-        const kern_real xs = d[0] * b0 + d[1] * b1 + d[2] * b2;
-        w[0] -= xs * f[0]; w[1] -= xs * f[1]; w[2] -= xs * f[2];
-        x[s] = xs;
-    }
+    const int none = (lp->rows + 2) / 3;
+    const int head = lp->ends ? kern_lp_head(lp, j) : none - 1;
+    const int tail = lp->ends ? kern_lp_tail(lp, j) : none - 1;
+    const int last = head == none || (tail > head && tail < none) ? tail : head;
+    return last > least && last < none ? last : least;
 }
 
-/* v := B0^-1 v, group by group in the order of carrying; v is zero in groups
-   of a lower rank than `from`. */
-static void kern_base_solve(const kern_simplex *sx, int from, kern_real *v)
-{
-    int i;
-    for (i = from; i < sx->groups; i++)
-        kern_base_carry(sx, i, v);
-}
+/* ---- the basis ---- */
 
-/* c := B0^-T c, in the opposite order; c is zero in groups of a higher rank
-   than `from`. */
-static void kern_base_solve_t(const kern_simplex *sx, int from, kern_real *c)
+/* v := E_to-1 ... E_from v */
+static void kern_factors_apply(const kern_simplex *sx, int from, int to,
+                               kern_real *v)
 {
-    kern_real *none = c + sx->lp->rows;
-    int g;
-    none[0] = none[1] = none[2] = KERN_R(0);
-    for (g = from; g >= 0; g--) {
-        const kern_real *d = sx->block + 18 * (size_t)g, *f = d + 9;
-        const int *off = sx->off + 3 * g;
-        const kern_real *p = c + 3 * off[0], *q = c + 3 * off[1];
-        const kern_real *r = c + 3 * off[2];
-        kern_real *y = c + 3 * g;
-        const kern_real b0 = y[0] - (f[0] * p[0] + f[1] * p[1] + f[2] * p[2]);
-        const kern_real b1 = y[1] - (f[3] * q[0] + f[4] * q[1] + f[5] * q[2]);
-        const kern_real b2 = y[2] - (f[6] * r[0] + f[7] * r[1] + f[8] * r[2]);
-        y[0] = d[0] * b0 + d[3] * b1 + d[6] * b2;
-        y[1] = d[1] * b0 + d[4] * b1 + d[7] * b2;
-        y[2] = d[2] * b0 + d[5] * b1 + d[8] * b2;
-    }
-}
-
-/* ---- solves with the basis ---- */
-
-/* v += f u, four entries at a time: what a compiler turns into vectors */
-static void kern_add_times(kern_real *v, kern_real f, const kern_real *u, int n)
-{
-    int i;
-    if (f >= 0 && f <= 0)
-        return;
-    for (i = 0; i + 4 <= n; i += 4) {
-        const kern_real a = v[i] + f * u[i], b = v[i + 1] + f * u[i + 1];
-        const kern_real c = v[i + 2] + f * u[i + 2];
-        const kern_real d = v[i + 3] + f * u[i + 3];
-        v[i] = a; v[i + 1] = b; v[i + 2] = c; v[i + 3] = d;
-    }
-    for (; i < n; i++)
-        v[i] += f * u[i];
-}
-
-/* x := S^-1 v, four rows at a time: sums that do not wait for each other */
-static void kern_extras_times(const kern_simplex *sx, const kern_real *v,
-                              kern_real *x)
-{
-    const int k = sx->extras;
-    const size_t n = (size_t)sx->room;
-    int e, i;
-    for (e = 0; e + 4 <= k; e += 4) {
-        const kern_real *a = sx->inv + (size_t)e * n, *b = a + n;
-        const kern_real *c = b + n, *d = c + n;
-        kern_real sa = KERN_R(0), sb = sa, sc = sa, sd = sa;
-        for (i = 0; i < k; i++) {
-            sa += a[i] * v[i];
-            sb += b[i] * v[i];
-            sc += c[i] * v[i];
-            sd += d[i] * v[i];
+    int e, n;
+    for (e = from; e < to; e++) {
+        const kern_real x = v[sx->pivot[e]];
+        if (x >= 0 && x <= 0)
+            continue;
+        v[sx->pivot[e]] = KERN_R(0);
+        for (n = sx->first[e]; n < sx->first[e + 1]; n++) {
+            const kern_real *a = sx->entry + 3 * (size_t)n;
+            kern_real *w = v + sx->at[n];
+            w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
         }
-        x[e] = sa; x[e + 1] = sb; x[e + 2] = sc; x[e + 3] = sd;
     }
-    for (; e < k; e++) {
-        const kern_real *a = sx->inv + (size_t)e * n;
+}
+
+/* c := c E_to-1 ... E_from */
+static void kern_factors_apply_t(const kern_simplex *sx, int from, int to,
+                                 kern_real *c)
+{
+    int e, n;
+    for (e = to - 1; e >= from; e--) {
         kern_real sum = KERN_R(0);
-        for (i = 0; i < k; i++)
-            sum += a[i] * v[i];
-        x[e] = sum;
+        for (n = sx->first[e]; n < sx->first[e + 1]; n++) {
+            const kern_real *a = sx->entry + 3 * (size_t)n;
+            const kern_real *w = c + sx->at[n];
+            sum += a[0] * w[0] + a[1] * w[1] + a[2] * w[2];
+        }
+        c[sx->pivot[e]] = sum;
     }
 }
 
-/* v := B^-1 v, by positions */
-static void kern_basis_solve(kern_simplex *sx, int from, kern_real *v)
+/* v := B^-1 v, from rows to variables */
+static void kern_basis_solve(kern_simplex *sx, kern_real *v)
 {
-    const int k = sx->extras, m = sx->lp->rows;
-    int i;
-    if (k > 0) {
-        for (i = 0; i < m; i++)
-            sx->temp[i] = v[i];
-        kern_base_solve(sx, from, sx->temp);
-        for (i = 0; i < k; i++)
-            sx->across[i] = sx->temp[sx->slot[i]];
-        kern_extras_times(sx, sx->across, v + kern_extra(sx, 0));
-        for (i = m + 3; i < m + 3 + k; i++)
-            kern_lp_subtract(sx->lp, sx->base[i], v[i], v);
-        from = 0;
-    }
-    kern_base_solve(sx, from, v);
-    for (i = 0; i < k; i++)
-        v[sx->slot[i]] = KERN_R(0);
-    v[m] = v[m + 1] = v[m + 2] = KERN_R(0);
-}
-
-/* across := (c' - E' temp)' S^-1, where c' is what c has for the extras, and 0
-   where it is NULL */
-static void kern_extras_across(kern_simplex *sx, const kern_real *c)
-{
+    const int own = sx->own, end = sx->factored;
     int e;
-    for (e = 0; e < sx->extras; e++)
-        sx->across[e] = KERN_R(0);
-    for (e = 0; e < sx->extras; e++)
-        kern_add_times(sx->across, (c ? c[kern_extra(sx, e)] : KERN_R(0))
-                       - kern_lp_dot(sx->lp, sx->base[kern_extra(sx, e)],
-                                     sx->temp),
-                       sx->inv + (size_t)e * (size_t)sx->room, sx->extras);
+    if (own < end) {
+        for (e = 0; e < 3 * sx->groups; e++)
+            sx->temp[e] = v[e];
+        kern_factors_apply(sx, 0, end, sx->temp);
+        for (e = own; e < end; e++)
+            kern_lp_subtract(sx->lp, sx->extra[e - own],
+                             sx->temp[sx->pivot[e]], v);
+    }
+    kern_factors_apply(sx, 0, own, v);
+    for (e = own; e < end; e++)
+        v[sx->pivot[e]] = sx->temp[sx->pivot[e]];
+    kern_factors_apply(sx, end, sx->factors, v);
 }
 
-/* c := B^-T c, from positions to rows */
+/* c := B^-T c, from variables to rows; zero where no rows are. */
 static void kern_basis_solve_t(kern_simplex *sx, kern_real *c)
 {
-    const int k = sx->extras, m = sx->lp->rows;
+    const int own = sx->own, end = sx->factored;
+    int e;
+    for (e = sx->lp->rows; e < 3 * sx->groups + 3; e++)
+        c[e] = KERN_R(0);
+    kern_factors_apply_t(sx, end, sx->factors, c);
+    if (own < end) {
+        for (e = 0; e < 3 * sx->groups + 3; e++)
+            sx->temp[e] = c[e];
+        for (e = own; e < end; e++)
+            sx->temp[sx->pivot[e]] = KERN_R(0);
+        kern_factors_apply_t(sx, 0, own, sx->temp);
+        for (e = own; e < end; e++)
+            c[sx->pivot[e]] -= kern_lp_dot(sx->lp, sx->extra[e - own],
+                                           sx->temp);
+        kern_factors_apply_t(sx, own, end, c);
+    }
+    kern_factors_apply_t(sx, 0, own, c);
+}
+
+/* Column j, in groups [from, to]: to sx->alpha, which is left as it is
+   elsewhere. */
+static void kern_basis_column(kern_simplex *sx, int j, int from, int to)
+{
     int i;
-    if (k > 0) {
-        for (i = 0; i < k; i++)
-            c[sx->slot[i]] = KERN_R(0);
-        for (i = 0; i < m; i++)
-            sx->temp[i] = c[i];
-        kern_base_solve_t(sx, sx->groups - 1, sx->temp);
-        kern_extras_across(sx, c);
-        for (i = 0; i < k; i++)
-            c[sx->slot[i]] = sx->across[i];
-    }
-    kern_base_solve_t(sx, sx->groups - 1, c);
+    for (i = 3 * from; i < 3 * to + 3; i++)
+        sx->alpha[i] = KERN_R(0);
+    kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
 }
 
-/* ---- choosing the base ---- */
-
-/* Of the columns list[0..n), whose parts in group g are made orthogonal to
-   q[0..s), the one with the largest rest; -1 where nothing but rounding, or
-   less than KERN_BASE_TOL of every column, is left. The rest goes to best. */
-static int kern_base_farthest(const kern_simplex *sx, int g, const int *list,
-                              int n, kern_real q[3][3], int s,
-                              kern_real best[3])
+/* Whether there is no room for one more factor. */
+static int kern_basis_full(const kern_simplex *sx)
 {
-    kern_real part[3], most = KERN_R(0);
-    int i, k, r, take = -1;
-    for (i = 0; i < n; i++) {
-        kern_real whole, rest;
-        if (sx->place[list[i]] != KERN_OUT)
+    return sx->factors == sx->most
+           || sx->first[sx->factors] + sx->groups > sx->room;
+}
+
+/* Column q, which is v in terms of the basis, and zero outside of groups
+   [from, to], is basic in row p from now on. */
+static void kern_basis_enter(kern_simplex *sx, int q, int p,
+                             const kern_real *v, int from, int to)
+{
+    const kern_real one = 1 / v[p];
+    int n = sx->first[sx->factors], r;
+    for (r = 3 * from; r <= 3 * to; r += 3) {
+        const kern_real *a = v + r;
+        kern_real *out = sx->entry + 3 * (size_t)n;
+        if (a[0] >= 0 && a[0] <= 0 && a[1] >= 0 && a[1] <= 0
+            && a[2] >= 0 && a[2] <= 0)
             continue;
-        kern_lp_part(sx->lp, list[i], g, part);
-        whole = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
-        for (k = 0; k < s; k++) {
-            const kern_real along = part[0] * q[k][0] + part[1] * q[k][1]
-                                    + part[2] * q[k][2];
-            for (r = 0; r < 3; r++)
-                part[r] -= along * q[k][r];
+        out[0] = -a[0] * one; out[1] = -a[1] * one; out[2] = -a[2] * one;
+        if (p >= r && p < r + 3)
+            out[p - r] = one;
+        sx->at[n++] = r;
+    }
+    sx->pivot[sx->factors++] = p;
+    sx->first[sx->factors] = n;
+    sx->base[p] = q;
+    sx->place[q] = p;
+}
+
+/* Of the rows [from, to) that still have their filler, the one in which v is
+   largest; KERN_OUT if it is less than `least` there. */
+static int kern_basis_row(const kern_simplex *sx, const kern_real *v, int from,
+                          int to, kern_real least)
+{
+    int p, best = KERN_OUT;
+    for (p = from; p < to; p++)
+        if (sx->base[p] >= sx->lp->cols && kern_abs(v[p]) >= least) {
+            least = kern_abs(v[p]);
+            best = p;
         }
-        rest = part[0] * part[0] + part[1] * part[1] + part[2] * part[2];
-        if (rest > most && rest > KERN_BASE_TOL * whole) {
-            most = rest;
-            take = list[i];
-            for (r = 0; r < 3; r++)
-                best[r] = part[r];
-        }
-    }
-    return take;
-}
-
-/* The unit vector that is farthest from q[0..s); its rest goes to best. */
-static int kern_base_unit(kern_real q[3][3], int s, kern_real best[3])
-{
-    kern_real most = KERN_R(0);
-    int i, k, r, off = 0;
-    for (i = 0; i < 3; i++) {
-        kern_real unit[3], rest;
-        for (r = 0; r < 3; r++)
-            unit[r] = r == i ? KERN_R(1) : KERN_R(0);
-        for (k = 0; k < s; k++)
-            for (r = 0; r < 3; r++)
-                unit[r] -= q[k][i] * q[k][r];
-        rest = unit[0] * unit[0] + unit[1] * unit[1] + unit[2] * unit[2];
-        if (rest > most) {
-            most = rest;
-            off = i;
-            for (r = 0; r < 3; r++)
-                best[r] = unit[r];
-        }
-    }
-    return off;
-}
-
-/* Makes the block of group g from the variables in its slots: its inverse,
-   and what they do elsewhere. Returns the largest entry of the inverse. */
-static kern_real kern_base_block(kern_simplex *sx, int g)
-{
-    const kern_program *lp = sx->lp;
-    kern_real *inv = sx->block + 18 * (size_t)g, *there = inv + 9;
-    kern_real d[9], part[3], det, largest = KERN_R(0);
-    int s, r;
-    for (s = 0; s < 3; s++) {
-        const int j = sx->base[3 * g + s];
-        int off = sx->groups;
-        part[0] = part[1] = part[2] = KERN_R(0);
-        if (j < lp->cols) {
-            off = kern_lp_head(lp, j) == g ? kern_lp_tail(lp, j)
-                                           : kern_lp_head(lp, j);
-            kern_lp_part(lp, j, off, there + 3 * s);
-            kern_lp_part(lp, j, g, part);
-        } else {
-            there[3 * s] = there[3 * s + 1] = there[3 * s + 2] = KERN_R(0);
-            part[j - lp->cols - 3 * g] = KERN_R(1);
-        }
-        sx->off[3 * g + s] = off;
-        for (r = 0; r < 3; r++)
-            d[3 * r + s] = part[r];
-    }
-    inv[0] = d[4] * d[8] - d[5] * d[7];
-    inv[1] = d[2] * d[7] - d[1] * d[8];
-    inv[2] = d[1] * d[5] - d[2] * d[4];
-    inv[3] = d[5] * d[6] - d[3] * d[8];
-    inv[4] = d[0] * d[8] - d[2] * d[6];
-    inv[5] = d[2] * d[3] - d[0] * d[5];
-    inv[6] = d[3] * d[7] - d[4] * d[6];
-    inv[7] = d[1] * d[6] - d[0] * d[7];
-    inv[8] = d[0] * d[4] - d[1] * d[3];
-    det = d[0] * inv[0] + d[1] * inv[3] + d[2] * inv[6];
-    if (!(kern_abs(det) > 0))
-        return KERN_INFINITY;
-    det = 1 / det;
-    for (r = 0; r < 9; r++) {
-        inv[r] *= det;
-        largest = kern_max(largest, kern_abs(inv[r]));
-    }
-    return largest;
-}
-
-/* Chooses, of the columns list[0..n) that touch group g, up to three whose
-   parts in g are far from dependent (Gram-Schmidt, largest rest first), and
-   completes them with unit vectors. Three that are as good are taken as they
-   are. */
-static void kern_base_fill(kern_simplex *sx, int g, const int *list, int n)
-{
-    kern_real q[3][3];
-    int s, r;
-    for (s = 0; s < n; s++)
-        sx->place[list[s]] = KERN_OUT;
-    if (n == 3) {
-        for (s = 0; s < 3; s++)
-            sx->base[3 * g + s] = list[s];
-        if (kern_base_block(sx, g) < KERN_BASE_GOOD) {
-            for (s = 0; s < 3; s++)
-                sx->place[list[s]] = 3 * g + s;
-            return;
-        }
-    }
-    for (s = 0; s < 3; s++) {
-        const int j = kern_base_farthest(sx, g, list, n, q, s, q[s]);
-        const int r0 = j < 0 ? kern_base_unit(q, s, q[s]) : 0;
-        const kern_real size = KERN_SQRT(q[s][0] * q[s][0] + q[s][1] * q[s][1]
-                                         + q[s][2] * q[s][2]);
-        sx->base[3 * g + s] = j < 0 ? sx->lp->cols + 3 * g + r0 : j;
-        if (j >= 0)
-            sx->place[j] = 3 * g + s;
-        for (r = 0; r < 3; r++)
-            q[s][r] /= size;
-    }
-    kern_base_block(sx, g);
-}
-
-/* Gives the basic columns list[0..n) to the first of their groups in the order
-   in which groups carry each other, so that loads pass through the base in one
-   direction, and lets every group take three. What is left over goes to `over`;
-   returns how many columns are. */
-static int kern_factor_choose(kern_simplex *sx, const int *list, int n,
-                              int *over)
-{
-    int *end = sx->link;  /* of a group's columns in `over`: a counting sort */
-    int i, g, left = 0;
-    for (g = 0; g <= sx->groups; g++)
-        end[g] = 0;
-    for (i = 0; i < n; i++)
-        end[kern_lp_first(sx->lp, list[i]) + 1]++;
-    for (g = 0; g < sx->groups; g++)
-        end[g + 1] += end[g];
-    for (i = 0; i < n; i++)
-        over[end[kern_lp_first(sx->lp, list[i])]++] = list[i];
-    for (g = 0; g < sx->groups; g++) {
-        const int from = g > 0 ? end[g - 1] : 0;
-        kern_base_fill(sx, g, over + from, end[g] - from);
-    }
-    for (i = 0; i < n; i++)
-        if (sx->place[over[i]] == KERN_OUT)
-            over[left++] = over[i];
-    return left;
-}
-
-/* ---- the complement ---- */
-
-/* Makes S of the extras, in the slots slot[0..rows). */
-static void kern_extras_make(kern_simplex *sx, int rows)
-{
-    const int *extra = sx->base + kern_extra(sx, 0);
-    int c, i, r;
-    for (c = 0; c < sx->extras; c++) {
-        for (i = 0; i < sx->lp->rows; i++)
-            sx->temp[i] = KERN_R(0);
-        kern_lp_subtract(sx->lp, extra[c], KERN_R(-1), sx->temp);
-        kern_base_solve(sx, sx->groups > 0
-                        ? kern_lp_first(sx->lp, extra[c]) : 0, sx->temp);
-        for (r = 0; r < rows; r++)
-            sx->inv[(size_t)r * (size_t)sx->room + (size_t)c] =
-                sx->temp[sx->slot[r]];
-    }
-}
-
-/* The row from t on with the largest entry in column t. */
-static int kern_extras_pivot(const kern_simplex *sx, int t, int rows)
-{
-    const size_t n = (size_t)sx->room;
-    const kern_real *at = sx->inv + t;
-    int r, best = t;
-    for (r = t + 1; r < rows; r++)
-        if (kern_abs(at[(size_t)r * n]) > kern_abs(at[(size_t)best * n]))
-            best = r;
     return best;
 }
 
-/* Inverts S where it stands (Gauss and Jordan, the largest pivot of each
-   column), choosing of the rows as many as there are extras. A column that
-   depends on those before it leaves the basis, and a filler stays in it. */
-static void kern_extras_invert(kern_simplex *sx, int rows)
+/* Lists the basic columns by the first of their groups (a counting sort), and
+   puts fillers in their places; returns how many there are. */
+static int kern_basis_list(kern_simplex *sx, int *list)
 {
-    const size_t n = (size_t)sx->room;
-    int c, i, r, t, k = sx->extras;
-    for (t = 0; t < k; ) {
-        const int best = kern_extras_pivot(sx, t, rows);
-        kern_real *pivot = sx->inv + (size_t)t * n;
-        kern_real *other = sx->inv + (size_t)best * n, one;
-        if (kern_abs(other[t]) < KERN_RANK_TOL) {
-            k--;
-            sx->base[kern_extra(sx, t)] = sx->base[kern_extra(sx, k)];
-            for (r = 0; r < rows; r++)
-                sx->inv[(size_t)r * n + (size_t)t] =
-                    sx->inv[(size_t)r * n + (size_t)k];
-            continue;
+    const kern_program *lp = sx->lp;
+    int *end = sx->link;
+    int i, g, n = 0;
+    for (g = 0; g <= sx->groups; g++)
+        end[g] = 0;
+    for (i = 0; i < lp->rows; i++)
+        if (sx->base[i] < lp->cols) {
+            end[kern_lp_first(lp, sx->base[i]) + 1]++;
+            n++;
         }
-        for (c = 0; c < k && best != t; c++) {
-            const kern_real swap = pivot[c];
-            pivot[c] = other[c];
-            other[c] = swap;
+    for (g = 0; g < sx->groups; g++)
+        end[g + 1] += end[g];
+    for (i = 0; i < lp->rows; i++) {
+        const int j = sx->base[i];
+        if (j < lp->cols) {
+            list[end[kern_lp_first(lp, j)]++] = j;
+            sx->place[j] = KERN_OUT;
         }
-        i = sx->slot[t];
-        sx->slot[t] = sx->slot[best];
-        sx->slot[best] = i;
-        one = 1 / pivot[t];
-        pivot[t] = KERN_R(1);
-        for (c = 0; c < k; c++)
-            pivot[c] *= one;
-        for (r = 0; r < rows; r++) {
-            kern_real *row = sx->inv + (size_t)r * n;
-            const kern_real f = row[t];
-            if (r == t)
-                continue;
-            row[t] = KERN_R(0);
-            kern_add_times(row, -f, pivot, k);
-        }
-        t++;
+        sx->base[i] = lp->cols + i;
     }
-    sx->extras = k;
-}
-
-/* Says which slots the extras keep spare. */
-static void kern_extras_place(kern_simplex *sx)
-{
-    int t;
-    for (t = 0; t < sx->extras; t++) {
-        sx->place[sx->base[kern_extra(sx, t)]] = kern_extra(sx, t);
-        sx->spare[sx->slot[t]] = t;
-    }
-}
-
-/* Writes the columns of the basis to list[0..rows); returns how many. */
-static int kern_basis_list(const kern_simplex *sx, int *list)
-{
-    const int end = kern_extra(sx, sx->extras);
-    int p, n = 0;
-    for (p = 0; p < end; p++)
-        if (!kern_is_spare(sx, p) && sx->base[p] < sx->lp->cols)
-            list[n++] = sx->base[p];
     return n;
 }
 
-/* Chooses base and extras anew for the basic columns as they are now. */
-static void kern_basis_choose(kern_simplex *sx)
+/* Lets the columns list[0..n), sorted by their groups, enter in these. Those that
+   do not stay in the list; returns how many do. */
+static int kern_factor_own(kern_simplex *sx, int *list, int n)
 {
-    const int m = sx->lp->rows, cols = sx->lp->cols;
-    int *list = sx->link + sx->groups + 1, *over = list + m;
-    int n, i, rows = 0, left;
-    for (i = 0; i < m; i++)
-        if (sx->base[i] < cols)
-            sx->place[sx->base[i]] = KERN_OUT;
-    n = kern_basis_list(sx, list);
-    for (i = 0; i < n; i++)
-        sx->place[list[i]] = KERN_OUT;
-    for (i = 0; i < m; i++) {
-        sx->base[i] = cols + i;
-        sx->spare[i] = -1;
+    const kern_program *lp = sx->lp;
+    const int size = lp->ends ? 3 : lp->rows; /* of a column's own group */
+    int i, left = 0, from = 0, last = KERN_OUT, reach = 0;
+    for (i = 0; i < n; i++) {
+        const int j = list[i], g = kern_lp_first(lp, j);
+        int p = KERN_OUT;
+        if (g != last)
+            from = sx->factors; /* those before do nothing here */
+        last = g;
+        reach = kern_lp_reach(lp, j, reach > g ? reach : g);
+        if (sx->factors < from + size && !kern_basis_full(sx)) {
+            kern_basis_column(sx, j, g, reach);
+            kern_factors_apply(sx, from, sx->factors, sx->alpha);
+            p = kern_basis_row(sx, sx->alpha, 3 * g, 3 * g + size,
+                               KERN_OWN_TOL);
+        }
+        if (p == KERN_OUT)
+            list[left++] = j;
+        else
+            kern_basis_enter(sx, j, p, sx->alpha, g, reach);
     }
-    if (sx->groups > 0)
-        left = kern_factor_choose(sx, list, n, over);
-    else
-        for (left = 0; left < n; left++)
-            over[left] = list[left];
-    for (i = 0; i < m && rows < sx->room; i++)
-        if (sx->base[i] >= cols)
-            sx->slot[rows++] = i;
-    sx->extras = left < rows ? left : rows;
-    sx->cramped = left > sx->room;
-    for (i = 0; i < sx->extras; i++)
-        sx->base[kern_extra(sx, i)] = over[i];
-    kern_extras_make(sx, rows);
-    kern_extras_invert(sx, rows);
-    kern_extras_place(sx);
-    sx->pivots = 0;
+    return left;
+}
+
+/* Lets the columns list[0..n) enter where fillers are left: factors S. One that
+   depends on those before it does not enter. */
+static void kern_factor_extra(kern_simplex *sx, int *list, int n)
+{
+    const kern_program *lp = sx->lp;
+    const int last = sx->groups - 1;
+    int *spare = list + n;
+    int i, r, k, spares = 0;
+    for (r = 0; r < lp->rows; r++)
+        if (sx->base[r] >= lp->cols)
+            spare[spares++] = r;
+    for (r = 0; r < 3 * sx->groups; r++)
+        sx->row[r] = KERN_R(0);
+    for (i = 0; i < n; i++) {
+        int p;
+        kern_basis_column(sx, list[i], 0, last);
+        kern_factors_apply(sx, 0, sx->own, sx->alpha);
+        for (k = 0; k < spares; k++)
+            sx->row[spare[k]] = sx->alpha[spare[k]];
+        kern_factors_apply(sx, sx->own, sx->factors, sx->row);
+        p = kern_basis_row(sx, sx->row, 0, lp->rows, KERN_RANK_TOL);
+        sx->cramped |= p != KERN_OUT && kern_basis_full(sx);
+        if (p != KERN_OUT && !kern_basis_full(sx)) {
+            sx->extra[sx->factors - sx->own] = list[i];
+            kern_basis_enter(sx, list[i], p, sx->row, 0, last);
+        }
+    }
+    for (i = sx->first[sx->own]; i < sx->first[sx->factors]; i++)
+        for (k = 0; k < 3; k++)
+            if (sx->at[i] + k < lp->rows
+                && sx->base[sx->at[i] + k] >= lp->cols)
+                sx->entry[3 * (size_t)i + (size_t)k] = KERN_R(0);
+}
+
+/* Factors the basis anew. */
+static void kern_basis_factor(kern_simplex *sx)
+{
+    int *list = sx->link + sx->groups + 1;
+    int n = kern_basis_list(sx, list);
+    sx->cramped = sx->factors = sx->first[0] = 0;
+    n = kern_factor_own(sx, list, n);
+    sx->own = sx->factors;
+    if (n > 0)
+        kern_factor_extra(sx, list, n);
+    sx->factored = sx->factors;
 }
 
 /* What the values leave of the right-hand side, to sx->alpha: returns its
@@ -9807,12 +9603,11 @@ static void kern_basis_choose(kern_simplex *sx)
 static kern_real kern_basis_residual(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    const int end = kern_extra(sx, sx->extras);
     kern_real size = KERN_R(0);
     int p;
     for (p = 0; p < lp->rows; p++)
         sx->alpha[p] = lp->rhs[p];
-    for (p = 0; p < end; p++) {
+    for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
         if (!(v > 0 || v < 0))
             continue;
@@ -9820,7 +9615,7 @@ static kern_real kern_basis_residual(kern_simplex *sx)
         if (sx->base[p] < lp->cols)
             kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
         else
-            sx->alpha[sx->base[p] - lp->cols] -= v;
+            sx->alpha[p] -= v;
     }
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
 }
@@ -9828,9 +9623,8 @@ static kern_real kern_basis_residual(kern_simplex *sx)
 /* Adds a share of alpha to the values. */
 static void kern_basis_add(kern_simplex *sx, kern_real share)
 {
-    const int end = kern_extra(sx, sx->extras);
     int p;
-    for (p = 0; p < end; p++)
+    for (p = 0; p < sx->lp->rows; p++)
         sx->value[p] += share * sx->alpha[p];
 }
 
@@ -9843,7 +9637,7 @@ static int kern_basis_values(kern_simplex *sx)
     int round;
     for (round = 0; round < 4 && left > KERN_REFINE_TOL
                     && (left < last || round < 2); round++) {
-        kern_basis_solve(sx, 0, sx->alpha);
+        kern_basis_solve(sx, sx->alpha);
         kern_basis_add(sx, KERN_R(1));
         last = left;
         left = kern_basis_residual(sx);
@@ -9853,189 +9647,32 @@ static int kern_basis_values(kern_simplex *sx)
 }
 
 /* Begins anew from the basic columns: after a change of the matrix, and when
-   pivots have made S larger or less accurate than it needs to be. */
+   pivots have made the factors longer or less accurate than they need to be. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     int i;
-    kern_basis_choose(sx);
-    for (i = 0; i < kern_extra(sx, sx->extras); i++)
+    kern_basis_factor(sx);
+    for (i = 0; i < sx->lp->rows; i++)
         sx->value[i] = KERN_R(0);
     sx->stale = 0;
     kern_basis_values(sx);
 }
 
-/* Whether the base is to be chosen again. To invert S anew costs as much as
-   some pivots for every row of it. */
-static int kern_basis_worn(const kern_simplex *sx)
-{
-    return sx->extras == sx->room
-           || sx->pivots >= KERN_REFACTOR + sx->extras / 2;
-}
+/* ---- pivots ---- */
+/* Every basis gives x with A x = rhs. While a variable violates x >= 0 (or is a
+   filler that is not zero) what is lowered is the sum of all violations. Its
+   prices
 
-/* ---- exchanging columns ---- */
-
-/* Column j in terms of the basis: to sx->alpha. */
-static void kern_basis_column(kern_simplex *sx, int j)
-{
-    int i;
-    for (i = 0; i < sx->lp->rows; i++)
-        sx->alpha[i] = KERN_R(0);
-    kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
-    kern_basis_solve(sx, sx->groups > 0 ? kern_lp_first(sx->lp, j) : 0,
-                     sx->alpha);
-}
-
-/* The row of B^-1 for slot s, at the spare slots: to sx->across. */
-static void kern_basis_row(kern_simplex *sx, int s)
-{
-    int i;
-    if (sx->extras == 0)
-        return;
-    for (i = 0; i < sx->lp->rows; i++)
-        sx->temp[i] = KERN_R(0);
-    sx->temp[s] = KERN_R(1);
-    kern_base_solve_t(sx, sx->groups > 0 ? s / 3 : -1, sx->temp);
-    kern_extras_across(sx, NULL);
-}
-
-/* Column q is extra e from now on. */
-static void kern_extra_put(kern_simplex *sx, int e, int q)
-{
-    const int p = kern_extra(sx, e);
-    sx->base[p] = q;
-    sx->place[q] = p;
-}
-
-/* Slot s is left by its basic variable, and q enters as a new extra: S gains
-   a row and a column. */
-static void kern_extra_add(kern_simplex *sx, int s, int q)
-{
-    const int k = sx->extras;
-    const size_t n = (size_t)sx->room;
-    const kern_real *u = sx->across;
-    const kern_real one = KERN_R(1) / sx->alpha[s];
-    int e, i;
-    for (e = 0; e < k; e++) {
-        kern_real *inv = sx->inv + (size_t)e * n;
-        const kern_real f = sx->alpha[kern_extra(sx, e)] * one;
-        kern_add_times(inv, -f, u, k);
-        inv[k] = -f;
-    }
-    for (i = 0; i < k; i++)
-        sx->inv[(size_t)k * n + (size_t)i] = u[i] * one;
-    sx->inv[(size_t)k * n + (size_t)k] = one;
-    sx->slot[k] = s;
-    sx->spare[s] = k;
-    kern_extra_put(sx, k, q);
-    sx->extras = k + 1;
-}
-
-/* Extra e gives its place to q: a column of S is replaced. */
-static void kern_extra_replace(kern_simplex *sx, int e, int q)
-{
-    const int k = sx->extras;
-    const size_t n = (size_t)sx->room;
-    kern_real *pivot = sx->inv + (size_t)e * n;
-    const kern_real one = KERN_R(1) / sx->alpha[kern_extra(sx, e)];
-    int r, i;
-    for (i = 0; i < k; i++)
-        pivot[i] *= one;
-    for (r = 0; r < k; r++) {
-        kern_real *inv = sx->inv + (size_t)r * n;
-        if (r != e)
-            kern_add_times(inv, -sx->alpha[kern_extra(sx, r)], pivot, k);
-    }
-    kern_extra_put(sx, e, q);
-}
-
-/* Slot s is left by its variable and the spare slot of row u returns with the
-   column that it kept: a row of S is replaced. */
-static void kern_spare_swap(kern_simplex *sx, int s, int u)
-{
-    const int k = sx->extras;
-    const size_t n = (size_t)sx->room;
-    const kern_real *g = sx->across;
-    const kern_real one = KERN_R(1) / g[u];
-    int e;
-    for (e = 0; e < k; e++) {
-        kern_real *inv = sx->inv + (size_t)e * n;
-        const kern_real f = inv[u] * one;
-        kern_add_times(inv, -f, g, k);
-        inv[u] = -f;
-    }
-    sx->spare[sx->slot[u]] = -1;
-    sx->slot[u] = s;
-    sx->spare[s] = u;
-}
-
-/* Extra e leaves and the spare slot of row u returns: S loses a row and a
-   column; the last ones fill the gap. */
-static void kern_extra_drop(kern_simplex *sx, int e, int u)
-{
-    const int k = sx->extras, last = k - 1;
-    const size_t n = (size_t)sx->room;
-    kern_real *pivot = sx->inv + (size_t)e * n;
-    const kern_real one = KERN_R(1) / pivot[u];
-    int r, i;
-    for (r = 0; r < k; r++) {
-        kern_real *inv = sx->inv + (size_t)r * n;
-        if (r != e)
-            kern_add_times(inv, -inv[u] * one, pivot, k);
-    }
-    sx->spare[sx->slot[u]] = -1;
-    for (i = 0; i < k; i++)
-        pivot[i] = sx->inv[(size_t)last * n + (size_t)i];
-    for (r = 0; r < last; r++)
-        sx->inv[(size_t)r * n + (size_t)u] =
-            sx->inv[(size_t)r * n + (size_t)last];
-    if (e != last)
-        kern_extra_put(sx, e, sx->base[kern_extra(sx, last)]);
-    if (u != last) {
-        sx->slot[u] = sx->slot[last];
-        sx->spare[sx->slot[u]] = u;
-    }
-    sx->extras = last;
-}
-
-/* Which position a variable enters and which it leaves decides which of the
-   four happens. */
-static void kern_basis_exchange(kern_simplex *sx, int q, int position)
-{
-    const int home = sx->place[q];  /* a spare slot, or KERN_OUT */
-    if (position < sx->lp->rows) {
-        if (home == KERN_OUT)
-            kern_extra_add(sx, position, q);
-        else
-            kern_spare_swap(sx, position, sx->spare[home]);
-    } else {
-        const int e = position - kern_extra(sx, 0);
-        sx->place[sx->base[position]] = KERN_OUT;
-        if (home == KERN_OUT)
-            kern_extra_replace(sx, e, q);
-        else
-            kern_extra_drop(sx, e, sx->spare[home]);
-    }
-}
-
-static int kern_is_basic(const kern_simplex *sx, int j)
-{
-    return sx->place[j] != KERN_OUT && !kern_is_spare(sx, sx->place[j]);
-}
-
-/* ---- phase one ---- */
-/* Every basis gives x with A x = rhs; phase one makes it non-negative. What it
-   lowers is the sum of all violations: of negative columns and of fillers that
-   are not zero, each in units of what is large for it. The prices of that sum,
-
-       y = B^-T c,    c = -1 or +1 (in these units) for what violates, else 0,
+       y = B^-T c,    c = -1 or +1 (in units of the loads) for what violates,
+                      else 0,
 
    tell by y.A_j > 0 how fast the sum falls when column j enters. When no
    column lowers it and it is not zero, -y is a Farkas certificate, and the one
    that shows the largest sum of violations: what a step of Newton's method
-   needs. */
+   needs. Where nothing violates the costs take the place of violations. */
 
-/* What a unit of variable j costs where it has the value v: columns may not be
-   negative, fillers must be zero. */
+/* What a unit of variable j adds to the violations where it has the value v:
+   columns may not be negative, fillers must be zero. */
 static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v)
 {
     kern_real w;
@@ -10046,49 +9683,59 @@ static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v)
            : j >= sx->lp->cols && v * w > KERN_FEAS_TOL ? w : KERN_R(0);
 }
 
+/* What a unit of the basic variable of row p costs. */
 static kern_real kern_price_at(const kern_simplex *sx, int p)
 {
-    return kern_is_spare(sx, p)
-           ? KERN_R(0) : kern_infeasibility(sx, sx->base[p], sx->value[p]);
+    const kern_program *lp = sx->lp;
+    const int j = sx->base[p];
+    return sx->violated ? kern_infeasibility(sx, j, sx->value[p])
+           : lp->cost && j < lp->cols ? lp->cost[j] : KERN_R(0);
 }
 
 /* y to sx->row; returns the sum of violations. */
-static kern_real kern_phase_one_prices(kern_simplex *sx)
+static kern_real kern_prices(kern_simplex *sx)
 {
-    const int end = kern_extra(sx, sx->extras);
     kern_real sum = KERN_R(0), part;
     int p;
     sx->violated = 0;
-    for (p = 0; p < end; p++) {
-        const kern_real v = sx->value[p];
-        sx->row[p] = KERN_R(0);
-        if (v > 0 ? sx->base[p] < sx->lp->cols : !(v < 0))
-            continue;
-        sx->row[p] = kern_price_at(sx, p);
-        part = sx->row[p] * v;
+    for (p = 0; p < sx->lp->rows; p++) {
+        sx->row[p] = kern_infeasibility(sx, sx->base[p], sx->value[p]);
+        part = sx->row[p] * sx->value[p];
         sx->violated += part > 0;
         sum += part;
     }
-    if (sum > 0)
+    for (p = 0; p < sx->lp->rows && !sx->violated; p++)
+        sx->row[p] = kern_price_at(sx, p);
+    if (sx->violated || sx->lp->cost)
         kern_basis_solve_t(sx, sx->row);
     return sum;
 }
 
-/* One step of refinement for y = sx->row: the certificate -y must be zero on
-   the basic columns to the last digits, or be `above` zero, as a share of its
-   largest entry. */
-static void kern_phase_one_refine(kern_simplex *sx, kern_real above)
+/* The largest part of y that network column j meets. */
+static kern_real kern_lp_meets(const kern_program *lp, int j,
+                               const kern_real *y)
+{
+    return kern_max(kern_largest(y + 3 * kern_lp_head(lp, j), 3),
+                    kern_largest(y + 3 * kern_lp_tail(lp, j), 3));
+}
+
+/* One step of refinement for y = sx->row: a certificate -y must be zero on the
+   basic columns to the last digits, or be `above` zero, as a share of its
+   largest entry; with `own`, of the largest that the column meets. */
+static void kern_prices_refine(kern_simplex *sx, kern_real above, int own)
 {
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(sx->row, lp->rows);
-    const int end = kern_extra(sx, sx->extras);
     int i, p;
-    sx->row[lp->rows] = sx->row[lp->rows + 1] = sx->row[lp->rows + 2] = 0;
-    for (p = 0; p < end; p++) {
+    for (p = 3 * sx->groups; p < 3 * sx->groups + 3; p++)
+        sx->row[p] = KERN_R(0);
+    for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
-        sx->alpha[p] = kern_price_at(sx, p)
-            - (j < lp->cols ? kern_lp_dot(lp, j, sx->row) + above * size
-                            : sx->row[j - lp->cols]);
+        if (j >= lp->cols)
+            sx->alpha[p] = kern_price_at(sx, p) - sx->row[p];
+        else
+            sx->alpha[p] = kern_price_at(sx, p) - kern_lp_dot(lp, j, sx->row)
+                - above * (own ? kern_lp_meets(lp, j, sx->row) : size);
     }
     kern_basis_solve_t(sx, sx->alpha);
     for (i = 0; i < lp->rows; i++)
@@ -10097,13 +9744,14 @@ static void kern_phase_one_refine(kern_simplex *sx, kern_real above)
 
 /* Lifts a certificate y off the columns that it touches. Rounding puts it a
    little below zero there as often as above; a few roundings higher it costs
-   of its power no more than all of x is worth, times those roundings. */
-static void kern_certificate_lift(kern_simplex *sx, kern_real *y)
+   of its power no more than all of x is worth, times those roundings. Where the
+   basis magnifies them, as in jams, what hardly moves is lifted less (`own`). */
+static void kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
 {
     int i;
     for (i = 0; i < sx->lp->rows; i++)
         sx->row[i] = -y[i];
-    kern_phase_one_refine(sx, KERN_ABOVE);
+    kern_prices_refine(sx, KERN_ABOVE, own);
     for (i = 0; i < sx->lp->rows; i++)
         y[i] = -sx->row[i];
 }
@@ -10142,7 +9790,7 @@ static int kern_price(const kern_simplex *sx, const kern_real *cost, int first,
         if (!(d[0] > most || d[1] > most))
             continue;
         for (k = 0; k < 2; k++)
-            if (d[k] > most && !kern_is_basic(sx, j + k)) {
+            if (d[k] > most && sx->place[j + k] == KERN_OUT) {
                 best = j + k;
                 *gain = most = d[k];
                 if (first)
@@ -10152,21 +9800,27 @@ static int kern_price(const kern_simplex *sx, const kern_real *cost, int first,
     return best;
 }
 
-/* The column that lowers the sum fastest, or the first that lowers it. One
-   that would have to carry more than lp->most to undo it is no help: the
-   bound on the forces of a jam. */
-static int kern_phase_one_entering(const kern_simplex *sx, kern_real sum,
-                                   int first, kern_real *gain)
+/* The column that lowers what prices stand for fastest, or the first that does.
+   One that would have to carry more than lp->most to undo the violations is no
+   help: the bound on the forces of a jam. */
+static int kern_entering(const kern_simplex *sx, kern_real sum, int first,
+                         kern_real *gain)
 {
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(sx->row, lp->rows);
-    *gain = lp->most > 0 ? kern_max(sum / lp->most, KERN_ROUNDING * size)
-                         : KERN_PIVOT_TOL * size;
-    return kern_price(sx, NULL, first, gain);
+    if (!sx->violated && !lp->cost)
+        return KERN_OUT;
+    if (!sx->violated)
+        *gain = kern_max(KERN_FEAS_TOL * kern_largest(lp->cost, lp->cols),
+                         KERN_ROUNDING * size);
+    else
+        *gain = lp->most > 0 ? kern_max(sum / lp->most, KERN_ROUNDING * size)
+                             : KERN_PIVOT_TOL * size;
+    return kern_price(sx, sx->violated ? NULL : lp->cost, first, gain);
 }
 
-/* How much the slope of the sum rises when the variable at p, which falls at
-   the rate alpha, passes zero, and in `at` where that is. */
+/* How much the slope of the sum rises when the basic variable of row p, which
+   falls at the rate alpha, passes zero, and in `at` where that is. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int j = sx->base[p], filler = j >= sx->lp->cols;
@@ -10186,15 +9840,15 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
     return kern_abs(a) / sx->unit;
 }
 
-/* Lists in sx->link the positions whose variables reach zero on the way on
-   which the entering column takes them, with what kern_break() says. */
+/* Lists in sx->link the rows whose variables reach zero on the way on which the
+   entering column takes them, with what kern_break() says. */
 static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
 {
-    const int end = kern_extra(sx, sx->extras);
-    const kern_real least = KERN_PIVOT_TOL * kern_largest(sx->alpha, end);
+    const int m = sx->lp->rows;
+    const kern_real least = KERN_PIVOT_TOL * kern_largest(sx->alpha, m);
     int p, n = 0;
-    for (p = 0; p < end; p++) {
-        if (!(kern_abs(sx->alpha[p]) > least) || kern_is_spare(sx, p))
+    for (p = 0; p < m; p++) {
+        if (!(kern_abs(sx->alpha[p]) > least))
             continue;
         rise[n] = kern_break(sx, p, &at[n]);
         sx->link[n] = p;
@@ -10204,25 +9858,25 @@ static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
 }
 
 /* The ratio test goes on past every variable that reaches zero as long as the
-   sum still falls: a long step, which passes through degenerate corners. With
-   `first` it stops at the first, the least index of equals (Bland). */
-static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
-                                  kern_real *step)
+   sum of violations still falls: a long step, which passes through degenerate
+   corners. With `first`, and for costs, it stops at the first: of equals that
+   of the least index (Bland), or of the largest pivot. */
+static int kern_leaving(const kern_simplex *sx, kern_real gain, int first,
+                        kern_real *step)
 {
     const kern_real enough = gain * KERN_R(64) * KERN_EPS;
+    const int once = first || !sx->violated;
     kern_real *at = sx->temp, *rise = sx->row; /* neither is in use here */
     int *list = sx->link;
     int n = kern_breaks(sx, at, rise), best = KERN_OUT;
-    while (n > 0 && (best == KERN_OUT || (!first && gain > enough))) {
-        int i, next = 0, least = 0;
-        for (i = 0; i < n; i++) {
-            const int j = sx->base[list[i]];
-            if (i == 0 || at[i] < at[next]
-                || (first && at[i] <= at[next] && j < least)) {
+    while (n > 0 && (best == KERN_OUT || (!once && gain > enough))) {
+        int i, next = 0;
+        for (i = 1; i < n; i++)
+            if (at[i] < at[next]
+                || (once && at[i] <= at[next]
+                    && (first ? sx->base[list[i]] < sx->base[list[next]]
+                              : rise[i] > rise[next])))
                 next = i;
-                least = j;
-            }
-        }
         gain -= rise[next];
         *step = at[next];
         best = list[next];
@@ -10234,36 +9888,22 @@ static int kern_phase_one_leaving(kern_simplex *sx, kern_real gain, int first,
     return best;
 }
 
-/* What the basic columns cost, by positions; fillers nothing. */
-static void kern_basis_costs(const kern_simplex *sx, const kern_real *cost,
-                             kern_real *to)
-{
-    const int end = kern_extra(sx, sx->extras);
-    int p;
-    for (p = 0; p < end; p++)
-        to[p] = sx->base[p] < sx->lp->cols ? cost[sx->base[p]] : KERN_R(0);
-}
-
 #ifdef KERN_AUDIT
 /* Bases of float, and of jams, may be nearly singular. */
 #define KERN_AUDIT_TOL KERN_PICK(1e-2, 1e30)
 /* Entries of the matrix beyond which a basis keeps no digits. */
 #define KERN_AUDIT_LARGE KERN_R(1e6)
-static int kern_audit_used(const kern_simplex *sx, int p)
-{ return p >= sx->lp->rows + 3 || (p < sx->lp->rows && sx->spare[p] < 0); }
 
-/* Header and places are inverse to each other; rows of S and spare slots. */
+/* Header and places are inverse to each other, fillers in their rows. */
 static void kern_audit_places(const kern_simplex *sx)
 {
-    const int cols = sx->lp->cols, end = kern_extra(sx, sx->extras);
-    int p, j, t;
+    const int cols = sx->lp->cols;
+    int p, j;
     for (j = 0; j < cols; j++)
         KERN_ASSERT(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
-    for (t = 0; t < sx->extras; t++)
-        KERN_ASSERT(sx->spare[sx->slot[t]] == t);
-    for (p = 0; p < end; p++)
-        KERN_ASSERT(!kern_audit_used(sx, p) || sx->base[p] >= cols
-                    || sx->place[sx->base[p]] == p);
+    for (p = 0; p < sx->lp->rows; p++)
+        KERN_ASSERT(sx->base[p] >= cols ? sx->base[p] == cols + p
+                                        : sx->place[sx->base[p]] == p);
 }
 
 /* And for a network, where rounding is bounded, whether B x = b, and B^-1 B = I
@@ -10271,199 +9911,102 @@ static void kern_audit_places(const kern_simplex *sx)
 static void kern_simplex_audit(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    const int m = lp->rows, end = kern_extra(sx, sx->extras);
-    kern_real v[KERN_AUDIT], want[KERN_AUDIT];
+    const int m = lp->rows;
+    kern_real v[KERN_AUDIT];
     int p;
-    if (end > KERN_AUDIT)
+    if (m + 6 > KERN_AUDIT)
         return;
     kern_audit_places(sx);
-    for (p = 0; p < end; p++) {
-        want[p] = !kern_audit_used(sx, p) ? KERN_R(0)
-                  : p % 3 ? KERN_R(1) : KERN_R(-1);
-        v[p] = KERN_R(0);
-    }
-    for (p = 0; p < end; p++) {
-        if (sx->base[p] < lp->cols && (want[p] > 0 || want[p] < 0))
-            kern_lp_subtract(lp, sx->base[p], -want[p], v);
-        else if (want[p] > 0 || want[p] < 0)
-            v[sx->base[p] - lp->cols] += want[p];
-    }
     if (!lp->ends || kern_largest(lp->a, 4 * lp->cols) > KERN_AUDIT_LARGE)
         return;
-    v[m] = v[m + 1] = v[m + 2] = KERN_R(0);
-    kern_basis_solve(sx, 0, v);
-    for (p = 0; p < end; p++)
-        KERN_ASSERT(kern_abs(v[p] - want[p]) <= KERN_AUDIT_TOL);
+    for (p = 0; p < m; p++)
+        v[p] = KERN_R(0);
+    for (p = 0; p < m; p++) {
+        const kern_real want = p % 3 ? KERN_R(1) : KERN_R(-1);
+        if (sx->base[p] < lp->cols)
+            kern_lp_subtract(lp, sx->base[p], -want, v);
+        else
+            v[p] += want;
+    }
+    kern_basis_solve(sx, v);
+    for (p = 0; p < m; p++)
+        KERN_ASSERT(kern_abs(v[p] - (p % 3 ? KERN_R(1) : KERN_R(-1)))
+                    <= KERN_AUDIT_TOL);
     KERN_ASSERT(kern_basis_residual(sx) <= KERN_AUDIT_TOL
-                || !(kern_largest(sx->value, end) > 0));
+                || !(kern_largest(sx->value, m) > 0));
 }
 #endif
 
-/* Moves the basic variables by -step alpha, puts q = step in the place of
-   what leaves. */
-static void kern_basis_move(kern_simplex *sx, int q, int position,
-                            kern_real step)
-{
-    kern_basis_add(sx, -step);
-    /* the last extra goes to the place of one that is left, if it is */
-    sx->value[position] =
-        position < sx->lp->rows
-        ? KERN_R(0) : sx->value[kern_extra(sx, sx->extras) - 1];
-    kern_basis_exchange(sx, q, position);
-    sx->value[sx->place[q]] = step;
-    sx->pivots++;
-    sx->settled = 0;
-#ifdef KERN_AUDIT
-    kern_simplex_audit(sx);
-#endif
-}
-
-/* Counts a pivot: prices, a column, a row, and S^-1 by one rank. */
+/* Counts a pivot: a column, prices, and what both cost of factors. */
 static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 {
-    const int rows = sx->lp->rows, cols = sx->lp->cols, k = sx->extras;
+    const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
-                      1 + k * (k / 64) + (sx->groups ? rows / 6 + cols / 24
-                                                     : rows * (cols / 256)));
+                      1 + sx->first[sx->factors] / 8
+                      + (sx->lp->ends ? cols / 24 : rows * (cols / 256)));
 }
 
-/* The pivot in which column q takes `position`. KERN_NO_SPACE and KERN_LIMIT:
-   there is no room or no work left for it. */
+/* The pivot in which column q takes row p. KERN_NO_SPACE and KERN_LIMIT: there
+   is no room or no work left for it. */
 static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
-                                      int position, kern_real step)
+                                      int p, kern_real step)
 {
-    if (sx->extras == sx->room && position < sx->lp->rows
-        && sx->place[q] == KERN_OUT)
+    if (sx->cramped || kern_basis_full(sx))
         return KERN_NO_SPACE;
     if (!kern_pivot_spend(sx, work))
         return KERN_LIMIT;
-    if (position < sx->lp->rows)
-        kern_basis_row(sx, position);
-    kern_basis_move(sx, q, position, step);
+    kern_basis_add(sx, -step);
+    if (sx->base[p] < sx->lp->cols)
+        sx->place[sx->base[p]] = KERN_OUT;
+    kern_basis_enter(sx, q, p, sx->alpha, 0, sx->groups - 1);
+    sx->value[p] = step;
+    sx->settled = 0;
     work->pivots++;
-    if (kern_basis_worn(sx))
+#ifdef KERN_AUDIT
+    kern_simplex_audit(sx);
+#endif
+    if (kern_basis_full(sx) || sx->factors >= sx->factored + KERN_REFACTOR)
         kern_basis_refactorise(sx);
     return KERN_OK;
 }
 
-/* Lowers the sum of violations until it is zero or no column lowers it. The
-   sum falls with every step that is not of length zero; when the budget is
-   used up the smallest indices are taken (Bland), which cannot cycle. The
-   limit ends what rounding might keep going. Returns KERN_LP_OPTIMAL with a
-   feasible basis, KERN_LP_INFEASIBLE with y in sx->row, or KERN_UNDECIDED. */
-static kern_status kern_phase_one(kern_simplex *sx, kern_work *work,
-                                  int limit)
+/* Lowers the sum of violations, then the costs, until no column does. The sum
+   falls with every step that is not of length zero; when the budget is used up
+   the smallest indices are taken (Bland), which cannot cycle. The limit ends
+   what rounding might keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED
+   with sx->ray, KERN_LP_INFEASIBLE (prices are in sx->row), or KERN_UNDECIDED. */
+static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
 {
     const kern_program *lp = sx->lp;
+    const int limit = 200 + 20 * (lp->rows + lp->cols);
     const int budget = 50 + 10 * lp->rows;
-    kern_status status;
-    int count, i;
-    for (count = 0; count < limit; ) {
-        const int first = count > budget;
-        const kern_real sum = kern_phase_one_prices(sx);
-        kern_real gain = KERN_R(0), step = KERN_R(0);
-        int q = KERN_OUT, position = KERN_OUT;
-        if (sum > 0) {
-            if (sx->settled)
-                kern_phase_one_refine(sx, KERN_R(0));
-            q = kern_phase_one_entering(sx, sum, first, &gain);
-        }
-        if (q == KERN_OUT && sx->settled) {
-            for (i = 0; i < lp->rows; i++)
-                sx->row[i] = -sx->row[i];
-            return sum > 0 ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
-        }
-        if (q != KERN_OUT) {
-            kern_basis_column(sx, q);
-            position = kern_phase_one_leaving(sx, gain, first, &step);
-        }
-        if (position == KERN_OUT) {
-            if (sx->settled)
-                return KERN_UNDECIDED;
-            if (!kern_basis_values(sx))
-                kern_basis_refactorise(sx);
-            continue;
-        }
-        if (sx->cramped)
-            return KERN_NO_SPACE;
-        status = kern_simplex_pivot(sx, work, q, position, step);
-        if (status != KERN_OK)
-            return status;
-        count++;
-    }
-    return KERN_UNDECIDED;
-}
-
-/* ---- the primal simplex, for costs ---- */
-
-/* The column whose variable lowers the cost most (or the first that does). */
-static int kern_primal_entering(kern_simplex *sx, int first)
-{
-    const kern_program *lp = sx->lp;
-    kern_real least = KERN_FEAS_TOL * kern_largest(lp->cost, lp->cols);
-    kern_basis_costs(sx, lp->cost, sx->row);
-    kern_basis_solve_t(sx, sx->row);
-    return kern_price(sx, lp->cost, first, &least);
-}
-
-/* The ratio test: how far the entering variable may rise, and what leaves
-   then. Fillers are zero and stay so: they leave at once. */
-static int kern_primal_leaving(const kern_simplex *sx, int first,
-                               kern_real *step)
-{
-    const int cols = sx->lp->cols;
-    const int end = kern_extra(sx, sx->extras);
-    const kern_real enough = KERN_PIVOT_TOL * kern_largest(sx->alpha, end);
-    kern_real pivot = KERN_R(0);
-    int p, best = KERN_OUT, least = 0;
-    for (p = 0; p < end; p++) {
-        const int j = sx->base[p];
-        const kern_real a = sx->alpha[p];
-        kern_real ratio;
-        int better;
-        if (kern_is_spare(sx, p) || (j < cols ? a : kern_abs(a)) <= enough)
-            continue;
-        ratio = j < cols ? kern_max(sx->value[p], KERN_R(0)) / a : KERN_R(0);
-        better = best == KERN_OUT || ratio < *step;
-        if (!better && ratio <= *step)
-            better = first ? j < least : kern_abs(a) > pivot;
-        if (better) {
-            *step = ratio;
-            pivot = kern_abs(a);
-            least = j;
-            best = p;
-        }
-    }
-    return best;
-}
-
-/* From a feasible basis to an optimal one. Dantzig's rule while the budget
-   lasts, then Bland's, which cannot cycle. */
-static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
-                                       int limit)
-{
-    const int budget = 20 + 6 * sx->lp->rows;
-    kern_status status;
     int count;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
-        const int q = kern_primal_entering(sx, first);
-        kern_real step = KERN_R(0);
-        int position;
+        const kern_real sum = kern_prices(sx);
+        kern_real gain = KERN_R(0), step = KERN_R(0);
+        kern_status status;
+        int q, p = KERN_OUT;
+        if (sx->settled && sx->violated)
+            kern_prices_refine(sx, KERN_R(0), 0);
+        q = kern_entering(sx, sum, first, &gain);
         if (q == KERN_OUT && sx->settled)
-            return KERN_LP_OPTIMAL;
-        if (q == KERN_OUT) {
+            return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
+        if (q != KERN_OUT) {
+            kern_basis_column(sx, q, 0, sx->groups - 1);
+            kern_basis_solve(sx, sx->alpha);
+            p = kern_leaving(sx, gain, first, &step);
+        }
+        if (p == KERN_OUT && sx->settled) {
+            sx->ray = q;
+            return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
+        }
+        if (p == KERN_OUT) {
             if (!kern_basis_values(sx))
                 kern_basis_refactorise(sx);
             continue;
         }
-        kern_basis_column(sx, q);
-        position = kern_primal_leaving(sx, first, &step);
-        if (position == KERN_OUT) {
-            sx->ray = q;
-            return KERN_LP_UNBOUNDED;
-        }
-        status = kern_simplex_pivot(sx, work, q, position, step);
+        status = kern_simplex_pivot(sx, work, q, p, step);
         if (status != KERN_OK)
             return status;
         count++;
@@ -10473,30 +10016,31 @@ static kern_status kern_simplex_primal(kern_simplex *sx, kern_work *work,
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays the arrays of a simplex out in work memory. With real NULL it only
-   counts them, so that the size that is announced is the size that is used. */
+/* Lays the arrays of a simplex out in work memory, with room for so many groups
+   of entries. With real NULL it only counts them, so that the size that is
+   announced is the size that is used. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
-    const int m = lp->rows;
+    const int m = lp->rows, n = (m + 2) / 3;
     sx->lp = lp;
     sx->prior = NULL;
     sx->started = sx->stale = sx->cramped = sx->violated = 0;
-    sx->groups = lp->ends ? m / 3 : 0;
+    sx->groups = n;
     sx->room = room;
-    sx->base = kern_take_ints(take, m + 3 + room);
-    sx->spare = kern_take_ints(take, m);
-    sx->off = kern_take_ints(take, 3 * sx->groups);
-    sx->slot = kern_take_ints(take, room);
+    sx->most = 2 * m + 8;
+    sx->base = kern_take_ints(take, m);
     sx->place = kern_take_ints(take, lp->cols);
-    sx->link = kern_take_ints(take, sx->groups + 1 + 2 * m);
-    sx->block = kern_take_reals(take, 18 * sx->groups);
-    sx->inv = kern_take_reals(take, room * room);
-    sx->value = kern_take_reals(take, m + 3 + room);
-    sx->alpha = kern_take_reals(take, m + 3 + room);
-    sx->row = kern_take_reals(take, m + 3 + room);
-    sx->across = kern_take_reals(take, room);
-    sx->temp = kern_take_reals(take, m + 3 + room);
+    sx->pivot = kern_take_ints(take, sx->most);
+    sx->first = kern_take_ints(take, sx->most + 1);
+    sx->at = kern_take_ints(take, room);
+    sx->extra = kern_take_ints(take, m);
+    sx->link = kern_take_ints(take, n + 1 + 2 * m);
+    sx->entry = kern_take_reals(take, 3 * room);
+    sx->value = kern_take_reals(take, m);
+    sx->alpha = kern_take_reals(take, 3 * n + 3);
+    sx->row = kern_take_reals(take, 3 * n + 3);
+    sx->temp = kern_take_reals(take, 3 * n + 3);
 }
 
 /* Of the columns mine[0..n), the three that carry `load` in group g with the
@@ -10617,15 +10161,15 @@ static void kern_crash_prior(kern_simplex *sx)
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *first = sx->link, *next = sx->place, *kept = sx->spare;
+    int *first = sx->link, *next = sx->place, *kept = sx->pivot;
     int i, j;
     for (i = 0; i < lp->rows; i++)
         sx->row[i] = lp->rhs[i];
-    for (i = 0; i < kern_extra(sx, 0); i++)
+    for (i = 0; i < lp->rows; i++)
         sx->base[i] = lp->cols + i;
     for (i = 0; i <= sx->groups; i++)
         first[i] = -1;
-    for (j = lp->cols - 1; j >= 0 && sx->groups > 0; j--) {
+    for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
         const int g = kern_lp_first(sx->lp, j);
         next[j] = first[g];
         first[g] = j;
@@ -10635,16 +10179,13 @@ static void kern_simplex_crash(kern_simplex *sx)
     for (j = 0; j < lp->cols && sx->prior; j++)
         if (kern_is_prior(sx, j))
             kept[kern_lp_first(lp, j)] = 1;
-    for (i = 0; i < sx->groups; i++)
+    for (i = 0; i < sx->groups && lp->ends; i++)
         if (!kept[i])
             kern_crash_group(sx, i, first[i]);
     if (sx->prior)
         kern_crash_prior(sx);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
-    for (i = 0; i < lp->rows; i++)
-        sx->spare[i] = -1;
-    sx->extras = 0;
     sx->started = 1;
     sx->unit = kern_largest(lp->rhs, lp->rows);
     if (!(sx->unit > 0))
@@ -10657,8 +10198,8 @@ static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
     int i, p;
     for (i = 0; i < sx->lp->cols; i++)
         x[i] = KERN_R(0);
-    for (p = 0; p < kern_extra(sx, sx->extras); p++)
-        if (!kern_is_spare(sx, p) && sx->base[p] < sx->lp->cols)
+    for (p = 0; p < sx->lp->rows; p++)
+        if (sx->base[p] < sx->lp->cols)
             x[sx->base[p]] = sx->value[p];
 }
 
@@ -10672,7 +10213,7 @@ static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 static void kern_simplex_ray(kern_simplex *sx, kern_real *x)
 {
     int i;
-    for (i = 0; i < kern_extra(sx, sx->extras); i++)
+    for (i = 0; i < sx->lp->rows; i++)
         sx->value[i] = -sx->alpha[i];
     kern_simplex_read(sx, x);
     x[sx->ray] = KERN_R(1);
@@ -10689,7 +10230,6 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
-    const int limit = 200 + 20 * (lp->rows + lp->cols);
     kern_status status;
     int i;
     work->solves++;
@@ -10706,13 +10246,10 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
         kern_basis_refactorise(sx);
     else
         kern_basis_values(sx);
-    for (i = 0; i <= sx->extras / 4; i++) /* as much as so many pivots */
-        kern_pivot_spend(sx, work);
-    status = kern_spent(work, lp->limit, KERN_LP_OPTIMAL);
-    if (status == KERN_LP_OPTIMAL)
-        status = kern_phase_one(sx, work, limit);
-    if (status == KERN_LP_OPTIMAL && lp->cost)
-        status = kern_simplex_primal(sx, work, limit);
+    kern_pivot_spend(sx, work);
+    status = kern_spent(work, lp->limit, KERN_OK);
+    if (status == KERN_OK)
+        status = kern_simplex_run(sx, work);
     if (status < 0)
         return status;
     if (status == KERN_LP_UNBOUNDED)
@@ -10720,9 +10257,9 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     else
         kern_simplex_read(sx, x);
     for (i = 0; i < lp->rows; i++)
-        y[i] = status == KERN_LP_INFEASIBLE
-               || (status == KERN_LP_OPTIMAL && lp->cost)
-               ? sx->row[i] : KERN_R(0);
+        y[i] = status == KERN_LP_INFEASIBLE ? -sx->row[i]
+               : status == KERN_LP_OPTIMAL && lp->cost ? sx->row[i]
+                                                       : KERN_R(0);
     return status;
 }
 
@@ -10874,7 +10411,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.most = KERN_R(0);
     p.limit = lp->limit;
     kern_take_open(&take, work);
-    kern_simplex_lay(&sx, &p, lp->rows, &take);
+    kern_simplex_lay(&sx, &p, KERN_LP_ROOM(lp->rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
     status = kern_spent(work, p.limit, kern_program_solve(&sx, 0, x, y, work));
@@ -10993,12 +10530,12 @@ KERN_API kern_options kern_near(const kern_options *options,
    Simplex method: R. G. Bland, New finite pivoting rules for the simplex
    method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A simplex
    algorithm for piecewise-linear programming, Math. Programming 33 (1985), for
-   long steps; E. Hellerman, D. Rarick, Reinversion with the preassigned pivot
-   procedure, Math. Programming 1 (1971), for the triangular part and its
-   spikes; J. Bisschop, A. Meeraus, Matrix augmentation and partitioning in the
-   updating of the basis inverse, Math. Programming 13 (1977), and P. E. Gill,
-   W. Murray, M. A. Saunders, M. H. Wright, Sparse matrix methods in
-   optimization, SIAM J. Sci. Stat. Comput. 5 (1984), for the dense complement.
+   long steps; G. B. Dantzig, W. Orchard-Hays, The product form for the inverse
+   in the simplex method, Math. Tables Aids Comput. 8 (1954); E. Hellerman, D.
+   Rarick, Reinversion with the preassigned pivot procedure, Math. Programming 1
+   (1971), for the triangular part; J. Bisschop, A. Meeraus, Matrix augmentation
+   and partitioning in the updating of the basis inverse, Math. Programming 13
+   (1977), for columns beside it.
    Raised: V. Acary, F. Cadoux, C. Lemarechal, J. Malick, A formulation of the
    linear discrete Coulomb friction problem via convex optimization, ZAMM 91
    (2011), for prices as a fixed point of least forces.

@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x2a23dcc6f3d4791du },
-    { 1000, 0x57ae45dc7d8641beu },
-    { 5000, 0xde090b8c70ce4836u },
+    { 200, 0x35c8e5fdfc3144ffu },
+    { 1000, 0x649fd284b4556ee2u },
+    { 5000, 0x7b70011df12e5da3u },
 #else
-    { 200, 0x06311b99773b1191u },
-    { 1000, 0x55b646fb5ddce8a4u },
-    { 5000, 0x78a36235c32d3833u },
+    { 200, 0x6b7c06b91d1733f4u },
+    { 1000, 0x02a3d40afb8c4a04u },
+    { 5000, 0x7a5c16eb51c42dd7u },
 #endif
 };
 

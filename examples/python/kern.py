@@ -1256,7 +1256,8 @@ def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
     """kern_lp_solve(): minimises cost . x where a x = rhs and x >= 0; a is a
     list of rows.
 
-    >>> lp_solve([[1, 1, 1, 0], [1, 3, 0, 1]], [4, 6], [-3, -5, 0, 0]).x
+    >>> best = lp_solve([[1, 1, 1, 0], [1, 3, 0, 1]], [4, 6], [-3, -5, 0, 0])
+    >>> [round(x, 9) for x in best.x]
     [3.0, 1.0, 0.0, 0.0]
     """
     rows, cols = len(rhs), len(a[0]) if len(a) else 0
@@ -1266,8 +1267,9 @@ def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
                          % (len(a), rows))
     columns, right = _numbers(zip(*a)), _numbers(rhs)
     prices = _numbers(cost) if cost is not None else None
-    real = (c_double * (rows * rows + 9 * rows + 12))()  # KERN_LP_REALS
-    index = (c_int * (6 * rows + cols + 4))()            # KERN_LP_INTS
+    room = (rows + rows // 2 + 8) * ((rows + 2) // 3)
+    real = (c_double * (3 * room + 4 * rows + 16))()     # KERN_LP_REALS
+    index = (c_int * (room + 9 * rows + cols + 20))()    # KERN_LP_INTS
     work = _Work(addressof(real), len(real), addressof(index), len(index))
     x, y = (c_double * cols)(), (c_double * rows)()
     lp = _Lp(rows, cols, addressof(columns), addressof(right),
