@@ -1527,7 +1527,7 @@ static inline kern_real kern_friction(const kern_contact *c, kern_real slope)
 }
 
 /* Whether one of two blocks has been taken away. */
-static int kern_is_gone(const kern_query *q, int a, int b)
+static inline int kern_is_gone(const kern_query *q, int a, int b)
 { return q->fallen && (q->fallen[a] >= 0 || q->fallen[b] >= 0); }
 
 /* Of its line, or about of its group of points; 0 for a lone point. */
@@ -1740,6 +1740,10 @@ static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
 static int kern_inner_sharp(const struct kern_inner *in);
 /* Does block i move in the last mechanism? */
 static int kern_moves(const kern_model *m, int i);
+/* Opens what moves in it, and the last block. */
+static int kern_part_moved(kern_part *p, kern_model *m);
+/* Notes the part as what falls, and lays out its linear program. */
+static kern_status kern_part_note(kern_part *p);
 /* Brackets the first place where it falls, by small parts where it can. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step);
@@ -2239,6 +2243,7 @@ struct kern_model {
     int *leader, *next, *dirty; /* of a group: see >>pour                     */
     int again;                /* the first leader that became dirty           */
     int regrown;              /* how often a unit of three or more was joined */
+    int known;                /* nonzero: changes begin from its forces       */
     int *local;               /* of a group: its number in the open part      */
     int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: whether a part with it fell      */
@@ -2382,15 +2387,17 @@ static void kern_model_group(kern_model *m, const kern_query *q)
 {
     const kern_structure *s = m->s;
     int i, g;
-    m->groups = m->plain = 0;
+    m->groups = m->plain = m->wide = m->falls = 0;
     for (i = s->blocks - 1; i >= m->from; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->block[m->groups++] = i;
     kern_model_order(m, s->gravity, m->block);
     for (i = 0; i < s->blocks; i++)
         m->group[i] = m->groups;
-    for (g = 0; g < m->groups; g++)
+    for (g = 0; g < m->groups; g++) {
         m->group[m->block[g]] = g;
+        m->fell[g] = 0;
+    }
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
@@ -2401,7 +2408,8 @@ static void kern_model_group(kern_model *m, const kern_query *q)
 }
 
 /* Opens the model of a structure that has been checked: of the task, or else of
-   its last block with all others held. */
+   its last block with all others held. It has no groups yet: a change that is
+   passed on needs none. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                    const kern_structure *s, const kern_query *q)
 {
@@ -2425,7 +2433,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->balanced = KERN_R(0);
     m->narrow = q->narrow;
     m->slope = KERN_R(0);
-    kern_model_group(m, q);
+    m->groups = m->plain = 0;
+    m->known = task->known.force != NULL;
     return KERN_OK;
 }
 
@@ -2505,6 +2514,8 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
     int i, g;
+    if (m->groups == 0)
+        kern_model_group(m, q);
     kern_model_weigh(m, q);
     for (g = 0; g <= m->groups; g++)
         m->local[g] = KERN_OUT;
@@ -2553,45 +2564,45 @@ static int kern_force_widen(kern_model *m, int i, kern_real shrink)
     return line;
 }
 
-/* The model for a query whose forces are known but for those on the last
-   block. Groups keep theirs until they are opened. */
-static void kern_model_keep(kern_model *m, const kern_force *known,
-                            const kern_query *q)
+/* Whether forces on block i may have changed; see kern_pass_down(). */
+static inline int kern_is_open(const kern_model *m, int i)
+{ return !(m->sum[4 * i + 3] < 0); }
+
+/* The model for a query whose forces are known but for what could not be passed
+   on: by so many blocks, listed in m->leader. Groups that have not been opened
+   keep their forces until they are. */
+static void kern_model_keep(kern_model *m, const kern_query *q, int waiting)
 {
+    const kern_contact *c = m->s->contact;
     int i, g;
+    if (m->groups == 0)
+        kern_model_group(m, q);
     m->weight = KERN_R(1);
     m->lazy = q;
-    m->slope = kern_slope(q);
     for (g = 0; g < m->groups; g++) {
         kern_model_unit(m, q, g);
-        m->leader[g] = g;
         m->next[g] = KERN_OUT;
+        m->local[g] = KERN_OUT;
         m->dirty[g] = 0;
     }
+    m->local[m->groups] = KERN_OUT;
     m->unit[m->groups] = KERN_R(0);
-    for (g = 0; g <= m->groups; g++)
-        m->local[g] = KERN_OUT;
+    for (i = 0; i < waiting; i++)
+        m->dirty[m->group[m->leader[i]]] = 1;
+    for (g = 0; g < m->groups; g++) {
+        m->leader[g] = g;
+        if (kern_is_open(m, m->block[g])) {
+            m->next[g] = g;
+            kern_model_load(m, q, g);
+        }
+    }
     for (i = 0; i < m->s->contacts; i++)
-        m->force[i] = known[i];
+        if (kern_is_open(m, c[i].a) || kern_is_open(m, c[i].b))
+            kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
     m->prior = m->force; /* the least change of what is there is found */
 }
 
 /* Opens a group that keeps its forces: they may change from now on. */
-static void kern_model_loosen(kern_model *m, int g)
-{
-    int e;
-    m->next[g] = g;
-    if (!(m->lazy->shrink < m->balanced))
-        return;
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int other = m->ends[e ^ 1];
-        if ((other == m->groups || m->next[other] == KERN_OUT)
-            && kern_force_widen(m, e >> 1, m->lazy->shrink))
-            e += 2;
-    }
-}
-
-/* The same, with its load and torques. */
 static void kern_model_unfold(kern_model *m, int g)
 {
     int e;
@@ -2603,7 +2614,15 @@ static void kern_model_unfold(kern_model *m, int g)
         if (other == m->groups || m->next[other] == KERN_OUT)
             kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
     }
-    kern_model_loosen(m, g);
+    m->next[g] = g;
+    if (!(m->lazy->shrink < m->balanced))
+        return;
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int other = m->ends[e ^ 1];
+        if ((other == m->groups || m->next[other] == KERN_OUT)
+            && kern_force_widen(m, e >> 1, m->lazy->shrink))
+            e += 2;
+    }
 }
 
 /* ---- Parts and programs ---------------------------------------- >>engine */
@@ -2753,9 +2772,12 @@ static kern_status kern_path_open(kern_path *path, kern_model *m,
                                   kern_real shrink, const void *out)
 {
     kern_query q;
-    const kern_status status = kern_query_check(task, shrink, out, &q);
-    return status == KERN_OK
-           ? kern_path_begin(path, m, part, task, &task->s, &q) : status;
+    kern_status status = kern_query_check(task, shrink, out, &q);
+    if (status == KERN_OK)
+        status = kern_path_begin(path, m, part, task, &task->s, &q);
+    if (status == KERN_OK)
+        kern_model_group(m, &q);
+    return status;
 }
 
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
@@ -2864,6 +2886,29 @@ static kern_real kern_known_seen(const kern_block *block, int blocks)
     return sum;
 }
 
+/* An interior point leaves a little motion in what rests: instead of that the
+   mechanism of what moves alone is remembered. */
+static void kern_known_clean(kern_model *m, kern_path *path, kern_real fails)
+{
+    const kern_query q = kern_path_at(path, fails);
+    const int plain = m->plain;
+    int i, noise = 0;
+    for (i = 0; i < m->s->blocks; i++) {
+        m->motion[i] = path->proof->motion[i];
+        noise |= kern_speed(m->motion + i) > 0 && !kern_moves(m, i);
+    }
+    if (!noise)
+        return;
+    if (plain)
+        kern_model_touch(m);
+    m->plain = 0;
+    kern_model_set(m, &q);
+    path->alone = 1;
+    if (kern_part_moved(path->part, m) && kern_part_note(path->part) == KERN_OK)
+        kern_path_evaluate(m, path, fails);
+    m->plain = plain;
+}
+
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
 static void kern_known_set(kern_task *task, kern_status status,
@@ -2919,6 +2964,8 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     status = kern_measure_along(&m, &path, task, status, out);
     if (warm && status != KERN_BAD_STEP) /* forces may have changed */
         task->known.blocks = 0;
+    if (warm && status == KERN_STANDS && !out->saturated)
+        kern_known_clean(&m, &path, out->fails);
     if (warm && status >= 0)
         kern_known_set(task, status, &m, &path, out, proof);
     else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
@@ -3801,8 +3848,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
 #define KERN_REGROWN       4       /* times that a unit of three is joined    */
+#define KERN_REGROWN_KNOWN 16      /* the same where changes begin from it    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
-#define KERN_CHANGE_BUDGET 100     /* the same for a change                   */
 #define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
 
 /* What a contact's two rays make of the motion (wn, wt) along n and t: force
@@ -4446,6 +4493,18 @@ static int kern_pour_three(const kern_real h[6], const kern_real b[3],
     return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
 }
 
+/* The motion u that a matrix in three unknowns leaves free, against b. */
+static void kern_pour_free(const kern_real h[6], const kern_real b[3],
+                           kern_real u[3])
+{
+    const kern_real l1 = h[1] / h[0], l3 = h[3] / h[0];
+    const kern_real l4 = (h[4] - l3 * h[1]) / (h[2] - l1 * h[1]);
+    u[2] = b[2] + (l1 * l4 - l3) * b[0] - l4 * b[1] > 0 ? KERN_R(-1)
+                                                       : KERN_R(1);
+    u[1] = -l4 * u[2];
+    u[0] = (l1 * l4 - l3) * u[2];
+}
+
 typedef struct kern_row { /* a contact that carries the group */
     kern_real n[3], turn, mu, wn, wt; /* t is (-n[1], n[0], turn)             */
     int end, mask;
@@ -4528,8 +4587,8 @@ static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
 }
 
 /* The least change u that makes the rows exert b, by Newton's method with full
-   steps. KERN_FALLS where that ends with something left; KERN_UNDECIDED where
-   it does not end soon. */
+   steps. KERN_FALLS where that ends with something left: then u is how the
+   group seems to move; KERN_UNDECIDED where it does not end soon. */
 static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
                                    kern_real tolerance, kern_real u[3])
 {
@@ -4560,13 +4619,77 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
             break;
         if (changed)
             return KERN_UNDECIDED;
-        if (round == 2)
+        if (round == 2) {
+            kern_pour_free(h, left, u);
             return KERN_FALLS;
+        }
         kern_pour_three(h, left, step);
         for (j = 0; j < 3; j++)
             u[j] += step[j];
     }
     return KERN_STANDS;
+}
+
+/* Adds what the row exerts by f along n and r along t. */
+static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
+                          kern_real b[3])
+{
+    b[0] += f * row->n[0] - r * row->n[1];
+    b[1] += f * row->n[1] + r * row->n[0];
+    b[2] += f * row->n[2] + r * row->turn;
+}
+
+/* The forces with which the two ends of a line exert what is left besides what
+   they do, if it opposes gravity, and can. The force along t is shared as that
+   along n is. */
+static int kern_row_line(const kern_model *m, const kern_row *row,
+                         const kern_real left[3], kern_force f[2])
+{
+    const kern_force *was = m->force + (row->end >> 1);
+    const kern_vec down = m->s->gravity;
+    const kern_real along = row->n[0] * left[0] + row->n[1] * left[1];
+    const kern_real across = row->n[0] * left[1] - row->n[1] * left[0];
+    const kern_real turn = left[2] - across * row->turn;
+    const kern_real arm = row[0].n[2] - row[1].n[2];
+    kern_real share;
+    int k;
+    if (!(row->n[0] * down.x + row->n[1] * down.y
+          < -kern_vec_largest(down) / 2))
+        return 0;
+    f[0].normal = (turn - along * row[1].n[2]) / arm;
+    f[1].normal = was[1].normal + (along - f[0].normal); /* keeps their sum */
+    f[0].normal += was[0].normal;
+    if (!(f[0].normal >= 0 && f[1].normal >= 0))
+        return 0;
+    share = (across + was[0].tangential + was[1].tangential)
+            / (f[0].normal + f[1].normal);
+    for (k = 0; k < 2; k++)
+        f[k].tangential = share * f[k].normal;
+    return kern_abs(share) <= row->mu;
+}
+
+/* Lets one line exert the change of the load b on group g, if one can. */
+static int kern_pour_line(kern_model *m, const kern_row *row, int n,
+                          const kern_real b[3], kern_real tolerance)
+{
+    kern_real left[3] = {b[0], b[1], b[2]};
+    kern_force f[2];
+    int k, j, lines = 0;
+    for (k = 0; k < n; k++) {
+        const kern_force *was = m->force + (row[k].end >> 1);
+        kern_row_add(row + k, -was->normal, -was->tangential, left);
+    }
+    for (k = 0; k < n; k++) {
+        lines = m->s->contact[row[k].end >> 1].line ? lines % 2 + 1 : 0;
+        if (lines == 2 && kern_row_line(m, row + k - 1, left, f)) {
+            for (j = 0; j < 2; j++)
+                kern_pour_write(m, row[k - 1 + j].end >> 1,
+                                m->ends[row[k].end ^ 1], f[j].normal,
+                                f[j].tangential, tolerance);
+            return 1;
+        }
+    }
+    return 0;
 }
 
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
@@ -4581,6 +4704,8 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pour_load(m, g, b);
+    if (m->lazy && kern_pour_line(m, row, n, b, tolerance))
+        return KERN_STANDS;
     status = kern_pour_solve(row, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_spring s = kern_row_spring(row + k, u);
@@ -4751,7 +4876,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
         added = kern_pour_grow(m, &last, levels);
         groups += added;
         if (added == 0 || groups > KERN_UNIT_MOST
-            || m->regrown > KERN_REGROWN)
+            || m->regrown > (m->known ? KERN_REGROWN_KNOWN : KERN_REGROWN))
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -4775,10 +4900,10 @@ static void kern_pour_begin(kern_model *m)
 
 /* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
    with an open part, or KERN_POUR_DRY. */
-static kern_poured kern_pour(kern_model *m, kern_part *p, int each)
+static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
     const int size = m->s->contacts + m->groups;
-    int budget = each * (size < KERN_POUR_LARGEST
+    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
                                      ? size : KERN_POUR_LARGEST);
     int at;
     m->regrown = 0;
@@ -4809,116 +4934,233 @@ static kern_poured kern_pour(kern_model *m, kern_part *p, int each)
 }
 
 /* ---- a change ---- */
-/* Where a block is added, the others are in balance. What is new is passed
-   down from group to group, m->load being what of it a group must pass on: to
-   one line if that can take it, else to all contacts that oppose it, by the
-   least change. So it goes down a row of blocks, as a rule, and not through all
-   that is below. */
+/* Where a block is added, the others are in balance. What is new is passed on
+   from block to block, the highest first: to one line if that can take it, else
+   to all contacts that oppose it, by the least change. So it goes down a row of
+   blocks, as a rule, and not through all that is below; no model is needed. A
+   block whose forces change is opened: its fourth sum is not below 0. The
+   contacts that carry a block are looked for among those that were found when
+   it was added. Torques are in units of the mean size. */
 
-/* Adds to the forces of contact end e of a group that passes on. */
-static void kern_pass_write(kern_model *m, int e, kern_real f, kern_real r,
-                            kern_real tolerance)
+typedef struct kern_pass {
+    kern_model *m;
+    const kern_query *q;
+    int *list;                /* blocks that must pass on, the highest last   */
+    int waiting;
+} kern_pass;
+
+/* That of a contact's blocks which was added later. */
+static inline int kern_contact_later(const kern_contact *c)
+{ return c->a > c->b ? c->a : c->b; }
+
+/* The first contact that was found when block i was added. */
+static int kern_pass_first(const kern_structure *s, int i)
 {
-    kern_force *to = m->force + (e >> 1);
-    const kern_real df = f - to->normal, dr = r - to->tangential;
-    const int on = m->ends[e ^ 1];
-    if (on < m->groups && m->next[on] == KERN_OUT) {
-        kern_real *left = m->load + 3 * (size_t)on;
-        if (kern_abs(df) + kern_abs(dr) <= tolerance)
-            return;
-        kern_model_loosen(m, on);
-        left[0] = left[1] = left[2] = KERN_R(0);
+    int low = 0, high = s->contacts;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (kern_contact_later(s->contact + middle) < i)
+            low = middle + 1;
+        else
+            high = middle;
     }
-    if (on < m->groups)
-        kern_model_carry(m, e >> 1, (e ^ 1) & 1, df, dr, m->load + 3 * on);
+    return low;
+}
+
+static kern_real kern_pass_depth(const kern_structure *s, int i)
+{ return kern_vec_dot(s->block[i].centre, s->gravity); }
+
+/* What is left for a block to pass on. */
+static kern_real *kern_pass_left(const kern_model *m, int i)
+{ return (kern_real *)(void *)(m->motion + i); /* not in use here */ }
+
+/* Opens a block that has nothing to pass on yet. */
+static void kern_pass_open(kern_pass *p, int i)
+{
+    kern_model *m = p->m;
+    const kern_structure *s = m->s;
+    const kern_real depth = kern_pass_depth(s, i);
+    kern_real *left = kern_pass_left(m, i);
+    int k;
+    left[0] = left[1] = left[2] = m->sum[4 * i + 3] = KERN_R(0);
+    for (k = p->waiting++; k > 0; k--) {
+        if (kern_pass_depth(s, p->list[k - 1]) >= depth)
+            break;
+        p->list[k] = p->list[k - 1];
+    }
+    p->list[k] = i;
+    if (p->q->shrink < m->balanced)
+        for (k = kern_pass_first(s, i);
+             k < s->contacts && kern_contact_later(s->contact + k) == i; k++)
+            k += kern_force_widen(m, k, p->q->shrink);
+}
+
+/* The row of contact k at block i. */
+static void kern_pass_row(const kern_structure *s, const kern_query *q, int k,
+                          int i, kern_row *row)
+{
+    const kern_contact *c = s->contact + k;
+    const int end = c->b != i;
+    const kern_real sign = end ? KERN_R(-1) : KERN_R(1);
+    kern_vec arm[2];
+    kern_arms(s, c, q, arm);
+    arm[0] = kern_vec_scale(arm[!end], sign / q->mean);
+    row->n[0] = sign * c->n.x;
+    row->n[1] = sign * c->n.y;
+    row->n[2] = kern_vec_cross(arm[0], c->n);
+    row->turn = kern_vec_dot(arm[0], c->n); /* arm x t */
+    row->mu = kern_friction(c, kern_slope(q));
+    row->end = 2 * k + end;
+    row->wn = row->wt = KERN_R(0);
+}
+
+/* What contacts must exert on a block; returns its magnitude. */
+static kern_real kern_pass_load(const kern_structure *s, const kern_query *q,
+                                int i, kern_real b[3])
+{
+    kern_wrench w;
+    const kern_real size = kern_wrench_on(s, q, i, &w);
+    b[0] = -w.fx;
+    b[1] = -w.fy;
+    b[2] = -w.torque / q->mean;
+    return size;
+}
+
+/* Writes the force of a contact that carries block i. */
+static void kern_pass_write(kern_pass *p, int i, const kern_row *row,
+                            kern_real f, kern_real r, kern_real tolerance)
+{
+    kern_model *m = p->m;
+    const kern_contact *c = m->s->contact + (row->end >> 1);
+    const kern_block *b = m->s->block;
+    const int on = row->end & 1 ? c->b : c->a;
+    kern_force *to = m->force + (row->end >> 1);
+    const kern_real df = f - to->normal, dr = r - to->tangential;
+    if (!b[on].fixed) {
+        const kern_vec apart = kern_vec_sub(b[i].centre, b[on].centre);
+        kern_real *left = kern_pass_left(m, on), w[3] = {0, 0, 0};
+        if (!kern_is_open(m, on)) {
+            if (kern_abs(df) + kern_abs(dr) <= tolerance)
+                return;
+            kern_pass_open(p, on);
+        }
+        kern_row_add(row, df, dr, w);
+        left[0] += w[0];
+        left[1] += w[1];
+        left[2] += w[2] + (apart.x * w[1] - apart.y * w[0]) / m->mean;
+    }
     to->normal = f;
     to->tangential = r;
 }
 
-/* Lets the two ends of a line exert what is left besides their forces, if they
-   can. The force along t is shared as that along n is. */
-static int kern_pass_line(kern_model *m, const kern_row *row,
-                          const kern_real left[3], kern_real tolerance)
+/* Whether contact c opposes gravity on block i, and leads to a lower one. */
+static int kern_pass_opposes(const kern_structure *s, const kern_contact *c,
+                             int i)
 {
-    const kern_force *was = m->force + (row->end >> 1);
-    const kern_real along = row->n[0] * left[0] + row->n[1] * left[1];
-    const kern_real across = row->n[0] * left[1] - row->n[1] * left[0];
-    const kern_real turn = left[2] - across * row->turn;
-    const kern_real arm = row[0].n[2] - row[1].n[2];
-    kern_real f[2], share;
-    f[0] = was[0].normal + (turn - along * row[1].n[2]) / arm;
-    f[1] = was[1].normal - (turn - along * row[0].n[2]) / arm;
-    if (!(f[0] >= 0 && f[1] >= 0))
-        return 0;
-    share = (across + was[0].tangential + was[1].tangential) / (f[0] + f[1]);
-    if (!(kern_abs(share) <= row->mu))
-        return 0;
-    kern_pass_write(m, row[0].end, f[0], share * f[0], tolerance);
-    kern_pass_write(m, row[1].end, f[1], share * f[1], tolerance);
-    return 1;
+    const int on = c->b == i ? c->a : c->b;
+    const kern_real along = kern_vec_dot(c->n, s->gravity);
+    return (c->b == i ? -along : along) > kern_vec_largest(s->gravity) / 2
+           && (s->block[on].fixed
+               || kern_pass_depth(s, on) > kern_pass_depth(s, i));
 }
 
-/* Passes on what group g must. */
-static int kern_pass(kern_model *m, int g)
+/* Passes on what block i must. */
+static int kern_pass_block(kern_pass *p, int i)
 {
+    const kern_model *m = p->m;
+    const kern_structure *s = m->s;
     kern_row row[KERN_ROWS_MOST];
-    const kern_real *left = m->load + 3 * (size_t)g;
+    const kern_real *left = kern_pass_left(m, i);
     const kern_real tolerance = KERN_POUR_TOL * kern_largest(left, 3);
     kern_real b[3] = {left[0], left[1], left[2]}, u[3];
-    const kern_vec down = m->s->gravity;
-    const kern_real least = kern_vec_largest(down) / 2;
-    int e, n = 0, lines = 0, k;
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const kern_real along = kern_vec_dot(m->s->contact[e >> 1].n, down);
-        if (m->ends[e ^ 1] < g || !((e & 1 ? along : -along) > least))
+    kern_force f[2];
+    int n = 0, lines = 0, k;
+    for (k = kern_pass_first(s, i); k < s->contacts; k++) {
+        const kern_contact *c = s->contact + k;
+        if (kern_contact_later(c) != i)
+            break;
+        if (!kern_pass_opposes(s, c, i))
             continue;
         if (n == KERN_ROWS_MOST)
             return 0;
-        kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
-        kern_pour_row(m, e, row + n);
-        lines = m->s->contact[e >> 1].line ? lines + 1 : 0;
-        if (lines == 2) {
-            lines = 0;
-            if (row[n - 1].end == e - 2
-                && kern_pass_line(m, row + n - 1, left, tolerance))
-                return 1;
+        kern_pass_row(s, p->q, k, i, row + n++);
+        lines = c->line ? lines % 2 + 1 : 0;
+        if (lines == 2 && kern_row_line(m, row + n - 2, left, f)) {
+            kern_pass_write(p, i, row + n - 2, f[0].normal, f[0].tangential,
+                            tolerance);
+            kern_pass_write(p, i, row + n - 1, f[1].normal, f[1].tangential,
+                            tolerance);
+            return 1;
         }
-        n++;
     }
     for (k = 0; k < n; k++) {
-        const kern_force *f = m->force + (row[k].end >> 1);
-        kern_model_carry(m, row[k].end >> 1, row[k].end & 1, -f->normal,
-                         -f->tangential, b);
+        const kern_force *was = m->force + (row[k].end >> 1);
+        const kern_real mu = row[k].mu;
+        row[k].wn = was->normal / 2;
+        row[k].wt = mu > 0 ? was->tangential / (2 * mu * mu) : KERN_R(0);
+        kern_row_add(row + k, was->normal, was->tangential, b);
     }
     if (kern_pour_solve(row, n, b, tolerance, u) != KERN_STANDS)
         return 0;
     for (k = 0; k < n; k++) {
-        const kern_spring s = kern_row_spring(row + k, u);
-        kern_pass_write(m, row[k].end, s.f, s.r, tolerance);
+        const kern_spring is = kern_row_spring(row + k, u);
+        kern_pass_write(p, i, row + k, is.f, is.r, tolerance);
     }
     return 1;
 }
 
-/* Passes what is new on group g down to the ground, or to a group that cannot:
-   from there on all that have been opened must be balanced. Returns whether
-   none is left. */
-static int kern_pass_down(kern_model *m, int g)
+/* Makes forces on contacts between open blocks and others, the later ones, into
+   forces at the query's shrinkage; the others have been made already. */
+static void kern_pass_widen(kern_model *m, const kern_query *q)
 {
-    int e, at;
-    for (at = g; at < m->groups; at++)
-        if (m->next[at] != KERN_OUT && !kern_pass(m, at))
-            break;
-    if (at == m->groups)
-        return 1;
-    for (; g < m->groups; g++) {
-        if (m->next[g] == KERN_OUT)
-            continue;
-        kern_model_load(m, m->lazy, g);
-        for (e = m->touch[g]; e >= 0; e = m->after[e])
-            kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
-        m->dirty[g] = g >= at;
+    const kern_contact *c = m->s->contact;
+    int k;
+    for (k = 0; k < m->s->contacts && q->shrink < m->balanced; k++)
+        if (!kern_is_open(m, kern_contact_later(c + k))
+            && (kern_is_open(m, c[k].a) || kern_is_open(m, c[k].b)))
+            k += kern_force_widen(m, k, q->shrink);
+}
+
+/* Opens all blocks that are not. */
+static void kern_pass_all(kern_model *m, const kern_query *q)
+{
+    const kern_contact *c = m->s->contact;
+    int k;
+    for (k = 0; k < m->s->contacts && q->shrink < m->balanced; k++)
+        if (!kern_is_open(m, c[k].a) && !kern_is_open(m, c[k].b))
+            k += kern_force_widen(m, k, q->shrink);
+    for (k = 0; k < m->s->blocks; k++)
+        m->sum[4 * k + 3] = kern_max(m->sum[4 * k + 3], KERN_R(0));
+}
+
+/* Passes what the last block needs down to the ground. Returns how many blocks,
+   listed in m->leader, still must pass on, since one could not: those that are
+   open must be balanced from there on. */
+static int kern_pass_down(kern_model *m, const kern_query *q)
+{
+    const int last = m->s->blocks - 1;
+    kern_pass p;
+    int i;
+    p.m = m;
+    p.q = q;
+    p.list = m->leader;
+    p.waiting = 0;
+    m->slope = kern_slope(q);
+    for (i = 0; i < m->s->contacts; i++)
+        m->force[i] = m->prior[i];
+    for (i = 0; i <= last; i++) {
+        kern_real *sum = m->sum + 4 * i;
+        sum[0] = sum[1] = sum[2] = KERN_R(0);
+        sum[3] = KERN_R(-1);
     }
-    return 0;
+    if (!m->s->block[last].fixed) {
+        kern_pass_open(&p, last);
+        kern_pass_load(m->s, q, last, kern_pass_left(m, last));
+    }
+    while (p.waiting > 0 && kern_pass_block(&p, p.list[p.waiting - 1]))
+        p.waiting--;
+    kern_pass_widen(m, q);
+    return p.waiting;
 }
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
@@ -5157,14 +5399,6 @@ static int kern_part_moved(kern_part *p, kern_model *m)
     return groups > 0 && kern_part_open(p, m, groups, last);
 }
 
-static void kern_falls_clear(kern_model *m)
-{
-    int g;
-    m->wide = m->falls = 0;
-    for (g = 0; g < m->groups; g++)
-        m->fell[g] = 0;
-}
-
 /* Notes a part as what falls, and lays out its linear program; KERN_NO_SPACE
    also where it is not much less than the whole. */
 static kern_status kern_part_note(kern_part *p)
@@ -5228,31 +5462,20 @@ static kern_status kern_part_again(kern_part *p, kern_model *m)
     return kern_part_lay(p);
 }
 
-/* The proof of forces of which those on groups that keep theirs were proven
+/* The proof of forces of which those on blocks that are not open were proven
    before: the rows of all others, their contacts, and all forces together. */
 static kern_real kern_prove_change(const kern_model *m, const kern_query *q)
 {
     const kern_structure *s = m->s;
     kern_real total = KERN_R(0);
-    int i, e;
-    for (i = 0; i < s->blocks; i++)
-        m->sum[4 * i + 3] = KERN_R(-1);
-    for (i = 0; i < m->groups; i++)
-        if (m->next[i] != KERN_OUT) {
-            kern_real *sum = m->sum + 4 * m->block[i];
-            sum[0] = sum[1] = sum[2] = sum[3] = KERN_R(0);
-        }
-    for (i = 0; i < m->groups; i++)
-        for (e = m->next[i] == KERN_OUT ? KERN_OUT : m->touch[i]; e >= 0;
-             e = m->after[e]) {
-            const int other = m->ends[e ^ 1];
-            if ((other >= i || m->next[other] == KERN_OUT)
-                && !kern_prove_contact(s, q, s->contact + (e >> 1),
-                                       m->force + (e >> 1), m->slope, m->sum))
-                return KERN_INFINITY;
-        }
-    for (i = 0; i < s->contacts; i++)
+    int i;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
         total += m->force[i].normal;
+        if ((kern_is_open(m, c->a) || kern_is_open(m, c->b))
+            && !kern_prove_contact(s, q, c, m->force + i, m->slope, m->sum))
+            return KERN_INFINITY;
+    }
     return kern_prove_rows(s, q, m->sum, total);
 }
 
@@ -5277,29 +5500,27 @@ static kern_status kern_model_resolve(kern_model *m, kern_part *p,
 static kern_status kern_model_change(kern_model *m, kern_part *p,
                                      const kern_query *q)
 {
-    const int last = m->group[m->s->blocks - 1];
     const kern_force *known = m->prior;
     kern_real error = KERN_INFINITY;
     kern_poured poured = KERN_POURED;
-    int g;
+    int g, waiting;
     if (!known || !(q->shrink <= m->balanced))
         return KERN_UNDECIDED;
-    kern_model_keep(m, known, q);
-    if (last < m->groups) {
-        kern_model_loosen(m, last);
-        kern_model_load(m, q, last);
+    waiting = kern_pass_down(m, q);
+    if (waiting > 0) {
+        kern_model_keep(m, q, waiting);
+        poured = kern_pour(m, p);
+        m->prior = known;
+        for (g = 0; g < m->groups; g++)
+            if (m->next[g] != KERN_OUT)
+                m->sum[4 * m->block[g] + 3] = KERN_R(0);
     }
-    if (!kern_pass_down(m, last))
-        poured = kern_pour(m, p, m->solved ? KERN_CHANGE_BUDGET
-                                           : KERN_POUR_BUDGET);
-    m->prior = known;
     if (poured == KERN_POUR_FALLS && !m->solved) {
         kern_model_weigh(m, q);
         return KERN_FALLS;
     }
-    for (g = 0; g < m->groups && m->complete; g++)
-        if (m->next[g] == KERN_OUT)
-            kern_model_loosen(m, g);
+    if (m->complete)
+        kern_pass_all(m, q);
     if (poured == KERN_POURED)
         error = kern_prove_change(m, q);
     if (kern_model_proven(m, error)) {
@@ -5326,7 +5547,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
         return status;
     kern_model_set(m, q);
     kern_pour_begin(m);
-    poured = kern_pour(m, p, KERN_POUR_BUDGET);
+    poured = kern_pour(m, p);
     if (poured != KERN_POURED)
         return poured == KERN_POUR_FALLS ? KERN_FALLS : KERN_UNDECIDED;
     for (i = 0; i < m->s->contacts; i++)
@@ -5885,12 +6106,6 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
             *v = seed->motion[i];
     }
     error = kern_prove_motion(m->s, &q, m->motion);
-    /* an interior point leaves a little motion in what rests */
-    for (i = 0; i < m->s->blocks && !(error <= 1); i++)
-        if (!kern_moves(m, i))
-            m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
-    if (!(error <= 1))
-        error = kern_prove_motion(m->s, &q, m->motion);
     if (seed->fails - path->holds > path->tolerance
         || !kern_model_proven(m, error))
         return 0;
@@ -6640,6 +6855,7 @@ typedef struct kern_probe {
     kern_real holds;          /* the farthest place that stands               */
     kern_real at;             /* the next place                               */
     int fell;                 /* nonzero: a part fell                         */
+    int guess;                /* nonzero: what moved before, not poured       */
     int seeded;               /* nonzero: something is known about `at`       */
     int done;                 /* nonzero: the search is over                  */
 } kern_probe;
@@ -6697,7 +6913,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const kern_query q = kern_path_at(path, holds);
     const int seeded = !probe->fell && path->seed
                        && path->seed->fails > probe->at;
-    const int closed = probe->fell && path->closed;
+    const int closed = probe->fell && path->closed && !probe->guess;
     const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     kern_status status = KERN_UNDECIDED;
     if (!seeded) /* else one verdict from the known forces may do */
@@ -6744,12 +6960,13 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     return status == KERN_FALLS ? status : KERN_UNDECIDED;
 }
 
-/* Narrows the bracket of the open part alone, in a few evaluations. */
-static kern_status kern_path_part(kern_model *m, kern_path *path)
+/* Narrows the bracket of the open part alone; in a few evaluations, unless it
+   is to the end. */
+static kern_status kern_path_part(kern_model *m, kern_path *path, int end)
 {
     kern_status status;
     path->alone = 1;
-    status = kern_path_edge(m, path, kern_part_is_whole(path->part)
+    status = kern_path_edge(m, path, end || path->part->groups == m->groups
                                      ? KERN_EDGE_ROUNDS : KERN_PART_ROUNDS);
     path->alone = 0;
     return status;
@@ -6766,17 +6983,18 @@ static kern_status kern_probe_stood(kern_probe *probe, kern_model *m,
         path->edge = kern_min(kern_max(path->edge, at), path->fails);
         return KERN_STANDS;
     }
-    if (probe->seeded && kern_path_still_falls(m, path))
-        return KERN_STANDS;
     if (at >= path->end)
         return kern_path_saturate(path);
+    if (probe->seeded && kern_path_still_falls(m, path))
+        return KERN_STANDS;
     probe->done = 0;
     if (probe->fell)
         return kern_part_again(path->part, m) == KERN_OK ? KERN_STANDS
                                                          : KERN_NO_SPACE;
-    if (probe->seeded && kern_path_moved(m, path, probe->first) == KERN_FALLS)
+    if (probe->seeded && kern_path_moved(m, path, probe->first) == KERN_FALLS) {
         probe->fell = 1;
-    else
+        probe->guess = 1; /* most likely it is what falls */
+    } else
         probe->at = kern_min(path->end, path->seed && path->seed->fails > 0
                              ? at + probe->first
                              : probe->start + 2 * (at - probe->start));
@@ -6791,7 +7009,7 @@ static kern_status kern_probe_fell(kern_probe *probe, kern_path *path)
         return path->begun ? KERN_UNDECIDED : KERN_FALLS;
     }
     probe->fell = 1;
-    path->closed = 0;
+    probe->guess = path->closed = 0;
     return KERN_STANDS;
 }
 
@@ -6801,9 +7019,9 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
 {
     if (status == KERN_STANDS
         && path->edge > probe->start + path->tolerance) {
-        status = kern_path_part(m, path);
+        status = kern_path_part(m, path, probe->guess);
         probe->at = path->holds;
-        probe->done = status == KERN_STANDS && kern_part_is_whole(path->part)
+        probe->done = status == KERN_STANDS && path->part->groups == m->groups
                       && probe->at > probe->holds && path->closed;
     } else {
         const kern_real next = kern_max(probe->start,
@@ -6829,7 +7047,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     probe.start = probe.holds = path->start = path->holds;
     probe.first = first;
     probe.step = step;
-    probe.fell = probe.done = 0;
+    probe.fell = probe.done = probe.guess = 0;
     probe.seeded = seed && seed->fails > probe.start
                    && seed->fails <= path->end;
     probe.at = m->plain ? probe.start
@@ -6837,7 +7055,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                               : kern_min(probe.start + first, path->end);
     if (m->plain)
         return kern_path_plain(m, path, &probe);
-    kern_falls_clear(m);
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const int last = probe.fell ? path->closed
                                     : probe.seeded || probe.at >= path->end;
@@ -9117,20 +9334,76 @@ static kern_status kern_trial_begin(const kern_trial *t, kern_stage *on,
     return status;
 }
 
+/* The motion u of the last block alone, its torque in units of the mean size,
+   if it proves that it falls. */
+static kern_status kern_trial_moves(kern_stage *on, const kern_query *q,
+                                    const kern_real u[3],
+                                    const kern_proof *proof)
+{
+    kern_model *m = &on->m;
+    const int last = on->s.blocks - 1;
+    kern_motion *v = m->motion + last;
+    kern_real error, most;
+    int i;
+    if (!kern_model_spend(m, m->query_units))
+        return KERN_LIMIT;
+    m->work->solves++;
+    for (i = 0; i < last; i++)
+        m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
+    most = kern_max(KERN_SQRT(u[0] * u[0] + u[1] * u[1]),
+                    kern_abs(u[2]) / q->mean
+                    * kern_block_size(on->s.block + last));
+    v->vx = u[0] / most;
+    v->vy = u[1] / most;
+    v->spin = u[2] / (q->mean * most);
+    error = kern_prove_motion(&on->s, q, m->motion);
+    if (!(error <= 1))
+        return KERN_UNDECIDED;
+    m->work->error = kern_max(m->work->error, error);
+    kern_proof_out(m, proof, KERN_FALLS);
+    return KERN_FALLS;
+}
+
+/* The verdict on the last block alone by its own three rows: KERN_FALLS is
+   proven, KERN_STANDS need not be. Unless that is what it says its model is
+   open. */
+static kern_status kern_trial_alone(const kern_trial *t, kern_stage *on,
+                                    kern_real shrink, const kern_proof *proof)
+{
+    const kern_structure *s = &t->plan->task.s;
+    const int last = s->blocks - 1;
+    kern_query q = t->q;
+    kern_row row[KERN_ROWS_MOST];
+    kern_real b[3], u[3], size;
+    kern_status status = KERN_UNDECIDED, open;
+    int k;
+    if (s->block[last].fixed)
+        return KERN_STANDS;
+    q.shrink = shrink;
+    for (k = 0; k < t->found && t->found <= KERN_ROWS_MOST; k++)
+        kern_pass_row(s, &q, s->contacts - t->found + k, last, row + k);
+    size = kern_pass_load(s, &q, last, b);
+    if (k == t->found)
+        status = kern_pour_solve(row, k, b, KERN_POUR_TOL * size, u);
+    if (status == KERN_STANDS)
+        return status;
+    open = kern_trial_begin(t, on, 1, proof);
+    if (open != KERN_OK)
+        return open;
+    return status == KERN_FALLS ? kern_trial_moves(on, &q, u, proof)
+                                : KERN_UNDECIDED;
+}
+
 /* Where the last block falls alone: what is known of it to *seed, if that is
    nearer than what is known there. KERN_FALLS where it falls at once. */
 static kern_status kern_trial_nearer(const kern_trial *t, kern_stage *on,
                                      kern_seed *seed, const kern_proof *proof)
 {
     kern_path *path = &on->path;
-    kern_query q;
     kern_status status = kern_trial_begin(t, on, 1, proof);
     if (status != KERN_OK)
         return status;
     path->end = seed->fails;
-    q = kern_path_at(path, path->end);
-    if (kern_model_pour(&on->m, &on->part, &q, 0) == KERN_STANDS)
-        return KERN_STANDS;
     status = kern_path_search(&on->m, path, path->end,
                               path->unit * KERN_FIRST);
     if (status == KERN_STANDS && !path->never && path->fails < seed->fails) {
@@ -9151,9 +9424,13 @@ static kern_status kern_trial_measure(const kern_trial *t, kern_margin *out,
     kern_stage on;
     kern_seed seed = kern_known_seed(task);
     kern_status status = KERN_OK;
-    if (t->nested && !task->s.block[task->s.blocks - 1].fixed
-        && seed.fails > 0)
-        status = kern_trial_nearer(t, &on, &seed, proof);
+    if (t->nested && seed.fails > 0)
+        status = kern_trial_alone(t, &on, seed.fails, NULL);
+    if (status == KERN_FALLS || status == KERN_UNDECIDED) {
+        status = kern_trial_alone(t, &on, KERN_R(0), proof);
+        if (status != KERN_FALLS)
+            status = kern_trial_nearer(t, &on, &seed, proof);
+    }
     if (status != KERN_FALLS) {
         status = kern_trial_begin(t, &on, 0, proof);
         if (status != KERN_OK)
@@ -9175,18 +9452,28 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
     return kern_spent(plan->task.work, plan->task.options.limit, status);
 }
 
-/* The verdict of the plan with the block at a shrinkage, or of that alone. */
-static kern_status kern_trial_stands(const kern_trial *t, int alone,
-                                     kern_real shrink, const kern_proof *proof)
+/* The verdict of the plan with the block at a shrinkage: of that alone first. */
+static kern_status kern_trial_stands(const kern_trial *t, kern_real shrink,
+                                     const kern_proof *proof)
 {
     kern_stage on;
-    kern_status status = kern_trial_begin(t, &on, alone, proof);
+    kern_status status = kern_trial_alone(t, &on, shrink, proof);
+    if (status == KERN_UNDECIDED) {
+        on.path.q.shrink = shrink;
+        status = kern_model_plain(&on.m, &on.part, &on.path.q);
+        if (status == KERN_OK)
+            status = kern_model_evaluate(&on.m, &on.part, &on.path.q);
+        if (status == KERN_FALLS)
+            kern_proof_out(&on.m, proof, status);
+    }
+    if (status != KERN_STANDS && status != KERN_UNDECIDED)
+        return status;
+    status = kern_trial_begin(t, &on, 0, proof);
     if (status != KERN_OK)
         return status;
     on.path.q.shrink = shrink;
     status = kern_model_evaluate(&on.m, &on.part, &on.path.q);
-    if (!alone || status == KERN_FALLS)
-        kern_proof_out(&on.m, proof, status);
+    kern_proof_out(&on.m, proof, status);
     return status;
 }
 
@@ -9201,11 +9488,7 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
     if (!(margin >= 0 && kern_is_finite(margin))) {
         status = KERN_BAD_NUMBER;
     } else if (t.nested) {
-        if (!block->fixed)
-            status = kern_trial_stands(&t, 1, margin, proof);
-        if (status == KERN_OK || status == KERN_STANDS
-            || status == KERN_UNDECIDED)
-            status = kern_trial_stands(&t, 0, margin, proof);
+        status = kern_trial_stands(&t, margin, proof);
     } else {
         status = kern_trial_measure(&t, &r, proof);
         if (status == KERN_STANDS && !(r.margin >= margin))
