@@ -1954,12 +1954,11 @@ static kern_status kern_structure_check(const kern_structure *s,
                                         kern_fault *fault)
 {
     kern_status status = kern_arrays_check(s);
-    int i, any = 0;
-    int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
-    for (i = 0; i < s->blocks && status == KERN_OK; i++) {
+    int i, any = blocks > 0;
+    int loaded = any || kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
+    for (i = blocks; i < s->blocks && status == KERN_OK; i++) {
         const kern_block *b = s->block + i;
-        if (i >= blocks)
-            status = kern_block_check(b, s->gravity);
+        status = kern_block_check(b, s->gravity);
         if (status != KERN_OK)
             fault->block = i;
         any |= !b->fixed;
@@ -5159,7 +5158,6 @@ static int kern_pass_down(kern_model *m, const kern_query *q)
     }
     while (p.waiting > 0 && kern_pass_block(&p, p.list[p.waiting - 1]))
         p.waiting--;
-    kern_pass_widen(m, q);
     return p.waiting;
 }
 
@@ -5463,18 +5461,23 @@ static kern_status kern_part_again(kern_part *p, kern_model *m)
 }
 
 /* The proof of forces of which those on blocks that are not open were proven
-   before: the rows of all others, their contacts, and all forces together. */
-static kern_real kern_prove_change(const kern_model *m, const kern_query *q)
+   before: the rows of all others, their contacts, and all forces together.
+   `wide`: lines between open blocks and others that were added later are yet to
+   be widened. */
+static kern_real kern_prove_change(kern_model *m, const kern_query *q, int wide)
 {
     const kern_structure *s = m->s;
     kern_real total = KERN_R(0);
-    int i;
+    int i, from = wide && q->shrink < m->balanced ? 0 : s->contacts;
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
+        if (kern_is_open(m, c->a) || kern_is_open(m, c->b)) {
+            if (i >= from && !kern_is_open(m, kern_contact_later(c)))
+                from = i + 1 + kern_force_widen(m, i, q->shrink);
+            if (!kern_prove_contact(s, q, c, m->force + i, m->slope, m->sum))
+                return KERN_INFINITY;
+        }
         total += m->force[i].normal;
-        if ((kern_is_open(m, c->a) || kern_is_open(m, c->b))
-            && !kern_prove_contact(s, q, c, m->force + i, m->slope, m->sum))
-            return KERN_INFINITY;
     }
     return kern_prove_rows(s, q, m->sum, total);
 }
@@ -5507,6 +5510,8 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
     if (!known || !(q->shrink <= m->balanced))
         return KERN_UNDECIDED;
     waiting = kern_pass_down(m, q);
+    if (waiting > 0 || m->complete)
+        kern_pass_widen(m, q);
     if (waiting > 0) {
         kern_model_keep(m, q, waiting);
         poured = kern_pour(m, p);
@@ -5522,7 +5527,7 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
     if (m->complete)
         kern_pass_all(m, q);
     if (poured == KERN_POURED)
-        error = kern_prove_change(m, q);
+        error = kern_prove_change(m, q, waiting == 0 && !m->complete);
     if (kern_model_proven(m, error)) {
         p->found = KERN_STANDS;
         return KERN_STANDS;
@@ -8082,8 +8087,6 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
 typedef struct kern_edge {
     int start, end;         /* corners                               */
     kern_vec p, q, d;       /* their places; unit direction          */
-    kern_vec back;          /* of an edge: unit direction from p to
-                               the vertex before                     */
     kern_real length;
 } kern_edge;
 
@@ -8133,8 +8136,6 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
         if (!kern_box_near(&own, box, gap))
             continue;
         kern_edge_set(e, block, from, end);
-        e->back = kern_vec_unit(kern_polygon_way(
-            block, from, kern_polygon_prev(block, from)));
         return 1;
     }
     return 0;
@@ -8472,11 +8473,15 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *f,
 {
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
-    kern_vec p = f->p;
-    if (kern_vec_cross(f->back, f->d) > 0 || high > wide ||
-        high < -kern_max(wide, pair->deep) ||
-        kern_vec_cross(f->d, e->d) < -pair->sine ||
-        kern_vec_cross(f->back, e->d) < -pair->sine ||
+    const kern_block *own = pair->of[!on].parts.block;
+    kern_vec back, p = f->p;
+    if (high > wide || high < -kern_max(wide, pair->deep) ||
+        kern_vec_cross(f->d, e->d) < -pair->sine)
+        return;
+    back = kern_vec_unit(
+        kern_polygon_way(own, f->start, kern_polygon_prev(own, f->start)));
+    if (kern_vec_cross(back, f->d) > 0 ||
+        kern_vec_cross(back, e->d) < -pair->sine ||
         !kern_edge_bears(e, pair->of[on].parts.block, p,
                          pair->foot - pair->over, wide))
         return;
@@ -9343,7 +9348,7 @@ static kern_status kern_trial_moves(kern_stage *on, const kern_query *q,
     kern_model *m = &on->m;
     const int last = on->s.blocks - 1;
     kern_motion *v = m->motion + last;
-    kern_real error, most;
+    kern_real most;
     int i;
     if (!kern_model_spend(m, m->query_units))
         return KERN_LIMIT;
@@ -9356,10 +9361,8 @@ static kern_status kern_trial_moves(kern_stage *on, const kern_query *q,
     v->vx = u[0] / most;
     v->vy = u[1] / most;
     v->spin = u[2] / (q->mean * most);
-    error = kern_prove_motion(&on->s, q, m->motion);
-    if (!(error <= 1))
+    if (!kern_model_proven(m, kern_prove_motion(&on->s, q, m->motion)))
         return KERN_UNDECIDED;
-    m->work->error = kern_max(m->work->error, error);
     kern_proof_out(m, proof, KERN_FALLS);
     return KERN_FALLS;
 }
