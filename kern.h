@@ -2241,7 +2241,7 @@ struct kern_model {
     kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next, *dirty; /* of a group: see >>pour                     */
     int again;                /* the first leader that became dirty           */
-    int regrown;              /* how often a unit of three or more was joined */
+    int regrown;              /* how often a unit of three may yet be joined  */
     int known;                /* nonzero: changes begin from its forces       */
     int *local;               /* of a group: its number in the open part      */
     int plain;                /* nonzero: all groups are one part             */
@@ -4760,7 +4760,7 @@ static int kern_pour_grow(kern_model *m, int *last, int levels)
                 int joined;
                 kern_model_unfold(m, h);
                 joined = kern_pour_mark(m, h, m->local[g] + 1);
-                m->regrown += joined > 2;
+                m->regrown -= joined > 2;
                 added += joined;
                 *last = kern_pour_join(m, g, h);
             }
@@ -4875,7 +4875,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
         added = kern_pour_grow(m, &last, levels);
         groups += added;
         if (added == 0 || groups > KERN_UNIT_MOST
-            || m->regrown > (m->known ? KERN_REGROWN_KNOWN : KERN_REGROWN))
+            || m->regrown < 0)
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -4905,7 +4905,7 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
                                      ? size : KERN_POUR_LARGEST);
     int at;
-    m->regrown = 0;
+    m->regrown = m->known ? KERN_REGROWN_KNOWN : KERN_REGROWN;
     for (at = 0; at < m->groups; ) {
         kern_poured found;
         kern_status alone = KERN_UNDECIDED;
@@ -6918,7 +6918,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const kern_query q = kern_path_at(path, holds);
     const int seeded = !probe->fell && path->seed
                        && path->seed->fails > probe->at;
-    const int closed = probe->fell && path->closed && !probe->guess;
+    const int closed = probe->fell && path->closed;
     const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     kern_status status = KERN_UNDECIDED;
     if (!seeded) /* else one verdict from the known forces may do */
@@ -7080,6 +7080,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     if (probe.done)
         return KERN_STANDS;
     path->holds = probe.holds;
+    path->closed &= !probe.guess;
     return kern_path_plain(m, path, &probe);
 }
 
