@@ -386,6 +386,11 @@
    counts as standing. kern_raised() tells these apart. Mechanisms are those of
    limit analysis: blocks that slide also part (sliding is dilatant).
 
+   Where more than 128 blocks move at once a margin may lie anywhere between
+   holds and fails, which then are up to 3e-5 mean sizes apart. A thousand
+   perfect bricks in bond may take minutes: options.limit ends them with the
+   shrinkage up to which the wall is proven to stand.
+
    In float the proofs are weaker (tolerances in >>impl) and near to critical
    more is undecided; coordinates should not be far from the origin.
 
@@ -1695,6 +1700,7 @@ typedef struct kern_path {
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
     int closed;               /* nonzero: the bracket is as narrow as it gets */
+    int known;                /* nonzero: the edge in it is exact             */
     kern_part *part;          /* that fell last                               */
     const kern_seed *seed;    /* or NULL                                      */
     int alone;                /* nonzero: the part is evaluated alone         */
@@ -2749,7 +2755,7 @@ static kern_status kern_path_begin(kern_path *path, kern_model *m,
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
-    path->never = path->closed = 0;
+    path->never = path->closed = path->known = 0;
     return kern_model_open(m, task, s, &path->q);
 }
 
@@ -5825,10 +5831,11 @@ static kern_real kern_bracket_next(kern_bracket *b, const kern_path *path)
    neither proof comes nearer. */
 static int kern_bracket_widen(kern_bracket *b, const kern_path *path)
 {
+    const kern_real wider = path->inner ? KERN_R(4) : KERN_R(2);
     if (b->close)
-        b->under *= 2;
+        b->under *= wider;
     else if (b->inside)
-        b->aside *= 2;
+        b->aside *= wider;
     else
         b->share *= KERN_R(0.7);
     return b->inside || path->fails - path->holds
@@ -5843,19 +5850,24 @@ static void kern_bracket_share(kern_bracket *b, const kern_path *path)
 /* Evaluates the edge of a closed bracket, which stays as it is: another
    mechanism may fall there. */
 static kern_status kern_bracket_check(kern_bracket *b, kern_model *m,
-                                      kern_path *path)
+                                      kern_path *path, int *goes)
 {
     const kern_real lo = path->holds, hi = path->fails, r = path->edge;
     const kern_proof *proof = path->proof;
+    const int proven = path->stood >= lo;
     kern_status status;
-    path->proof = NULL;
+    if (proven)
+        path->proof = NULL;
     status = kern_path_evaluate(m, path, r);
     path->proof = proof;
-    b->known = status != KERN_FALLS
-               || path->edge > r - path->unit * KERN_SAME_EDGE;
+    *goes = status != KERN_UNDECIDED;
+    b->known = *goes ? status == KERN_STANDS
+                       || path->edge > r - path->unit * KERN_SAME_EDGE
+                     : !path->inner; /* the simplex method ends at vertices */
     if (b->known)
         path->edge = r;
-    path->holds = lo;
+    if (proven || status != KERN_STANDS)
+        path->holds = lo;
     path->fails = hi;
     return status;
 }
@@ -5904,7 +5916,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
         kern_bracket_look(&b, path);
         if (kern_bracket_ends(&b, path))
             break;
-        status = b.closed ? kern_bracket_check(&b, m, path)
+        status = b.closed ? kern_bracket_check(&b, m, path, &goes)
                           : kern_bracket_step(&b, m, path, &goes);
         if (status < 0 && status != KERN_UNDECIDED)
             return status;
@@ -5914,6 +5926,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
     if (round == rounds && rounds < KERN_EDGE_ROUNDS)
         return KERN_STANDS;
     path->closed = 1;
+    path->known = path->inner ? kern_inner_sharp(path->inner) : b.known;
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
@@ -6149,10 +6162,14 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 #define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
-#define KERN_INNER_ROUNDS  25      /* steps of the interior point             */
-#define KERN_INNER_STEPS   40      /* of a search                             */
-#define KERN_INNER_STALLED 3       /* of them without effect; failed verdicts */
+#define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
+#define KERN_INNER_WIDE    128     /* groups of what is said to be large      */
+#define KERN_INNER_STEPS   300     /* of a search                             */
+#define KERN_INNER_STALLED 3       /* of them without effect                  */
+#define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
 #define KERN_INNER_TRIES   6       /* halvings of a step; steps for a proof   */
+#define KERN_INNER_REFINED 2       /* times that a step is refined            */
+#define KERN_INNER_ROUNDING KERN_PICK(1e-11, 1e-6) /* A x - b, that is none   */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
 #define KERN_INNER_SOFT    KERN_R(0.01)   /* width over which kerns close     */
@@ -6177,6 +6194,7 @@ typedef struct kern_inner {
     int steps;                /* of the search                                */
     int along;                /* held: nonzero: g is the path's               */
     kern_real end, error;     /* held: where s ends, and how exactly          */
+    int sharp;                /* nonzero: the edge is known that exactly      */
     int shrinks;              /* nonzero: the matrix changes, else the loads  */
     kern_real *roll;          /* of a contact: how fast its point moves       */
     kern_real rate;           /* largest of g along the path                  */
@@ -6188,6 +6206,7 @@ typedef struct kern_inner {
     kern_real *over;          /* of a row: A x - b                            */
     kern_real *g;             /* of a row                                     */
     kern_real *gain;          /* M^-1 g                                       */
+    kern_real *more;          /* of a row: what is added to a step            */
 } kern_inner;
 
 /* out := A'v, two rays a contact */
@@ -6399,6 +6418,40 @@ static kern_real kern_inner_step(kern_inner *in)
     return ds;
 }
 
+/* Takes from a step what the rounding of M^-1, where entries of D are of all
+   sizes, makes of A x - b, as long as that helps. */
+static void kern_inner_refine(kern_inner *in, kern_real ds)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real *turn = p->way + rays, was, is;
+    int i, round;
+    for (i = 0; i < n; i++)
+        p->left[i] += ds * in->g[i];
+    for (i = 0; i < rays; i++)
+        turn[i] *= -in->x[i] / in->z[i];
+    kern_inner_carry(p, turn, p->left);
+    is = kern_largest(p->left, n);
+    for (round = 0; round < KERN_INNER_REFINED && is > KERN_INNER_ROUNDING;
+         round++) {
+        was = is;
+        kern_least_solve(p, p->left, in->more);
+        kern_inner_ways(p, in->more, turn);
+        for (i = 0; i < rays; i++)
+            turn[i] *= -in->x[i] / in->z[i];
+        kern_inner_carry(p, turn, p->left);
+        is = kern_largest(p->left, n);
+        if (!(is < was * KERN_R(0.3)))
+            return;
+        for (i = 0; i < n; i++)
+            p->step[i] += in->more[i];
+        for (i = 0; i < rays; i++) {
+            in->dx[i] += turn[i];
+            in->dz[i] -= turn[i] * in->z[i] / in->x[i];
+        }
+    }
+}
+
 /* Goes along the steps as far as x, z > 0 let it. Where the matrix is held s
    does not pass its place. Else, where s moves at all, it goes only so far that
    A x comes nearer to b, or stays as near as the gap wants it. */
@@ -6500,9 +6553,10 @@ static int kern_inner_advance(kern_inner *in)
         in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->way[i])
                     / in->z[i];
     ds = kern_inner_step(in);
+    if (in->gap <= KERN_INNER_CLEAR)
+        kern_inner_refine(in, ds);
     kern_inner_move(in, ds);
-    if (!in->held)
-        kern_inner_centre(in, KERN_INNER_APART * in->gap);
+    kern_inner_centre(in, KERN_INNER_APART * in->gap);
     in->slow = kern_abs(in->gap - gap) < gap / 32;
     return 1;
 }
@@ -6529,7 +6583,8 @@ static int kern_inner_begin(kern_inner *in)
     kern_real power, x = KERN_R(0), z = KERN_R(0);
     int i;
     for (i = 0; i < n + 3; i++)
-        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = KERN_R(0);
+        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = in->more[i]
+            = KERN_R(0);
     for (i = 0; i < rays; i++)
         in->x[i] = KERN_R(0);
     kern_inner_set(in);
@@ -6621,8 +6676,9 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->roll = kern_take_reals(&p->rest, p->contacts);
     in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
+    in->more = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->over = p->b;
-    in->held = in->failed = in->along = in->steps = 0;
+    in->held = in->failed = in->along = in->steps = in->sharp = 0;
     in->rate = KERN_R(1e-3) / path->unit;
     in->shrinks = path->kind == KERN_PATH_SHRINK;
     in->soft = KERN_INNER_SOFT * path->unit;
@@ -6676,9 +6732,12 @@ static void kern_inner_hold(kern_inner *in, kern_real place)
     kern_inner_set(in);
     in->error = KERN_INFINITY;
     in->along = kern_largest(in->over, n) < kern_largest(in->g, n) * way;
+    /* it must be able to go back from the edge, where x and z are near to 0 */
+    kern_inner_centre(in, kern_max(in->gap, in->along ? 10 * in->least
+                                                      : KERN_INNER_LIFT));
+    kern_inner_set(in);
     if (in->along)
         return;
-    kern_inner_centre(in, kern_max(in->gap, KERN_INNER_LIFT));
     in->s = place;
     kern_inner_set(in);
     way = kern_max(way, kern_largest(in->over, n) / in->rate);
@@ -6688,17 +6747,16 @@ static void kern_inner_hold(kern_inner *in, kern_real place)
     kern_inner_set(in);
 }
 
-/* Where the held program ends: between s, where forces are seen, and where the
-   power of the motion is 0. The closest two of all steps count. */
+/* Where the held program ends: before the place where the power of the motion
+   is 0, by at most the gap and what A x - b makes of it, y.(A x - b). The
+   closest two of all steps count. */
 static void kern_inner_bound(kern_inner *in, kern_real power)
 {
-    const int n = 3 * in->p->groups;
-    const kern_real apart = in->at - in->s + power;
-    const kern_real error = kern_abs(apart) + kern_largest(in->over, n)
-                                              / kern_largest(in->g, n);
+    const kern_real apart = in->at - in->s + power; /* gap - y.(A x - b) */
+    const kern_real error = in->gap + kern_abs(apart - in->gap);
     if (power < 0 && error < in->error) {
         in->error = error;
-        in->end = in->s + apart / 2;
+        in->end = in->at + power - in->gap / 2;
     }
 }
 
@@ -6709,6 +6767,34 @@ static kern_real kern_inner_edge(const kern_inner *in)
     return in->along ? in->end : kern_path_newton(in->path, &q, in->at);
 }
 
+/* What is proven at the place of the matrix after a step: by forces, by a
+   motion, or what was before. What is missing may be less than a proof sees. */
+static kern_status kern_inner_prove(kern_inner *in, kern_status before,
+                                    kern_real power)
+{
+    const kern_real left = in->at - in->s;
+    const kern_real missing = left * kern_largest(in->g, 3 * in->p->groups);
+    if ((left <= KERN_INNER_SHARP * in->least || missing <= KERN_TOL)
+        && kern_inner_holds(in))
+        return KERN_STANDS;
+    return before != KERN_FALLS && power < 0 && kern_inner_falls(in)
+           ? KERN_FALLS : before;
+}
+
+/* Notes a verdict, how exactly the edge is known, and where it lies. */
+static void kern_inner_note(kern_inner *in, kern_status status,
+                            kern_real *edge)
+{
+    const int sharp = in->along
+        && in->error <= 10 * in->path->unit * KERN_SAME_EDGE;
+    if (status == KERN_FALLS)
+        *edge = kern_inner_edge(in);
+    else if (status == KERN_STANDS && sharp)
+        *edge = in->end;
+    in->failed += status == KERN_UNDECIDED;
+    in->sharp = sharp || (in->sharp && status == KERN_STANDS);
+}
+
 /* The verdict at a place. A motion proves that it falls as long as it parts
    from all contacts by more than rounding, which is before it is sharp enough
    for Newton's method. */
@@ -6716,38 +6802,29 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
                                        kern_real *edge)
 {
     kern_part *p = in->p;
-    const kern_real small = KERN_INNER_SHARP * in->least;
     kern_status status = KERN_UNDECIDED;
     int round, late = 0;
-    if (in->failed == KERN_INNER_STALLED || in->steps > KERN_INNER_STEPS)
+    if (in->failed == KERN_INNER_FAILED || in->steps > KERN_INNER_STEPS)
         return status;
     kern_inner_hold(in, place);
     p->m->work->solves++;
     for (round = 0; round < KERN_INNER_ROUNDS && late < KERN_INNER_STALLED
                     && kern_inner_advance(in); round++) {
-        const kern_real left = place - in->s;
         const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
-        /* what is missing may be less than a proof sees */
-        if ((left <= small
-             || left * kern_largest(in->g, 3 * p->groups) <= KERN_TOL)
-            && kern_inner_holds(in))
-            return KERN_STANDS;
-        if (status != KERN_FALLS && power < 0 && kern_inner_falls(in))
-            status = KERN_FALLS;
+        status = kern_inner_prove(in, status, power);
         kern_inner_bound(in, power);
-        if (status == KERN_FALLS && in->error <= KERN_INNER_SHARP * left)
+        if (status == KERN_STANDS
+            || (status == KERN_FALLS
+                && in->error <= KERN_INNER_SHARP * (place - in->s)))
             break;
-        late += in->slow || in->gap <= small;
+        late += in->slow || in->gap <= KERN_INNER_SHARP * in->least;
     }
-    if (status == KERN_FALLS)
-        *edge = kern_inner_edge(in);
-    else
-        in->failed++;
+    kern_inner_note(in, status, edge);
     return status;
 }
 
 static int kern_inner_sharp(const kern_inner *in)
-{ return in && in->along && in->error <= 10 * in->path->unit * KERN_SAME_EDGE; }
+{ return in && in->sharp; }
 
 /* Follows the path to the first place where the whole falls, as far as it can
    be followed. Returns nonzero where it is seen to stand to the end. */
@@ -6793,6 +6870,17 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
     return status;
 }
 
+/* Whether the bracket is proven and narrow enough, and the edge in it exact. In
+   a large structure the simplex method takes so long that more does. */
+static int kern_inner_closed(const kern_model *m, const kern_path *path)
+{
+    const int many = m->groups > KERN_INNER_WIDE;
+    const kern_real wide = many ? path->tolerance * KERN_WIDEST
+                                : path->tolerance;
+    return path->fell <= path->fails && (path->known || many)
+           && path->fails - path->holds <= wide;
+}
+
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
    where it is not found. `last` is the end of the path, or a place from which
    to path->fails nothing need be evaluated. */
@@ -6815,8 +6903,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
         path->edge = path->never ? high : kern_max(path->edge, last);
     } else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (!kern_inner_sharp(&in) || path->fell > path->fails
-            || path->fails - path->holds > path->tolerance)
+        if (!kern_inner_closed(m, path))
             status = KERN_UNDECIDED;
     }
     path->inner = NULL;
