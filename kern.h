@@ -2657,12 +2657,12 @@ typedef struct kern_simplex {
     int started;            /* there is a basis                               */
     const kern_real *prior; /* a solution like the one looked for, or NULL    */
     int stale;              /* the matrix has changed since                   */
-    int cramped;            /* columns had to leave for want of room          */
-    int settled;            /* no pivot since the values were refined         */
+    int overfull;           /* columns had to leave for want of room          */
+    int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
     int *base;              /* row: its variable, a column, or cols + row of a
-                               filler, a unit vector                          */
+                               logical, a unit vector                         */
     int *place;             /* column: its row, or KERN_OUT                   */
     int *pivot, *first;     /* factor: the row in which it pivots, and the first
                                of its groups of entries; one more             */
@@ -9627,10 +9627,10 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    row of the first of its groups. There they meet no column of another group:
    a tower keeps six entries a column. A column that finds no row in its group
    would fill all that lies below, so it is kept as it is. With B0 the basis that
-   has fillers (unit vectors) in the place of these columns C, and S the rows of
+   has logicals (unit vectors) in the place of these columns C, and S the rows of
    B0^-1 C in which they are,
 
-       B x = b:      v = B0^-1 b,  S z = v_fillers,   x = B0^-1 (b - C z)
+       B x = b:      v = B0^-1 b,  S z = v_logicals,   x = B0^-1 (b - C z)
        B' y = c:     w = B0^-T c,  S' u = c_C - C' w,  y = B0^-T (c + u)
 
    S, a Schur complement, is factored as B0 is. After that a pivot appends one
@@ -9856,7 +9856,7 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p,
     sx->place[q] = p;
 }
 
-/* Of the rows [from, to) that still have their filler, the one in which v is
+/* Of the rows [from, to) that still have their logical, the one in which v is
    largest; KERN_OUT if it is less than `least` there. */
 static int kern_basis_row(const kern_simplex *sx, const kern_real *v, int from,
                           int to, kern_real least)
@@ -9871,7 +9871,7 @@ static int kern_basis_row(const kern_simplex *sx, const kern_real *v, int from,
 }
 
 /* Lists the basic columns by the first of their groups (a counting sort), and
-   puts fillers in their places; returns how many there are. */
+   puts logicals in their places; returns how many there are. */
 static int kern_basis_list(kern_simplex *sx, int *list)
 {
     const kern_program *lp = sx->lp;
@@ -9925,28 +9925,28 @@ static int kern_factor_own(kern_simplex *sx, int *list, int n)
     return left;
 }
 
-/* Lets the columns list[0..n) enter where fillers are left: factors S. One that
+/* Lets the columns list[0..n) enter where logicals are left: factors S. One that
    depends on those before it does not enter. */
 static void kern_factor_extra(kern_simplex *sx, int *list, int n)
 {
     const kern_program *lp = sx->lp;
     const int last = sx->groups - 1;
-    int *spare = list + n;
-    int i, r, k, spares = 0;
+    int *free_row = list + n;
+    int i, r, k, rows_left = 0;
     for (r = 0; r < lp->rows; r++)
         if (sx->base[r] >= lp->cols)
-            spare[spares++] = r;
+            free_row[rows_left++] = r;
     for (r = 0; r < 3 * sx->groups; r++)
         sx->row[r] = KERN_R(0);
     for (i = 0; i < n; i++) {
         int p;
         kern_basis_column(sx, list[i], 0, last);
         kern_factors_apply(sx, 0, sx->own, sx->alpha);
-        for (k = 0; k < spares; k++)
-            sx->row[spare[k]] = sx->alpha[spare[k]];
+        for (k = 0; k < rows_left; k++)
+            sx->row[free_row[k]] = sx->alpha[free_row[k]];
         kern_factors_apply(sx, sx->own, sx->factors, sx->row);
         p = kern_basis_row(sx, sx->row, 0, lp->rows, KERN_RANK_TOL);
-        sx->cramped |= p != KERN_OUT && kern_basis_full(sx);
+        sx->overfull |= p != KERN_OUT && kern_basis_full(sx);
         if (p != KERN_OUT && !kern_basis_full(sx)) {
             sx->extra[sx->factors - sx->own] = list[i];
             kern_basis_enter(sx, list[i], p, sx->row, 0, last);
@@ -9964,7 +9964,7 @@ static void kern_basis_factor(kern_simplex *sx)
 {
     int *list = sx->link + sx->groups + 1;
     int n = kern_basis_list(sx, list);
-    sx->cramped = sx->factors = sx->first[0] = 0;
+    sx->overfull = sx->factors = sx->first[0] = 0;
     n = kern_factor_own(sx, list, n);
     sx->own = sx->factors;
     if (n > 0)
@@ -10016,7 +10016,7 @@ static int kern_basis_values(kern_simplex *sx)
         last = left;
         left = kern_basis_residual(sx);
     }
-    sx->settled = 1;
+    sx->refined = 1;
     return left <= KERN_REFACTOR_TOL;
 }
 
@@ -10034,7 +10034,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
 
 /* ---- pivots ---- */
 /* Every basis gives x with A x = rhs. While a variable violates x >= 0 (or is a
-   filler that is not zero) what is lowered is the sum of all violations. Its
+   logical that is not zero) what is lowered is the sum of all violations. Its
    prices
 
        y = B^-T c,    c = -1 or +1 (in units of the loads) for what violates,
@@ -10046,7 +10046,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
    needs. Where nothing violates the costs take the place of violations. */
 
 /* What a unit of variable j adds to the violations where it has the value v:
-   columns may not be negative, fillers must be zero. */
+   columns may not be negative, logicals must be zero. */
 static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v)
 {
     kern_real w;
@@ -10197,7 +10197,7 @@ static int kern_entering(const kern_simplex *sx, kern_real sum, int first,
    falls at the rate alpha, passes zero, and in `at` where that is. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
-    const int j = sx->base[p], filler = j >= sx->lp->cols;
+    const int j = sx->base[p], logical = j >= sx->lp->cols;
     const kern_real v = sx->value[p], a = sx->alpha[p];
     const kern_real price = kern_infeasibility(sx, j, v);
     *at = KERN_R(0);
@@ -10205,11 +10205,11 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
         if ((price < 0) != (a < 0))
             return KERN_R(0);
         *at = v / a;
-        return price * a * KERN_R(filler ? 2 : 1);
+        return price * a * KERN_R(logical ? 2 : 1);
     }
-    if (!filler && a < 0)
+    if (!logical && a < 0)
         return KERN_R(0);
-    if (!filler)
+    if (!logical)
         *at = kern_max(v, KERN_R(0)) / a;
     return kern_abs(a) / sx->unit;
 }
@@ -10268,7 +10268,7 @@ static int kern_leaving(const kern_simplex *sx, kern_real gain, int first,
 /* Entries of the matrix beyond which a basis keeps no digits. */
 #define KERN_AUDIT_LARGE KERN_R(1e6)
 
-/* Header and places are inverse to each other, fillers in their rows. */
+/* Header and places are inverse to each other, logicals in their rows. */
 static void kern_audit_places(const kern_simplex *sx)
 {
     const int cols = sx->lp->cols;
@@ -10325,7 +10325,7 @@ static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
                                       int p, kern_real step)
 {
-    if (sx->cramped || kern_basis_full(sx))
+    if (sx->overfull || kern_basis_full(sx))
         return KERN_NO_SPACE;
     if (!kern_pivot_spend(sx, work))
         return KERN_LIMIT;
@@ -10334,7 +10334,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
         sx->place[sx->base[p]] = KERN_OUT;
     kern_basis_enter(sx, q, p, sx->alpha, 0, sx->groups - 1);
     sx->value[p] = step;
-    sx->settled = 0;
+    sx->refined = 0;
     work->pivots++;
 #ifdef KERN_AUDIT
     kern_simplex_audit(sx);
@@ -10361,17 +10361,17 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
         kern_real gain = KERN_R(0), step = KERN_R(0);
         kern_status status;
         int q, p = KERN_OUT;
-        if (sx->settled && sx->violated)
+        if (sx->refined && sx->violated)
             kern_prices_refine(sx, KERN_R(0), 0);
         q = kern_entering(sx, sum, first, &gain);
-        if (q == KERN_OUT && sx->settled)
+        if (q == KERN_OUT && sx->refined)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (q != KERN_OUT) {
             kern_basis_column(sx, q, 0, sx->groups - 1);
             kern_basis_solve(sx, sx->alpha);
             p = kern_leaving(sx, gain, first, &step);
         }
-        if (p == KERN_OUT && sx->settled) {
+        if (p == KERN_OUT && sx->refined) {
             sx->ray = q;
             return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
         }
@@ -10399,7 +10399,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     const int m = lp->rows, n = (m + 2) / 3;
     sx->lp = lp;
     sx->prior = NULL;
-    sx->started = sx->stale = sx->cramped = sx->violated = 0;
+    sx->started = sx->stale = sx->overfull = sx->violated = 0;
     sx->groups = n;
     sx->room = room;
     sx->most = 2 * m + 8;
@@ -10530,7 +10530,7 @@ static void kern_crash_prior(kern_simplex *sx)
 
 /* The crash basis: down the order, each group takes three columns to groups
    after it (or to none) that carry its load and what rests on it. Feasible at
-   once for most walls. Without a network every filler is basic. Groups that
+   once for most walls. Without a network every logical is basic. Groups that
    have columns of a prior solution take those. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
