@@ -2655,7 +2655,6 @@ typedef struct kern_simplex {
     int room;               /* for entries of all, in groups                  */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
-    const kern_real *prior; /* a solution like the one looked for, or NULL    */
     int stale;              /* the matrix has changed since                   */
     int overfull;           /* columns had to leave for want of room          */
     int refined;            /* no pivot since the values were refined         */
@@ -5350,7 +5349,6 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
             break;
         /* once more from the crash basis */
         p->simplex.started = 0;
-        p->simplex.prior = NULL;
     }
     return status;
 }
@@ -5373,19 +5371,7 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
         p->group[g] = g;
     for (k = 0; k < p->contacts; k++)
         p->contact[k] = k;
-    if (kern_part_lay(p) != KERN_OK)
-        return KERN_NO_SPACE;
-    for (k = 0; k < p->contacts && m->prior; k++) {
-        const kern_real f = m->prior[k].normal / m->weight;
-        const kern_real mu = kern_model_mu(m, k);
-        const kern_real r = mu > 0 ? m->prior[k].tangential / (m->weight * mu)
-                                   : f;
-        p->x[2 * k] = (f + r) / 2;
-        p->x[2 * k + 1] = (f - r) / 2;
-    }
-    if (m->prior)
-        p->simplex.prior = p->x;
-    return KERN_OK;
+    return kern_part_lay(p);
 }
 
 /* Opens what moves in m->motion, and the last block. */
@@ -5488,8 +5474,8 @@ static kern_real kern_prove_change(kern_model *m, const kern_query *q, int wide)
     return kern_prove_rows(s, q, m->sum, total);
 }
 
-/* The linear program of all groups, which begins with the forces that are
-   known. */
+/* The linear program of all groups. KERN_FALLS with an open part of what
+   moves. */
 static kern_status kern_model_resolve(kern_model *m, kern_part *p,
                                       const kern_query *q)
 {
@@ -5504,7 +5490,7 @@ static kern_status kern_model_resolve(kern_model *m, kern_part *p,
 
 /* The verdict by a change of forces that balance all but the last block: it is
    passed down, and proven where they changed; or else by the linear program of
-   all, which begins with them. KERN_FALLS with an open part of what moves;
+   all. KERN_FALLS with an open part of what moves;
    KERN_UNDECIDED also where no forces are known. */
 static kern_status kern_model_change(kern_model *m, kern_part *p,
                                      const kern_query *q)
@@ -9213,8 +9199,8 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
    not touch what moves there leaves the mechanism as it is: the old motion
    proves it again. The forces change only below the stone, from block to block
    (kern_pass_down()), or where that ends in units (kern_pour()). Where the
-   forces of the plan came of a linear program, the program of the plan with the
-   stone begins with them (kern_model_change()). Where a stone raises the margin
+   forces of the plan came of a linear program, that of the plan with the stone
+   is solved instead (kern_model_change()). Where a stone raises the margin
    the blocks that moved are evaluated with the stone on them, all else held,
    and the search goes on from there.
 
@@ -10398,7 +10384,6 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows, n = (m + 2) / 3;
     sx->lp = lp;
-    sx->prior = NULL;
     sx->started = sx->stale = sx->overfull = sx->violated = 0;
     sx->groups = n;
     sx->room = room;
@@ -10513,34 +10498,18 @@ static void kern_crash_group(kern_simplex *sx, int g, int first)
     }
 }
 
-static int kern_is_prior(const kern_simplex *sx, int j)
-{ return sx->prior[j] > KERN_FEAS_TOL; }
-
-/* Puts the columns of the prior solution into slots that are free. */
-static void kern_crash_prior(kern_simplex *sx)
-{
-    int j, slot = 0;
-    for (j = 0; j < sx->lp->cols; j++) {
-        while (slot < sx->lp->rows && sx->base[slot] < sx->lp->cols)
-            slot++;
-        if (slot < sx->lp->rows && kern_is_prior(sx, j))
-            sx->base[slot] = j;
-    }
-}
-
 /* The crash basis: down the order, each group takes three columns to groups
    after it (or to none) that carry its load and what rests on it. Feasible at
-   once for most walls. Without a network every logical is basic. Groups that
-   have columns of a prior solution take those. */
+   once for most walls. Without a network every logical is basic. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *first = sx->link, *next = sx->place, *kept = sx->pivot;
+    int *first = sx->link, *next = sx->place;
     int i, j;
-    for (i = 0; i < lp->rows; i++)
+    for (i = 0; i < lp->rows; i++) {
         sx->row[i] = lp->rhs[i];
-    for (i = 0; i < lp->rows; i++)
         sx->base[i] = lp->cols + i;
+    }
     for (i = 0; i <= sx->groups; i++)
         first[i] = -1;
     for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
@@ -10548,16 +10517,8 @@ static void kern_simplex_crash(kern_simplex *sx)
         next[j] = first[g];
         first[g] = j;
     }
-    for (i = 0; i < sx->groups; i++)
-        kept[i] = 0;
-    for (j = 0; j < lp->cols && sx->prior; j++)
-        if (kern_is_prior(sx, j))
-            kept[kern_lp_first(lp, j)] = 1;
     for (i = 0; i < sx->groups && lp->ends; i++)
-        if (!kept[i])
-            kern_crash_group(sx, i, first[i]);
-    if (sx->prior)
-        kern_crash_prior(sx);
+        kern_crash_group(sx, i, first[i]);
     for (j = 0; j < lp->cols; j++)
         sx->place[j] = KERN_OUT;
     sx->started = 1;
