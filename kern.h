@@ -9493,14 +9493,41 @@ static kern_status kern_trial_nearer(const kern_trial *t, kern_stage *on,
     return status;
 }
 
-/* The measure of the plan with the block. */
-static kern_status kern_trial_measure(const kern_trial *t, kern_margin *out,
+/* The verdict of the plan with the block at a shrinkage: of that alone first. */
+static kern_status kern_trial_stands(const kern_trial *t, kern_stage *on,
+                                     kern_real shrink, const kern_proof *proof)
+{
+    kern_status status = kern_trial_alone(t, on, shrink, proof);
+    if (status == KERN_UNDECIDED) {
+        on->path.q.shrink = shrink;
+        status = kern_model_plain(&on->m, &on->part, &on->path.q);
+        if (status == KERN_OK)
+            status = kern_model_evaluate(&on->m, &on->part, &on->path.q);
+        if (status == KERN_FALLS)
+            kern_proof_out(&on->m, proof, status);
+    }
+    if (status != KERN_STANDS && status != KERN_UNDECIDED)
+        return status;
+    status = kern_trial_begin(t, on, 0, proof);
+    if (status != KERN_OK)
+        return status;
+    on->path.q.shrink = shrink;
+    status = kern_model_evaluate(&on->m, &on->part, &on->path.q);
+    kern_proof_out(&on->m, proof, status);
+    return status;
+}
+
+/* The measure of the plan with the block, or the verdict where *shrink is. */
+static kern_status kern_trial_measure(const kern_trial *t,
+                                      const kern_real *shrink, kern_margin *out,
                                       const kern_proof *proof)
 {
     const kern_task *task = &t->plan->task;
     kern_stage on;
     kern_seed seed = kern_known_seed(task);
     kern_status status = KERN_OK;
+    if (shrink)
+        return kern_trial_stands(t, &on, *shrink, proof);
     if (t->nested && seed.fails > 0)
         status = kern_trial_alone(t, &on, seed.fails, NULL);
     if (status == KERN_FALLS || status == KERN_UNDECIDED) {
@@ -9524,34 +9551,9 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
     kern_status status = kern_trial_open(&t, plan, block, out);
     if (status != KERN_OK)
         return status;
-    status = kern_trial_measure(&t, out, proof);
+    status = kern_trial_measure(&t, NULL, out, proof);
     kern_trial_close(&t);
     return kern_spent(plan->task.work, plan->task.options.limit, status);
-}
-
-/* The verdict of the plan with the block at a shrinkage: of that alone first. */
-static kern_status kern_trial_stands(const kern_trial *t, kern_real shrink,
-                                     const kern_proof *proof)
-{
-    kern_stage on;
-    kern_status status = kern_trial_alone(t, &on, shrink, proof);
-    if (status == KERN_UNDECIDED) {
-        on.path.q.shrink = shrink;
-        status = kern_model_plain(&on.m, &on.part, &on.path.q);
-        if (status == KERN_OK)
-            status = kern_model_evaluate(&on.m, &on.part, &on.path.q);
-        if (status == KERN_FALLS)
-            kern_proof_out(&on.m, proof, status);
-    }
-    if (status != KERN_STANDS && status != KERN_UNDECIDED)
-        return status;
-    status = kern_trial_begin(t, &on, 0, proof);
-    if (status != KERN_OK)
-        return status;
-    on.path.q.shrink = shrink;
-    status = kern_model_evaluate(&on.m, &on.part, &on.path.q);
-    kern_proof_out(&on.m, proof, status);
-    return status;
 }
 
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
@@ -9564,11 +9566,9 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
         return status;
     if (!(margin >= 0 && kern_is_finite(margin))) {
         status = KERN_BAD_NUMBER;
-    } else if (t.nested) {
-        status = kern_trial_stands(&t, margin, proof);
     } else {
-        status = kern_trial_measure(&t, &r, proof);
-        if (status == KERN_STANDS && !(r.margin >= margin))
+        status = kern_trial_measure(&t, t.nested ? &margin : NULL, &r, proof);
+        if (!t.nested && status == KERN_STANDS && !(r.margin >= margin))
             status = KERN_FALLS;
     }
     kern_trial_close(&t);
