@@ -108,13 +108,13 @@
    Bytes of work memory, double (float is about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
-       KERN_REALS, bytes             6,544    15,024    42,704   206,624
-       KERN_INTS, bytes              1,976     4,456    12,160    54,016
-       both KERN_LEAN_ sizes         9,000    12,200    19,880    63,000
+       KERN_REALS, bytes             7,072    16,864    54,224   315,024
+       KERN_INTS, bytes              2,064     4,760    14,080    72,080
+       both KERN_LEAN_ sizes         9,000    12,200    19,880    63,616
 
    KERN_REALS was enough for every structure that was tried. KERN_LEAN_REALS and
    KERN_LEAN_INTS (from 10 blocks on) are enough where a few blocks decide the
-   margin, as in most walls: 0.4 MB for 1000 blocks instead of 11. Where many
+   margin, as in most walls: 0.4 MB for 1000 blocks instead of 21. Where many
    blocks move at the margin, as in arches, a call needs more and returns
    KERN_NO_SPACE: of 1,900 random structures of 10 to 15 blocks 5 % of the
    verdicts, 36 % of the margins, 26 % of the load factors. 2.9 MB were enough
@@ -793,7 +793,7 @@ typedef struct kern_lp {
    what a wall needs, KERN_LP_ROOM what a dense program does. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
-    ((blocks) < 4 ? 3 * (blocks) : (blocks) + 8)
+    ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_ROOM(blocks, extras) \
@@ -5840,7 +5840,7 @@ static kern_status kern_bracket_check(kern_bracket *b, kern_model *m,
 {
     const kern_real lo = path->holds, hi = path->fails, r = path->edge;
     const kern_proof *proof = path->proof;
-    const int proven = path->stood >= lo;
+    const int proven = path->alone || path->stood >= lo;
     kern_status status;
     if (proven)
         path->proof = NULL;
@@ -6069,6 +6069,8 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
         const kern_real next = kern_min(end, at + KERN_R(stride) * step);
         const kern_real holds = path->holds;
         const kern_status status = kern_path_beyond(m, path, at, next);
+        if (status < KERN_UNDECIDED)
+            return status;
         for (k = stride - 1; k > 0 && status == KERN_STANDS; k--)
             if (!kern_model_spend(m, 1 + m->s->contacts / 32)
                 || !kern_walk_holds(m, path->holds, at + KERN_R(k) * step))
@@ -6150,7 +6152,8 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
 #define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 #define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
 #define KERN_INNER_WIDE    128     /* groups of what is said to be large      */
-#define KERN_INNER_STEPS   300     /* of a search                             */
+#define KERN_INNER_STEPS   40      /* of a search                             */
+#define KERN_INNER_MANY    300     /* the same of what is large               */
 #define KERN_INNER_STALLED 3       /* of them without effect                  */
 #define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
 #define KERN_INNER_TRIES   6       /* halvings of a step; steps for a proof   */
@@ -6177,7 +6180,7 @@ typedef struct kern_inner {
     int held;                 /* nonzero: matrix and g stay, s is linear      */
     int slow;                 /* nonzero: the last step had no effect         */
     int failed;               /* verdicts that were not decided               */
-    int steps;                /* of the search                                */
+    int steps, most;          /* of the search, and how many there may be     */
     int along;                /* held: nonzero: g is the path's               */
     kern_real end, error;     /* held: where s ends, and how exactly          */
     int sharp;                /* nonzero: the edge is known that exactly      */
@@ -6507,7 +6510,7 @@ static int kern_inner_advance(kern_inner *in)
     const kern_real gap = in->gap;
     kern_real of_x, of_z, ds, left = KERN_R(0), mu;
     int i;
-    if (!(gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
+    if (!(gap <= KERN_INNER_LOST) || in->steps++ == in->most
         || !kern_model_spend(p->m, 1 + p->cost / 150))
         return 0;
     kern_inner_factor(in, 0);
@@ -6664,6 +6667,8 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->more = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->over = p->b;
+    in->most = m->groups > KERN_INNER_WIDE ? KERN_INNER_MANY
+                                           : KERN_INNER_STEPS;
     in->held = in->failed = in->along = in->steps = in->sharp = 0;
     in->rate = KERN_R(1e-3) / path->unit;
     in->shrinks = path->kind == KERN_PATH_SHRINK;
@@ -6790,7 +6795,7 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
     kern_part *p = in->p;
     kern_status status = KERN_UNDECIDED;
     int round, late = 0;
-    if (in->failed == KERN_INNER_FAILED || in->steps > KERN_INNER_STEPS)
+    if (in->failed == KERN_INNER_FAILED || in->steps > in->most)
         return status;
     kern_inner_hold(in, place);
     p->m->work->solves++;

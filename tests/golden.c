@@ -35,13 +35,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xad856bac478e5667u },
-    { 1000, 0x16c900b4dfc5b931u },
-    { 5000, 0x3f2bb3673347f106u },
+    { 200, 0x472f54f6717b8031u },
+    { 1000, 0x1079081b28354dabu },
+    { 5000, 0x94fd891dadd83999u },
 #else
-    { 200, 0xbb6dc48adb6e8d8cu },
-    { 1000, 0x95ba72ef00eacd10u },
-    { 5000, 0x9fdc478086a9fa08u },
+    { 200, 0x56286bf7a91bf0afu },
+    { 1000, 0x5f68225a7984bf37u },
+    { 5000, 0xe9651969045d2cf7u },
 #endif
 };
 
