@@ -59,6 +59,7 @@ board() { # on the bare Cortex-M4F; libm has the square root of a double
         { arm-none-eabi-gcc -Os -mcpu=cortex-m4 -mthumb -mfloat-abi=hard \
             -mfpu=fpv4-sp-d16 $exact $precision -ffunction-sections \
             -fdata-sections -Wl,--gc-sections -nostartfiles -DGOLDEN_BARE \
+            -Wl,--defsym=board_ram=0x20000 \
             -T "$root/examples/firmware/mps2-an386.ld" \
             "$root/tests/golden.c" "$root/examples/firmware/board.c" \
             -o golden -lm &&
