@@ -112,9 +112,11 @@ static void check_work(const kern_work *work, int rows, int cols, int limit,
                  && !(work->real[work->reals + i] > real_mark));
         PROPERTY(work->index[work->indices + i] == INT_MARK);
     }
-    /* both phases have the limit, and a verdict may be asked for twice */
+    /* both phases have the limit, and a verdict may be asked for twice; the
+       interior point factors its matrix before its first verdict, and the limit
+       of work may end it there */
     PROPERTY(work->pivots >= 0 && work->solves >= 0);
-    PROPERTY(work->pivots <= 2 * most * work->solves);
+    PROPERTY(work->pivots <= 2 * most * (work->solves + 1));
     PROPERTY(work->units >= 0 && (limit == 0 || work->units <= limit + 1));
     PROPERTY(status != KERN_LIMIT || work->units == limit + 1);
     PROPERTY(status == KERN_LIMIT || limit == 0 || work->units <= limit);
