@@ -1701,7 +1701,6 @@ typedef struct kern_path {
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
     int closed;               /* nonzero: the bracket is as narrow as it gets */
-    int known;                /* nonzero: the edge in it is exact             */
     kern_part *part;          /* that fell last                               */
     const kern_seed *seed;    /* or NULL                                      */
     int alone;                /* nonzero: the part is evaluated alone         */
@@ -2755,7 +2754,7 @@ static kern_status kern_path_begin(kern_path *path, kern_model *m,
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
-    path->never = path->closed = path->known = 0;
+    path->never = path->closed = 0;
     return kern_model_open(m, task, s, &path->q);
 }
 
@@ -5913,7 +5912,6 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
     if (round == rounds && rounds < KERN_EDGE_ROUNDS)
         return KERN_STANDS;
     path->closed = 1;
-    path->known = path->inner ? kern_inner_sharp(path->inner) : b.known;
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
@@ -6869,7 +6867,7 @@ static int kern_inner_closed(const kern_model *m, const kern_path *path)
     const int many = m->groups > KERN_INNER_WIDE;
     const kern_real wide = many ? path->tolerance * KERN_WIDEST
                                 : path->tolerance;
-    return path->fell <= path->fails && (path->known || many)
+    return path->fell <= path->fails && (many || kern_inner_sharp(path->inner))
            && path->fails - path->holds <= wide;
 }
 
