@@ -6673,6 +6673,7 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->shrinks = path->kind == KERN_PATH_SHRINK;
     in->soft = KERN_INNER_SOFT * path->unit;
     in->s = path->holds;
+    in->ahead = KERN_INFINITY; /* the limit of work may allow no step */
     in->low = path->holds - KERN_R(0.1) * path->unit;
     in->least = path->tolerance * KERN_R(0.45);
     if (!kern_take_fits(&p->rest))
