@@ -1917,8 +1917,8 @@ static kern_status kern_spent(const kern_work *work, int limit,
 
 static kern_status kern_options_check(const kern_options *o)
 {
-    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon) ||
-        !kern_is_finite(o->overlap + o->error + o->turn + o->narrow))
+    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon + o->overlap
+                        + o->error + o->turn + o->narrow))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
@@ -1986,8 +1986,10 @@ static kern_status kern_structure_check(const kern_structure *s,
     return status;
 }
 
-/* The task, and where the answer goes. */
-static kern_status kern_task_check(const kern_task *task, const void *out)
+/* The task, a shrinkage, and where the answer goes; in *q the query that they
+   ask. */
+static kern_status kern_query_check(const kern_task *task, kern_real shrink,
+                                    const void *out, kern_query *q)
 {
     kern_status status;
     if (!task || !task->work || !task->work->real || !task->work->index)
@@ -2000,14 +2002,8 @@ static kern_status kern_task_check(const kern_task *task, const void *out)
     status = kern_options_check(&task->options);
     if (status == KERN_OK)
         status = kern_structure_check(&task->s, 0, 0, &task->work->fault);
-    return status == KERN_OK && !out ? KERN_BAD_POINTER : status;
-}
-
-/* The same with a shrinkage, and the query that they ask. */
-static kern_status kern_query_check(const kern_task *task, kern_real shrink,
-                                    const void *out, kern_query *q)
-{
-    const kern_status status = kern_task_check(task, out);
+    if (status == KERN_OK && !out)
+        status = KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
     *q = kern_query_of(&task->s, &task->options, shrink);
@@ -2374,17 +2370,11 @@ static void kern_model_touch(kern_model *m)
     int g, e;
     for (g = 0; g < m->groups; g++)
         m->touch[g] = KERN_OUT;
-    for (e = 2 * m->s->contacts - 2; e >= 0; e -= 2) {
-        const int h = m->ends[e], t = m->ends[e + 1];
-        if (t < m->groups && t != h) {
-            m->after[e + 1] = m->touch[t];
-            m->touch[t] = e + 1;
+    for (e = 2 * m->s->contacts - 1; e >= 0; e--)
+        if (m->ends[e] < m->groups && m->ends[e] != m->ends[e ^ 1]) {
+            m->after[e] = m->touch[m->ends[e]];
+            m->touch[m->ends[e]] = e;
         }
-        if (h < m->groups && t != h) {
-            m->after[e] = m->touch[h];
-            m->touch[h] = e;
-        }
-    }
 }
 
 /* Gives every block that is free and has not been taken away a group. */
@@ -2478,41 +2468,31 @@ static inline kern_real kern_model_mu(const kern_model *m, int i)
 /* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
 static void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
+    const kern_real one = 1 / m->weight;
     kern_real *load = m->load + 3 * (size_t)g;
     kern_wrench w;
-    m->size[g] = kern_wrench_on(m->s, q, m->block[g], &w);
-    load[0] = -w.fx;
-    load[1] = -w.fy;
-    load[2] = -w.torque * m->unit[g];
+    m->size[g] = kern_wrench_on(m->s, q, m->block[g], &w) * one;
+    load[0] = -w.fx * one;
+    load[1] = -w.fy * one;
+    load[2] = -w.torque * m->unit[g] * one;
 }
 
-/* The same in units of force. */
-static void kern_model_scale(kern_model *m, int g)
-{
-    const kern_real one = 1 / m->weight;
-    m->load[3 * g] *= one;
-    m->load[3 * g + 1] *= one;
-    m->load[3 * g + 2] *= one;
-    m->size[g] *= one;
-}
-
-/* The loads of all groups, in the unit of force. */
+/* The loads of all groups, and the unit of force. */
 static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
+    kern_real weight = KERN_R(0);
+    kern_wrench w;
     int g;
     m->slope = kern_slope(q);
-    m->weight = KERN_R(0);
     m->lazy = NULL;
+    for (g = 0; g < m->groups; g++)
+        weight += kern_wrench_on(m->s, q, m->block[g], &w);
+    m->weight = weight > 0 ? weight : KERN_R(1);
+    m->unit[m->groups] = KERN_R(0);
     for (g = 0; g < m->groups; g++) {
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
-        m->weight += m->size[g];
     }
-    if (!(m->weight > 0))
-        m->weight = KERN_R(1);
-    m->unit[m->groups] = KERN_R(0);
-    for (g = 0; g < m->groups; g++)
-        kern_model_scale(m, g);
 }
 
 /* All of the model for a query. */
@@ -3775,7 +3755,6 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
     for (n = 0; n < p->groups; n++) {
         const int g = p->group[n];
         kern_model_load(m, q, g);
-        kern_model_scale(m, g);
         least = kern_min(least, m->size[g]);
         for (j = 0; j < 3; j++)
             *to++ = m->load[3 * g + j];
@@ -4020,18 +3999,16 @@ static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
 
 /* The gradient of the dual at u, to p->left: b less what the forces of u exert.
    Returns its value, and in *most the largest force. */
-static kern_real kern_least_left(kern_part *p, const kern_real *b,
-                                 int contacts, kern_real *most)
+static kern_real kern_least_left(kern_part *p, kern_real *most)
 {
     kern_real value = KERN_R(0);
     int i, k, end;
     *most = KERN_R(0);
     for (i = 0; i < 3 * p->groups; i++) {
-        p->left[i] = b[i];
-        value += b[i] * p->u[i];
+        p->left[i] = p->b[i];
+        value += p->b[i] * p->u[i];
     }
-    for (k = 0; k < contacts; k++) {
-        const int c = p->contact[k];
+    for (k = 0; k < p->own; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
         if (!(s.f > 0))
@@ -4040,7 +4017,7 @@ static kern_real kern_least_left(kern_part *p, const kern_real *b,
         value -= (s.f * w[0] + s.r * w[1]) / 2;
         for (end = 0; end < 2; end++)
             if (p->ends[2 * k + end] < p->groups)
-                kern_model_carry(p->m, c, end, s.f, s.r,
+                kern_model_carry(p->m, p->contact[k], end, s.f, s.r,
                                  p->left + 3 * p->ends[2 * k + end]);
     }
     return value;
@@ -4104,12 +4081,12 @@ static void kern_least_spring(kern_part *p, int k, const kern_spring *s)
 }
 
 /* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
-static void kern_least_matrix(kern_part *p, int contacts, int all)
+static void kern_least_matrix(kern_part *p, int all)
 {
     kern_real trace = KERN_R(0);
     int i, k, g;
     kern_least_clear(p);
-    for (k = 0; k < contacts; k++) {
+    for (k = 0; k < p->own; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
                                          all ? KERN_R(0) : w[1]);
@@ -4250,12 +4227,11 @@ static void kern_least_solve(const kern_part *p, const kern_real *b,
 /* The slope of the dual at u + share * step, where the loads' own part of it is
    `push`; and how fast it falls there. */
 static kern_real kern_least_slope(const kern_part *p, kern_real push,
-                                  int contacts, kern_real share,
-                                  kern_real *fall)
+                                  kern_real share, kern_real *fall)
 {
     int k;
     *fall = KERN_R(0);
-    for (k = 0; k < contacts; k++) {
+    for (k = 0; k < p->own; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(
             p, k, w[0] + share * w[2], w[1] + share * w[3]);
@@ -4268,21 +4244,20 @@ static kern_real kern_least_slope(const kern_part *p, kern_real push,
 /* How far to go along the step: where the dual is largest, to a few percent.
    Its slope falls in pieces that are straight: between two places it is zero on
    the tangent at one or the other, whichever side of where they meet that is. */
-static kern_real kern_least_share(const kern_part *p, const kern_real *b,
-                                  int contacts)
+static kern_real kern_least_share(const kern_part *p)
 {
-    const kern_real push = kern_dot(b, p->step, 3 * p->groups);
+    const kern_real push = kern_dot(p->b, p->step, 3 * p->groups);
     const kern_real first = kern_dot(p->left, p->step, 3 * p->groups);
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
     kern_real fall_lo = first, fall_hi, fall, slope;
     int round;
-    at_hi = kern_least_slope(p, push, contacts, hi, &fall_hi);
+    at_hi = kern_least_slope(p, push, hi, &fall_hi);
     for (round = 0; round < 12 && at_hi > first / 8; round++) {
         lo = hi;
         at_lo = at_hi;
         fall_lo = fall_hi;
         hi *= 4;
-        at_hi = kern_least_slope(p, push, contacts, hi, &fall_hi);
+        at_hi = kern_least_slope(p, push, hi, &fall_hi);
     }
     if (at_hi >= -first / 8)
         return hi;
@@ -4296,7 +4271,7 @@ static kern_real kern_least_share(const kern_part *p, const kern_real *b,
         else if (at > meet)
             at = hi + at_hi / fall_hi;
         at = kern_min(kern_max(at, lo + edge), hi - edge);
-        slope = kern_least_slope(p, push, contacts, at, &fall);
+        slope = kern_least_slope(p, push, at, &fall);
         if (kern_abs(slope) <= first / 8)
             break;
         if (slope > 0) {
@@ -4312,11 +4287,11 @@ static kern_real kern_least_share(const kern_part *p, const kern_real *b,
     return at;
 }
 
-/* Least forces of a part under the loads b, by rounds [first, end); after round
-   0 u goes on from what it is. KERN_STANDS with u; KERN_FALLS, which is no
-   proof, where they would be larger than `bound`; or KERN_UNDECIDED. */
-static kern_status kern_least_find(kern_part *p, const kern_real *b,
-                                   int contacts, kern_real tolerance,
+/* Least forces of a part's own contacts under the loads p->b, by rounds [first,
+   end); after round 0 u goes on from what it is. KERN_STANDS with u; KERN_FALLS,
+   which is no proof, where they would be larger than `bound`; or
+   KERN_UNDECIDED. */
+static kern_status kern_least_find(kern_part *p, kern_real tolerance,
                                    kern_real bound, int first, int end)
 {
     const int n = 3 * p->groups;
@@ -4326,20 +4301,20 @@ static kern_status kern_least_find(kern_part *p, const kern_real *b,
         p->u[i] = p->step[i] = KERN_R(0);
     for (round = first; round < end; round++) {
         kern_real most, value, share;
-        kern_least_ways(p, p->u, contacts, 0);
-        value = kern_least_left(p, b, contacts, &most);
+        kern_least_ways(p, p->u, p->own, 0);
+        value = kern_least_left(p, &most);
         if (kern_largest(p->left, n) <= tolerance + 4 * KERN_EPS * most)
             return KERN_STANDS;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
         if (!kern_model_spend(p->m, 1 + p->cost / 300))
             return KERN_LIMIT;
-        kern_least_matrix(p, contacts, round == 0);
+        kern_least_matrix(p, round == 0);
         kern_least_factor(p);
         kern_least_solve(p, p->left, p->step);
-        kern_least_ways(p, p->step, contacts, 2);
+        kern_least_ways(p, p->step, p->own, 2);
         p->rounds = round + 1;
-        share = round == 0 ? KERN_R(1) : kern_least_share(p, b, contacts);
+        share = round == 0 ? KERN_R(1) : kern_least_share(p);
         for (i = 0; i < n; i++)
             p->u[i] += share * p->step[i];
     }
@@ -4415,8 +4390,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     if (!kern_least_open(&part, &m) || !kern_least_lay(&part, &part.rest))
         return KERN_NO_SPACE;
     error = kern_part_load(&part, &path.q, part.b);
-    status = kern_least_find(&part, part.b, part.contacts, error, KERN_BOUND,
-                             0, KERN_FORCES_ROUNDS);
+    status = kern_least_find(&part, error, KERN_BOUND, 0, KERN_FORCES_ROUNDS);
     if (status == KERN_STANDS) {
         kern_least_write(&part);
         if (kern_model_proven(&m, kern_prove_forces(m.s, &path.q, m.force,
@@ -4844,8 +4818,8 @@ static kern_status kern_pour_part(kern_part *p, int *budget)
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->b[n]);
-    status = kern_least_find(p, p->b, p->own, KERN_POUR_TOL * least,
-                             KERN_LEAST_MOST * load, 0, KERN_LEAST_ROUNDS);
+    status = kern_least_find(p, KERN_POUR_TOL * least, KERN_LEAST_MOST * load,
+                             0, KERN_LEAST_ROUNDS);
     *budget -= p->rounds * p->cost;
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
@@ -6324,10 +6298,8 @@ static void kern_inner_place(kern_inner *in, kern_real place)
     }
     if (in->shrinks)
         return;
-    for (n = 0; n < p->groups; n++) {
+    for (n = 0; n < p->groups; n++)
         kern_model_load(m, &q, p->group[n]);
-        kern_model_scale(m, p->group[n]);
-    }
     kern_inner_load(in);
 }
 
@@ -7366,8 +7338,8 @@ static int kern_raise_settle(kern_raise *r, int cold, int rounds)
     while (r->rounds < rounds) {
         const int first = cold && r->rounds == 0;
         const kern_status found = kern_least_find(
-            r->p, r->p->b, r->p->contacts, r->tolerance, 4 * KERN_LEAST_MOST,
-            !first, KERN_RAISE_STEPS + (first ? 10 : 1));
+            r->p, r->tolerance, 4 * KERN_LEAST_MOST, !first,
+            KERN_RAISE_STEPS + (first ? 10 : 1));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
         if (kern_raise_price(r) && found == KERN_STANDS && kern_raise_proven(r))
