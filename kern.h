@@ -1809,11 +1809,9 @@ static kern_status kern_level_scan(kern_model *m, const kern_path *path,
             path, kern_min(KERN_R(k) * out->epsilon, out->most));
         status = kern_model_evaluate(m, path->part, &q);
     }
-    if (status == KERN_STANDS || status == KERN_FALLS)
-        out->level = status == KERN_FALLS ? k - 1 : last + 1;
-    else
-        out->level = -1;
-    return status >= KERN_UNDECIDED ? KERN_OK : status;
+    out->level = status == KERN_STANDS ? last + 1
+                 : status == KERN_FALLS ? k - 1 : -1;
+    return status >= KERN_UNDECIDED ? KERN_STANDS : status;
 }
 
 /* The same where kerns are nested: outside of the proven bracket [holds, fails]
@@ -1832,7 +1830,7 @@ static kern_status kern_level_nested(kern_model *m, const kern_path *path,
                          < path->fails)
         return kern_level_scan(m, path, k, last, out);
     out->level = k;
-    return KERN_OK;
+    return KERN_STANDS;
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
@@ -2508,6 +2506,14 @@ static void kern_model_set(kern_model *m, const kern_query *q)
         kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
 }
 
+/* No contact bears anything. */
+static void kern_model_unload(kern_model *m)
+{
+    int i;
+    for (i = 0; i < m->s->contacts; i++)
+        m->force[i].normal = m->force[i].tangential = KERN_R(0);
+}
+
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->work, m->limit, units); }
 
@@ -2749,32 +2755,36 @@ static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->tolerance = KERN_WIDTH;
 }
 
+/* What a call works on. */
+typedef struct kern_call {
+    kern_model m;
+    kern_part part;
+    kern_path path;
+} kern_call;
+
 /* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
    where the answer goes. */
-static kern_status kern_path_open(kern_path *path, kern_model *m,
-                                  kern_part *part, const kern_task *task,
+static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
     kern_query q;
     kern_status status = kern_query_check(task, shrink, out, &q);
     if (status == KERN_OK)
-        status = kern_path_begin(path, m, part, task, &task->s, &q);
+        status = kern_path_begin(&c->path, &c->m, &c->part, task, &task->s, &q);
     if (status == KERN_OK)
-        kern_model_group(m, &q);
+        kern_model_group(&c->m, &q);
     return status;
 }
 
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
-    kern_status status = kern_path_open(&path, &m, &part, task, shrink, task);
+    kern_call c;
+    kern_status status = kern_call_open(&c, task, shrink, task);
     if (status != KERN_OK)
         return status;
-    status = kern_model_evaluate(&m, &part, &path.q);
-    kern_proof_out(&m, proof, status);
+    status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+    kern_proof_out(&c.m, proof, status);
     return kern_spent(task->work, task->options.limit, status);
 }
 
@@ -2784,30 +2794,25 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
-    kern_status status, done = KERN_OK;
-    if (nested)
-        status = kern_path_search(m, path, path->unit * KERN_FIRST,
-                                  path->unit * KERN_FIRST);
-    else {
-        status = kern_path_evaluate(m, path, KERN_R(0));
-        if (status == KERN_STANDS)
-            done = kern_level_scan(m, path, 1, last, out);
+    const kern_real first = path->unit * KERN_FIRST;
+    kern_status status = nested ? kern_path_search(m, path, first, first)
+                                : kern_path_evaluate(m, path, KERN_R(0));
+    if (!nested && status == KERN_STANDS)
+        status = kern_level_scan(m, path, 1, last, out);
+    if (!nested && status == KERN_STANDS) {
         if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-        if (status == KERN_STANDS && done == KERN_OK)
-            status = kern_path_walk(m, path, out->most / KERN_SCAN);
+        status = kern_path_walk(m, path, out->most / KERN_SCAN);
     }
     if (path->never && path->end < out->most) /* where the scan said it falls */
         return KERN_UNDECIDED;
-    if (status != KERN_STANDS || done != KERN_OK)
-        return done == KERN_OK ? status : done;
+    if (status != KERN_STANDS)
+        return status;
     out->margin = path->edge;
     out->holds = path->holds;
     out->fails = path->fails;
     out->saturated = path->never;
-    if (nested)
-        done = kern_level_nested(m, path, last, out);
-    return done == KERN_OK ? status : done;
+    return nested ? kern_level_nested(m, path, last, out) : status;
 }
 
 /* The measure along a path that has been opened, if status is KERN_OK, or of
@@ -2901,7 +2906,6 @@ static void kern_known_set(kern_task *task, kern_status status,
 {
     kern_known *known = &task->known;
     int i;
-    known->fails = KERN_R(0);
     for (i = 0; i < task->s.contacts && proof && proof->force; i++)
         proof->force[i] = known->force[i];
     for (i = 0; i < task->s.blocks; i++) {
@@ -2928,33 +2932,30 @@ static void kern_known_set(kern_task *task, kern_status status,
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
+    kern_call c;
     kern_seed seed;
     kern_proof kept;
     const int warm = task && task->known.motion && task->known.force;
-    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0), out);
+    kern_status status = kern_call_open(&c, task, KERN_R(0), out);
     if (status != KERN_OK)
         return status;
-    path.proof = proof;
+    c.path.proof = proof;
     if (warm) {
         kept.force = task->known.force;
         kept.motion = task->known.motion;
-        path.proof = &kept;
+        c.path.proof = &kept;
         seed = kern_known_seed(task);
-        path.seed = &seed;
+        c.path.seed = &seed;
     }
-    status = kern_measure_along(&m, &path, task, status, out);
-    if (warm && status != KERN_BAD_STEP) /* forces may have changed */
-        task->known.blocks = 0;
-    if (warm && status == KERN_STANDS && !out->saturated)
-        kern_known_clean(&m, &path, out->fails);
-    if (warm && status >= 0)
-        kern_known_set(task, status, &m, &path, out, proof);
-    else if (warm && (status == KERN_UNDECIDED || status == KERN_LIMIT))
-        /* its proof has been written over */
-        task->known.fails = KERN_R(0);
+    status = kern_measure_along(&c.m, &c.path, task, status, out);
+    if (!warm || status == KERN_BAD_STEP)
+        return status;
+    task->known.blocks = 0; /* the proof there has been written over */
+    task->known.fails = KERN_R(0);
+    if (status == KERN_STANDS && !out->saturated)
+        kern_known_clean(&c.m, &c.path, out->fails);
+    if (status >= 0)
+        kern_known_set(task, status, &c.m, &c.path, out, proof);
     return status;
 }
 
@@ -2968,17 +2969,13 @@ static kern_real kern_extent(const kern_structure *s)
     for (i = 0; i < s->blocks; i++) {
         const kern_block *b = s->block + i;
         const kern_real half = kern_block_size(b) / 2;
+        const kern_vec way = kern_vec_make(half, half);
         if (b->fixed)
             continue;
-        if (b->vertices) {
-            kern_box_add(&whole, b->box.low);
-            kern_box_add(&whole, b->box.high);
-        } else {
-            kern_box_add(&whole, kern_vec_make(b->centre.x - half,
-                                               b->centre.y - half));
-            kern_box_add(&whole, kern_vec_make(b->centre.x + half,
-                                               b->centre.y + half));
-        }
+        kern_box_add(&whole, b->vertices ? b->box.low
+                                         : kern_vec_sub(b->centre, way));
+        kern_box_add(&whole, b->vertices ? b->box.high
+                                         : kern_vec_add(b->centre, way));
     }
     side = kern_vec_sub(whole.high, whole.low);
     return kern_max(side.x, side.y);
@@ -3014,20 +3011,17 @@ static kern_status kern_grow(kern_model *m, kern_path *path,
 
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
+    kern_call c;
     kern_real grown = KERN_R(0);
-    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
-                                        deficit);
+    kern_status status = kern_call_open(&c, task, KERN_R(0), deficit);
     if (status != KERN_OK)
         return status;
-    status = kern_path_evaluate(&m, &path, KERN_R(0));
+    status = kern_path_evaluate(&c.m, &c.path, KERN_R(0));
     if (status == KERN_FALLS)
-        status = kern_grow(&m, &path, &grown);
+        status = kern_grow(&c.m, &c.path, &grown);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        grown = path.fell <= 0 ? -path.fell : KERN_R(-1);
+        grown = c.path.fell <= 0 ? -c.path.fell : KERN_R(-1);
     if (status >= 0 || status == KERN_LIMIT)
         *deficit = grown;
     return status;
@@ -3038,44 +3032,38 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 static kern_real kern_length_between(const kern_structure *s, kern_real lo,
                                      kern_real hi)
 {
-    kern_real least = hi, most = lo, middle, best;
-    int i;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_real length = kern_contact_length(s->contact + i);
-        if (length > lo && length < hi) {
-            least = kern_min(least, length);
-            most = kern_max(most, length);
+    kern_real middle = KERN_R(0), least = hi, most;
+    int i, pass;
+    for (pass = 0; pass < 2; pass++) {
+        least = hi;
+        most = lo;
+        for (i = 0; i < s->contacts; i++) {
+            const kern_real length = kern_contact_length(s->contact + i);
+            if (length > lo && length < hi && length >= middle) {
+                least = kern_min(least, length);
+                most = kern_max(most, length);
+            }
         }
+        middle = kern_min(KERN_SQRT(least) * KERN_SQRT(most), most);
     }
-    if (!(most > lo))
-        return KERN_R(0);
-    middle = KERN_SQRT(least) * KERN_SQRT(most);
-    best = most;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_real length = kern_contact_length(s->contact + i);
-        if (length > lo && length >= middle)
-            best = kern_min(best, length);
-    }
-    return best;
+    return least < hi ? least : KERN_R(0);
 }
 
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof)
 {
     kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
-    kern_model m;
-    kern_part part;
-    kern_path path;
+    kern_call c;
     int round;
-    kern_status status = kern_path_open(&path, &m, &part, task, at, length);
+    kern_status status = kern_call_open(&c, task, at, length);
     if (status != KERN_OK)
         return status;
     status = KERN_STANDS;
     for (round = 0; status == KERN_STANDS && (round < 2 || at > 0); round++) {
-        path.q.shortest = at;
-        kern_model_group(&m, &path.q);
-        status = kern_model_evaluate(&m, &part, &path.q);
-        kern_proof_out(&m, proof, status);
+        c.path.q.shortest = at;
+        kern_model_group(&c.m, &c.path.q);
+        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+        kern_proof_out(&c.m, proof, status);
         if (status == KERN_STANDS)
             lo = at;
         else if (round > 0
@@ -3146,34 +3134,33 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
 {
     const int tilt = growth->kind == KERN_PATH_TILT;
     kern_real step = KERN_R(0.05);
-    kern_model m;
-    kern_part part;
-    kern_path path;
+    kern_call c;
+    kern_path *const path = &c.path;
     int i, loaded = 0;
-    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
+    kern_status status = kern_call_open(&c, task, shrink, out);
     if (status == KERN_OK)
-        status = kern_growth_check(growth, &m);
+        status = kern_growth_check(growth, &c.m);
     if (status != KERN_OK)
         return status;
     for (i = 0; tilt && i < task->s.blocks; i++)
-        loaded |= kern_is_free(&m, i)
+        loaded |= kern_is_free(&c.m, i)
                   && kern_wrench_sum(&task->s.block[i].load) > 0;
-    kern_path_push(&path, growth->kind, growth->pattern, growth->side);
-    path.proof = proof;
-    path.end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
+    kern_path_push(path, growth->kind, growth->pattern, growth->side);
+    path->proof = proof;
+    path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
     if (tilt)
         step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
-    status = kern_path_evaluate(&m, &path, KERN_R(0));
-    path.begun = status == KERN_STANDS;
+    status = kern_path_evaluate(&c.m, path, KERN_R(0));
+    path->begun = status == KERN_STANDS;
     if (status == KERN_STANDS)
-        status = loaded ? kern_path_walk(&m, &path, step)
-                        : kern_path_search(&m, &path, step, step);
+        status = loaded ? kern_path_walk(&c.m, path, step)
+                        : kern_path_search(&c.m, path, step, step);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        path.edge = path.stood;
+        path->edge = path->stood;
     if (status == KERN_STANDS || status == KERN_LIMIT)
-        *out = tilt ? 4 * kern_angle_of(path.edge)
-                    : path.never ? KERN_INFINITY : path.edge;
+        *out = tilt ? 4 * kern_angle_of(path->edge)
+                    : path->never ? KERN_INFINITY : path->edge;
     return status;
 }
 
@@ -3221,27 +3208,18 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
-    kern_real sum, weak_sum;  /* of the values of all that fell, of that half */
+    kern_real least;          /* of the values of all that fell               */
+    kern_real sum, weak_sum;  /* of them all, of that half                    */
     kern_real *value;         /* of each block, -1 as long as it stands       */
 } kern_fall;
 
 static void kern_fall_add(kern_fall *fall, int i, kern_real at)
 {
     fall->value[i] = at;
+    fall->least = kern_min(fall->least, at);
     fall->sum += at;
     if (fall->weak-- > 0)
         fall->weak_sum += at;
-}
-
-/* Takes away the blocks that move in the last mechanism. */
-static void kern_fall_take(kern_model *m, const kern_query *q,
-                           kern_fall *fall, kern_real at)
-{
-    int i;
-    for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && kern_moves(m, i))
-            kern_fall_add(fall, i, at);
-    kern_model_group(m, q);
 }
 
 /* Evaluates where the structure fell last, and a little farther as long as
@@ -3258,20 +3236,17 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     return status;
 }
 
-/* Takes away what falls at the edge, and what then falls at the same place,
-   until the rest stands just beyond it. The last verdict was that it falls,
-   and its motion has been proven. */
-static kern_status kern_fall_at(kern_model *m, kern_path *path,
-                                kern_fall *fall, kern_real at)
+/* Takes away the blocks that move in the last mechanism, which is proven, and
+   evaluates the rest just beyond it. */
+static kern_status kern_fall_take(kern_model *m, kern_path *path,
+                                  kern_fall *fall, kern_real at)
 {
-    kern_status status = KERN_FALLS;
-    while (status == KERN_FALLS) {
-        kern_fall_take(m, &path->q, fall, at);
-        if (m->groups == 0)
-            return KERN_STANDS;
-        status = kern_fall_beyond(m, path);
-    }
-    return status;
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
+        if (kern_is_free(m, i) && kern_moves(m, i))
+            kern_fall_add(fall, i, at);
+    kern_model_group(m, &path->q);
+    return m->groups > 0 ? kern_fall_beyond(m, path) : KERN_STANDS;
 }
 
 /* To the next edge, in the steps that its measure takes by itself, and to the
@@ -3280,19 +3255,15 @@ static kern_status kern_fall_at(kern_model *m, kern_path *path,
 static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
-    kern_real step = KERN_R(0.05);
-    kern_status status;
-    int even = 0;
-    if (path->kind == KERN_PATH_SHRINK) {
-        even = !kern_travels_of(m->s, &path->q, 0).nested;
-        step = even ? path->end / KERN_SCAN : path->unit * KERN_FIRST;
-    }
-    status = even ? kern_path_walk(m, path, step)
-                  : kern_path_search(m, path, step, step);
+    const int shrinks = path->kind == KERN_PATH_SHRINK;
+    const kern_real step = shrinks ? path->unit * KERN_FIRST : KERN_R(0.05);
+    const kern_status status =
+        !shrinks || kern_travels_of(m->s, &path->q, 0).nested
+        ? kern_path_search(m, path, step, step)
+        : kern_path_walk(m, path, path->end / KERN_SCAN);
     *at = path->edge;
-    if (status == KERN_STANDS && !path->never)
-        status = kern_fall_beyond(m, path);
-    return status;
+    return status == KERN_STANDS && !path->never ? kern_fall_beyond(m, path)
+                                                 : status;
 }
 
 /* The whole collapse along a path: from edge to edge. Where both proofs hold at
@@ -3306,8 +3277,8 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     while (m->groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
-        if (status == KERN_FALLS)
-            status = kern_fall_at(m, path, fall, at);
+        while (status == KERN_FALLS)
+            status = kern_fall_take(m, path, fall, at);
         if (status != KERN_STANDS)
             return status;
         if (m->groups > 0)
@@ -3362,44 +3333,39 @@ static kern_real kern_expected_drop(const kern_model *m,
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out)
 {
-    const kern_structure *s;
-    kern_model m;
-    kern_part part;
-    kern_path path;
+    kern_call c;
     kern_fall fall;
     int i, free_blocks, half;
-    kern_status status = kern_path_open(&path, &m, &part, task, KERN_R(0),
+    kern_status status = kern_call_open(&c, task, KERN_R(0),
                                         value ? out : NULL);
     if (status != KERN_OK)
         return status;
-    s = &task->s;
-    if (side != KERN_SHRINK && !kern_has_side(s, side))
+    if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
         return KERN_BAD_OPTION;
     if (side != KERN_SHRINK)
-        kern_path_push(&path, KERN_PATH_LOAD, NULL, side);
-    path.end = side ? KERN_PROFILE_MOST
-                    : kern_travels_of(s, &path.q, 0).most;
-    path.q.fallen = value;
-    free_blocks = m.groups;
+        kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
+    c.path.end = side ? KERN_PROFILE_MOST
+                      : kern_travels_of(&task->s, &c.path.q, 0).most;
+    c.path.q.fallen = value;
+    free_blocks = c.m.groups;
     half = (free_blocks + 1) / 2;
     fall.weak = half;
     fall.sum = fall.weak_sum = KERN_R(0);
+    fall.least = KERN_INFINITY;
     fall.value = value;
-    for (i = 0; i < s->blocks; i++)
+    for (i = 0; i < task->s.blocks; i++)
         value[i] = KERN_R(-1);
     status = kern_spent(task->work, task->options.limit,
-                        kern_fall_follow(&m, &path, &fall));
-    for (i = 0; i < s->blocks; i++)
-        if (s->block[i].fixed)
+                        kern_fall_follow(&c.m, &c.path, &fall));
+    for (i = 0; i < task->s.blocks; i++)
+        if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
     if (status != KERN_OK)
         return status;
-    out->least = value[0];
-    for (i = 1; i < s->blocks; i++)
-        out->least = kern_min(out->least, value[i]);
+    out->least = fall.least;
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
-    out->drop = side ? kern_expected_drop(&m, value) : KERN_R(0);
+    out->drop = side ? kern_expected_drop(&c.m, value) : KERN_R(0);
     return KERN_OK;
 }
 
@@ -4350,12 +4316,11 @@ static int kern_least_open(kern_part *p, kern_model *m)
         p->group[g] = m->group[p->group[g]];
         m->local[p->group[g]] = g;
     }
+    kern_model_unload(m);
     p->contacts = 0;
-    for (i = 0; i < s->contacts; i++) {
-        m->force[i].normal = m->force[i].tangential = KERN_R(0);
+    for (i = 0; i < s->contacts; i++)
         if (m->ends[2 * i] != m->ends[2 * i + 1])
             p->contact[p->contacts++] = i;
-    }
     p->own = p->contacts;
     kern_part_ends(p);
     return 1;
@@ -4378,28 +4343,28 @@ static void kern_least_write(kern_part *p)
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
     const kern_proof proof = {force, NULL};
-    kern_real error;
-    kern_status status = kern_path_open(&path, &m, &part, task, shrink, force);
+    kern_call c;
+    kern_model *const m = &c.m;
+    kern_status status = kern_call_open(&c, task, shrink, force);
     if (status != KERN_OK)
         return status;
-    kern_model_set(&m, &path.q);
-    if (!kern_least_open(&part, &m) || !kern_least_lay(&part, &part.rest))
+    kern_model_set(m, &c.path.q);
+    if (!kern_least_open(&c.part, m) || !kern_least_lay(&c.part, &c.part.rest))
         return KERN_NO_SPACE;
-    error = kern_part_load(&part, &path.q, part.b);
-    status = kern_least_find(&part, error, KERN_BOUND, 0, KERN_FORCES_ROUNDS);
-    if (status == KERN_STANDS) {
-        kern_least_write(&part);
-        if (kern_model_proven(&m, kern_prove_forces(m.s, &path.q, m.force,
-                                                    m.sum))) {
-            kern_proof_out(&m, &proof, status);
-            return status;
-        }
-    }
-    return status == KERN_LIMIT ? status : KERN_UNDECIDED;
+    status = kern_least_find(
+        &c.part, kern_part_load(&c.part, &c.path.q, c.part.b), KERN_BOUND, 0,
+        KERN_FORCES_ROUNDS);
+    if (status == KERN_STANDS)
+        kern_least_write(&c.part);
+    if (status == KERN_LIMIT)
+        return status;
+    if (status != KERN_STANDS
+        || !kern_model_proven(m, kern_prove_forces(m->s, &c.path.q, m->force,
+                                                   m->sum)))
+        return KERN_UNDECIDED;
+    kern_proof_out(m, &proof, status);
+    return status;
 }
 
 /* ---- Pouring ----------------------------------------------------- >>pour */
@@ -4872,8 +4837,7 @@ static void kern_pour_begin(kern_model *m)
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = 1;
     }
-    for (g = 0; g < m->s->contacts; g++)
-        m->force[g].normal = m->force[g].tangential = KERN_R(0);
+    kern_model_unload(m);
 }
 
 /* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
@@ -5232,8 +5196,7 @@ static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
-    for (k = 0; k < m->s->contacts; k++)
-        m->force[k].normal = m->force[k].tangential = KERN_R(0);
+    kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
         const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
@@ -7192,13 +7155,12 @@ static kern_real kern_prove_raised(const kern_structure *s,
 
 /* One pass over the contacts: takes those blocks out of the set (value >= 0)
    that a block outside presses against gravity. Returns how many. */
-static int kern_hang_pass(const kern_structure *s, kern_real *value, int back)
+static int kern_hang_pass(const kern_structure *s, kern_real *value)
 {
-    const kern_real least = KERN_R(1e-9)
-                            * KERN_SQRT(kern_vec_dot(s->gravity, s->gravity));
+    const kern_real least = KERN_R(1e-9) * kern_vec_length(s->gravity);
     int k, out = 0;
     for (k = 0; k < s->contacts; k++) {
-        const kern_contact *c = s->contact + (back ? s->contacts - 1 - k : k);
+        const kern_contact *c = s->contact + k;
         const kern_real up = -kern_vec_dot(c->n, s->gravity);
         const int held = up > 0 ? c->b : c->a, by = up > 0 ? c->a : c->b;
         if (kern_abs(up) > least && value[held] >= 0 && !(value[by] >= 0)) {
@@ -7213,14 +7175,13 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value, int back)
    get a value >= 0. Returns how many there are. */
 static int kern_hang_find(const kern_structure *s, kern_real *value)
 {
-    const int weighs = kern_vec_dot(s->gravity, s->gravity) > 0;
-    int i, n = 0, round = 0;
+    int i, n = 0;
     for (i = 0; i < s->blocks; i++)
-        value[i] = weighs && !s->block[i].fixed
+        value[i] = kern_has_side(s, KERN_RIGHT) && !s->block[i].fixed
                    && !(kern_wrench_sum(&s->block[i].load) > 0)
                    ? KERN_R(1) : KERN_R(-1);
-    while (kern_hang_pass(s, value, round & 1))
-        round++;
+    while (kern_hang_pass(s, value))
+        continue;
     for (i = 0; i < s->blocks; i++)
         n += value[i] >= 0;
     return n;
@@ -7256,13 +7217,6 @@ static int kern_raise_open(kern_raise *r)
         r->price[i] = KERN_R(0);
     p->price = r->price;
     return 1;
-}
-
-/* The loads of a query. */
-static void kern_raise_load(kern_raise *r, const kern_query *q)
-{
-    r->q = q;
-    r->tolerance = kern_part_load(r->p, q, r->p->b);
 }
 
 /* How much of the last change of what prices led to is taken back: what makes
@@ -7332,8 +7286,11 @@ static int kern_raise_proven(kern_raise *r)
 }
 
 /* Looks for a proof, from nothing or from u and prices as they are. */
-static int kern_raise_settle(kern_raise *r, int cold, int rounds)
+static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
+                             int rounds)
 {
+    r->q = q;
+    r->tolerance = kern_part_load(r->p, q, r->p->b);
     r->rounds = 0;
     while (r->rounds < rounds) {
         const int first = cold && r->rounds == 0;
@@ -7348,6 +7305,7 @@ static int kern_raise_settle(kern_raise *r, int cold, int rounds)
     return 0;
 }
 
+/* Writes u and prices to `to`. */
 static void kern_raise_save(const kern_raise *r, kern_real *to)
 {
     int i;
@@ -7357,6 +7315,7 @@ static void kern_raise_save(const kern_raise *r, kern_real *to)
         *to++ = r->price[i];
 }
 
+/* Reads them from `from`. */
 static void kern_raise_restore(kern_raise *r, const kern_real *from)
 {
     int i;
@@ -7381,8 +7340,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
         r->m->slope = kern_slope(q);
         for (i = 0; i < r->m->s->contacts; i++)
             kern_model_arm(r->m, q, i, r->m->arm + 4 * (size_t)i);
-        kern_raise_load(r, q);
-        raised = kern_raise_settle(r, 0, KERN_RAISE_WARM);
+        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM);
     }
     return raised;
 }
@@ -7418,60 +7376,30 @@ static kern_real kern_raise_reserve(kern_raise *r)
     return share[most];
 }
 
-/* Whether the blocks with a value >= 0 hang: the others stand without them. The
-   proof is of the others, and the fall of these. */
-static kern_status kern_hang_ask(kern_model *m, kern_part *p,
-                                 const kern_query *q,
-                                 const kern_real *value)
+/* Whether blocks hang that nothing holds up, and the others stand without them.
+   The proof is of the others, and the fall of these. */
+static int kern_raise_hangs(kern_model *m, kern_part *p, const kern_query *q,
+                            const kern_real *value)
 {
-    const kern_vec g = m->s->gravity;
-    const kern_real one = 1 / KERN_SQRT(kern_vec_dot(g, g));
+    const kern_vec way = kern_vec_unit(m->s->gravity);
     kern_query rest = *q;
     kern_status status = KERN_STANDS;
     int i;
     rest.fallen = value;
     kern_model_group(m, &rest);
-    for (i = 0; i < m->s->contacts; i++)
-        m->force[i].normal = m->force[i].tangential = KERN_R(0);
+    kern_model_unload(m);
     if (m->groups > 0)
         status = kern_model_evaluate(m, p, &rest);
     kern_model_group(m, q);
-    for (i = 0; i < m->s->blocks && status == KERN_STANDS; i++) {
-        m->motion[i].vx = value[i] >= 0 ? g.x * one : KERN_R(0);
-        m->motion[i].vy = value[i] >= 0 ? g.y * one : KERN_R(0);
+    for (i = 0; i < m->s->blocks; i++) {
+        m->motion[i].vx = value[i] >= 0 ? way.x : KERN_R(0);
+        m->motion[i].vy = value[i] >= 0 ? way.y : KERN_R(0);
         m->motion[i].spin = KERN_R(0);
     }
-    return status;
+    return status == KERN_STANDS;
 }
 
-/* Whether the structure hangs: blocks that nothing holds up, and forces for the
-   others. KERN_UNDECIDED where that is not so. */
-static kern_status kern_raise_hangs(kern_raise *r, const kern_query *q,
-                                    const kern_proof *proof)
-{
-    kern_model *m = r->m;
-    kern_status status;
-    kern_real *value;
-    m->rest.reals -= m->s->blocks; /* at the end of the work memory */
-    m->common.reals = m->rest.reals;
-    if (!kern_take_fits(&m->rest))
-        return KERN_NO_SPACE;
-    value = m->rest.real + m->rest.reals;
-    if (!kern_hang_find(m->s, value))
-        return KERN_UNDECIDED;
-    status = kern_model_evaluate(m, r->p, q);
-    if (status != KERN_STANDS) {
-        kern_proof_out(m, proof, status);
-        return status;
-    }
-    if (kern_hang_ask(m, r->p, q, value) != KERN_STANDS)
-        return KERN_UNDECIDED;
-    kern_proof_out(m, proof, KERN_STANDS);
-    kern_proof_out(m, proof, KERN_FALLS);
-    return KERN_STANDS;
-}
-
-/* The verdict of a structure that does not hang; a reserve unless that is
+/* Whether the structure hangs, or is raised; with *reserve unless that is
    NULL. */
 static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
                                   kern_raising *out, kern_real *reserve,
@@ -7479,21 +7407,32 @@ static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
 {
     kern_model *m = r->m;
     kern_status status = KERN_STANDS;
-    kern_model_set(m, q);
-    if (!kern_raise_open(r))
+    kern_real *value;
+    m->rest.reals -= m->s->blocks; /* at the end of the work memory */
+    m->common.reals = m->rest.reals;
+    if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
-    kern_raise_load(r, q);
-    if (kern_raise_settle(r, 1, KERN_RAISE_ROUNDS)) {
-        *out = KERN_RAISED;
-        kern_proof_out(m, proof, KERN_STANDS);
-        kern_proof_out(m, proof, KERN_FALLS);
-        if (reserve)
-            *reserve = kern_raise_reserve(r);
-        return status;
-    }
+    value = m->rest.real + m->rest.reals;
     *out = KERN_NOT_SHOWN;
-    status = kern_model_evaluate(m, r->p, q);
+    if (kern_hang_find(m->s, value)) {
+        status = kern_model_evaluate(m, r->p, q);
+        if (status == KERN_STANDS && kern_raise_hangs(m, r->p, q, value))
+            *out = KERN_HANGS;
+    }
+    if (status == KERN_STANDS && *out == KERN_NOT_SHOWN) {
+        kern_model_set(m, q);
+        if (!kern_raise_open(r))
+            return KERN_NO_SPACE;
+        if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS))
+            *out = KERN_RAISED;
+        else
+            status = kern_model_evaluate(m, r->p, q);
+    }
     kern_proof_out(m, proof, status);
+    if (*out != KERN_NOT_SHOWN)
+        kern_proof_out(m, proof, KERN_FALLS);
+    if (*out == KERN_RAISED && reserve)
+        *reserve = kern_raise_reserve(r);
     return status;
 }
 
@@ -7501,24 +7440,19 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof)
 {
-    kern_model m;
-    kern_part part;
-    kern_path path;
+    kern_call c;
     kern_raise r;
-    kern_raising raising = KERN_HANGS;
+    kern_raising raising;
     kern_real share = KERN_R(0);
-    kern_status status = kern_path_open(&path, &m, &part, task, shrink, out);
+    kern_status status = kern_call_open(&c, task, shrink, out);
     if (status != KERN_OK)
         return status;
     if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
         return KERN_BAD_OPTION;
-    r.m = &m;
-    r.p = &part;
-    status = kern_raise_hangs(&r, &path.q, proof);
-    if (status == KERN_UNDECIDED)
-        status = kern_raise_ask(&r, &path.q, &raising, reserve ? &share : NULL,
-                                proof);
-    status = kern_spent(task->work, task->options.limit, status);
+    r.m = &c.m;
+    r.p = &c.part;
+    status = kern_spent(task->work, task->options.limit, kern_raise_ask(
+        &r, &c.path.q, &raising, reserve ? &share : NULL, proof));
     if (status == KERN_STANDS)
         *out = raising;
     if (status == KERN_STANDS && reserve)
@@ -7542,7 +7476,7 @@ static int kern_hangs(const kern_structure *s, const kern_motion *motion,
             return 0;
     }
     return n > 0 && kern_has_side(s, KERN_RIGHT)
-           && kern_hang_pass(s, value, 0) == 0;
+           && kern_hang_pass(s, value) == 0;
 }
 
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
