@@ -364,6 +364,51 @@ static void test_steps(void)
     }
 }
 
+/* The last look: of three boxes the last is taken off again where its centre is
+   less than the errors away from the end of what carries it. */
+static void test_finish(void)
+{
+    const double left[2] = { 1.6, 1.9999 };
+    for (int k = 0; k < 2; k++) {
+        struct stones stock;
+        struct stack_wall w;
+        if (two_boxes(&w, &stock)) return;
+        put(&w, left[k], 1, left[k] + 1, 2);
+        check(stack_finish(&w) == 0, "memory for the last look", k, 0);
+        check(w.laid == 3 - k, "boxes that stay", w.laid, 3 - k);
+        check(w.plan.task.s.blocks == w.laid + 1 && w.m.margin > 0.1 * k,
+              "what is left is measured", w.m.margin, k);
+        stack_free(&w);
+        stones_free(&stock);
+    }
+}
+
+/* A wedge sticks between the rims of a notch, a slab lies on them. */
+static void test_sticks(void)
+{
+    const kern_vec notch[7] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1.5, 1 },
+                                { 1, 0.2 }, { 0.5, 1 }, { 0, 1 } };
+    const kern_vec wedge[3] = { { 1, 0.6 }, { 2, 1.4 }, { 0, 1.4 } };
+    const kern_vec slab[4] = { { 0.2, 1 }, { 1.8, 1 }, { 1.8, 1.4 },
+                               { 0.2, 1.4 } };
+    struct stack_place place = { 0, { 0, 0 }, { 1, 0 } };
+    struct stones stock;
+    struct stack_wall w;
+    kern_block b;
+    if (two_boxes(&w, &stock)) return;
+    stack_cut(&w, 0);
+    kern_block_init(&b, notch, 7, 1, NULL);
+    place.at = b.centre;
+    stone_of(&stock.stone[0], notch, 7);
+    check(stack_lay(&w, &place) == 0, "a notch on the ground", 0, 0);
+    kern_block_init(&b, wedge, 3, 1, NULL);
+    check(stack_sticks(&w, &b), "a wedge in a notch", 0, 1);
+    kern_block_init(&b, slab, 4, 1, NULL);
+    check(!stack_sticks(&w, &b), "a slab on a notch", 1, 0);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
 /* The limit multiplier of a box: it tips at width / height, or slides. */
 static void test_limit(void)
 {
@@ -562,6 +607,8 @@ int main(int argc, char **argv)
     test_quality();
     test_limit();
     test_steps();
+    test_finish();
+    test_sticks();
     test_notches();
     test_proof();
     test_filters();

@@ -108,7 +108,7 @@ static int number(const char *name, const char *word, double low, double high,
 {
     char why[120];
     kern_real value;
-    if (word && text_number(word, &value) && value >= low && value <= high) {
+    if (text_number(word, &value) && value >= low && value <= high) {
         *out = value;
         return 0;
     }
@@ -138,9 +138,9 @@ static int one_of(const char *name, const char *word, size_t length,
 
 static int read_threshold(struct settings *o, const char *word)
 {
-    size_t length = word ? strcspn(word, "=") : 0;
+    size_t length = strcspn(word, "=");
     int k;
-    if (!word || word[length] == '\0')
+    if (word[length] == '\0')
         return fail("--threshold", "FEATURE=NUMBER is expected");
     k = one_of("--threshold", word, length, stack_filter_name, STACK_FILTERS);
     return k < 0 ? -1 : number("--threshold", word + length + 1, 0, 1e9,
@@ -160,62 +160,84 @@ static int read_beat(struct settings *o, const char *word)
            number("--beat", word + length + 1, 1e-3, 10, &o->plan.beat[1]);
 }
 
+static int read_seed(struct settings *o, const char *word)
+{
+    return args_range(word, 0, INT_MAX - 1, &o->first, &o->last)
+         ? fail("--seed", "S or S-T is expected") : 0;
+}
+
+static int read_planner(struct settings *o, const char *word)
+{
+    const int k = one_of("--planner", word, strlen(word), stack_planner_name,
+                         STACK_PLANNERS);
+    if (k >= 0) o->plan.planner = (enum stack_planner)k;
+    return k < 0 ? -1 : 0;
+}
+
+static int read_goal(struct settings *o, const char *word)
+{
+    const int k = one_of("--goal", word, strlen(word), stack_goal_name,
+                         STACK_GOALS);
+    if (k >= 0) o->plan.goal = (enum stack_goal)k;
+    return k < 0 ? -1 : 0;
+}
+
+/* So many, however long they take. */
+static int read_walls(struct settings *o, const char *word)
+{
+    o->plan.effort = 0;
+    return whole("--walls", word, 1, 100000, &o->plan.walls);
+}
+
 /* An option with a value. Returns 0, or -1 where something is wrong. */
 static int read_option(struct settings *o, const char *name, const char *word)
 {
     struct stack_options *p = &o->plan;
-    int k;
+    const struct { const char *name; double low, high, *out; } numbers[] = {
+        { "--irregularity", 0, 60, &o->irregularity },
+        { "--width", 1e-3, 1e6, &p->width }, { "-w", 1e-3, 1e6, &p->width },
+        { "--height", 1e-3, 1e6, &p->height }, { "-h", 1e-3, 1e6, &p->height },
+        { "--boxes", 1, 1000, &o->boxes },
+        { "--friction", 0, 10, &p->friction }, { "--joints", 0, 10, &p->joints }
+    };
+    const struct { const char *name; int low, high, *out; } wholes[] = {
+        { "--stones", 1, STONES_MOST, &o->stones },
+        { "--most", 1, STONES_MOST, &p->most },
+        { "--look", 1, STONES_MOST, &p->look },
+        { "--levels", 0, STACK_FILTERS, &p->levels }
+    };
+    const struct { const char *name; int svg; const char **out; } files[] = {
+        { "--out", 0, &o->out }, { "--svg", 1, &o->svg },
+        { "--film", 1, &o->film }, { "--steps", 0, &o->steps },
+        { "--against", 0, &o->against }
+    };
+    static const struct {
+        const char *name;
+        int (*read)(struct settings *o, const char *word);
+    } others[] = {
+        { "--seed", read_seed }, { "--planner", read_planner },
+        { "--goal", read_goal }, { "--walls", read_walls },
+        { "--beat", read_beat }, { "--threshold", read_threshold }
+    };
     if (!word) return fail(name, "a value is expected; see --help");
-    if (strcmp(name, "--irregularity") == 0)
-        return number(name, word, 0, 60, &o->irregularity);
-    if (strcmp(name, "--stones") == 0)
-        return whole(name, word, 1, STONES_MOST, &o->stones);
-    if (strcmp(name, "--seed") == 0)
-        return args_range(word, 0, INT_MAX - 1, &o->first, &o->last)
-             ? fail(name, "S or S-T is expected") : 0;
-    if (strcmp(name, "--planner") == 0) {
-        k = one_of(name, word, strlen(word), stack_planner_name,
-                   STACK_PLANNERS);
-        if (k >= 0) p->planner = (enum stack_planner)k;
-        return k < 0 ? -1 : 0;
-    }
-    if (strcmp(name, "--goal") == 0) {
-        k = one_of(name, word, strlen(word), stack_goal_name, STACK_GOALS);
-        if (k >= 0) p->goal = (enum stack_goal)k;
-        return k < 0 ? -1 : 0;
-    }
-    if (strcmp(name, "--width") == 0 || strcmp(name, "-w") == 0)
-        return number(name, word, 1e-3, 1e6, &p->width);
-    if (strcmp(name, "--height") == 0 || strcmp(name, "-h") == 0)
-        return number(name, word, 1e-3, 1e6, &p->height);
-    if (strcmp(name, "--boxes") == 0)
-        return number(name, word, 1, 1000, &o->boxes);
-    if (strcmp(name, "--most") == 0)
-        return whole(name, word, 1, STONES_MOST, &p->most);
-    if (strcmp(name, "--look") == 0)
-        return whole(name, word, 1, STONES_MOST, &p->look);
-    if (strcmp(name, "--walls") == 0) {
-        p->effort = 0;
-        return whole(name, word, 1, 100000, &p->walls);
-    }
-    if (strcmp(name, "--levels") == 0)
-        return whole(name, word, 0, STACK_FILTERS, &p->levels);
-    if (strcmp(name, "--beat") == 0) return read_beat(o, word);
-    if (strcmp(name, "--threshold") == 0) return read_threshold(o, word);
-    if (strcmp(name, "--friction") == 0)
-        return number(name, word, 0, 10, &p->friction);
-    if (strcmp(name, "--joints") == 0)
-        return number(name, word, 0, 10, &p->joints);
-    if ((strcmp(name, "--svg") == 0 || strcmp(name, "--film") == 0) &&
-        !args_is_svg(word))
-        return fail(name, "a name that ends in .svg is expected");
-    if (strcmp(name, "--out") == 0) o->out = word;
-    else if (strcmp(name, "--svg") == 0) o->svg = word;
-    else if (strcmp(name, "--film") == 0) o->film = word;
-    else if (strcmp(name, "--steps") == 0) o->steps = word;
-    else if (strcmp(name, "--against") == 0) o->against = word;
-    else return fail(name, "no such option; see --help");
-    return 0;
+    for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
+        if (strcmp(name, numbers[k].name) == 0)
+            return number(name, word, numbers[k].low, numbers[k].high,
+                          numbers[k].out);
+    for (size_t k = 0; k < sizeof wholes / sizeof *wholes; k++)
+        if (strcmp(name, wholes[k].name) == 0)
+            return whole(name, word, wholes[k].low, wholes[k].high,
+                         wholes[k].out);
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (strcmp(name, others[k].name) == 0) return others[k].read(o, word);
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++)
+        if (strcmp(name, files[k].name) == 0) {
+            if (files[k].svg && !args_is_svg(word))
+                return fail(name, "a name that ends in .svg is expected");
+            *files[k].out = word;
+            return 0;
+        }
+    return fail(name, "no such option; see --help");
 }
 
 /* Returns 0, -1 where something is wrong, 1 where all is said. */

@@ -17,7 +17,8 @@
 
    The planners: `heuristic` has no kern filter, `combined` has. `best` builds
    several walls, see stack_best(), by a cost that knows what masons want: long
-   faces down, beds, level courses, crossed joints.
+   faces down, beds, level courses, crossed joints. Each takes the last stones
+   off again until the finished wall stays, see stack_finish().
 
    Chapters: options, a wall, its worth, features, candidates, filters, search,
    output.
@@ -994,6 +995,20 @@ static int stack_stays(struct stack_wall *w, const struct stone *last)
     return stays;
 }
 
+/* The last look at a finished wall, with errors larger than in any run before. */
+static const struct stack_run stack_last = { 240, 16, 5e-4, 0, 1, 4 };
+enum { STACK_LAST = 4 };
+
+/* Does a finished wall stay where it is, in every run of the last look? */
+static int stack_rests(const struct stack_wall *w)
+{
+    int rests = 1;
+    for (int i = 0; i < STACK_LAST && rests; i++)
+        rests = stack_sway(w, NULL, &stack_last, (uint64_t)(10 + i),
+                           stack_moved) <= stack_moved;
+    return rests;
+}
+
 /* In how many runs of the step test the first stones of a wall move. */
 STACK_API int stack_moves(const struct stack_wall *w, int stones)
 {
@@ -1066,6 +1081,24 @@ STACK_API double stack_proof(const struct stack_wall *w, double least)
    forces: what the library recommends. */
 static const double stack_reserve = 0.0055;
 
+/* Does a block touch another at two points that are no face, as a stone does that
+   sticks in a notch? What such a pair can carry may grow again as its kerns
+   shrink, so that kern has to look at every step: the wall would be asked about
+   ten times as long. Convex stones never do. */
+static int stack_sticks(struct stack_wall *w, const kern_block *block)
+{
+    const int last = w->plan.task.s.blocks;
+    int found, sticks = 0;
+    w->plan.block[last] = *block;
+    found = kern_touch(w->plan.block, last, &w->plan.task.options, w->close,
+                       w->plan.contact_room, &w->work);
+    for (int i = 1; i < found; i++) {
+        const kern_contact *c = &w->close[i - 1], *d = &w->close[i];
+        sticks |= !c->line && !d->line && c->a == d->a && c->b == d->b;
+    }
+    return sticks;
+}
+
 /* The load itself must raise the forces that hold the wall with a candidate,
    with that reserve, and nothing may move in the simulator. */
 static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
@@ -1075,6 +1108,7 @@ static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
     kern_raising raising;
     kern_real reserve;
     return kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK &&
+           !stack_sticks(w, &block) &&
            kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)
                == KERN_STANDS &&
            raising == KERN_RAISED && reserve >= stack_reserve &&
@@ -1579,11 +1613,25 @@ STACK_API int stack_best(struct stack_wall *w)
     return bad ? -1 : 0;
 }
 
+/* Takes the last stones off until the wall stays in the last look: what a stone
+   does to it may show late. Returns 0, or -1 where memory is lacking. */
+STACK_API int stack_finish(struct stack_wall *w)
+{
+    int bad = 0;
+    while (w->laid > 0 && !bad && !stack_rests(w)) {
+        bad = stack_restore(w, w->place, w->laid - 1);
+        stack_give_up(w);
+    }
+    return bad;
+}
+
 /* Builds a wall with the planner of the options. Returns 0, or -1 where memory
    is lacking. */
 STACK_API int stack_plan(struct stack_wall *w)
 {
-    return w->options.planner == STACK_BEST ? stack_best(w) : stack_build(w);
+    const int bad = w->options.planner == STACK_BEST ? stack_best(w)
+                                                     : stack_build(w);
+    return bad ? bad : stack_finish(w);
 }
 
 /* ---- Output -------------------------------------------------------------- */
