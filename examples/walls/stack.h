@@ -1275,9 +1275,9 @@ static int stack_restore(struct stack_wall *w, const struct stack_place *place,
 }
 
 /* Builds a wall by the filters. Where a number of stones is asked for and there
-   is no place for the next one, some are taken off again, more from time to
-   time, and it goes on with half of the candidates, by chance; it keeps the
-   longest. Returns 0, or -1 where memory is lacking; w->message says why it
+   is no place for the next one, or they do not stay in the last look, some are
+   taken off again, more from time to time, and it goes on with half of the
+   candidates, by chance; it keeps the longest. Returns 0, or -1 where memory is lacking; w->message says why it
    ended. */
 STACK_API int stack_build(struct stack_wall *w)
 {
@@ -1287,9 +1287,11 @@ STACK_API int stack_build(struct stack_wall *w)
     struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
     int laid = chance && kept ? 1 : -1, retreats = 0, most = 0;
     if (chance) chance->state = w->options.seed + 1;
-    while (laid >= 0 && !stack_ends(w)) {
+    while (laid >= 0 &&
+           !(stack_ends(w) && (!stack_asked(w) || stack_rests(w)))) {
         if (w->options.progress) w->options.progress(w, 1);
-        laid = stack_step(w, &list, retreats ? 0.5 : 1, chance);
+        laid = stack_ends(w) ? 0
+             : stack_step(w, &list, retreats ? 0.5 : 1, chance);
         if (laid != 0) continue;
         if (w->laid > most) {
             most = w->laid;
