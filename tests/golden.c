@@ -2,19 +2,22 @@
 
    The same bits on every machine: a hash of everything that the library says
    of some thousand random structures - contacts, verdicts, levels, margins,
-   forces, motions, deficits, load factors, angles, raised or not - against those that stand
-   below. tests/golden.sh compiles and runs it for many targets.
+   forces, motions, deficits, load factors, angles, raised or not - against
+   those that stand below. tests/golden.sh compiles and runs it for many targets.
 
        golden [N]      the first N structures: 200, 1000 or 5000, the default
        -DKERN_SINGLE   in float
        -DGOLDEN_BARE   200 of them without an operating system, on
-                       examples/firmware/board.c */
+                       examples/firmware/board.c
+       -DGOLDEN_WHOLE  with those functions too that it does not call */
 
 #include <float.h>
 #include <stdint.h>
 #include <string.h>
 
+#ifndef GOLDEN_WHOLE
 #define KERN_STATIC
+#endif
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 #include "structures.h"

@@ -1,72 +1,41 @@
 #!/usr/bin/env bash
 # bash tests/golden.sh            every target whose compiler is installed
-# bash tests/golden.sh --all      a missing compiler or emulator is an error
+# bash tests/golden.sh GROUP...   the groups of targets named (the functions at
+#                                 the end); a missing compiler is an error
 #
 # Compiles tests/golden.c for each target, in double and in float, runs it
 # (natively, in qemu-user, or on the bare Cortex-M4F in qemu-system-arm) and
-# expects the hashes that stand in golden.c. At the end, flags that break the
-# promise must be noticed. After a change that is meant to change results, copy
-# the hashes that the first line prints into golden.c. Two targets run at a
-# time.
-set -u
-cd "$(dirname "$0")/.." || exit 1
-all=${1:-}
-out=$(mktemp -d)
-trap 'rm -rf "$out"' EXIT
-exact="-ffp-contract=off"
-jobs=0
+# expects the hashes that stand in golden.c. Flags that break the promise must
+# be noticed. After a change that is meant to change results, copy the hashes
+# that the first line prints into golden.c.
+. "$(dirname "$0")/lib.sh"
+
+wanted="$*"
+failed=0
+say() { printf '%-32s%s\n' "$@"; }
+fail() { say "$1" "FAILED: $2"; failed=1; }
 
 missing() { # missing COMMAND...: is one of them not installed?
     local command
     for command in "$@"; do
         [ -n "$command" ] || continue
         command -v "$command" >/dev/null && continue
-        echo "no $command"
-        [ "$all" != --all ] || echo "FAILED: no $command"
+        [ -z "$wanted" ] && say "no $command" "left out" || fail "no $command" ""
         return 0
     done
     return 1
 }
 
-start() { # start COMMAND...: in the background, output kept in order
-    jobs=$((jobs + 1))
-    mkdir "$out/$jobs"
-    [ $jobs -le 2 ] || wait -n
-    (cd "$out/$jobs" && "$@") >"$out/$jobs.log" 2>&1 &
-}
-
-# ---- what runs in the background, in a directory of its own
-root=$PWD
-
-both() { # both NAME RUNNER COMPILER FLAGS...: $count structures in both precisions
-    local name=$1 runner=$2 cc=$3 precision
-    shift 3
-    missing "$cc" "$runner" && return
+both() { # both NAME RUNNER COUNT COMPILER FLAGS...: in both precisions
+    local name=$1 runner=$2 count=$3 cc=$4 precision
+    shift 4
+    missing "$cc" "${runner%% *}" && return
     for precision in "" -DKERN_SINGLE; do
         # shellcheck disable=SC2086
-        { $cc $exact $precision "$@" "$root/tests/golden.c" -o golden -lm &&
-            timeout 300 $runner ./golden $count; } >log 2>&1 ||
-            echo "FAILED: status $?" >>log
-        sed "s/^/$(printf '%-32s' "$name")/" log
-    done
-}
-
-board() { # on the bare Cortex-M4F; libm has the square root of a double
-    local precision
-    missing arm-none-eabi-gcc qemu-system-arm && return
-    for precision in "" -DKERN_SINGLE; do
-        # shellcheck disable=SC2086
-        { arm-none-eabi-gcc -Os -mcpu=cortex-m4 -mthumb -mfloat-abi=hard \
-            -mfpu=fpv4-sp-d16 $exact $precision -ffunction-sections \
-            -fdata-sections -Wl,--gc-sections -nostartfiles -DGOLDEN_BARE \
-            -Wl,--defsym=board_ram=0x20000 \
-            -T "$root/examples/firmware/mps2-an386.ld" \
-            "$root/tests/golden.c" "$root/examples/firmware/board.c" \
-            -o golden -lm &&
-            timeout 300 qemu-system-arm -M mps2-an386 -nographic \
-                -semihosting-config enable=on,target=native \
-                -kernel golden; } >log 2>&1 || echo "FAILED: status $?" >>log
-        sed "s/^/$(printf '%-32s' "Cortex-M4F, bare")/" log
+        { $cc $exact $precision "$@" tests/golden.c -o "$out/golden" -lm &&
+            timeout 300 $runner "$out/golden" $count; } >"$out/log" 2>&1 ||
+            fail "$name" "status $?"
+        sed "s/^/$(printf '%-32s' "$name")/" "$out/log"
     done
 }
 
@@ -74,46 +43,67 @@ broken() { # broken NAME RUNNER COMPILER FLAGS...: must not compile or not pass
     local name=$1 runner=$2 cc=$3
     shift 3
     missing "$cc" "$runner" && return
-    # shellcheck disable=SC2086
-    if $cc "$@" "$root/tests/golden.c" -o golden -lm >log 2>&1 &&
-        timeout 300 $runner ./golden 200 >log 2>&1; then
-        echo "FAILED: nothing noticed $name"
+    if $cc -O2 "$@" tests/golden.c -o "$out/golden" -lm >"$out/log" 2>&1 &&
+        timeout 300 $runner "$out/golden" 200 >"$out/log" 2>&1; then
+        fail "$name" "not noticed"
     else
-        printf '%-32snoticed: %s\n' "$name" "$(
-            sed -nE 's/.*(FAILED: |error: (#error )?)//p' log | head -n 1)"
+        say "$name" "noticed: $(
+            sed -nE 's/.*(FAILED: |error: (#error )?)//p' "$out/log" |
+                head -n 1)"
     fi
 }
 
-count=""
-for opt in -O0 -O1 -O2 -O3 -Os; do
-    start both "x86-64 gcc $opt" "" gcc $opt
-    start both "x86-64 clang $opt" "" clang $opt
+# ---- groups; doubles are slow in QEMU, slower without an FPU
+
+native() { # native COMPILER
+    local opt
+    for opt in -O0 -O1 -O2 -O3 -Os; do
+        both "x86-64 $1 $opt" "" 5000 "$1" $opt
+    done
+}
+
+by_gcc() { native gcc; }
+
+by_clang() { native clang; }
+
+little() {
+    both "i386 SSE" qemu-i386 1000 i686-linux-gnu-gcc -O2 -msse2 -mfpmath=sse \
+        -static
+    both "AArch64" qemu-aarch64 1000 aarch64-linux-gnu-gcc -O2 -static
+    both "ARM hard float" qemu-arm 1000 arm-linux-gnueabihf-gcc -O2 -static
+    both "ARM soft float" qemu-arm 200 arm-linux-gnueabi-gcc -O2 -static
+}
+
+big() {
+    both "PowerPC (big-endian)" qemu-ppc 200 powerpc-linux-gnu-gcc -O2 -static
+    both "s390x (big-endian)" qemu-s390x 200 s390x-linux-gnu-gcc -O2 -static
+}
+
+bare() { # libm has the square root of a double
+    both "Cortex-M4F, bare" "qemu-system-arm -M mps2-an386 -nographic
+        -semihosting-config enable=on,target=native -kernel" "" \
+        arm-none-eabi-gcc -Os -mcpu=cortex-m4 -mthumb -mfloat-abi=hard \
+        -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections \
+        -Wl,--gc-sections -nostartfiles -DGOLDEN_BARE \
+        -Wl,--defsym=board_ram=0x20000 \
+        -T examples/firmware/mps2-an386.ld examples/firmware/board.c
+}
+
+promise() { # what breaks it
+    broken "-ffast-math" "" gcc -ffast-math
+    broken "-Ofast" "" clang -Ofast
+    broken "-funsafe-math-optimizations" "" gcc -funsafe-math-optimizations
+    broken "x87" qemu-i386 i686-linux-gnu-gcc -mfpmath=387 -static
+    ! grep -qw fma /proc/cpuinfo || broken "fused multiply-add, x86-64" "" \
+        gcc -mfma -ffp-contract=fast
+    broken "fused multiply-add, AArch64" qemu-aarch64 aarch64-linux-gnu-gcc \
+        -ffp-contract=fast -static
+    broken "fused multiply-add, PowerPC" qemu-ppc powerpc-linux-gnu-gcc \
+        -ffp-contract=fast -static
+}
+
+for group in ${wanted:-by_gcc by_clang little big bare promise}; do
+    run_check "$group"
 done
-count=200 # doubles are slow without an FPU and in QEMU
-start both "ARM soft float" qemu-arm arm-linux-gnueabi-gcc -O2 -static
-start both "PowerPC (big-endian)" qemu-ppc powerpc-linux-gnu-gcc -O2 -static
-count=1000
-start both "s390x (big-endian)" qemu-s390x s390x-linux-gnu-gcc -O2 -static
-start both "i386 SSE" qemu-i386 i686-linux-gnu-gcc -O2 -msse2 -mfpmath=sse \
-    -static
-start both "AArch64" qemu-aarch64 aarch64-linux-gnu-gcc -O2 -static
-start both "ARM hard float" qemu-arm arm-linux-gnueabihf-gcc -O2 -static
-start board
-start broken "-ffast-math" "" gcc -O2 -ffast-math
-start broken "-Ofast" "" clang -Ofast
-start broken "-funsafe-math-optimizations" "" gcc -O2 \
-    -funsafe-math-optimizations
-start broken "x87" qemu-i386 i686-linux-gnu-gcc -O2 -mfpmath=387 -static
-grep -qw fma /proc/cpuinfo && start broken "fused multiply-add, x86-64" "" \
-    gcc -O2 -mfma -ffp-contract=fast
-start broken "fused multiply-add, AArch64" qemu-aarch64 aarch64-linux-gnu-gcc \
-    -O2 -ffp-contract=fast -static
-start broken "fused multiply-add, PowerPC" qemu-ppc powerpc-linux-gnu-gcc \
-    -O2 -ffp-contract=fast -static
-wait
-for ((i = 1; i <= jobs; i++)); do cat "$out/$i.log"; done | tee "$out/all.log"
-if grep -q FAILED "$out/all.log"; then
-    echo "not every target agrees"
-    exit 1
-fi
-echo "every target agrees"
+[ $failed -eq 0 ] && echo "every target agrees" ||
+    { echo "not every target agrees"; exit 1; }

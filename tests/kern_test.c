@@ -42,6 +42,9 @@ static long passed, failed, failed_here;
 static char context[160]; /* which random case, for messages */
 static int quick;         /* fewer random structures */
 
+/* How many of `all` structures are made. */
+static int some(int all) { return quick ? all / 5 : all; }
+
 static void check_report(int ok, int line, const char *what, double got,
                          double want, double tol)
 {
@@ -2598,7 +2601,7 @@ static void row_of_cubes(int cubes)
 static void contact_many_blocks(void)
 {
     for (cubes_upright = 0; cubes_upright < 2; cubes_upright++)
-        CHECK(growth(row_of_cubes, CUBES / 4) < 10);
+        CHECK(growth(row_of_cubes, some(CUBES / 4)) < 10);
 }
 
 /* ---- the same contacts whichever way the world is turned -------- >>turned */
@@ -4597,7 +4600,7 @@ static void margin_not_monotone(void)
     static world w, t;
     kern_margin m;
     int found = 0, seed;
-    for (seed = 0; seed < 4000 && found < 40; seed++) {
+    for (seed = 0; seed < 4000 && found < some(40); seed++) {
         double most, d;
         int k, got, verdicts = 0, last = 1;
         random_of_kind(&w, 990000u + (unsigned long long)seed, 3, POINTS);
@@ -4625,7 +4628,7 @@ static void margin_not_monotone(void)
                                  : SINGLE && got == KERN_UNDECIDED);
     }
     context[0] = 0;
-    CHECK_INT(found, 40);
+    CHECK_INT(found, some(40));
 }
 
 /* ==== Deficit, load factor, tilt =================================== >>load */
@@ -5235,7 +5238,7 @@ static void plan_random(void)
 {
     static world w;
     int seed, kind;
-    for (seed = 0; seed < 120; seed++)
+    for (seed = 0; seed < some(120); seed++)
         for (kind = 0; kind < KINDS; kind++) {
             random_of_kind(&w, 700000u + (unsigned long long)seed,
                            seed % 4 ? 12 : 30, kind);
@@ -5248,7 +5251,7 @@ static void plan_points(void)
 {
     static world w;
     int seed, apart = 0;
-    for (seed = 0; seed < 120; seed++) {
+    for (seed = 0; seed < some(120); seed++) {
         random_seed(710000u + (unsigned long long)seed);
         sprintf(context, "(keels %d)", seed);
         world_reset(&w);
@@ -5261,7 +5264,7 @@ static void plan_points(void)
         plan_grow(&w, seed % 2);
     }
     context[0] = 0;
-    CHECK_INT(apart, 120);
+    CHECK_INT(apart, some(120));
 }
 
 /* Blocks go and come back, wherever they are; every answer is that of a fresh
@@ -5271,7 +5274,7 @@ static void plan_changes(void)
     static world w;
     static site p;
     int seed, i, round;
-    for (seed = 0; seed < 240; seed++) {
+    for (seed = 0; seed < some(240); seed++) {
         kern_margin m;
         random_of_kind(&w, 720000u + (unsigned long long)seed, 25,
                        seed % KINDS);
@@ -5583,7 +5586,7 @@ static void known_garbage(void)
     static kern_force force[MAX_POINTS];
     kern_known known = kern_known_of(motion, force);
     int seed, way, i;
-    for (seed = 0; seed < (quick ? 60 : 300); seed++) {
+    for (seed = 0; seed < some(300); seed++) {
         kern_margin fresh, m;
         int want;
         random_world(&w, 640000u + (unsigned long long)seed, 20);
@@ -6253,7 +6256,7 @@ static void limits_of_work(void)
 {
     static world w;
     int seed, call, reached = 0, known = 0;
-    for (seed = 0; seed < 60; seed++) {
+    for (seed = 0; seed < some(60); seed++) {
         random_world(&w, 770000u + (unsigned long long)seed, 12);
         for (call = 0; call < LIMIT_CALLS; call++) {
             const limited all = ask_limited((enum limited_call)call, &w, 0);
@@ -6279,8 +6282,8 @@ static void limits_of_work(void)
         }
     }
     context[0] = 0;
-    CHECK(reached > 10000);
-    CHECK(known > 1000);
+    CHECK(reached > some(10000));
+    CHECK(known > some(1000));
 }
 
 /* ==== Known cases ================================================= >>known */
@@ -6928,7 +6931,7 @@ static void t18_units_and_places(void)
     static world w, t;
     static int order[MAX_BLOCKS];
     int seed, trial;
-    for (seed = 0; seed < 1200; seed++) {
+    for (seed = 0; seed < some(1200); seed++) {
         kern_margin m;
         int got;
         random_world(&w, 100000u + (unsigned long long)seed, 40);
@@ -7020,7 +7023,7 @@ static void t18_more_support(void)
 {
     static world w, t;
     int seed, k;
-    for (seed = 0; seed < 1500; seed++) {
+    for (seed = 0; seed < some(1500); seed++) {
         kern_margin m;
         const int kind =
             random_world(&w, 160000u + (unsigned long long)seed, 25);
@@ -7085,7 +7088,7 @@ static void t18_side_by_side(void)
 {
     static world a, b, both;
     int seed, stand = 0;
-    for (seed = 0; seed < 1000; seed++) {
+    for (seed = 0; seed < some(1000); seed++) {
         kern_margin m, n, o;
         int got_a, got_b, got;
         double want, unit;
@@ -7126,7 +7129,7 @@ static void t18_side_by_side(void)
         passed++;
     }
     context[0] = 0;
-    CHECK(stand > 100);
+    CHECK(stand > some(100));
 }
 
 /* ---- against the independent solver ---------------------------- >>against */
@@ -7155,8 +7158,8 @@ static long compare_many(long first, long many, int most, int deep_every)
 
 static void twin_random(void)
 {
-    const long none = compare_many(0, quick ? 300 : 3000, 12, 6) +
-                      compare_many(500000, quick ? 25 : 250, 40, 25);
+    const long none = compare_many(0, some(3000), 12, 6) +
+                      compare_many(500000, some(250), 40, 25);
     CHECK(SINGLE || none == 0);
     /* near the edge the twin leaves the question open: must be rare */
     CHECK(twin_near * 50 < twin_asked);
@@ -8785,7 +8788,7 @@ static void sensitivity_of_poses(void)
     static world w, now;
     unsigned long long seed;
     int good[3] = {0, 0, 0}, all[3] = {0, 0, 0}, kind;
-    for (seed = 1; seed < 20000 && all[2] < 1000 && !SINGLE; seed++) {
+    for (seed = 1; seed < 20000 && all[2] < some(1000) && !SINGLE; seed++) {
         double margin, size, step, rate, change;
         int i;
         if (!random_world(&w, seed, 12) || w.given)
@@ -8819,7 +8822,7 @@ static void sensitivity_of_poses(void)
         }
     }
     for (kind = 0; kind < 3; kind++) {
-        CHECK(SINGLE || all[kind] >= 700);
+        CHECK(SINGLE || all[kind] >= some(700));
         CHECK(100 * good[kind] >= 95 * all[kind]);
     }
 }
@@ -8958,7 +8961,7 @@ static void forces_laws(void)
     static int order[MAX_BLOCKS];
     const double tol = SINGLE ? 1e-2 : 1e-6;
     int seed, place, k, done = 0, asked_here = 0;
-    for (seed = 1; seed <= (quick ? 200 : 1000); seed++) {
+    for (seed = 1; seed <= some(1000); seed++) {
         change c = no_change();
         double margin;
         random_world(&w, (unsigned long long)seed, 15);
@@ -9008,7 +9011,7 @@ static void forces_laws(void)
         }
     }
     context[0] = 0;
-    CHECK(asked_here > (quick ? 100 : 500));
+    CHECK(asked_here > some(500));
     CHECK(100 * done >= (SINGLE ? 97 : 99) * asked_here);
 }
 
@@ -9249,8 +9252,7 @@ static const char help[] =
     "usage: kern_test [--quick] [NAME...]\n"
     "       kern_test --random N [FIRST]\n"
     "Runs the tests whose name contains one of the NAMEs, or all.\n"
-    "  --quick    a tenth of the random structures that are compared with the\n"
-    "             twin, an independent solver\n"
+    "  --quick    a fifth of the random structures, or fewer\n"
     "  --random   only this comparison, on N structures from number FIRST on\n";
 
 int main(int argc, char **argv)

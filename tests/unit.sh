@@ -22,13 +22,18 @@ sanitized() { # sanitized FLAGS...
 }
 
 audited() { # audited FLAGS...: asserts, and the engine's state after each pivot
-    tests gcc -O2 -include assert.h '-DKERN_ASSERT(x)=assert(x)' \
+    quick gcc -O2 -include assert.h '-DKERN_ASSERT(x)=assert(x)' \
         -DKERN_AUDIT=2000 "$@"
 }
 
-glpk() { # above 96 rows
+random() { # random N: audited, and N more structures against the twin
+    audited && "$out/kern_test" --random "$1"
+}
+
+glpk() { # what has more than 96 rows: no other test calls it
     libs=-lglpk
-    tests gcc -O2 -DKERN_USE_GLPK
+    build gcc -O2 -DKERN_USE_GLPK &&
+        "$out/kern_test" t11 t15 t18_u sensitivity_c twin status memory_l
 }
 
 glpk_always() { # the cases with known answers, and small plans
@@ -37,13 +42,9 @@ glpk_always() { # the cases with known answers, and small plans
         "$out/kern_test" t1 plan_ca plan_p plan_s
 }
 
-random() { # random N: structures against the twin
-    build gcc -O2 && "$out/kern_test" --random "$1"
-}
-
 big_endian() { # what is quick in an emulator
     build s390x-linux-gnu-gcc -O2 -static &&
-        qemu-s390x "$out/kern_test" polygon contact lp_ proof t0
+        qemu-s390x "$out/kern_test" --quick polygon contact lp_ proof t0
 }
 
 # ---- what a proof is worth
