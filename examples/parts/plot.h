@@ -1,8 +1,8 @@
 /* plot.h - scatter plots and curves as SVG, for the example programs.
 
    plot_open() opens the file, plot_begin() writes axes with round numbers,
-   plot_point() and plot_curve() what is in them, plot_colours() a colour bar
-   beside them, plot_end() the rest.
+   plot_point(), plot_curve() and plot_band() what is in them, plot_colours() a
+   colour bar beside them, plot_end() the rest.
 
    SPDX-License-Identifier: MIT */
 
@@ -123,6 +123,22 @@ DRAW_API void plot_curve(const struct plot *p, const double *x,
             colour, width);
     for (int i = 0; i < n; i++) {
         struct draw_pt q = plot_place(p, x[i], y[i]);
+        fprintf(p->out, "%s%.2f,%.2f", i ? " " : "", draw_px(q.x),
+                draw_px(q.y));
+    }
+    fputs("\"/>\n", p->out);
+}
+
+/* The band between two curves through n places, within the field. */
+DRAW_API void plot_band(const struct plot *p, const double *x,
+                        const double *low, const double *high, int n,
+                        const char *colour)
+{
+    fprintf(p->out, "<polygon clip-path=\"url(#field)\" stroke=\"none\" "
+            "fill=\"%s\" fill-opacity=\"0.3\" points=\"", colour);
+    for (int i = 0; i < 2 * n; i++) {
+        const int k = i < n ? i : 2 * n - 1 - i;
+        struct draw_pt q = plot_place(p, x[k], i < n ? low[k] : high[k]);
         fprintf(p->out, "%s%.2f,%.2f", i ? " " : "", draw_px(q.x),
                 draw_px(q.y));
     }

@@ -6,7 +6,8 @@
        walls.csv                one line a wall
        fig8.svg                 the walls of the first set, side by side
        fig9.svg                 quality over irregularity: mean and deviation,
-                                with the level of collapse as the stability
+                                that of heuristic as a band, with the level of
+                                collapse as the stability
        fig9-margin.svg          the same with the margin
        fig9.csv                 both in numbers
        fig9.md                  means, figures of masonry, differences between
@@ -456,22 +457,30 @@ static int walls_tables(const struct walls *f)
     return fclose(csv) | fclose(md) ? fail("cannot write", "fig9") : 0;
 }
 
-/* One planner's curve: a bar of a standard deviation each way. */
+/* One planner's curve, and a standard deviation each way: a band for the first,
+   bars for the others. */
 static void walls_curve(const struct walls *f, const struct plot *p,
                         int planner, int stability)
 {
     double x[WALLS_LEVELS], mean[WALLS_LEVELS];
+    double low[WALLS_LEVELS], high[WALLS_LEVELS];
     char style[80];
     snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"1.2\"",
              walls_colour[planner]);
     for (int l = 0; l < WALLS_LEVELS; l++) {
         double sd;
         walls_sum_up(f, l, planner, -1, stability, 1, &mean[l], &sd);
-        x[l] = 10 + 10 * l + 0.7 * (planner - 1); /* bars side by side */
-        draw_line(p->out, plot_place(p, x[l], fmax(mean[l] - sd, p->y0)),
-                  plot_place(p, x[l], fmin(mean[l] + sd, p->y1)), style);
-        plot_point(p, x[l], mean[l], walls_colour[planner]);
+        x[l] = 10 + 10 * l + 0.5 * planner; /* bars side by side */
+        low[l] = fmax(mean[l] - sd, p->y0);
+        high[l] = fmin(mean[l] + sd, p->y1);
+        if (planner != STACK_HEURISTIC)
+            draw_line(p->out, plot_place(p, x[l], low[l]),
+                      plot_place(p, x[l], high[l]), style);
     }
+    if (planner == STACK_HEURISTIC)
+        plot_band(p, x, low, high, WALLS_LEVELS, walls_colour[planner]);
+    for (int l = 0; l < WALLS_LEVELS; l++)
+        plot_point(p, x[l], mean[l], walls_colour[planner]);
     plot_curve(p, x, mean, WALLS_LEVELS, walls_colour[planner], 1.8);
     draw_line(p->out, draw_vec(p->left + 236, p->top + 18 + 18 * planner),
               draw_vec(p->left + 260, p->top + 18 + 18 * planner), style);
@@ -493,7 +502,7 @@ static int walls_nine(const struct walls *f, int stability, const char *name,
             p.y1 = fmax(p.y1, mean + sd);
         }
     p.y1 *= 1.25; /* the names stand above */
-    plot_begin(&p, out, "Quality of walls: mean and standard deviation",
+    plot_begin(&p, out, "Quality of walls: mean, deviation (heuristic: band)",
                "irregularity, %", yname, 0);
     for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k, stability);
     bad = plot_end(&p);
