@@ -1191,9 +1191,18 @@ static void json_count(const char *key, int value, int exists)
     else printf(", \"%s\": null", key);
 }
 
+static void json_known(const char *key, double value, int known)
+{
+    json_number(key, known ? value : (double)NAN);
+}
+
+static void json_flag(const char *key, int value, int known)
+{
+    printf(", \"%s\": %s", key, !known ? "null" : value ? "true" : "false");
+}
+
 static void json_contacts(const struct analysis *a)
 {
-    double none = (double)NAN;
     int stands = a->shown == KERN_STANDS;
     printf(", \"contacts\": [");
     for (int k = 0; k < a->task.s.contacts; k++) {
@@ -1209,9 +1218,8 @@ static void json_contacts(const struct analysis *a)
         json_number("ny", (double)c->n.y);
         json_number("mu", (double)c->mu);
         json_number("travel", fabs((double)c->travel));
-        json_number("normal", stands ? (double)a->force[k].normal : none);
-        json_number("tangential",
-                    stands ? (double)a->force[k].tangential : none);
+        json_known("normal", (double)a->force[k].normal, stands);
+        json_known("tangential", (double)a->force[k].tangential, stands);
         printf("}");
     }
     printf("]");
@@ -1323,14 +1331,12 @@ static void json_limits(const struct analysis *a, int good)
 /* Of what is undecided the numbers are null, and the list is empty. */
 static void json_profile(const struct analysis *a, int good)
 {
-    double none = (double)NAN;
     int known = good && a->profiled >= 0, first = 1;
-    json_number("progressive_margin",
-                known ? (double)a->all[MARGIN].mean : none);
-    json_number("progressive_load", known ? mean_load(a) : none);
-    json_number("weak_margin", known ? (double)a->all[MARGIN].weak : none);
-    json_number("weak_load", known ? weak_load(a) : none);
-    json_number("expected_drop", known ? expected_drop(a) : none);
+    json_known("progressive_margin", (double)a->all[MARGIN].mean, known);
+    json_known("progressive_load", mean_load(a), known);
+    json_known("weak_margin", (double)a->all[MARGIN].weak, known);
+    json_known("weak_load", weak_load(a), known);
+    json_known("expected_drop", expected_drop(a), known);
     printf(", \"profile\": [");
     for (int i = 0; known && i < a->task.s.blocks; i++) {
         if (a->task.s.block[i].fixed) continue;
@@ -1371,7 +1377,7 @@ static void json_raised(const struct analysis *a, int good)
         json_string("raised", raising_word[a->raising]);
     } else
         printf(", \"raised\": null");
-    json_number("reserve", known ? a->reserve : (double)NAN);
+    json_known("reserve", a->reserve, known);
 }
 
 static void json_sequence(const struct analysis *a, int good)
@@ -1403,58 +1409,68 @@ static void json_open(unsigned open)
     printf("]");
 }
 
-/* A file with an error has the same keys as any other. */
-static void report_json(const struct analysis *a)
+/* What the file has, and how it was taken. */
+static void json_structure(const struct analysis *a, int good)
 {
-    int good = !a->error[0];
-    int asked = good && !a->set->verdict_only, lines = good ? line_points(a) : 0;
-    int known = asked && a->measured >= 0;
-    int falls = known && a->measured == KERN_FALLS;
-    int proven = known || (good && a->measured == KERN_LIMIT);
-    double none = (double)NAN;
-    printf("{");
-    json_string("file", a->file);
-    printf(", ");
-    json_string("status", status_word(a));
+    int lines = good ? line_points(a) : 0;
     json_count("blocks", a->task.s.blocks - a->text.fixed, good);
     json_count("fixed", a->text.fixed, good);
     json_count("contact_points", a->task.s.contacts, good);
     json_count("line_contacts", lines / 2, good);
     json_count("point_contacts", a->task.s.contacts - lines, good);
-    json_number("epsilon", known ? (double)a->m.epsilon : none);
-    printf(", \"relative\": %s, \"near\": %s",
-           a->set->relative ? "true" : "false",
-           a->set->touching ? "true" : "false");
-    if (a->set->error > 0)
-        printf(", \"certain\": %s", a->certain < 0 ? "null"
-                                  : a->certain ? "true" : "false");
-    json_count("level", a->m.level, known && a->m.level >= 0);
-    printf(", \"saturated\": %s",
-           !known ? "null" : a->m.saturated ? "true" : "false");
-    json_number("margin", known ? (double)a->m.margin : none);
-    json_number("holds", proven && !(a->m.holds < 0) ? (double)a->m.holds
-                                                     : none);
-    json_number("fails", proven && (falls || a->m.fails < a->m.most)
-                         ? (double)a->m.fails : none);
-    json_number("deficit", falls ? a->deficit : none);
-    json_number("signed_margin",
-                falls ? -a->deficit : known ? (double)a->m.margin : none);
-    json_number("bearing", asked ? a->bearing : none);
+}
+
+static void json_measure(const struct analysis *a, int good, int asked)
+{
+    int known = asked && a->measured >= 0;
+    int falls = known && a->measured == KERN_FALLS;
+    int proven = known || (good && a->measured == KERN_LIMIT);
     int most = known ? most_stressed(a, 0, a->task.s.contacts) : -1;
-    json_number("peak_stress", most < 0 ? none : a->stress[most]);
+    json_known("epsilon", (double)a->m.epsilon, known);
+    json_flag("relative", a->set->relative, 1);
+    json_flag("near", a->set->touching, 1);
+    if (a->set->error > 0) json_flag("certain", a->certain > 0, a->certain >= 0);
+    json_count("level", a->m.level, known && a->m.level >= 0);
+    json_flag("saturated", a->m.saturated, known);
+    json_known("margin", (double)a->m.margin, known);
+    json_known("holds", (double)a->m.holds, proven && !(a->m.holds < 0));
+    json_known("fails", (double)a->m.fails,
+               proven && (falls || a->m.fails < a->m.most));
+    json_known("deficit", a->deficit, falls);
+    json_known("signed_margin", falls ? -a->deficit : (double)a->m.margin,
+               known);
+    json_known("bearing", a->bearing, asked);
+    json_known("peak_stress", most < 0 ? 0 : a->stress[most], most >= 0);
+}
+
+static void json_loads(const struct analysis *a, int asked)
+{
+    json_known("load_left", a->load[LEFT], asked);
+    json_known("load_right", a->load[RIGHT], asked);
+    json_known("tilt_left", a->tilt[LEFT], asked);
+    json_known("tilt_right", a->tilt[RIGHT], asked);
+    json_open(asked ? open_questions(a) : 0);
+}
+
+/* A file with an error has the same keys as any other. */
+static void report_json(const struct analysis *a)
+{
+    int good = !a->error[0], asked = good && !a->set->verdict_only;
+    printf("{");
+    json_string("file", a->file);
+    printf(", ");
+    json_string("status", status_word(a));
+    json_structure(a, good);
+    json_measure(a, good, asked);
     json_limits(a, asked);
     if (a->set->raised) json_raised(a, asked);
     if (a->set->own_error > 0) {
-        json_number("bears", asked ? a->bears : none);
-        json_number("least_friction", asked ? a->least_friction : none);
+        json_known("bears", a->bears, asked);
+        json_known("least_friction", a->least_friction, asked);
     }
     if (a->set->sequence) json_sequence(a, good && a->sequence);
-    json_number("load_left", asked ? a->load[LEFT] : none);
-    json_number("load_right", asked ? a->load[RIGHT] : none);
-    json_number("tilt_left", asked ? a->tilt[LEFT] : none);
-    json_number("tilt_right", asked ? a->tilt[RIGHT] : none);
-    json_open(asked ? open_questions(a) : 0);
-    json_number("proof_error", good ? (double)a->work.error : none);
+    json_loads(a, asked);
+    json_known("proof_error", (double)a->work.error, good);
     json_count("pivots", a->work.pivots, good);
     json_count("solves", a->work.solves, good);
     if (a->set->profile) json_profile(a, good);

@@ -249,6 +249,19 @@ static double tangents_meet(const struct step *a, const struct step *b,
     return x;
 }
 
+/* Where the tangents meet, or in the middle: where one end falls, or where the
+   margin is not concave. */
+static double place_between(const struct step *low, const struct step *high,
+                            double *hope)
+{
+    if (!(high->margin < 0)) {
+        const double x = tangents_meet(low, high, hope);
+        if ((x - low->x) * (x - high->x) < 0)
+            return x;
+    }
+    return (low->x + high->x) / 2;
+}
+
 /* Climbs the margin along the bed; the stone ends at the best place. Returns how
    far it has moved. */
 static double climb(struct nudge *n, int stone, kern_vec along)
@@ -263,14 +276,7 @@ static double climb(struct nudge *n, int stone, kern_vec along)
     step = low.slope > 0 ? step : -step;
     while (n->measures <= MEASURES && !n->m.saturated
            && fabs(low.slope) > FLAT) {
-        if (!between)
-            next = low.x + step;
-        else if (high.margin < 0)
-            next = (low.x + high.x) / 2;
-        else
-            next = tangents_meet(&low, &high, &hope);
-        if (between && !((next - low.x) * (next - high.x) < 0))
-            next = (low.x + high.x) / 2; /* it is not concave */
+        next = between ? place_between(&low, &high, &hope) : low.x + step;
         if (between && ((high.margin >= 0 && hope < best.margin * (1 + GAIN))
                         || fabs(high.x - low.x) < 0.1 * fabs(step)))
             break;

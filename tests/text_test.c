@@ -88,6 +88,8 @@ int main(void)
     static const char short_normal[] =
         "fixed g -1 -1  1 -1  1 0  -1 0\nblock a 1  0 0  1 0  1 1  0 1\n"
         "contact g a 1e-310 1e-310  0 0  1 0\n";
+    static const char late_density[] =
+        "block a *  0 0  1 0  1 1  0 1\ndensity 2\nfriction 0.4\n";
     struct text_file t;
     numbers();
     strcpy(point, "\xd9\xab"); /* as Pashto has it */
@@ -95,6 +97,7 @@ int main(void)
     strcpy(point, ".");
     refused("friction 0.5\n\0\0", 15, 2, "NUL");
     refused("friction 0.5\nfriction 0.4\n", 26, 2, "given in line 1");
+    refused(late_density, sizeof late_density - 1, 2, "a block after it");
     if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
         refused(short_normal, sizeof short_normal - 1, 3, "no direction");
     check(text_load(&t, "/dev/zero") == -1 && strstr(t.message, "NUL"),

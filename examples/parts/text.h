@@ -2,7 +2,8 @@
 
        friction MU                                    default 0.4
        gravity  GX GY                                 default 0 -9.81
-       density  D                                     of the blocks after it, 1
+       density  D                                     of the blocks after it, 1;
+                                                      one must follow
        fixed    NAME  X1 Y1  X2 Y2  X3 Y3 ...         ground; a simple polygon
        block    NAME  MASS  X1 Y1  X2 Y2  X3 Y3 ...   MASS * is area x density
        com      NAME  X Y                             centre of mass
@@ -74,6 +75,7 @@ struct text_reader {
     char *at, *end;        /* what is left of the line */
     const char *statement; /* its first word           */
     kern_real density;
+    int unused;            /* the line of a density no block follows, or 0 */
     int vertices;
     int *slot, slots;      /* names by hash: index of the block + 1, 0: none */
     struct text_contact *contact;
@@ -318,6 +320,7 @@ static int text_gravity(struct text_reader *r)
 
 static int text_density(struct text_reader *r)
 {
+    r->unused = r->t->line;
     return text_real(r, TEXT_POSITIVE, &r->density);
 }
 
@@ -393,6 +396,7 @@ static int text_body(struct text_reader *r, int fixed)
     t->name[t->blocks] = name;
     t->block_line[t->blocks++] = t->line;
     t->fixed += fixed;
+    if (!fixed) r->unused = 0;
     r->slot[slot] = t->blocks;
     r->vertices += vertices;
     return 0;
@@ -552,6 +556,10 @@ static int text_lines(struct text_reader *r, size_t length)
         if (text_line(r)) return -1;
     }
     if (t->line == 0) t->line = 1;
+    if (r->unused) {
+        t->line = r->unused;
+        return text_fail(t, "density: expected a block after it, found none");
+    }
     if (t->blocks == t->fixed)
         return text_fail(t, "no block is free, read %d fixed up to the end",
                          t->fixed);
@@ -641,7 +649,8 @@ static inline int text_read(struct text_file *t, const char *data,
     if (length > 0) memcpy(t->text, data, length);
     t->text[length] = '\0';
 
-    struct text_reader r = { t, NULL, NULL, "", 1, 0, NULL, 0, NULL, 0, { 0 } };
+    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0,
+                             { 0 } };
     int bad = text_make_room(&r, length) || text_lines(&r, length) ||
               text_contacts(&r);
     free(r.slot);
