@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x472f54f6717b8031u },
-    { 1000, 0x1079081b28354dabu },
-    { 5000, 0x94fd891dadd83999u },
+    { 200, 0x974e980f80d65caeu },
+    { 1000, 0xa315a1e60130b61fu },
+    { 5000, 0x2bf28bbc615a8fa9u },
 #else
-    { 200, 0x56286bf7a91bf0afu },
-    { 1000, 0x5f68225a7984bf37u },
-    { 5000, 0xe9651969045d2cf7u },
+    { 200, 0xf49219aa61e9ef44u },
+    { 1000, 0xc49ea79cff9440b4u },
+    { 5000, 0x0efac2114fe34c82u },
 #endif
 };
 
