@@ -3409,33 +3409,28 @@ static kern_real kern_limit_by(int by, const kern_contact *c, kern_motion v,
                                kern_meeting meeting, const kern_force *force,
                                const kern_query *q)
 {
-    kern_real way = c->travel;
+    kern_real rate;
     if (by == 1)
         return meeting == KERN_HINGES ? kern_abs(v.spin) : KERN_R(0);
     if (by == 2)
         return meeting == KERN_SLIDES
-               ? KERN_SQRT(v.vx * v.vx + v.vy * v.vy) : KERN_R(0);
+               ? kern_vec_length(kern_vec_make(v.vx, v.vy)) : KERN_R(0);
     if (!force || meeting == KERN_OPENS)
         return KERN_R(0);
-    if (!q->relative)
-        way = !(kern_abs(way) > q->shrink) ? KERN_R(0)
-              : way > 0 ? KERN_R(1) : KERN_R(-1);
-    return kern_max(-v.spin * way * force->normal, KERN_R(0));
+    kern_shift(c->travel, q->shrink, q->relative, &rate);
+    return kern_max(-v.spin * rate * force->normal, KERN_R(0));
 }
 
-static void kern_critical_contacts(const kern_task *task,
-                                   const kern_query *q,
+static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
-    const kern_structure *s = &task->s;
-    const kern_real size = kern_mean_size(s->block, s->blocks);
     kern_real most = KERN_R(0);
     int by, i;
     for (by = 0; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
             const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
-            const kern_meeting meeting = kern_meeting_of(c, v, size);
+            const kern_meeting meeting = kern_meeting_of(c, v, q->mean);
             const kern_real limit = kern_limit_by(
                 by, c, v, meeting, proof->force ? proof->force + i : NULL, q);
             if (out->meeting)
@@ -3454,7 +3449,7 @@ static void kern_critical_contacts(const kern_task *task,
 /* The larger of a block's speed and that of its turning. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 {
-    return kern_max(KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
+    return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
                     kern_abs(v->spin) * kern_block_size(b));
 }
 
@@ -3475,21 +3470,22 @@ static void kern_critical_blocks(const kern_structure *s,
                                  const kern_motion *motion, kern_critical *out)
 {
     const int none = s->blocks;
-    int i, lead = 0;
+    int i, lead;
     for (i = 0; i < s->blocks; i++)
         out->group[i] = kern_block_speed(s->block + i, motion + i) < KERN_REST
                         ? -1 : none;
-    for (; lead >= 0; out->groups += lead >= 0) {
+    for (;; out->groups++) {
         kern_real most = KERN_R(0);
-        lead = -1;
-        for (i = 0; i < s->blocks; i++) {
+        for (lead = i = 0; i < s->blocks; i++) {
             const kern_real speed = kern_block_speed(s->block + i, motion + i);
             if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
                 most = speed;
                 lead = i;
             }
         }
-        for (i = 0; i < s->blocks && lead >= 0; i++)
+        if (!(most > 0))
+            return;
+        for (i = 0; i < s->blocks; i++)
             if (out->group[i] == none
                 && (i == lead || kern_as_one(s, motion, lead, i)))
                 out->group[i] = out->groups;
@@ -3513,7 +3509,7 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
         return status;
     out->contact = -1;
     out->groups = 0;
-    kern_critical_contacts(task, &q, proof, out);
+    kern_critical_contacts(&task->s, &q, proof, out);
     if (out->group)
         kern_critical_blocks(&task->s, proof->motion, out);
     return KERN_OK;
@@ -3526,29 +3522,27 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 
 /* G_q of contact i times `one`, and its share of G_d: 0 where no force acts or
    no block moves. */
-static kern_real kern_contact_gain(const kern_task *task,
+static kern_real kern_contact_gain(const kern_structure *s,
                                    const kern_query *q, int i,
                                    const kern_proof *proof, kern_real one,
                                    kern_contact_rate *out)
 {
-    const kern_contact *c = task->s.contact + i;
+    const kern_contact *c = s->contact + i;
     const kern_vec t = kern_vec_turn(c->n);
     const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
     const kern_vec force = kern_vec_make(f * c->n.x + r * t.x,
                                          f * c->n.y + r * t.y);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    kern_real rate, shift, spin;
-    kern_motion v;
-    kern_vec u;
+    const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
+    const kern_vec u = kern_vec_make(v.vx * one, v.vy * one);
+    const kern_real spin = v.spin * one;
+    kern_real rate, shift;
     out->p = kern_vec_make(0, 0);
     out->turn = out->mu = out->travel = KERN_R(0);
     if (!(f > 0) || !(kern_speed(proof->motion + c->a)
                       + kern_speed(proof->motion + c->b) > 0))
         return KERN_R(0);
-    v = kern_meeting_motion(&task->s, q, c, proof->motion);
-    u = kern_vec_make(v.vx * one, v.vy * one);
-    spin = v.spin * one;
     shift = kern_shift(travel, q->shrink, q->relative, &rate);
     out->p = kern_vec_make(spin * force.y, -spin * force.x);
     out->turn = kern_vec_cross(force, u) - shift * spin * r;
@@ -3660,7 +3654,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
     for (i = 0; i < task->s.contacts; i++) {
-        const kern_real g = kern_contact_gain(task, &q, i, proof, KERN_R(1),
+        const kern_real g = kern_contact_gain(&task->s, &q, i, proof, KERN_R(1),
                                               contact + i);
         gain += g;
         most += kern_abs(g);
@@ -3668,7 +3662,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
         return KERN_UNDECIDED;
     for (i = 0; i < task->s.contacts; i++)
-        kern_contact_gain(task, &q, i, proof, -1 / gain, contact + i);
+        kern_contact_gain(&task->s, &q, i, proof, -1 / gain, contact + i);
     for (i = 0; i < task->s.blocks; i++)
         kern_block_gain(&task->s, i, proof->motion, -1 / gain, block + i);
     for (i = 0; i < task->s.contacts; i++)
@@ -5174,9 +5168,7 @@ static void kern_part_motion(kern_part *p)
         kern_motion *v = m->motion + b;
         *v = ((const kern_motion *)(const void *)p->y)[n];
         v->spin *= m->unit[p->group[n]];
-        most = kern_max(most, kern_max(
-            KERN_SQRT(v->vx * v->vx + v->vy * v->vy),
-            kern_abs(v->spin) * kern_block_size(m->s->block + b)));
+        most = kern_max(most, kern_block_speed(m->s->block + b, v));
     }
     for (n = 0; n < p->groups && most > 0; n++) {
         kern_motion *v = m->motion + m->block[p->group[n]];
