@@ -1472,9 +1472,8 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5): every free block is in equilibrium under its weight, its load and
-   contact forces f n + r t with f >= 0 and |r| <= mu f. In the plane the
-   friction cone is spanned by its two edges,
+/* Eq. (5): in the plane the cone of a contact force f n + r t is spanned by its
+   two edges,
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0
@@ -1482,11 +1481,10 @@ static void kern_box_add(kern_box *box, kern_vec p)
        ---- p ----  t
 
    so forces exist just if A x = -w has a solution x >= 0: three rows a free
-   block (force, torque about its centre), two columns a contact point. The
-   same rows turned round are a motion y of every block: y.A >= 0 says that no
-   contact closes, y.w > 0 that the weight drives it. By Farkas' lemma there is
-   either the one or the other. Lengths are measured in the size of the block,
-   forces in the weight of all, so tolerances have no units. */
+   block (force, torque about its centre), two columns a contact point. Else
+   there is a motion y with y.A >= 0 and y.w > 0 (>>method). Lengths are measured
+   in the size of the block, forces in the weight of all, so tolerances have no
+   units. */
 
 /* A query: the weights and loads to carry, and how far kerns shrink. */
 typedef struct kern_query {
@@ -2009,8 +2007,7 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
-/* Both checks use the caller's data only, and nothing of the solver. A proof's
-   error is given as a share of what is allowed, so up to 1 it holds.
+/* From the caller's data alone. An error is a share of what is allowed.
 
    Forces prove "stands": each in its cone, the residual of every equilibrium
    row within KERN_TOL of what acts on the block (or within the rounding of
@@ -2982,8 +2979,7 @@ static kern_real kern_extent(const kern_structure *s)
 }
 
 /* Grows the kerns of what falls until it stands, and finds the edge. */
-static kern_status kern_grow(kern_model *m, kern_path *path,
-                             kern_real *deficit)
+static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     const kern_travels travels = kern_travels_of(m->s, &path->q, 0);
     const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
@@ -2999,31 +2995,29 @@ static kern_status kern_grow(kern_model *m, kern_path *path,
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
             break;
         if (grown >= limit) {
-            *deficit = KERN_INFINITY;
+            path->edge = -KERN_INFINITY;
             return status;
         }
     }
     if (status == KERN_STANDS)
         status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-    *deficit = -path->edge;
     return status == KERN_STANDS ? KERN_FALLS : status;
 }
 
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 {
     kern_call c;
-    kern_real grown = KERN_R(0);
     kern_status status = kern_call_open(&c, task, KERN_R(0), deficit);
     if (status != KERN_OK)
         return status;
     status = kern_path_evaluate(&c.m, &c.path, KERN_R(0));
     if (status == KERN_FALLS)
-        status = kern_grow(&c.m, &c.path, &grown);
+        status = kern_grow(&c.m, &c.path);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        grown = c.path.fell <= 0 ? -c.path.fell : KERN_R(-1);
-    if (status >= 0 || status == KERN_LIMIT)
-        *deficit = grown;
+        *deficit = c.path.fell <= 0 ? -c.path.fell : KERN_R(-1);
+    else if (status >= 0)
+        *deficit = status == KERN_STANDS ? KERN_R(0) : -c.path.edge;
     return status;
 }
 
@@ -4316,7 +4310,7 @@ static int kern_least_open(kern_part *p, kern_model *m)
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
     kern_part_ends(p);
-    return 1;
+    return kern_least_lay(p, &p->rest);
 }
 
 /* Writes the forces of u. */
@@ -4344,7 +4338,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
     kern_model_set(m, &c.path.q);
-    if (!kern_least_open(&c.part, m) || !kern_least_lay(&c.part, &c.part.rest))
+    if (!kern_least_open(&c.part, m))
         return KERN_NO_SPACE;
     status = kern_least_find(
         &c.part, kern_part_load(&c.part, &c.path.q, c.part.b), KERN_BOUND, 0,
@@ -6532,8 +6526,7 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
         kern_model_touch(m);
     m->plain = 0;
     kern_model_set(m, &q);
-    if (!kern_least_open(p, m) || p->contacts == 0
-        || !kern_least_lay(p, &p->rest))
+    if (!kern_least_open(p, m) || p->contacts == 0)
         return 0;
     rays = 2 * p->contacts;
     in->p = p;
@@ -7101,17 +7094,24 @@ static kern_real kern_prove_raised(const kern_structure *s,
     return error;
 }
 
-/* One pass over the contacts: takes those blocks out of the set (value >= 0)
+/* Takes those blocks out of the set (value >= 0) that are fixed or loaded, or
    that a block outside presses against gravity. Returns how many. */
 static int kern_hang_pass(const kern_structure *s, kern_real *value)
 {
-    const kern_real least = KERN_R(1e-9) * kern_vec_length(s->gravity);
+    const kern_real pull = kern_vec_length(s->gravity);
     int k, out = 0;
+    for (k = 0; k < s->blocks; k++)
+        if (value[k] >= 0 && (s->block[k].fixed || !(pull > 0)
+                              || kern_wrench_sum(&s->block[k].load) > 0)) {
+            value[k] = KERN_R(-1);
+            out++;
+        }
     for (k = 0; k < s->contacts; k++) {
         const kern_contact *c = s->contact + k;
         const kern_real up = -kern_vec_dot(c->n, s->gravity);
         const int held = up > 0 ? c->b : c->a, by = up > 0 ? c->a : c->b;
-        if (kern_abs(up) > least && value[held] >= 0 && !(value[by] >= 0)) {
+        if (kern_abs(up) > KERN_R(1e-9) * pull && value[held] >= 0
+            && !(value[by] >= 0)) {
             value[held] = KERN_R(-1);
             out++;
         }
@@ -7119,19 +7119,16 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value)
     return out;
 }
 
-/* The largest set of blocks that no block outside presses against gravity; they
-   get a value >= 0. Returns how many there are. */
+/* The largest such set; returns how many blocks are in it. */
 static int kern_hang_find(const kern_structure *s, kern_real *value)
 {
-    int i, n = 0;
+    int i, n = s->blocks, out;
     for (i = 0; i < s->blocks; i++)
-        value[i] = kern_has_side(s, KERN_RIGHT) && !s->block[i].fixed
-                   && !(kern_wrench_sum(&s->block[i].load) > 0)
-                   ? KERN_R(1) : KERN_R(-1);
-    while (kern_hang_pass(s, value))
-        continue;
-    for (i = 0; i < s->blocks; i++)
-        n += value[i] >= 0;
+        value[i] = KERN_R(1);
+    do {
+        out = kern_hang_pass(s, value);
+        n -= out;
+    } while (out > 0);
     return n;
 }
 
@@ -7159,7 +7156,7 @@ static int kern_raise_open(kern_raise *r)
     r->last = kern_take_reals(&p->rest, 2 * p->contacts);
     r->begin = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
     r->best = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
-    if (!kern_take_fits(&p->rest) || !kern_least_lay(p, &p->rest))
+    if (!kern_take_fits(&p->rest))
         return 0;
     for (i = 0; i < p->contacts; i++)
         r->price[i] = KERN_R(0);
@@ -7408,9 +7405,7 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
     return status;
 }
 
-/* Whether what moves hangs: no load, no fixed block, and no contact with
-   another presses one of these blocks against gravity. value[0..blocks) says
-   which. */
+/* Whether what moves hangs; value[0..blocks) says which blocks do. */
 static int kern_hangs(const kern_structure *s, const kern_motion *motion,
                       kern_real *value)
 {
@@ -7419,12 +7414,8 @@ static int kern_hangs(const kern_structure *s, const kern_motion *motion,
         const int falls = kern_speed(motion + i) > 0;
         value[i] = falls ? KERN_R(1) : KERN_R(-1);
         n += falls;
-        if (falls && (s->block[i].fixed
-                      || kern_wrench_sum(&s->block[i].load) > 0))
-            return 0;
     }
-    return n > 0 && kern_has_side(s, KERN_RIGHT)
-           && kern_hang_pass(s, value) == 0;
+    return n > 0 && kern_hang_pass(s, value) == 0;
 }
 
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
