@@ -1817,13 +1817,10 @@ static kern_status kern_level_scan(kern_model *m, const kern_path *path,
 static kern_status kern_level_nested(kern_model *m, const kern_path *path,
                                      int last, kern_margin *out)
 {
-    int k = 1;
-    if (path->holds > out->epsilon)
-        k = (int)(path->holds / out->epsilon);
+    int k = out->saturated ? last + 1 : (int)(path->holds / out->epsilon);
+    k += k == 0;
     while (k <= last && !(KERN_R(k) * out->epsilon > path->holds))
         k++;
-    if (out->saturated)
-        k = last + 1;
     if (k <= last && kern_min(KERN_R(k) * out->epsilon, out->most)
                          < path->fails)
         return kern_level_scan(m, path, k, last, out);
@@ -3298,29 +3295,27 @@ static kern_real kern_decay(kern_real x)
     return y;
 }
 
-/* A stone's chance to fall times how far. */
+/* A stone's chance to fall times how far, above the lowest of them. */
 static kern_real kern_expected_drop(const kern_model *m,
                                     const kern_real *value)
 {
     const kern_structure *s = m->s;
     const kern_real pull = kern_vec_length(s->gravity);
     kern_real base = KERN_INFINITY, sum = KERN_R(0);
-    int i, n = 0;
-    for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed)
-            base = kern_min(base, -kern_vec_dot(s->block[i].centre, s->gravity)
-                                      / pull
-                                  - kern_block_size(s->block + i) / 2);
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        if (b->fixed)
-            continue;
-        sum += kern_max(KERN_DROP_HEIGHT,
-                        (-kern_vec_dot(b->centre, s->gravity) / pull - base)
-                        / m->mean)
-               * kern_decay(value[i] / KERN_DROP_LOAD);
-        n++;
-    }
+    int i, pass, n = 0;
+    for (pass = 0; pass < 2; pass++)
+        for (i = 0; i < s->blocks; i++) {
+            const kern_block *b = s->block + i;
+            const kern_real at = -kern_vec_dot(b->centre, s->gravity) / pull;
+            if (b->fixed)
+                continue;
+            if (pass == 0)
+                base = kern_min(base, at - kern_block_size(b) / 2);
+            else
+                sum += kern_max(KERN_DROP_HEIGHT, (at - base) / m->mean)
+                       * kern_decay(value[i] / KERN_DROP_LOAD);
+            n += pass;
+        }
     return sum / KERN_R(n);
 }
 
