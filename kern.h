@@ -3523,15 +3523,17 @@ static kern_real kern_contact_gain(const kern_structure *s,
                                          f * c->n.y + r * t.y);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
-    const kern_vec u = kern_vec_make(v.vx * one, v.vy * one);
-    const kern_real spin = v.spin * one;
-    kern_real rate, shift;
+    kern_real rate, shift, spin;
+    kern_motion v;
+    kern_vec u;
     out->p = kern_vec_make(0, 0);
     out->turn = out->mu = out->travel = KERN_R(0);
     if (!(f > 0) || !(kern_speed(proof->motion + c->a)
                       + kern_speed(proof->motion + c->b) > 0))
         return KERN_R(0);
+    v = kern_meeting_motion(s, q, c, proof->motion);
+    u = kern_vec_make(v.vx * one, v.vy * one);
+    spin = v.spin * one;
     shift = kern_shift(travel, q->shrink, q->relative, &rate);
     out->p = kern_vec_make(spin * force.y, -spin * force.x);
     out->turn = kern_vec_cross(force, u) - shift * spin * r;
