@@ -109,8 +109,8 @@
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS, bytes             7,072    16,864    54,224   315,024
-       KERN_INTS, bytes              2,064     4,760    14,080    72,080
-       both KERN_LEAN_ sizes         9,000    12,200    19,880    63,616
+       KERN_INTS, bytes              2,104     4,840    14,320    72,880
+       both KERN_LEAN_ sizes         9,064    12,304    20,144    64,456
 
    KERN_REALS was enough for every structure that was tried. KERN_LEAN_REALS and
    KERN_LEAN_INTS (from 10 blocks on) are enough where a few blocks decide the
@@ -172,7 +172,8 @@
 
    Forces are passed on from top to bottom (>>pour), three equations at a time
    where blocks can be balanced alone. What cannot be balanced is a small part
-   that falls: the simplex method (>>lp) finds its motion. Where no small part
+   that falls, or a few bodies of blocks that move as one: the simplex method
+   (>>lp) finds its motion. Where no small part
    decides, an interior-point method (>>inner) finds forces, motion and margin
    together. The margin is found from above (>>search): a part that falls while
    all other blocks are held is a motion of the whole, so the whole falls no
@@ -387,10 +388,11 @@
    counts as standing. kern_raised() tells these apart. Mechanisms are those of
    limit analysis: blocks that slide also part (sliding is dilatant).
 
-   Where more than 256 blocks move at once a margin may lie anywhere between
-   holds and fails, which then are up to 3e-5 mean sizes apart. A thousand
-   perfect bricks in bond may take minutes: options.limit ends them with the
-   shrinkage up to which the wall is proven to stand.
+   In a structure of more than 128 blocks of which many move at once a margin
+   may lie anywhere between holds and fails; above 256 these are up to 3e-5 mean
+   sizes apart. A thousand perfect bricks in bond may take minutes:
+   options.limit ends them with the shrinkage up to which the wall is proven to
+   stand.
 
    In float the proofs are weaker (tolerances in >>impl) and near to critical
    more is undecided; coordinates should not be far from the origin.
@@ -803,7 +805,7 @@ typedef struct kern_lp {
     ((extras) * (extras) + 5 * (extras) + 48 * (blocks) + 12 * (contacts) \
      + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS_OF(blocks, contacts, extras) \
-    (KERN_ROOM(blocks, extras) + 34 * (blocks) + 9 * (contacts) + 36)
+    (KERN_ROOM(blocks, extras) + 36 * (blocks) + 9 * (contacts) + 36)
 #define KERN_REALS(blocks, contacts) \
     KERN_REALS_OF(blocks, contacts, KERN_EXTRAS(blocks))
 #define KERN_INTS(blocks, contacts) \
@@ -814,7 +816,7 @@ typedef struct kern_lp {
      + KERN_REALS_OF(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks), \
                      KERN_EXTRAS(KERN_LEAN_PART(blocks))))
 #define KERN_LEAN_INTS(blocks, contacts) \
-    (8 * (blocks) + 4 * (contacts) \
+    (10 * (blocks) + 4 * (contacts) \
      + KERN_INTS_OF(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks), \
                     KERN_EXTRAS(KERN_LEAN_PART(blocks))))
 #define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
@@ -1692,6 +1694,7 @@ typedef struct kern_path {
     kern_query q;          /* at s = 0; what the path changes is replaced  */
     kern_real unit;           /* of the path: a block's size, or 1            */
     kern_real tolerance;      /* width of the bracket                         */
+    kern_real step;           /* of a level; 0: none                          */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
@@ -2241,6 +2244,7 @@ struct kern_model {
     int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: whether a part with it fell      */
     int falls;                /* the mark of the last part                    */
+    int rigid;                /* nonzero: its groups are joined to bodies     */
     int wide;                 /* by how much the next part of them is widened */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
@@ -2663,6 +2667,9 @@ struct kern_part {
     int *group;               /* of the part, ascending                       */
     int *contact;             /* of the part                                  */
     int *ends;                /* of a contact: groups of the part, or none    */
+    int bodies;               /* of groups that move as one: see >>verdict    */
+    int *body;                /* of a group of the part                       */
+    int *lead;                /* of a body: its last group, of the model      */
     kern_take rest;           /* work memory behind these                     */
     /* least forces */
     int *first, *offset;      /* of a group: first column of its rows in the
@@ -2730,6 +2737,7 @@ static kern_status kern_path_begin(kern_path *path, kern_model *m,
     path->inner = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->tolerance = KERN_WIDTH * path->unit;
+    path->step = KERN_R(0);
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
@@ -2825,6 +2833,7 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     if (kern_steps(&r, &last) != KERN_OK)
         return KERN_BAD_STEP;
     path->end = r.most;
+    path->step = r.epsilon;
     if (status == KERN_OK)
         status = kern_spent(m->work, m->limit, kern_measure_path(
             m, path, travels.nested, last, &r));
@@ -3713,17 +3722,38 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
     return KERN_FEAS_TOL * least;
 }
 
+/* Takes the lists of a part's groups; 0 if there is no room. */
+static int kern_part_begin(kern_part *p, kern_model *m, int groups,
+                           const kern_take *rest)
+{
+    p->m = m;
+    p->rest = *rest;
+    p->groups = groups;
+    p->group = kern_take_ints(&p->rest, groups);
+    p->body = kern_take_ints(&p->rest, groups);
+    p->lead = kern_take_ints(&p->rest, groups + 1);
+    return kern_take_fits(&p->rest);
+}
+
+/* Every group is a body by itself. */
+static void kern_part_single(kern_part *p)
+{
+    int n;
+    p->bodies = p->groups;
+    p->lead[p->groups] = p->m->groups;
+    for (n = 0; n < p->groups; n++) {
+        p->body[n] = n;
+        p->lead[n] = p->group[n];
+    }
+}
+
 /* Opens the part of the `groups` groups that m->local marks, the last of which
    is `last`. Returns 0 if the work memory does not hold it. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
     int g, e, n = groups, most = 0;
     KERN_ASSERT(groups > 0 && !m->plain);
-    p->m = m;
-    p->rest = m->rest;
-    p->groups = groups;
-    p->group = kern_take_ints(&p->rest, groups);
-    if (!kern_take_fits(&p->rest))
+    if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
     for (g = last; n > 0; g--)
         if (m->local[g] != KERN_OUT) {
@@ -3744,6 +3774,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_part_ends(p);
+    kern_part_single(p);
     return 1;
 }
 
@@ -3781,8 +3812,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
-#define KERN_REGROWN       4       /* times that a unit of three is joined    */
-#define KERN_REGROWN_KNOWN 16      /* the same where changes begin from it    */
+#define KERN_REGROWN       16      /* times that a unit of three is joined    */
+#define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
 #define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
 
@@ -4280,10 +4311,8 @@ static int kern_least_open(kern_part *p, kern_model *m)
     const kern_vec down = s->gravity, side = kern_vec_turn(down);
     kern_box box;
     int g, i;
-    p->m = m;
-    p->rest = m->rest;
-    p->groups = m->groups;
-    p->group = kern_take_ints(&p->rest, p->groups);
+    if (!kern_part_begin(p, m, m->groups, &m->rest))
+        return 0;
     p->contact = kern_take_ints(&p->rest, s->contacts);
     p->ends = kern_take_ints(&p->rest, 2 * s->contacts);
     if (!kern_take_fits(&p->rest))
@@ -4307,6 +4336,7 @@ static int kern_least_open(kern_part *p, kern_model *m)
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
     kern_part_ends(p);
+    kern_part_single(p);
     return kern_least_lay(p, &p->rest);
 }
 
@@ -4708,6 +4738,35 @@ static void kern_pour_unmark(kern_model *m, int g)
     } while (i != g);
 }
 
+/* Opens group `last`, which cannot be balanced, with all that rests on it, if
+   that rests on nothing else: then it falls whatever the forces above are. */
+static int kern_pour_stack(kern_model *m, kern_part *p, int last)
+{
+    int g, e, groups = 1;
+    m->local[last] = 0;
+    for (g = last - 1; g >= 0; g--) {
+        int on = 0, off = 0;
+        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+            const int other = m->ends[e ^ 1];
+            if (other > g && m->local[other] != KERN_OUT)
+                on = 1;
+            else if (other > g || m->local[other] != KERN_OUT)
+                off = 1;
+        }
+        if (on && off)
+            break;
+        if (on) {
+            m->local[g] = 0;
+            groups++;
+        }
+    }
+    if (g < 0 && kern_part_open(p, m, groups, last))
+        return 1;
+    for (g = 0; g <= last; g++)
+        m->local[g] = KERN_OUT;
+    return 0;
+}
+
 /* What is found out about a unit. */
 typedef enum kern_poured {
     KERN_POURED,              /* its groups are balanced                      */
@@ -4833,7 +4892,8 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
                                      ? size : KERN_POUR_LARGEST);
     int at;
-    m->regrown = m->known ? KERN_REGROWN_KNOWN : KERN_REGROWN;
+    m->regrown = m->known || m->s->contacts > 3 * m->groups
+                 ? KERN_REGROWN : KERN_REGROWN_CHAIN;
     for (at = 0; at < m->groups; ) {
         kern_poured found;
         kern_status alone = KERN_UNDECIDED;
@@ -4847,6 +4907,8 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
         m->again = m->groups;
         if (m->next[at] == at)
             alone = kern_pour_alone(m, at);
+        if (alone == KERN_FALLS && kern_pour_stack(m, p, at))
+            return KERN_POUR_FALLS;
         if (alone != KERN_STANDS) {
             found = kern_pour_unit(m, p, at, alone == KERN_FALLS, &budget);
             if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
@@ -5096,7 +5158,7 @@ static int kern_pass_down(kern_model *m, const kern_query *q)
 /* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
 static kern_status kern_part_lay(kern_part *p)
 {
-    const int n = p->groups;
+    const int n = p->bodies;
     int room = KERN_EXTRAS(n);
     p->lp.rows = 3 * n;
     p->lp.cols = 2 * p->contacts;
@@ -5119,22 +5181,76 @@ static kern_status kern_part_lay(kern_part *p)
     return KERN_NO_SPACE;
 }
 
+/* From the centre of the group that leads body n to that of group g. */
+static kern_vec kern_part_from(const kern_part *p, int n, int g)
+{
+    const kern_model *m = p->m;
+    const kern_block *b = m->s->block;
+    return kern_vec_sub(b[m->block[g]].centre,
+                        b[m->block[p->lead[n]]].centre);
+}
+
+/* The loads of a query on the bodies. */
+static void kern_part_weigh(kern_part *p, const kern_query *q)
+{
+    kern_model *m = p->m;
+    int n;
+    for (n = 0; n < p->groups; n++)
+        kern_model_unit(m, q, p->group[n]);
+    for (n = 0; n < 3 * p->bodies; n++)
+        p->rhs[n] = KERN_R(0);
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n], lead = p->lead[p->body[n]];
+        const kern_vec arm = kern_part_from(p, p->body[n], g);
+        const kern_real *load = m->load + 3 * (size_t)g;
+        kern_real *to = p->rhs + 3 * (size_t)p->body[n];
+        kern_model_load(m, q, g);
+        to[0] += load[0];
+        to[1] += load[1];
+        to[2] += g == lead ? load[2]
+                 : (load[2] / m->unit[g] + arm.x * load[1] - arm.y * load[0])
+                   * m->unit[lead];
+    }
+}
+
+/* The torques of the part's contact k on its bodies, as kern_model_arm() has
+   them on groups. */
+static void kern_part_arm(const kern_part *p, const kern_query *q, int k,
+                          kern_real to[4])
+{
+    const kern_model *m = p->m;
+    const kern_contact *c = m->s->contact + p->contact[k];
+    int end;
+    kern_model_arm(m, q, p->contact[k], to);
+    for (end = 0; end < 2; end++) {
+        const int n = p->ends[2 * k + end], lead = p->lead[n];
+        const int g = m->ends[2 * p->contact[k] + end];
+        const kern_real sign = end ? KERN_R(-1) : KERN_R(1);
+        kern_real *arm = to + 2 * end;
+        if (n < p->bodies && g != lead) {
+            const kern_vec from = kern_part_from(p, n, g);
+            arm[0] = (arm[0] / m->unit[g] + sign * kern_vec_cross(from, c->n))
+                     * m->unit[lead];
+            arm[1] = (arm[1] / m->unit[g] + sign * kern_vec_dot(from, c->n))
+                     * m->unit[lead];
+        }
+    }
+}
+
 /* Eq. (5) for a query: two columns a contact, along the edges n + mu t and
    n - mu t of its friction cone, and the loads on the right. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
     kern_model *m = p->m;
-    int n, k, edge;
-    KERN_ASSERT(p->lp.rows == 3 * p->groups && p->own <= p->contacts);
+    int k, edge;
+    KERN_ASSERT(p->lp.rows == 3 * p->bodies);
     m->slope = kern_slope(q);
-    for (n = 0; n < p->groups; n++)
-        kern_model_unit(m, q, p->group[n]);
-    kern_part_load(p, q, p->rhs);
+    kern_part_weigh(p, q);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_contact *c = m->s->contact + i;
         kern_real *f = p->arc + 8 * (size_t)k, mu = kern_model_mu(m, i), arm[4];
-        kern_model_arm(m, q, i, arm);
+        kern_part_arm(p, q, k, arm);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
             const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
             f[0] = ray.x;
@@ -5144,6 +5260,18 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         }
     }
     p->simplex.stale = 1;
+}
+
+/* How y moves group n of the part. */
+static kern_motion kern_part_moves(const kern_part *p, int n)
+{
+    const int body = p->body[n];
+    const kern_vec arm = kern_part_from(p, body, p->group[n]);
+    kern_motion v = ((const kern_motion *)(const void *)p->y)[body];
+    v.spin *= p->m->unit[p->lead[body]];
+    v.vx -= v.spin * arm.y;
+    v.vy += v.spin * arm.x;
+    return v;
 }
 
 /* y as a motion of the part, its fastest block at speed 1. */
@@ -5157,8 +5285,7 @@ static void kern_part_motion(kern_part *p)
     for (n = 0; n < p->groups; n++) {
         const int b = m->block[p->group[n]];
         kern_motion *v = m->motion + b;
-        *v = ((const kern_motion *)(const void *)p->y)[n];
-        v->spin *= m->unit[p->group[n]];
+        *v = kern_part_moves(p, n);
         most = kern_max(most, kern_block_speed(m->s->block + b, v));
     }
     for (n = 0; n < p->groups && most > 0; n++) {
@@ -5171,7 +5298,7 @@ static void kern_part_motion(kern_part *p)
 
 /* Whether the part is all there is: then forces on it prove that it stands. */
 static int kern_part_is_whole(const kern_part *p)
-{ return p->groups == p->m->groups && p->m->from == 0; }
+{ return p->bodies == p->m->groups && p->m->from == 0; }
 
 /* The forces of a program of all groups. What is negative by rounding is
    nothing. */
@@ -5273,22 +5400,68 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
+/* The only body of the part that group n rests on, or else a new one, n. */
+static int kern_part_rests(const kern_part *p, int n)
+{
+    const kern_model *m = p->m;
+    int e, on = n;
+    for (e = m->touch[p->group[n]]; e >= 0; e = m->after[e]) {
+        const int other = m->ends[e ^ 1], at = m->local[other];
+        if (other < p->group[n])
+            continue;
+        if (at == KERN_OUT || (on != n && on != p->body[at]))
+            return n;
+        on = p->body[at];
+    }
+    return on;
+}
+
+/* Joins to one body what rests on one body alone: bodies that move as one give
+   a small program, and a motion of them proves as much as any. */
+static void kern_part_join(kern_part *p)
+{
+    const kern_model *m = p->m;
+    int n, k, kept = 0;
+    for (n = p->groups - 1; n >= 0; n--)
+        p->body[n] = kern_part_rests(p, n);
+    for (n = p->bodies = 0; n < p->groups; n++)
+        if (p->body[n] == n) {
+            p->lead[n] = p->bodies;
+            p->bodies++;
+        }
+    for (n = 0; n < p->groups; n++)
+        p->body[n] = p->lead[p->body[n]];
+    for (n = 0; n < p->groups; n++)
+        p->lead[p->body[n]] = p->group[n];
+    p->lead[p->bodies] = m->groups;
+    for (k = 0; k < p->contacts; k++) {
+        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+        const int head = h < p->groups ? p->body[h] : p->bodies;
+        const int tail = t < p->groups ? p->body[t] : p->bodies;
+        if (head == tail)
+            continue;
+        p->contact[kept] = p->contact[k];
+        p->ends[2 * kept] = head;
+        p->ends[2 * kept++ + 1] = tail;
+    }
+    p->own = p->contacts = kept;
+}
+
 /* Opens all groups as one part, in the place of what pouring needs. */
 static kern_status kern_part_all(kern_part *p, kern_model *m,
                                  const kern_take *rest)
 {
     int g, k;
-    p->m = m;
-    p->rest = *rest;
-    p->groups = m->groups;
+    if (!kern_part_begin(p, m, m->groups, rest))
+        return KERN_NO_SPACE;
     p->contacts = p->own = m->s->contacts;
     p->ends = m->ends;
-    p->group = kern_take_ints(&p->rest, p->groups);
     p->contact = kern_take_ints(&p->rest, p->contacts);
     if (!kern_take_fits(&p->rest))
         return KERN_NO_SPACE;
     for (g = 0; g < p->groups; g++)
         p->group[g] = g;
+    kern_part_single(p);
     for (k = 0; k < p->contacts; k++)
         p->contact[k] = k;
     return kern_part_lay(p);
@@ -5315,31 +5488,37 @@ static kern_status kern_part_note(kern_part *p)
 {
     kern_model *m = p->m;
     int n;
-    if (m->groups > KERN_WIDE_SMALL && 2 * p->groups > m->groups)
+    if (m->groups > KERN_WIDE_SMALL && 2 * p->bodies > m->groups)
         return KERN_NO_SPACE;
     m->falls++;
+    m->rigid = p->bodies < p->groups;
     for (n = 0; n < p->groups; n++)
-        m->fell[p->group[n]] = m->falls;
+        m->fell[p->group[n]] = -m->falls;
+    for (n = 0; n < p->bodies; n++)
+        m->fell[p->lead[n]] = m->falls;
     return kern_part_lay(p);
 }
 
-/* Notes what falls. Where a part falls that has groups in common with one that
-   fell before, the mechanism is larger than either: it is widened by its
-   neighbours, each time twice as far; and in a small structure by all others.
-   Lays out its linear program. */
+/* Notes what falls. Where a body falls that led one that fell before, the
+   mechanism is larger than either: it is widened by its neighbours, each time
+   twice as far; and in a small structure by all others. Lays out its linear
+   program. */
 static kern_status kern_part_widen(kern_part *p)
 {
     kern_model *m = p->m;
     int e, n, again = 0, last = p->group[p->groups - 1], levels;
     int groups = p->groups;
-    for (n = 0; n < groups; n++)
-        again |= m->fell[p->group[n]];
-    again |= m->groups <= KERN_WIDE_SMALL / 2 && 2 * groups > m->groups;
-    if (again)
-        m->wide = groups * 2 <= m->groups && m->groups > KERN_WIDE_SMALL
-                  ? 2 * m->wide + 1 : m->groups;
-    for (levels = again ? m->wide : 0; levels > 0 && groups < m->groups;
-         levels--) {
+    kern_part_join(p);
+    for (n = 0; n < p->bodies; n++)
+        again |= m->fell[p->lead[n]] > 0;
+    again |= m->groups <= KERN_WIDE_SMALL / 2 && 2 * p->bodies > m->groups;
+    if (!again)
+        return kern_part_note(p);
+    m->wide = groups * 2 <= m->groups && m->groups > KERN_WIDE_SMALL
+              ? 2 * m->wide + 1 : m->groups;
+    for (levels = m->wide; kern_part_open(p, m, groups, last); levels--) {
+        if (levels == 0 || groups == m->groups)
+            return kern_part_note(p);
         for (n = 0; n < p->groups; n++)
             for (e = m->touch[p->group[n]]; e >= 0; e = m->after[e]) {
                 const int h = m->ends[e ^ 1];
@@ -5349,10 +5528,8 @@ static kern_status kern_part_widen(kern_part *p)
                     groups++;
                 }
             }
-        if (!kern_part_open(p, m, groups, last))
-            return KERN_NO_SPACE;
     }
-    return kern_part_note(p);
+    return KERN_NO_SPACE;
 }
 
 /* Opens the part again that kern_part_widen() noted last. */
@@ -5361,7 +5538,7 @@ static kern_status kern_part_again(kern_part *p, kern_model *m)
     int g, last = 0, groups = 0;
     for (g = 0; g < m->groups; g++) {
         m->local[g] = KERN_OUT;
-        if (m->fell[g] == m->falls) {
+        if (m->fell[g] == m->falls || m->fell[g] == -m->falls) {
             m->local[g] = 0;
             last = g;
             groups++;
@@ -5369,6 +5546,8 @@ static kern_status kern_part_again(kern_part *p, kern_model *m)
     }
     if (!kern_part_open(p, m, groups, last))
         return KERN_NO_SPACE;
+    if (m->rigid)
+        kern_part_join(p);
     return kern_part_lay(p);
 }
 
@@ -5494,6 +5673,19 @@ static kern_status kern_model_plain(kern_model *m, kern_part *p,
     return status;
 }
 
+/* Whether the open part falls, what rests on one body alone joined to it, or
+   else every group by itself. */
+static int kern_part_falls(kern_part *p, const kern_query *q)
+{
+    const int groups = p->groups, last = p->group[groups - 1];
+    kern_part_join(p);
+    if (kern_part_lay(p) == KERN_OK && kern_part_evaluate(p, q) == KERN_FALLS)
+        return 1;
+    return p->bodies < groups && kern_part_open(p, p->m, groups, last)
+           && kern_part_lay(p) == KERN_OK
+           && kern_part_evaluate(p, q) == KERN_FALLS;
+}
+
 /* The verdict for a query, with a proof or none: by the poured forces, by the
    motion of the part that falls, or else by the linear program of the whole.
    After KERN_FALLS the part that falls is open. */
@@ -5506,8 +5698,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         status = kern_model_pour(m, p, q, 1);
         if (status == KERN_STANDS)
             return status;
-        if (status == KERN_FALLS && kern_part_lay(p) == KERN_OK
-            && kern_part_evaluate(p, q) == KERN_FALLS)
+        if (status == KERN_FALLS && kern_part_falls(p, q))
             return KERN_FALLS;
         status = kern_model_plain(m, p, q);
         if (status != KERN_OK)
@@ -5523,6 +5714,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations to find one                 */
 #define KERN_MANY          8       /* pivots between them                     */
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
+#define KERN_BRACKET_SHARE KERN_R(0.0625) /* of a bracket, of a first step     */
 
 /* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
    if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
@@ -5540,14 +5732,13 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         const kern_real travel = kern_travel(c, m->mean);
         const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
         const kern_real mu = kern_model_mu(m, p->contact[i]);
-        const int head = m->ends[2 * p->contact[i]];
-        const int tail = m->ends[2 * p->contact[i] + 1];
+        const int head = p->ends[2 * i], tail = p->ends[2 * i + 1];
         kern_real was, is, work;
         if (!(n > 0 || n < 0))
             continue;
         /* the arm grows along t, and t x (f n + r t) = -f */
-        work = n * (p->y[3 * p->ends[2 * i] + 2] * m->unit[head]
-                    - p->y[3 * p->ends[2 * i + 1] + 2] * m->unit[tail]);
+        work = n * (p->y[3 * head + 2] * m->unit[p->lead[head]]
+                    - p->y[3 * tail + 2] * m->unit[p->lead[tail]]);
         if (!m->relative && from >= kern_abs(travel))
             work = travel > 0 ? -kern_abs(work) : kern_abs(work);
         sum -= work * kern_shift(travel, from, m->relative, &was);
@@ -5617,12 +5808,10 @@ static kern_real kern_load_rate(const kern_path *path,
     kern_real sum = KERN_R(0);
     int n;
     for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        const kern_real *y = p->y + 3 * n;
+        const kern_motion v = kern_part_moves(p, n);
         kern_wrench w;
-        kern_path_rate(path, m, q, s, m->block[g], &w);
-        sum -= (y[0] * w.fx + y[1] * w.fy + y[2] * w.torque * m->unit[g])
-               / m->weight;
+        kern_path_rate(path, m, q, s, m->block[p->group[n]], &w);
+        sum -= (v.vx * w.fx + v.vy * w.fy + v.spin * w.torque) / m->weight;
     }
     return sum;
 }
@@ -5658,7 +5847,7 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
-    const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
+    const kern_real power = kern_dot(p->y, p->rhs, 3 * p->bodies);
     return path->kind == KERN_PATH_SHRINK
            ? kern_shrink_edge(p, path->holds, s, power)
            : s - power / kern_load_rate(path, q, s);
@@ -5748,11 +5937,6 @@ static int kern_bracket_widen(kern_bracket *b, const kern_path *path)
                         > path->tolerance * KERN_WIDEST;
 }
 
-static void kern_bracket_share(kern_bracket *b, const kern_path *path)
-{
-    b->share = path->edge > path->holds ? KERN_R(1) / 16 : KERN_R(0.5);
-}
-
 /* Evaluates the edge of a closed bracket, which stays as it is: another
    mechanism may fall there. */
 static kern_status kern_bracket_check(kern_bracket *b, kern_model *m,
@@ -5793,7 +5977,7 @@ static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
         path->edge = r;
         b->under *= 2;
     } else if (status == KERN_FALLS)
-        kern_bracket_share(b, path);
+        b->share = KERN_BRACKET_SHARE;
     else if (status == KERN_UNDECIDED)
         *goes = kern_bracket_widen(b, path);
     else if (status == KERN_STANDS)
@@ -5816,7 +6000,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
     int round, goes = 1;
     b.aside = b.under = path->tolerance * KERN_R(0.45);
     b.known = path->closed = 0;
-    kern_bracket_share(&b, path);
+    b.share = KERN_BRACKET_SHARE;
     for (round = 0; round < rounds && goes; round++) {
         kern_status status;
         kern_bracket_look(&b, path);
@@ -5982,7 +6166,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step)
 {
     const kern_real end = path->end;
-    kern_real at = path->holds;
+    kern_real at = path->holds, fell = KERN_INFINITY;
     int round, stride = 1, k;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
         const kern_real next = kern_min(end, at + KERN_R(stride) * step);
@@ -5995,7 +6179,9 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
                 || !kern_walk_holds(m, path->holds, at + KERN_R(k) * step))
                 break;
         if (k > 0) {
-            stride = 1;
+            if (status == KERN_FALLS)
+                fell = next;
+            stride /= 2;
             path->holds = holds;
             if (status == KERN_STANDS) /* the proof is that of `next` */
                 kern_path_evaluate(m, path, holds);
@@ -6010,6 +6196,8 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
         at = next;
         if (path->kind == KERN_PATH_SHRINK)
             stride *= 2;
+        while (stride > 1 && !(at + KERN_R(stride) * step < fell))
+            stride /= 2;
     }
     return KERN_UNDECIDED;
 }
@@ -6070,6 +6258,7 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 #define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 #define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
+#define KERN_INNER_EXACT   128     /* groups: more, and a bracket is enough   */
 #define KERN_INNER_WIDE    256     /* groups of what is said to be large      */
 #define KERN_INNER_STEPS   40      /* of a search                             */
 #define KERN_INNER_MANY    300     /* the same of what is large               */
@@ -6738,11 +6927,23 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
    a large structure the simplex method takes so long that more does. */
 static int kern_inner_closed(const kern_model *m, const kern_path *path)
 {
-    const int many = m->groups > KERN_INNER_WIDE;
-    const kern_real wide = many ? path->tolerance * KERN_WIDEST
-                                : path->tolerance;
-    return path->fell <= path->fails && (many || kern_inner_sharp(path->inner))
+    const kern_real wide = m->groups > KERN_INNER_WIDE
+                           ? path->tolerance * KERN_WIDEST : path->tolerance;
+    return path->fell <= path->fails
+           && (m->groups > KERN_INNER_EXACT || kern_inner_sharp(path->inner))
            && path->fails - path->holds <= wide;
+}
+
+/* Asks at the step of a level that lies in the bracket: its verdict is asked for
+   next. */
+static void kern_inner_level(kern_model *m, kern_path *path)
+{
+    const kern_real edge = path->edge, holds = path->holds;
+    const kern_real next = path->step > 0
+        ? KERN_R((int)(holds / path->step) + 1) * path->step : path->fails;
+    if (next > holds && next < path->fails)
+        kern_path_evaluate(m, path, next);
+    path->edge = kern_min(kern_max(edge, path->holds), path->fails);
 }
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
@@ -6770,6 +6971,8 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
         if (!kern_inner_closed(m, path))
             status = KERN_UNDECIDED;
     }
+    if (status == KERN_STANDS)
+        kern_inner_level(m, path);
     path->inner = NULL;
     return status == KERN_STANDS && path->stood >= path->holds
            ? status : KERN_UNDECIDED;
@@ -6912,6 +7115,11 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
+    if (status == KERN_STANDS && m->rigid) {
+        m->rigid = 0;
+        if (kern_part_again(path->part, m) == KERN_OK)
+            status = kern_path_evaluate(m, path, s);
+    }
     path->alone = 0;
     return status == KERN_FALLS ? status : KERN_UNDECIDED;
 }
@@ -6922,7 +7130,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, int end)
 {
     kern_status status;
     path->alone = 1;
-    status = kern_path_edge(m, path, end || path->part->groups == m->groups
+    status = kern_path_edge(m, path, end || path->part->bodies == m->groups
                                      ? KERN_EDGE_ROUNDS : KERN_PART_ROUNDS);
     path->alone = 0;
     return status;
@@ -6977,7 +7185,7 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
         && path->edge > probe->start + path->tolerance) {
         status = kern_path_part(m, path, probe->guess);
         probe->at = path->holds;
-        probe->done = status == KERN_STANDS && path->part->groups == m->groups
+        probe->done = status == KERN_STANDS && path->part->bodies == m->groups
                       && probe->at > probe->holds && path->closed;
     } else {
         const kern_real next = kern_max(probe->start,

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x974e980f80d65caeu },
-    { 1000, 0xa315a1e60130b61fu },
-    { 5000, 0x2bf28bbc615a8fa9u },
+    { 200, 0x83b769cc5a02953au },
+    { 1000, 0x43447abc8690e22eu },
+    { 5000, 0xdba5b86c728cf2fau },
 #else
-    { 200, 0xf49219aa61e9ef44u },
-    { 1000, 0xc49ea79cff9440b4u },
-    { 5000, 0x0efac2114fe34c82u },
+    { 200, 0x2c34182be267f765u },
+    { 1000, 0x53fd8940e3020d31u },
+    { 5000, 0xee0115a3d2ea764au },
 #endif
 };
 
