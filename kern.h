@@ -2134,6 +2134,10 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 static kern_real kern_speed(const kern_motion *m)
 { return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
 
+/* Of both blocks of a contact. */
+static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
+{ return kern_speed(motion + c->a) + kern_speed(motion + c->b); }
+
 static kern_real kern_prove_motion(const kern_structure *s,
                                    const kern_query *q,
                                    const kern_motion *motion)
@@ -2160,8 +2164,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         kern_real speed;
-        if (!(kern_speed(motion + c->a) + kern_speed(motion + c->b) > 0)
-            || kern_is_out(q, c))
+        if (!(kern_speeds(c, motion) > 0) || kern_is_out(q, c))
             continue;
         speed = kern_closing(s, c, q, motion);
         if (!(speed <= KERN_HUGE))
@@ -3537,8 +3540,7 @@ static kern_real kern_contact_gain(const kern_structure *s,
     kern_vec u;
     out->p = kern_vec_make(0, 0);
     out->turn = out->mu = out->travel = KERN_R(0);
-    if (!(f > 0) || !(kern_speed(proof->motion + c->a)
-                      + kern_speed(proof->motion + c->b) > 0))
+    if (!(f > 0) || !(kern_speeds(c, proof->motion) > 0))
         return KERN_R(0);
     v = kern_meeting_motion(s, q, c, proof->motion);
     u = kern_vec_make(v.vx * one, v.vy * one);
@@ -3688,19 +3690,24 @@ static void kern_part_ends(kern_part *p)
     }
 }
 
-/* Lists the contacts of the part by which its groups are carried, or those by
+/* Lists the contacts of the part by which its groups are carried, then those by
    which others rest on them. */
-static void kern_part_list(kern_part *p, int own)
+static void kern_part_list(kern_part *p)
 {
     const kern_model *m = p->m;
-    int n, e;
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-            const int other = m->ends[e ^ 1];
-            if (own ? other > g : other < g && m->local[other] == KERN_OUT)
-                p->contact[p->contacts++] = e >> 1;
+    int own, n, e;
+    p->contacts = 0;
+    for (own = 1; own >= 0; own--) {
+        for (n = 0; n < p->groups; n++) {
+            const int g = p->group[n];
+            for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+                const int other = m->ends[e ^ 1];
+                if (own ? other > g : other < g && m->local[other] == KERN_OUT)
+                    p->contact[p->contacts++] = e >> 1;
+            }
         }
+        if (own)
+            p->own = p->contacts;
     }
 }
 
@@ -3765,10 +3772,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     p->contact = kern_take_ints(&p->rest, most);
     if (!kern_take_fits(&p->rest))
         return 0;
-    p->contacts = 0;
-    kern_part_list(p, 1);
-    p->own = p->contacts;
-    kern_part_list(p, 0);
+    kern_part_list(p);
     p->rest.used_ints -= most - p->contacts; /* listed by both its ends */
     p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
     if (!kern_take_fits(&p->rest))
@@ -7290,8 +7294,7 @@ static kern_real kern_prove_raised(const kern_structure *s,
         }
         if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
             continue;
-        if (!(press > KERN_ROUNDING * (kern_speed(motion + c->a)
-                                       + kern_speed(motion + c->b))))
+        if (!(press > KERN_ROUNDING * kern_speeds(c, motion)))
             return KERN_INFINITY;
         if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
             error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
@@ -7455,24 +7458,18 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     return 0;
 }
 
-/* Writes u and prices to `to`. */
-static void kern_raise_save(const kern_raise *r, kern_real *to)
+/* Writes u and prices to `state`, or reads them from there. */
+static void kern_raise_copy(const kern_raise *r, kern_real *state, int save)
 {
+    const int n = 3 * r->p->groups;
     int i;
-    for (i = 0; i < 3 * r->p->groups; i++)
-        *to++ = r->p->u[i];
-    for (i = 0; i < r->p->contacts; i++)
-        *to++ = r->price[i];
-}
-
-/* Reads them from `from`. */
-static void kern_raise_restore(kern_raise *r, const kern_real *from)
-{
-    int i;
-    for (i = 0; i < 3 * r->p->groups; i++)
-        r->p->u[i] = *from++;
-    for (i = 0; i < r->p->contacts; i++)
-        r->price[i] = *from++;
+    for (i = 0; i < n + r->p->contacts; i++) {
+        kern_real *at = i < n ? r->p->u + i : r->price + (i - n);
+        if (save)
+            state[i] = *at;
+        else
+            *at = state[i];
+    }
 }
 
 /* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
@@ -7508,20 +7505,20 @@ static kern_real kern_raise_reserve(kern_raise *r)
     const kern_real shrink = r->q->shrink;
     kern_query q = *r->q;
     int most = (int)(sizeof share / sizeof share[0]) - 1;
-    kern_raise_save(r, r->begin);
+    kern_raise_copy(r, r->begin, 1);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         int low = 0, high = most + 1, at = q.side > 0 ? high / 2 : most;
-        kern_raise_save(r, r->best);
+        kern_raise_copy(r, r->best, 1);
         for (; high - low > 1; at = (low + high) / 2) {
-            kern_raise_restore(r, r->best);
+            kern_raise_copy(r, r->best, 0);
             if (kern_raise_push(r, &q, shrink, share[at])) {
                 low = at;
-                kern_raise_save(r, r->best);
+                kern_raise_copy(r, r->best, 1);
             } else
                 high = at;
         }
         most = low;
-        kern_raise_restore(r, r->begin);
+        kern_raise_copy(r, r->begin, 0);
     }
     return share[most];
 }
