@@ -2480,18 +2480,22 @@ static void kern_model_load(kern_model *m, const kern_query *q, int g)
 static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = KERN_R(0);
-    kern_wrench w;
     int g;
     m->slope = kern_slope(q);
     m->lazy = NULL;
-    for (g = 0; g < m->groups; g++)
-        weight += kern_wrench_on(m->s, q, m->block[g], &w);
-    m->weight = weight > 0 ? weight : KERN_R(1);
+    m->weight = KERN_R(1);
     m->unit[m->groups] = KERN_R(0);
     for (g = 0; g < m->groups; g++) {
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
+        weight += m->size[g];
     }
+    if (weight > 0)
+        m->weight = weight;
+    for (g = 0; g < m->groups; g++)
+        m->size[g] *= 1 / m->weight;
+    for (g = 0; g < 3 * m->groups; g++)
+        m->load[g] *= 1 / m->weight;
 }
 
 /* All of the model for a query. */
@@ -4018,25 +4022,18 @@ static void kern_least_clear(kern_part *p)
         p->factor[i] = KERN_R(0);
 }
 
-/* Adds the 3 x 3 block a n' + b t' to the rows of group g in the columns of h;
-   of the diagonal block its lower half is enough. */
+/* Adds the 3 x 3 block a n' + b t' to the rows of group g in the columns of h.
+   Above the diagonal nothing reads it. */
 static inline void kern_least_add(kern_part *p, int g, int h,
                                   kern_real v[4][3], kern_real w[4][3])
 {
-    const int length = 3 * (g - p->first[g] + 1);
     kern_real *to = p->factor + p->offset[g] + 3 * (h - p->first[g]);
-    kern_real *next = to + length, *last = next + length;
-    to[0] += v[2][0] * w[0][0] + v[3][0] * w[1][0];
-    next[0] += v[2][1] * w[0][0] + v[3][1] * w[1][0];
-    next[1] += v[2][1] * w[0][1] + v[3][1] * w[1][1];
-    last[0] += v[2][2] * w[0][0] + v[3][2] * w[1][0];
-    last[1] += v[2][2] * w[0][1] + v[3][2] * w[1][1];
-    last[2] += v[2][2] * w[0][2] + v[3][2] * w[1][2];
-    if (g == h)
-        return;
-    to[1] += v[2][0] * w[0][1] + v[3][0] * w[1][1];
-    to[2] += v[2][0] * w[0][2] + v[3][0] * w[1][2];
-    next[2] += v[2][1] * w[0][2] + v[3][1] * w[1][2];
+    int i;
+    for (i = 0; i < 3; i++, to += 3 * (g - p->first[g] + 1)) {
+        to[0] += v[2][i] * w[0][0] + v[3][i] * w[1][0];
+        to[1] += v[2][i] * w[0][1] + v[3][i] * w[1][1];
+        to[2] += v[2][i] * w[0][2] + v[3][i] * w[1][2];
+    }
 }
 
 /* Adds what the spring of contact k makes of the motions of its groups. Of an
