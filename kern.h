@@ -2336,29 +2336,27 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Orders the blocks of all groups along a direction, those of one height as
-   they were. Shell sort, since it needs neither memory nor recursion. */
-static void kern_model_order(kern_model *m, kern_vec along, int *list)
+/* Whether block i comes before j along a direction; at one height by index. */
+static int kern_model_before(const kern_model *m, kern_vec along, int i, int j)
 {
-    kern_real *depth = m->load; /* not in use here */
-    const int n = m->groups;
+    const kern_real at = kern_vec_dot(m->s->block[i].centre, along);
+    const kern_real other = kern_vec_dot(m->s->block[j].centre, along);
+    return at < other || (at <= other && i < j);
+}
+
+/* Orders the blocks of all groups along a direction. Shell sort, since it needs
+   neither memory nor recursion. */
+static void kern_model_order(const kern_model *m, kern_vec along, int *list)
+{
     int gap, i, j;
-    for (i = 0; i < n; i++)
-        depth[i] = kern_vec_dot(m->s->block[list[i]].centre, along);
-    for (gap = 1; gap < n / 64; gap = 3 * gap + 1)
+    for (gap = 1; gap < m->groups / 64; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
-        for (i = gap; i < n; i++) {
-            const kern_real d = depth[i];
+        for (i = gap; i < m->groups; i++) {
             const int b = list[i];
-            for (j = i; j >= gap; j -= gap) {
-                const int before = list[j - gap];
-                if (depth[j - gap] < d || (depth[j - gap] <= d && before < b))
-                    break;
-                depth[j] = depth[j - gap];
-                list[j] = before;
-            }
-            depth[j] = d;
+            for (j = i; j >= gap && kern_model_before(m, along, b,
+                                                      list[j - gap]); j -= gap)
+                list[j] = list[j - gap];
             list[j] = b;
         }
 }
