@@ -593,7 +593,7 @@ static int stack_same(const struct stack_place *a, const struct stack_place *b,
 static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
                       const struct stone *s)
 {
-    const double within = (s->n > STONES_BEDS ? 0.03 : 1e-3) * w->stock->size;
+    const double within = (s->n > STONES_BEDS ? 0.06 : 1e-3) * w->stock->size;
     struct stack_candidate *more, c;
     if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
         return 0;
