@@ -593,7 +593,7 @@ static int stack_same(const struct stack_place *a, const struct stack_place *b,
 static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
                       const struct stone *s)
 {
-    const double within = (s->n > STONES_BEDS ? 0.06 : 1e-3) * w->stock->size;
+    const double within = (s->n > STONES_BEDS ? 0.03 : 1e-3) * w->stock->size;
     struct stack_candidate *more, c;
     if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
         return 0;
@@ -1081,10 +1081,10 @@ STACK_API double stack_proof(const struct stack_wall *w, double least)
    forces: what the library recommends. */
 static const double stack_reserve = 0.0055;
 
-/* Does a block touch another at two points that are no face, as a stone does that
-   sticks in a notch? What such a pair can carry may grow again as its kerns
-   shrink, so that kern has to look at every step: the wall would be asked about
-   ten times as long. Convex stones never do. */
+/* Does a block touch another at points that are no face but shrink toward each
+   other, as a stone does that sticks in a notch? What they can carry may grow
+   again as kerns shrink, so that kern has to look at every step: the wall would be
+   asked about ten times as long. */
 static int stack_sticks(struct stack_wall *w, const kern_block *block)
 {
     const int last = w->plan.task.s.blocks;
@@ -1092,10 +1092,9 @@ static int stack_sticks(struct stack_wall *w, const kern_block *block)
     w->plan.block[last] = *block;
     found = kern_touch(w->plan.block, last, &w->plan.task.options, w->close,
                        w->plan.contact_room, &w->work);
-    for (int i = 1; i < found; i++) {
-        const kern_contact *c = &w->close[i - 1], *d = &w->close[i];
-        sticks |= !c->line && !d->line && c->a == d->a && c->b == d->b;
-    }
+    for (int i = 0; i < found; i++)
+        sticks |= !w->close[i].line &&
+                  fabs(w->close[i].travel) > 1e-9 * w->stock->size;
     return sticks;
 }
 
