@@ -346,6 +346,12 @@ static kern_structure structure_of(const world *w)
     return s;
 }
 
+static kern_task *world_task(const world *w, kern_work *work)
+{
+    const kern_structure s = structure_of(w);
+    return task_of(&s, &w->options, work);
+}
+
 static void world_copy(world *to, const world *from)
 {
     int i;
@@ -1034,23 +1040,19 @@ static double speed_of(const world *w, const kern_motion *motion)
 /* kern_verdict(), its proof checked by the code above and by the header's. */
 static int verdict(const world *w, double d)
 {
-    const kern_structure s = structure_of(w);
     const kern_proof proof = proof_here();
     kern_work work = work_of(w);
-    const kern_status got =
-        kern_verdict(task_of(&s, &w->options, &work), R(d), &proof);
+    const kern_status got = kern_verdict(world_task(w, &work), R(d), &proof);
     d = (double)R(d);
     asked++;
     if (work.error > proof_error)
         proof_error = work.error;
     if (got == KERN_STANDS) {
         CHECK(share_of_forces(w, d, force_of) <= 1.001);
-        CHECK(kern_check_forces(task_of(&s, &w->options, &work), R(d),
-                                force_of) <= 1);
+        CHECK(kern_check_forces(world_task(w, &work), R(d), force_of) <= 1);
     } else if (got == KERN_FALLS) {
         CHECK(share_of_motion(w, d, motion_of) <= 1.001);
-        CHECK(kern_check_motion(task_of(&s, &w->options, &work), R(d),
-                                motion_of) <= 1);
+        CHECK(kern_check_motion(world_task(w, &work), R(d), motion_of) <= 1);
         CHECK_NEAR(speed_of(w, motion_of), 1, 100 * EPS);
     } else if (got == KERN_UNDECIDED)
         undecided++;
@@ -1113,12 +1115,11 @@ static void check_measure(const world *w, int got, const kern_margin *m,
 /* kern_measure(), checked. */
 static int measure(const world *w, kern_margin *m)
 {
-    const kern_structure s = structure_of(w);
     const kern_proof proof = proof_here();
     kern_work work = work_of(w);
     int got;
     memset(m, 0, sizeof *m);
-    got = kern_measure(task_of(&s, &w->options, &work), m, &proof);
+    got = kern_measure(world_task(w, &work), m, &proof);
     check_measure(w, got, m, &work);
     return got;
 }
@@ -1183,10 +1184,9 @@ static void same_answer(const world *w, const kern_margin *m, int got,
 static int load_factor(const world *w, const kern_wrench *pattern, int side,
                        double *factor)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
     kern_real out = R(-1);
-    const kern_task *task = task_of(&s, &w->options, &work);
+    const kern_task *task = world_task(w, &work);
     const int got = pattern ? kern_load_factor_of(task, 0, pattern, &out, NULL)
                             : kern_load_factor(task, 0, side, &out, NULL);
     *factor = (double)out;
@@ -1195,21 +1195,18 @@ static int load_factor(const world *w, const kern_wrench *pattern, int side,
 
 static int tilt(const world *w, int side, double *angle)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
     kern_real out = R(-1);
-    const int got =
-        kern_tilt(task_of(&s, &w->options, &work), 0, side, &out, NULL);
+    const int got = kern_tilt(world_task(w, &work), 0, side, &out, NULL);
     *angle = (double)out;
     return got;
 }
 
 static int deficit(const world *w, double *growth)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
     kern_real out = R(-1);
-    const int got = kern_deficit(task_of(&s, &w->options, &work), &out);
+    const int got = kern_deficit(world_task(w, &work), &out);
     *growth = (double)out;
     return got;
 }
@@ -4031,15 +4028,12 @@ static void proof_free_fall(void)
     CHECK(motion_of[0].spin > 0);
     /* arrays for proofs may be missing, one or both */
     {
-        const kern_structure s = structure_of(&w);
         kern_work work = work_of(&w);
         kern_proof none;
         none.force = NULL;
         none.motion = NULL;
-        CHECK_INT(kern_verdict(task_of(&s, &w.options, &work), 0, &none),
-                  KERN_FALLS);
-        CHECK_INT(kern_verdict(task_of(&s, &w.options, &work), 0, NULL),
-                  KERN_FALLS);
+        CHECK_INT(kern_verdict(world_task(&w, &work), 0, &none), KERN_FALLS);
+        CHECK_INT(kern_verdict(world_task(&w, &work), 0, NULL), KERN_FALLS);
     }
 }
 
@@ -4108,7 +4102,6 @@ static int damaged(const world *w, int verdict_was, int trial, double *own,
 {
     static kern_force f[MAX_POINTS];
     static kern_motion y[MAX_BLOCKS];
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
     const double by = pow(10, uniform(-14, 0)) * (chance(0.5) ? 1 : -1);
     if (verdict_was == KERN_STANDS) {
@@ -4117,14 +4110,12 @@ static int damaged(const world *w, int verdict_was, int trial, double *own,
         memcpy(f, force_of, sizeof *f * (size_t)w->contacts);
         damage_forces(w, f, trial, by);
         *own = share_of_forces(w, 0, f);
-        *theirs =
-            (double)kern_check_forces(task_of(&s, &w->options, &work), 0, f);
+        *theirs = (double)kern_check_forces(world_task(w, &work), 0, f);
     } else {
         memcpy(y, motion_of, sizeof *y * (size_t)w->blocks);
         damage_motion(w, y, trial, by);
         *own = share_of_motion(w, 0, y);
-        *theirs =
-            (double)kern_check_motion(task_of(&s, &w->options, &work), 0, y);
+        *theirs = (double)kern_check_motion(world_task(w, &work), 0, y);
     }
     return 0;
 }
@@ -4161,14 +4152,12 @@ static void proof_damage(void)
 static void proof_of_a_fixed_block(void)
 {
     static world w;
-    kern_structure s;
     kern_work work;
     shifted_cube(&w, 0.75);
     CHECK_INT(verdict(&w, 0), KERN_FALLS);
-    s = structure_of(&w);
     work = work_of(&w);
     motion_of[0].vx = R(1e-3);
-    CHECK(kern_check_motion(task_of(&s, &w.options, &work), 0, motion_of) > 1);
+    CHECK(kern_check_motion(world_task(&w, &work), 0, motion_of) > 1);
 }
 
 /* Forces of the right sum that the bodies could never press: too large. */
@@ -4176,7 +4165,6 @@ static void proof_too_large(void)
 {
     static world w;
     kern_force f[4];
-    kern_structure s;
     kern_work work;
     int side, k;
     world_reset(&w);
@@ -4185,7 +4173,6 @@ static void proof_too_large(void)
     world_box(&w, 0, 1, 0, 2, 1);
     CHECK_INT(world_touch(&w), 4);
     world_friction(&w, 1);
-    s = structure_of(&w);
     work = work_of(&w);
     for (side = 0; side < 2; side++) {
         const double press = (side ? 100 : 0.05) * FORCE_BOUND * W;
@@ -4196,8 +4183,7 @@ static void proof_too_large(void)
             f[k].normal = R(press);
             f[k].tangential = R(W / 4 * up);
         }
-        CHECK_INT(kern_check_forces(task_of(&s, &w.options, &work), 0, f) <= 1,
-                  !side);
+        CHECK_INT(kern_check_forces(world_task(&w, &work), 0, f) <= 1, !side);
     }
 }
 
@@ -4252,17 +4238,14 @@ static void strict_motions(world *w)
     const double mean = w->options.relative ? 1 : mean_size(w);
     const double unit = SINGLE ? 1e-4 : 1e-11;
     kern_work work = work_of(w);
-    kern_structure s;
     kern_margin m;
     int k;
     world_touch(w);
-    s = structure_of(w);
-    if (kern_measure(task_of(&s, &w->options, &work), &m, NULL) != KERN_STANDS)
+    if (kern_measure(world_task(w, &work), &m, NULL) != KERN_STANDS)
         return;
     for (k = -20; k <= 200; k++) {
         const kern_real d = R((double)m.margin + k * unit * mean);
-        if (kern_verdict(task_of(&s, &w->options, &work), d, &proof) ==
-            KERN_FALLS)
+        if (kern_verdict(world_task(w, &work), d, &proof) == KERN_FALLS)
             CHECK(strict_share(w, (double)d, motion_of) <= 1 + 1e-6);
     }
 }
@@ -4354,7 +4337,6 @@ static void proof_of_no_numbers(void)
     static world w;
     kern_force force[4];
     kern_motion motion[2];
-    kern_structure s;
     kern_work work;
     int i, k;
     world_reset(&w);
@@ -4362,7 +4344,6 @@ static void proof_of_no_numbers(void)
     world_box(&w, 2400, 0, 0, 2, 1);
     world_touch(&w);
     CHECK_INT(w.contacts, 2);
-    s = structure_of(&w);
     work = work_of(&w);
     for (i = 0; i < 3; i++) {
         const kern_real bad = R(no_number(i));
@@ -4370,16 +4351,13 @@ static void proof_of_no_numbers(void)
         memset(motion, 0, sizeof motion);
         for (k = 0; k < 3; k++) { /* no force, the half, all on one end */
             force[0].normal = R(k * 2400 * 9.81);
-            CHECK_NEAR(kern_check_forces(task_of(&s, &w.options, &work), bad,
-                                         force),
+            CHECK_NEAR(kern_check_forces(world_task(&w, &work), bad, force),
                        huge_value(), 0);
-            CHECK(!(kern_check_forces(task_of(&s, &w.options, &work), 0,
-                                      force) <= 1));
+            CHECK(!(kern_check_forces(world_task(&w, &work), 0, force) <= 1));
         }
         motion[1].vy = R(-1); /* into the ground */
         motion[1].spin = R(0.001);
-        CHECK_NEAR(
-            kern_check_motion(task_of(&s, &w.options, &work), bad, motion),
+        CHECK_NEAR(kern_check_motion(world_task(&w, &work), bad, motion),
             huge_value(), 0);
         for (k = 0; k < 3; k++) {
             memset(force, 0, sizeof force);
@@ -4389,11 +4367,9 @@ static void proof_of_no_numbers(void)
             motion[1].vy = R(1);
             *(k == 0 ? &motion[1].vx : k == 1 ? &motion[1].vy
                                               : &motion[1].spin) = bad;
-            CHECK_NEAR(
-                kern_check_forces(task_of(&s, &w.options, &work), 0, force),
+            CHECK_NEAR(kern_check_forces(world_task(&w, &work), 0, force),
                 huge_value(), 0);
-            CHECK_NEAR(
-                kern_check_motion(task_of(&s, &w.options, &work), 0, motion),
+            CHECK_NEAR(kern_check_motion(world_task(&w, &work), 0, motion),
                 huge_value(), 0);
         }
     }
@@ -4511,7 +4487,6 @@ static void margin_steps(void)
     static world w;
     kern_margin m;
     kern_work work;
-    kern_structure s;
     static const double steps[] = {0.02, 0.03, 0.07, 0.2, 0.24,
                                    0.26, 0.4,  0.6,  7,   1e-5};
     int k;
@@ -4534,15 +4509,12 @@ static void margin_steps(void)
         check_bracket(&w, &m);
     }
     /* a step that needs more than a million levels */
-    s = structure_of(&w);
     work = work_of(&w);
     stack_of_two(&w, 0);
     w.options.epsilon = R(0.5 / 2e6);
-    CHECK_INT(kern_measure(task_of(&s, &w.options, &work), &m, NULL),
-              KERN_BAD_STEP);
+    CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_BAD_STEP);
     w.options.epsilon = R(SINGLE ? 1e-30 : 1e-300);
-    CHECK_INT(kern_measure(task_of(&s, &w.options, &work), &m, NULL),
-              KERN_BAD_STEP);
+    CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_BAD_STEP);
     w.options.epsilon = R(0.5 / 0.9e6);
     CHECK_INT(measure(&w, &m), KERN_STANDS);
     CHECK(m.saturated);
@@ -4550,11 +4522,9 @@ static void margin_steps(void)
     w.options.epsilon = R(0);
     w.options.relative = 1;
     w.options.epsilon = R(1e-7);
-    CHECK_INT(kern_measure(task_of(&s, &w.options, &work), &m, NULL),
-              KERN_BAD_STEP);
+    CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_BAD_STEP);
     w.options.epsilon = R(-0.1);
-    CHECK_INT(kern_measure(task_of(&s, &w.options, &work), &m, NULL),
-              KERN_BAD_OPTION);
+    CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_BAD_OPTION);
     /* past closing: the last test is at d_max */
     stack_of_two(&w, 0);
     w.options.epsilon = R(3);
@@ -4777,7 +4747,6 @@ static void load_by_hand(void)
 static void load_beside_others(void)
 {
     static world w;
-    kern_structure s;
     kern_work work;
     kern_real out = R(-1);
     kern_proof proof = proof_here();
@@ -4791,9 +4760,8 @@ static void load_beside_others(void)
     CHECK_NEAR(factor, 0.5, EDGE);
     /* shrunk by .4 the bed is [.4, .6]: topples at .1 / .5 */
     shifted_cube(&w, 0);
-    s = structure_of(&w);
     work = work_of(&w);
-    CHECK_INT(kern_load_factor(task_of(&s, &w.options, &work), R(0.4),
+    CHECK_INT(kern_load_factor(world_task(&w, &work), R(0.4),
                                KERN_RIGHT, &out, &proof),
               KERN_STANDS);
     CHECK_NEAR(out, 0.2, EDGE);
@@ -5027,19 +4995,16 @@ static void site_contacts(const site *p)
 static int site_answer(const site *p, const world *t, int got,
                        const kern_margin *m, int line)
 {
-    const kern_structure s = structure_of(t);
     kern_work work = work_of(t);
     kern_margin n;
     int now;
     check_measure(t, got, m, &p->work);
     if (got == KERN_STANDS)
-        CHECK(kern_check_forces(task_of(&s, &t->options, &work), m->holds,
-                                force_of) <= 1);
+        CHECK(kern_check_forces(world_task(t, &work), m->holds, force_of) <= 1);
     if (got == KERN_FALLS)
-        CHECK(kern_check_motion(task_of(&s, &t->options, &work), 0,
-                                motion_of) <= 1);
+        CHECK(kern_check_motion(world_task(t, &work), 0, motion_of) <= 1);
     if (got == KERN_STANDS && !m->saturated)
-        CHECK(kern_check_motion(task_of(&s, &t->options, &work), m->fails,
+        CHECK(kern_check_motion(world_task(t, &work), m->fails,
                                 motion_of) <= 1);
     now = measure(t, &n);
     same_answer(t, &n, now, m, got, 1, EXACT, line);
@@ -5437,7 +5402,6 @@ static int group_of[MAX_BLOCKS];
 
 static int critical(const world *w, kern_margin *m, kern_critical *c)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
     kern_proof proof = proof_here();
     const int got = measure(w, m);
@@ -5449,8 +5413,7 @@ static int critical(const world *w, kern_margin *m, kern_critical *c)
     c->meeting = meeting_at;
     c->limit = limit_at;
     c->group = group_of;
-    status = kern_critical_of(task_of(&s, &w->options, &work), m->margin,
-                              &proof, c);
+    status = kern_critical_of(world_task(w, &work), m->margin, &proof, c);
     CHECK_INT(status, KERN_OK);
     for (k = 0; k < w->contacts; k++) {
         CHECK(limit_at[k] >= 0 && limit_at[k] <= 1 + 1e-4);
@@ -5541,7 +5504,6 @@ static void critical_bad_input(void)
     kern_motion motion[2];
     kern_proof proof;
     kern_critical c;
-    kern_structure s;
     kern_work work;
     kern_task *task;
     memset(&c, 0, sizeof c);
@@ -5549,9 +5511,8 @@ static void critical_bad_input(void)
     proof.force = NULL;
     proof.motion = motion;
     shifted_cube(&w, 0.25);
-    s = structure_of(&w);
     work = work_of(&w);
-    task = task_of(&s, &w.options, &work);
+    task = world_task(&w, &work);
     CHECK_INT(kern_critical_of(task, 0, &proof, &c), KERN_OK); /* all rests */
     CHECK_INT(c.contact, -1);
     CHECK_INT(c.groups, 0);
@@ -5592,10 +5553,9 @@ static void known_garbage(void)
         random_world(&w, 640000u + (unsigned long long)seed, 20);
         want = measure(&w, &fresh);
         for (way = 0; way < 6; way++) {
-            const kern_structure s = structure_of(&w);
             const kern_proof proof = proof_here();
             kern_work work = work_of(&w);
-            kern_task task = *task_of(&s, &w.options, &work);
+            kern_task task = *world_task(&w, &work);
             /* 0: of the world before; 1: as the last measure left it */
             for (i = 0; i < w.blocks && way > 2; i++) {
                 motion[i].vx = random_number();
@@ -5954,16 +5914,14 @@ static void jams_are_bounded(void)
     static world w;
     int seed, most = 0, found = 0;
     for (seed = 0; seed < (quick ? 3000 : 40000); seed++) {
-        kern_structure s;
         kern_work work;
         kern_margin m;
         random_seed(730000u + (unsigned long long)seed);
         sprintf(context, "(two wedges %d)", seed);
         if (!two_wedges(&w))
             continue;
-        s = structure_of(&w);
         work = work_of(&w);
-        CHECK(kern_measure(task_of(&s, &w.options, &work), &m, NULL) >= 0 ||
+        CHECK(kern_measure(world_task(&w, &work), &m, NULL) >= 0 ||
               SINGLE);
         most = work.pivots > most ? work.pivots : most;
         found++;
@@ -5993,7 +5951,6 @@ static void profile_ends(void)
     static world w;
     kern_real value[4];
     kern_collapse c;
-    kern_structure s;
     kern_work work;
     int i, side, got;
     if (SINGLE)
@@ -6003,10 +5960,9 @@ static void profile_ends(void)
     for (i = 0; i < 4; i++)
         world_polygon(&w, i > 0, corner[i], 4);
     world_touch(&w);
-    s = structure_of(&w);
     work = work_of(&w);
     for (side = -1; side <= 1; side++) {
-        got = kern_profile(task_of(&s, &w.options, &work), side, value, &c);
+        got = kern_profile(world_task(&w, &work), side, value, &c);
         CHECK(got == KERN_OK || got == KERN_UNDECIDED);
     }
     CHECK(work.pivots < 1000);
@@ -6016,14 +5972,12 @@ static void profile_ends(void)
 
 static double bearing(const world *w, int *status)
 {
-    const kern_structure s = structure_of(w);
     const kern_proof proof = proof_here();
     kern_work work = work_of(w), check = work_of(w);
     kern_real length = R(-2);
-    *status = kern_bearing(task_of(&s, &w->options, &work), &length, &proof);
+    *status = kern_bearing(world_task(w, &work), &length, &proof);
     if (*status == KERN_STANDS)
-        CHECK(kern_check_forces(task_of(&s, &w->options, &check), 0,
-                                force_of) <= 1);
+        CHECK(kern_check_forces(world_task(w, &check), 0, force_of) <= 1);
     return (double)length;
 }
 
@@ -7355,21 +7309,18 @@ static void bad_pointers(void)
 static void bad_arguments(void)
 {
     static world w;
-    kern_structure s;
     kern_work work;
     kern_real out;
     int i, j;
     stack_of_two(&w, 0.25);
     work = work_of(&w);
-    s = structure_of(&w);
     for (j = 0; j < NO_NUMBERS; j++) {
         const kern_real bad = R(no_number(j));
-        CHECK_INT(kern_verdict(task_of(&s, &w.options, &work), bad, NULL),
+        CHECK_INT(kern_verdict(world_task(&w, &work), bad, NULL),
                   KERN_BAD_NUMBER);
-        CHECK_INT(kern_tilt(task_of(&s, &w.options, &work), bad, KERN_RIGHT,
-                            &out, NULL),
+        CHECK_INT(kern_tilt(world_task(&w, &work), bad, KERN_RIGHT, &out, NULL),
                   KERN_BAD_NUMBER);
-        CHECK_INT(kern_load_factor(task_of(&s, &w.options, &work), bad,
+        CHECK_INT(kern_load_factor(world_task(&w, &work), bad,
                                    KERN_RIGHT, &out, NULL),
                   KERN_BAD_NUMBER);
         for (i = 0; i < 3; i++) {
@@ -7378,7 +7329,7 @@ static void bad_arguments(void)
             *(i == 0   ? &pattern[1].fx
               : i == 1 ? &pattern[1].fy
                        : &pattern[1].torque) = bad;
-            CHECK_INT(kern_load_factor_of(task_of(&s, &w.options, &work), 0,
+            CHECK_INT(kern_load_factor_of(world_task(&w, &work), 0,
                                           pattern, &out, NULL),
                       KERN_BAD_NUMBER);
             CHECK_INT(work.fault.block, 1);
@@ -7505,16 +7456,14 @@ static int have(int status)
 static void statuses_without_verdict(void)
 {
     static world w;
-    kern_structure s;
     kern_work work;
     brick_wall(&w, wall4, 0.4, 1);
-    s = structure_of(&w);
     work = work_of(&w);
     w.options.limit = 1;
-    have(kern_verdict(task_of(&s, &w.options, &work), 0, NULL));
+    have(kern_verdict(world_task(&w, &work), 0, NULL));
     w.options.limit = 0;
     world_friction(&w, 1e9);
-    have(kern_verdict(task_of(&s, &w.options, &work), R(0.12), NULL));
+    have(kern_verdict(world_task(&w, &work), R(0.12), NULL));
 }
 
 static void statuses_of_measures(void)
@@ -7742,11 +7691,10 @@ static void memory_every_size(void)
 
 static int lean(const world *w, kern_margin *m)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
     work.reals = KERN_LEAN_REALS(w->blocks, w->contacts);
     work.indices = KERN_LEAN_INTS(w->blocks, w->contacts);
-    return kern_measure(task_of(&s, &w->options, &work), m, NULL);
+    return kern_measure(world_task(w, &work), m, NULL);
 }
 
 /* Lean memory gives the same answer, or none: it is too little for arches, and
@@ -7801,18 +7749,16 @@ static void memory_garbage(void)
         kern_real f[3];
         random_world(&w, 300000u + (unsigned long long)seed, 15);
         for (fill = 0; fill < 3; fill++) {
-            const kern_structure s = structure_of(&w);
             kern_work work = work_of(&w);
             const int byte = fill == 0 ? 0 : fill == 1 ? 0xff : 0x3f;
             memset(work.real, byte, sizeof *work.real * (size_t)work.reals);
             memset(work.index, byte, sizeof *work.index * (size_t)work.indices);
             memset(&m[fill], 0, sizeof m[fill]);
             f[fill] = 0;
-            CHECK(decided(
-                kern_measure(task_of(&s, &w.options, &work), &m[fill], NULL)));
+            CHECK(decided(kern_measure(world_task(&w, &work), &m[fill], NULL)));
             memset(work.real, byte, sizeof *work.real * (size_t)work.reals);
             memset(work.index, byte, sizeof *work.index * (size_t)work.indices);
-            CHECK(decided(kern_load_factor(task_of(&s, &w.options, &work), 0,
+            CHECK(decided(kern_load_factor(world_task(&w, &work), 0,
                                            KERN_RIGHT, &f[fill], NULL)));
             CHECK(work.pivots >= 0 && work.solves > 0);
             if (fill > 0) {
@@ -7832,10 +7778,8 @@ static void memory_garbage(void)
 static int profile(const world *w, int side, kern_real *value,
                    kern_collapse *out)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
-    const int got =
-        kern_profile(task_of(&s, &w->options, &work), side, value, out);
+    const int got = kern_profile(world_task(w, &work), side, value, out);
     if (work.error > proof_error)
         proof_error = work.error;
     return got;
@@ -8022,25 +7966,19 @@ static void profile_bad_input(void)
     static world w;
     kern_real value[3];
     kern_collapse c;
-    kern_structure s;
     kern_work work;
     two_storeys(&w);
-    s = structure_of(&w);
     work = work_of(&w);
     c.mean = R(7);
-    CHECK_INT(
-        kern_profile(task_of(&s, &w.options, &work), KERN_SHRINK, NULL, &c),
+    CHECK_INT(kern_profile(world_task(&w, &work), KERN_SHRINK, NULL, &c),
         KERN_BAD_POINTER);
-    CHECK_INT(
-        kern_profile(task_of(&s, &w.options, &work), KERN_SHRINK, value, NULL),
+    CHECK_INT(kern_profile(world_task(&w, &work), KERN_SHRINK, value, NULL),
         KERN_BAD_POINTER);
-    CHECK_INT(kern_profile(task_of(&s, &w.options, &work), 2, value, &c),
+    CHECK_INT(kern_profile(world_task(&w, &work), 2, value, &c),
               KERN_BAD_OPTION);
     w.gravity = vec(0, 0);
     w.block[1].load.fy = R(-9.81);
-    s = structure_of(&w);
-    CHECK_INT(
-        kern_profile(task_of(&s, &w.options, &work), KERN_RIGHT, value, &c),
+    CHECK_INT(kern_profile(world_task(&w, &work), KERN_RIGHT, value, &c),
         KERN_BAD_OPTION);
     CHECK_NEAR(c.mean, 7, 0);
 }
@@ -8149,25 +8087,23 @@ static void certain_verdicts(void)
     int i;
     for (i = 0; i < 5; i++) {
         kern_work work;
-        kern_structure s;
         world_reset(&w);
         world_box(&w, 0, -1, -1, row[i].end, 0);
         world_box(&w, 1, 0, 0, 1, 1);
         w.options = kern_measured(&w.options, R(0.01), R(0.01));
         CHECK(world_touch(&w) > 0);
         CHECK_INT(verdict(&w, 0), row[i].verdict);
-        s = structure_of(&w);
         work = work_of(&w);
-        CHECK_INT(kern_certain(task_of(&s, &w.options, &work),
+        CHECK_INT(kern_certain(world_task(&w, &work),
                                (kern_status)row[i].verdict, again, 20),
                   row[i].certain);
-        CHECK_INT(kern_certain(task_of(&s, &w.options, &work),
+        CHECK_INT(kern_certain(world_task(&w, &work),
                                (kern_status)row[i].verdict, again, 0),
                   KERN_NO_SPACE);
-        CHECK_INT(kern_certain(task_of(&s, &w.options, &work), KERN_UNDECIDED,
+        CHECK_INT(kern_certain(world_task(&w, &work), KERN_UNDECIDED,
                                again, 20), KERN_BAD_OPTION);
         w.options.error = 0;
-        CHECK_INT(kern_certain(task_of(&s, &w.options, &work), KERN_STANDS,
+        CHECK_INT(kern_certain(world_task(&w, &work), KERN_STANDS,
                                again, 20), KERN_BAD_OPTION);
     }
     CHECK_INT(kern_certain(NULL, KERN_STANDS, again, 20), KERN_BAD_POINTER);
@@ -8221,9 +8157,8 @@ static void mean_size_of_blocks(void)
    nothing else passes for it. */
 static int raised(const world *w, kern_real *reserve)
 {
-    kern_structure s = structure_of(w);
     kern_work work = work_of(w);
-    kern_task *task = task_of(&s, &w->options, &work);
+    kern_task *task = world_task(w, &work);
     kern_proof proof = proof_here();
     kern_raising got = KERN_NOT_SHOWN;
     kern_real error;
@@ -8424,20 +8359,17 @@ static void raised_random(void)
 static void raised_memory(void)
 {
     static world w;
-    kern_structure s;
     kern_work work;
     kern_raising got = KERN_NOT_SHOWN;
     int reals, ints, part, enough = 0;
     jack_arch(&w);
-    s = structure_of(&w);
     kern_work_need(w.blocks, w.contacts, &reals, &ints);
     for (part = 0; part <= 50; part++) {
         kern_status status;
         work = work_of(&w);
         work.reals = reals * part / 50;
         work.indices = ints * part / 50;
-        status = kern_raised(task_of(&s, &w.options, &work), 0, &got, NULL,
-                             NULL);
+        status = kern_raised(world_task(&w, &work), 0, &got, NULL, NULL);
         CHECK(status == KERN_NO_SPACE || status == KERN_STANDS);
         CHECK(status == KERN_STANDS || !enough);
         enough |= status == KERN_STANDS;
@@ -8446,13 +8378,13 @@ static void raised_memory(void)
     CHECK(enough);
     got = KERN_NOT_SHOWN;
     w.options.limit = 3;
-    CHECK_INT(kern_raised(task_of(&s, &w.options, &work), 0, &got, NULL, NULL),
+    CHECK_INT(kern_raised(world_task(&w, &work), 0, &got, NULL, NULL),
               KERN_LIMIT);
-    CHECK_INT(kern_raised(task_of(&s, &w.options, &work), 0, NULL, NULL, NULL),
+    CHECK_INT(kern_raised(world_task(&w, &work), 0, NULL, NULL, NULL),
               KERN_BAD_POINTER);
     CHECK_INT(kern_raised(NULL, 0, &got, NULL, NULL),
               KERN_BAD_POINTER);
-    CHECK_INT(kern_raised(task_of(&s, &w.options, &work), R(not_a_number()),
+    CHECK_INT(kern_raised(world_task(&w, &work), R(not_a_number()),
                           &got, NULL, NULL), KERN_BAD_NUMBER);
     CHECK(!(kern_check_raised(NULL, 0, KERN_RAISED, NULL) <= 1));
     CHECK_INT(got, KERN_NOT_SHOWN);
@@ -8492,13 +8424,12 @@ static void plan_raised(void)
 
 static int margin_narrow(world *w, double narrow, double *margin)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
     kern_margin m;
     int got;
     memset(&m, 0, sizeof m);
     w->options.narrow = R(narrow);
-    got = kern_measure(task_of(&s, &w->options, &work), &m, NULL);
+    got = kern_measure(world_task(w, &work), &m, NULL);
     *margin = (double)m.margin;
     w->options.narrow = 0;
     return got;
@@ -8595,7 +8526,6 @@ static void push_by_hand(void)
     size_t k;
     for (k = 0; k < sizeof mu / sizeof *mu; k++) {
         kern_wrench push[2];
-        kern_structure s;
         kern_work work;
         kern_real most = -1;
         world_reset(&w);
@@ -8603,12 +8533,11 @@ static void push_by_hand(void)
         world_box(&w, 0, -3, -1, 4, 0);
         world_box(&w, 1, 0, 0, 1, 2);
         world_touch(&w);
-        s = structure_of(&w);
         work = work_of(&w);
         memset(push, 0, sizeof push);
         push[1].fx = R(2 * W * cos(angle[k] * pi / 180));
         push[1].fy = R(2 * W * sin(angle[k] * pi / 180));
-        CHECK_INT(kern_load_factor_of(task_of(&s, &w.options, &work), 0, push,
+        CHECK_INT(kern_load_factor_of(world_task(&w, &work), 0, push,
                                       &most, NULL), KERN_STANDS);
         CHECK_NEAR(most, k == 4 ? 0.4 / (sqrt(0.5) * 1.4) : want[k],
                    SINGLE ? 5e-3 : 1e-6);
@@ -8623,9 +8552,8 @@ static kern_block_rate block_rate[MAX_BLOCKS];
 /* The margin, with its sensitivity if `rates`; 0 where there is none. */
 static double margin_rates(const world *w, int rates)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
-    kern_task *task = task_of(&s, &w->options, &work);
+    kern_task *task = world_task(w, &work);
     const kern_proof proof = proof_here();
     kern_margin m;
     if (kern_measure(task, &m, &proof) != KERN_STANDS || m.saturated)
@@ -8839,19 +8767,17 @@ static void sensitivity_cost(void)
         clock_t spent[2] = {0, 0};
         unsigned long long seed;
         for (seed = 1; seed < 400; seed++) {
-            kern_structure s;
             kern_margin m;
             clock_t at[3];
             kern_work work;
             random_world(&w, seed, 40);
-            s = structure_of(&w);
             work = work_of(&w);
             at[0] = clock();
-            if (kern_measure(task_of(&s, &w.options, &work), &m, &proof)
+            if (kern_measure(world_task(&w, &work), &m, &proof)
                 != KERN_STANDS)
                 continue;
             at[1] = clock();
-            kern_sensitivity(task_of(&s, &w.options, &work), &m, &proof,
+            kern_sensitivity(world_task(&w, &work), &m, &proof,
                              contact_rate, block_rate);
             at[2] = clock();
             for (k = 0; k < 2; k++)
@@ -8869,10 +8795,8 @@ static kern_force least_of[MAX_POINTS];
 
 static kern_status least_forces(const world *w, double d, kern_force *force)
 {
-    const kern_structure s = structure_of(w);
     kern_work work = work_of(w);
-    const kern_status got =
-        kern_forces(task_of(&s, &w->options, &work), R(d), force);
+    const kern_status got = kern_forces(world_task(w, &work), R(d), force);
     if (got == KERN_STANDS)
         CHECK(share_of_forces(w, (double)R(d), force) <= 1.001);
     return got;
@@ -9019,11 +8943,9 @@ static void forces_laws(void)
 static void forces_refused(void)
 {
     static world w;
-    kern_structure s;
     kern_work work;
     int reals, ints, part, enough = 0;
     jack_arch(&w);
-    s = structure_of(&w);
     kern_work_need(w.blocks, w.contacts, &reals, &ints);
     for (part = 0; part <= 50; part++) {
         kern_status status;
@@ -9031,7 +8953,7 @@ static void forces_refused(void)
         work.reals = reals * part / 50;
         work.indices = ints * part / 50;
         least_of[0].normal = -1;
-        status = kern_forces(task_of(&s, &w.options, &work), 0, least_of);
+        status = kern_forces(world_task(&w, &work), 0, least_of);
         CHECK(status == (enough ? KERN_STANDS : KERN_NO_SPACE)
               || status == KERN_STANDS);
         enough |= status == KERN_STANDS;
@@ -9039,13 +8961,11 @@ static void forces_refused(void)
     }
     CHECK(enough);
     w.options.limit = 3;
-    CHECK_INT(kern_forces(task_of(&s, &w.options, &work), 0, least_of),
-              KERN_LIMIT);
+    CHECK_INT(kern_forces(world_task(&w, &work), 0, least_of), KERN_LIMIT);
     w.options.limit = 0;
-    CHECK_INT(kern_forces(task_of(&s, &w.options, &work), 0, NULL),
-              KERN_BAD_POINTER);
+    CHECK_INT(kern_forces(world_task(&w, &work), 0, NULL), KERN_BAD_POINTER);
     CHECK_INT(kern_forces(NULL, 0, least_of), KERN_BAD_POINTER);
-    CHECK_INT(kern_forces(task_of(&s, &w.options, &work), R(not_a_number()),
+    CHECK_INT(kern_forces(world_task(&w, &work), R(not_a_number()),
                           least_of), KERN_BAD_NUMBER);
     world_reset(&w);
     world_box(&w, 0, -1, -1, 2, 0);
