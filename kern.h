@@ -3815,6 +3815,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_STIFF       KERN_PICK(550, 10)
 #define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
+#define KERN_HOLD_ROUNDS   8       /* the same where they were not poured     */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
@@ -4354,30 +4355,34 @@ static void kern_least_write(kern_part *p)
     }
 }
 
+/* Least forces of all groups: KERN_STANDS with m->force and their proof. */
+static kern_status kern_least_hold(kern_model *m, kern_part *p,
+                                   const kern_query *q, int rounds)
+{
+    kern_status status;
+    kern_model_set(m, q);
+    if (!kern_least_open(p, m))
+        return KERN_NO_SPACE;
+    status = kern_least_find(p, kern_part_load(p, q, p->b), KERN_BOUND, 0,
+                             rounds);
+    if (status == KERN_LIMIT)
+        return status;
+    if (status != KERN_STANDS)
+        return KERN_UNDECIDED;
+    kern_least_write(p);
+    return kern_model_proven(m, kern_prove_forces(m->s, q, m->force, m->sum))
+           ? status : KERN_UNDECIDED;
+}
+
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force)
 {
     const kern_proof proof = {force, NULL};
     kern_call c;
-    kern_model *const m = &c.m;
     kern_status status = kern_call_open(&c, task, shrink, force);
-    if (status != KERN_OK)
-        return status;
-    kern_model_set(m, &c.path.q);
-    if (!kern_least_open(&c.part, m))
-        return KERN_NO_SPACE;
-    status = kern_least_find(
-        &c.part, kern_part_load(&c.part, &c.path.q, c.part.b), KERN_BOUND, 0,
-        KERN_FORCES_ROUNDS);
-    if (status == KERN_STANDS)
-        kern_least_write(&c.part);
-    if (status == KERN_LIMIT)
-        return status;
-    if (status != KERN_STANDS
-        || !kern_model_proven(m, kern_prove_forces(m->s, &c.path.q, m->force,
-                                                   m->sum)))
-        return KERN_UNDECIDED;
-    kern_proof_out(m, &proof, status);
+    if (status == KERN_OK)
+        status = kern_least_hold(&c.m, &c.part, &c.path.q, KERN_FORCES_ROUNDS);
+    kern_proof_out(&c.m, &proof, status);
     return status;
 }
 
@@ -5643,8 +5648,15 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     kern_model_set(m, q);
     kern_pour_begin(m);
     poured = kern_pour(m, p);
+    if (poured == KERN_POUR_FALLS)
+        return KERN_FALLS;
+    if (poured != KERN_POURED && proven && m->from == 0) {
+        status = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
+        p->found = status;
+        return status == KERN_NO_SPACE ? KERN_UNDECIDED : status;
+    }
     if (poured != KERN_POURED)
-        return poured == KERN_POUR_FALLS ? KERN_FALLS : KERN_UNDECIDED;
+        return KERN_UNDECIDED;
     for (i = 0; i < m->s->contacts; i++)
         total += m->force[i].normal;
     if (total > KERN_BOUND / 2)
