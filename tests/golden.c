@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x83b769cc5a02953au },
-    { 1000, 0x43447abc8690e22eu },
-    { 5000, 0xdba5b86c728cf2fau },
+    { 200, 0xee305c1b1466ba24u },
+    { 1000, 0x968e6ee49dd2ef2cu },
+    { 5000, 0x8112d99909d0fd5cu },
 #else
-    { 200, 0x2c34182be267f765u },
-    { 1000, 0x53fd8940e3020d31u },
-    { 5000, 0xee0115a3d2ea764au },
+    { 200, 0x9c2a889435c15ee6u },
+    { 1000, 0x45c2b9192576f4bau },
+    { 5000, 0xfce93f0865e45109u },
 #endif
 };
 
