@@ -730,7 +730,6 @@ typedef struct kern_known {
                              that one was changed                             */
     kern_vec gravity;     /* that it was measured under,                      */
     int relative, nested; /* and how; nonzero: its kerns are nested           */
-    int solved;           /* nonzero: its forces were not poured              */
 } kern_known;
 
 /* What a call needs. kern_task_of() fills it; each field may be changed between
@@ -2144,7 +2143,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
 {
     kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
     kern_real closing = KERN_R(0);
-    int i;
+    int i, first = s->blocks;
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_real px, py, pt;
@@ -2154,6 +2153,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
             return KERN_INFINITY;
         if (!(speed > 0))
             continue;
+        first = first < i ? first : i;
         weight += kern_wrench_on(s, q, i, &w);
         px = w.fx * m->vx;
         py = w.fy * m->vy;
@@ -2164,7 +2164,8 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         kern_real speed;
-        if (!(kern_speeds(c, motion) > 0) || kern_is_out(q, c))
+        if ((c->a < first && c->b < first) || !(kern_speeds(c, motion) > 0)
+            || kern_is_out(q, c))
             continue;
         speed = kern_closing(s, c, q, motion);
         if (!(speed <= KERN_HUGE))
@@ -2233,7 +2234,6 @@ struct kern_model {
                                  all blocks but the last ...                  */
     kern_real balanced;       /* ... at this shrinkage                        */
     int complete;             /* nonzero: all are verified at a smaller one   */
-    int solved;               /* nonzero: pouring did not find them           */
     kern_real narrow, slope;  /* of the options, of the last question         */
     const kern_query *lazy; /* groups are opened when they are needed; NULL:
                                   all are                                     */
@@ -2329,8 +2329,7 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     known.motion = motion;
     known.force = force;
     known.holds = known.margin = known.fails = KERN_R(0);
-    known.blocks = known.contacts = known.relative = known.nested
-        = known.solved = 0;
+    known.blocks = known.contacts = known.relative = known.nested = 0;
     known.seen = KERN_R(0);
     known.gravity = kern_vec_make(0, 0);
     return known;
@@ -2562,12 +2561,35 @@ static int kern_force_widen(kern_model *m, int i, kern_real shrink)
 static inline int kern_is_open(const kern_model *m, int i)
 { return !(m->sum[4 * i + 3] < 0); }
 
+/* Opens a group that keeps its forces: they may change from now on. At a
+   smaller shrinkage those that have not been widened yet are. */
+static void kern_model_unfold(kern_model *m, int g)
+{
+    int e, widen;
+    if (m->next[g] != KERN_OUT)
+        return;
+    widen = m->lazy->shrink < m->balanced && !kern_is_open(m, m->block[g]);
+    kern_model_load(m, m->lazy, g);
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int other = m->ends[e ^ 1];
+        if (other == m->groups || m->next[other] == KERN_OUT)
+            kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
+    }
+    m->next[g] = g;
+    for (e = widen ? m->touch[g] : KERN_OUT; e >= 0; e = m->after[e]) {
+        const int other = m->ends[e ^ 1];
+        if ((other == m->groups || (m->next[other] == KERN_OUT
+                                    && !kern_is_open(m, m->block[other])))
+            && kern_force_widen(m, e >> 1, m->lazy->shrink))
+            e += 2;
+    }
+}
+
 /* The model for a query whose forces are known but for what could not be passed
    on: by so many blocks, listed in m->leader. Groups that have not been opened
    keep their forces until they are. */
 static void kern_model_keep(kern_model *m, const kern_query *q, int waiting)
 {
-    const kern_contact *c = m->s->contact;
     int i, g;
     if (m->groups == 0)
         kern_model_group(m, q);
@@ -2585,38 +2607,10 @@ static void kern_model_keep(kern_model *m, const kern_query *q, int waiting)
         m->dirty[m->group[m->leader[i]]] = 1;
     for (g = 0; g < m->groups; g++) {
         m->leader[g] = g;
-        if (kern_is_open(m, m->block[g])) {
-            m->next[g] = g;
-            kern_model_load(m, q, g);
-        }
+        if (m->dirty[g])
+            kern_model_unfold(m, g);
     }
-    for (i = 0; i < m->s->contacts; i++)
-        if (kern_is_open(m, c[i].a) || kern_is_open(m, c[i].b))
-            kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
     m->prior = m->force; /* the least change of what is there is found */
-}
-
-/* Opens a group that keeps its forces: they may change from now on. */
-static void kern_model_unfold(kern_model *m, int g)
-{
-    int e;
-    if (m->next[g] != KERN_OUT)
-        return;
-    kern_model_load(m, m->lazy, g);
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int other = m->ends[e ^ 1];
-        if (other == m->groups || m->next[other] == KERN_OUT)
-            kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
-    }
-    m->next[g] = g;
-    if (!(m->lazy->shrink < m->balanced))
-        return;
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int other = m->ends[e ^ 1];
-        if ((other == m->groups || m->next[other] == KERN_OUT)
-            && kern_force_widen(m, e >> 1, m->lazy->shrink))
-            e += 2;
-    }
 }
 
 /* ---- Parts and programs ---------------------------------------- >>engine */
@@ -2909,8 +2903,8 @@ static void kern_known_clean(kern_model *m, kern_path *path, kern_real fails)
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
 static void kern_known_set(kern_task *task, kern_status status,
-                           const kern_model *m, const kern_path *path,
-                           const kern_margin *out, const kern_proof *proof)
+                           const kern_path *path, const kern_margin *out,
+                           const kern_proof *proof)
 {
     kern_known *known = &task->known;
     int i;
@@ -2932,7 +2926,6 @@ static void kern_known_set(kern_task *task, kern_status status,
         known->gravity = task->s.gravity;
         known->relative = task->options.relative;
         known->nested = kern_travels_of(&task->s, &path->q, 0).nested;
-        known->solved = m->plain;
         known->seen = kern_known_seen(task->s.block, task->s.blocks);
     }
 }
@@ -2963,7 +2956,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (status == KERN_STANDS && !out->saturated)
         kern_known_clean(&c.m, &c.path, out->fails);
     if (status >= 0)
-        kern_known_set(task, status, &c.m, &c.path, out, proof);
+        kern_known_set(task, status, &c.path, out, proof);
     return status;
 }
 
@@ -4277,16 +4270,20 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
                                    kern_real bound, int first, int end)
 {
     const int n = 3 * p->groups;
+    kern_real before = KERN_INFINITY;
     int i, round;
     p->rounds = 0;
     for (i = 0; i < n + 3 && first == 0; i++)
         p->u[i] = p->step[i] = KERN_R(0);
     for (round = first; round < end; round++) {
-        kern_real most, value, share;
+        kern_real most, value, share, left;
         kern_least_ways(p, p->u, p->own, 0);
         value = kern_least_left(p, &most);
-        if (kern_largest(p->left, n) <= tolerance + 4 * KERN_EPS * most)
+        left = kern_largest(p->left, n);
+        if (left <= (left > before / 2 ? 8 * tolerance : tolerance)
+                    + 4 * KERN_EPS * most)
             return KERN_STANDS;
+        before = left;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
         if (!kern_model_spend(p->m, 1 + p->cost / 300))
@@ -4395,7 +4392,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    that falls: nothing else could hold it.
 
    leader[g] is the last group of g's unit, next[g] another group of the unit in
-   a circle, dirty[g] says of a leader that its unit must be balanced again. */
+   a circle, dirty[g] says of a leader, if it is odd, that its unit must be
+   balanced again; half of it is 1 + the unit that it disturbed last. */
 
 /* Writes the force of contact i, and marks what it rests on if that is new.
    What keeps its forces keeps them to the last bit. */
@@ -4408,7 +4406,7 @@ static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
     if (on < m->groups && change > tolerance) {
         const int last = m->leader[on];
         kern_model_unfold(m, on);
-        m->dirty[last] = 1;
+        m->dirty[last] |= 1;
         m->again = last < m->again ? last : m->again;
     }
     if (on == m->groups || m->next[on] != KERN_OUT) {
@@ -4888,6 +4886,23 @@ static void kern_pour_begin(kern_model *m)
     kern_model_unload(m);
 }
 
+/* Whether changes will begin from the forces that are found: these have more to
+   spare where units are joined at once, or where an interior point finds them
+   instead of least ones. */
+static int kern_pour_spares(const kern_model *m)
+{ return m->known && !m->prior; }
+
+/* The unit of `last` has disturbed one that was balanced before. If it did so
+   the last time it was balanced they rest on each other, and are joined. */
+static void kern_pour_returns(kern_model *m, int last)
+{
+    const int again = 2 * (m->again + 1);
+    if (m->dirty[last] == again || kern_pour_spares(m))
+        m->dirty[kern_pour_join(m, last, m->again)] = 1;
+    else
+        m->dirty[last] = again;
+}
+
 /* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
    with an open part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
@@ -4901,13 +4916,13 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     for (at = 0; at < m->groups; ) {
         kern_poured found;
         kern_status alone = KERN_UNDECIDED;
-        if (!m->dirty[at]) {
+        if (!(m->dirty[at] & 1)) {
             at++;
             continue;
         }
         if (!kern_model_spend(m, 1))
             return KERN_POUR_DRY;
-        m->dirty[at] = 0;
+        m->dirty[at] &= ~1;
         m->again = m->groups;
         if (m->next[at] == at)
             alone = kern_pour_alone(m, at);
@@ -4921,6 +4936,8 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
         budget -= 300;
         if (budget < 0)
             return KERN_POUR_DRY;
+        if (m->again < at)
+            kern_pour_returns(m, at);
         at = m->again < at + 1 ? m->again : at + 1;
     }
     return KERN_POURED;
@@ -5577,29 +5594,13 @@ static kern_real kern_prove_change(kern_model *m, const kern_query *q, int wide)
     return kern_prove_rows(s, q, m->sum, total);
 }
 
-/* The linear program of all groups. KERN_FALLS with an open part of what
-   moves. */
-static kern_status kern_model_resolve(kern_model *m, kern_part *p,
-                                      const kern_query *q)
-{
-    kern_status status;
-    kern_model_set(m, q);
-    if (kern_part_all(p, m, &m->rest) != KERN_OK)
-        return KERN_UNDECIDED;
-    status = kern_part_evaluate(p, q);
-    return status == KERN_FALLS && !kern_part_moved(p, m) ? KERN_UNDECIDED
-                                                          : status;
-}
-
 /* The verdict by a change of forces that balance all but the last block: it is
-   passed down, and proven where they changed; or else by the linear program of
-   all. KERN_FALLS with an open part of what moves;
-   KERN_UNDECIDED also where no forces are known. */
+   passed down, and proven where they changed. KERN_FALLS with an open part of
+   what moves; KERN_UNDECIDED also where no forces are known. */
 static kern_status kern_model_change(kern_model *m, kern_part *p,
                                      const kern_query *q)
 {
     const kern_force *known = m->prior;
-    kern_real error = KERN_INFINITY;
     kern_poured poured = KERN_POURED;
     int g, waiting;
     if (!known || !(q->shrink <= m->balanced))
@@ -5615,19 +5616,19 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
             if (m->next[g] != KERN_OUT)
                 m->sum[4 * m->block[g] + 3] = KERN_R(0);
     }
-    if (poured == KERN_POUR_FALLS && !m->solved) {
+    if (poured == KERN_POUR_FALLS) {
         kern_model_weigh(m, q);
         return KERN_FALLS;
     }
+    if (poured == KERN_POUR_DRY)
+        return KERN_UNDECIDED;
     if (m->complete)
         kern_pass_all(m, q);
-    if (poured == KERN_POURED)
-        error = kern_prove_change(m, q, waiting == 0 && !m->complete);
-    if (kern_model_proven(m, error)) {
-        p->found = KERN_STANDS;
-        return KERN_STANDS;
-    }
-    return m->solved ? kern_model_resolve(m, p, q) : KERN_UNDECIDED;
+    if (!kern_model_proven(m, kern_prove_change(
+            m, q, waiting == 0 && !m->complete)))
+        return KERN_UNDECIDED;
+    p->found = KERN_STANDS;
+    return KERN_STANDS;
 }
 
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
@@ -5650,7 +5651,8 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     poured = kern_pour(m, p);
     if (poured == KERN_POUR_FALLS)
         return KERN_FALLS;
-    if (poured != KERN_POURED && proven && m->from == 0) {
+    if (poured != KERN_POURED && proven && m->from == 0
+        && !kern_pour_spares(m)) {
         status = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
         p->found = status;
         return status == KERN_NO_SPACE ? KERN_UNDECIDED : status;
@@ -6010,9 +6012,10 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
     kern_bracket b;
     int round, goes = 1;
     b.aside = b.under = path->tolerance * KERN_R(0.45);
-    b.known = path->closed = 0;
+    b.known = b.close = path->closed = 0;
     b.share = KERN_BRACKET_SHARE;
-    for (round = 0; round < rounds && goes; round++) {
+    for (round = 0; (round < rounds || (b.close && round < KERN_EDGE_ROUNDS))
+                    && goes; round++) {
         kern_status status;
         kern_bracket_look(&b, path);
         if (kern_bracket_ends(&b, path))
@@ -6024,7 +6027,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
         if (!b.close && status == KERN_STANDS && rounds < KERN_EDGE_ROUNDS)
             return KERN_STANDS; /* the whole is evaluated there first */
     }
-    if (round == rounds && rounds < KERN_EDGE_ROUNDS)
+    if (round >= rounds && rounds < KERN_EDGE_ROUNDS && !b.close)
         return KERN_STANDS;
     path->closed = 1;
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
@@ -7011,9 +7014,9 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
         || kern_part_note(path->part) != KERN_OK)
         return status;
     path->alone = 1;
-    for (tries = 0; tries < 2 && status != KERN_FALLS; tries++, step *= 4)
+    for (tries = 0; tries < 3 && status != KERN_FALLS; tries++, step *= 4)
         status = kern_path_evaluate(m, path,
-                                    kern_min(path->end, fails + step / 2));
+                                    kern_min(path->end, fails + step / 8));
     path->alone = path->closed = 0;
     return status;
 }
@@ -7163,9 +7166,11 @@ static kern_status kern_probe_stood(kern_probe *probe, kern_model *m,
     if (probe->seeded && kern_path_still_falls(m, path))
         return KERN_STANDS;
     probe->done = 0;
-    if (probe->fell)
+    if (probe->fell) {
+        probe->guess = 1; /* it may be the first that falls */
         return kern_part_again(path->part, m) == KERN_OK ? KERN_STANDS
                                                          : KERN_NO_SPACE;
+    }
     if (probe->seeded && kern_path_moved(m, path, probe->first) == KERN_FALLS) {
         probe->fell = 1;
         probe->guess = 1; /* most likely it is what falls */
@@ -7195,6 +7200,9 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
     if (status == KERN_STANDS
         && path->edge > probe->start + path->tolerance) {
         status = kern_path_part(m, path, probe->guess);
+        if (status == KERN_STANDS && !path->closed && probe->holds > probe->start
+            && !(path->holds > probe->holds)) /* nothing new to pour */
+            status = kern_path_part(m, path, 1);
         probe->at = path->holds;
         probe->done = status == KERN_STANDS && path->part->bodies == m->groups
                       && probe->at > probe->holds && path->closed;
@@ -9257,11 +9265,9 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
    at the lower end of it and a mechanism at the other end. A stone that does
    not touch what moves there leaves the mechanism as it is: the old motion
    proves it again. The forces change only below the stone, from block to block
-   (kern_pass_down()), or where that ends in units (kern_pour()). Where the
-   forces of the plan came of a linear program, that of the plan with the stone
-   is solved instead (kern_model_change()). Where a stone raises the margin
-   the blocks that moved are evaluated with the stone on them, all else held,
-   and the search goes on from there.
+   (kern_pass_down()), or where that ends in units (kern_pour()). Where a stone
+   raises the margin the blocks that moved are evaluated with the stone on them,
+   all else held, and the search goes on from there.
 
    Verified on the caller's data are the rows of all blocks whose forces changed,
    the cones of their contacts, the sum of all forces, and the whole mechanism.
@@ -9466,7 +9472,6 @@ static kern_status kern_trial_begin(const kern_trial *t, kern_stage *on,
     if (status == KERN_OK && !alone && t->balanced) {
         on->m.prior = task->known.force;
         on->m.balanced = task->known.holds;
-        on->m.solved = task->known.solved;
         on->m.complete = !t->nested || (proof && proof->force);
     }
     return status;

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xee305c1b1466ba24u },
-    { 1000, 0x968e6ee49dd2ef2cu },
-    { 5000, 0x8112d99909d0fd5cu },
+    { 200, 0x50ad17e5ea122dc9u },
+    { 1000, 0x30080447bfbe6f24u },
+    { 5000, 0x4018763719e71791u },
 #else
-    { 200, 0x9c2a889435c15ee6u },
-    { 1000, 0x45c2b9192576f4bau },
-    { 5000, 0xfce93f0865e45109u },
+    { 200, 0x581685774fd57e8cu },
+    { 1000, 0xa8ca2307c8675d9eu },
+    { 5000, 0xef14bdb0094eb147u },
 #endif
 };
 
