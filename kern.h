@@ -1048,8 +1048,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    own error the structure bears; a measure, not a bound. Where k is so large
    that kerns hardly shrink, k margin is the slope to spare: the least friction
    at which it stands is that mu. Warm start: from task->known, and the result
-   is remembered there; after KERN_UNDECIDED and KERN_LIMIT nothing is known any
-   longer. */
+   is remembered there; after KERN_UNDECIDED, KERN_LIMIT and KERN_NO_SPACE
+   nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
@@ -2663,7 +2663,7 @@ struct kern_part {
     int groups, contacts;
     int own;                  /* contacts that carry a group of the part come
                                  first, then those by which others rest on it */
-    int *group;               /* of the part, ascending                       */
+    int *group;               /* of the part; ascending but in >>least        */
     int *contact;             /* of the part                                  */
     int *ends;                /* of a contact: groups of the part, or none    */
     int bodies;               /* of groups that move as one: see >>verdict    */
@@ -7263,11 +7263,10 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
-/* Forces that a load puts on unstressed contacts of some stiffness: f >= 0 just
-   where blocks approach, sticking where |r| < mu f, else sliding against r.
-   They are looked for as least forces of stiff contacts (>>least), a program
-   with a solution wherever forces exist, but with the associated flow rule of
-   limit analysis, by which what slides parts: f = k (approach + mu slip). A
+/* Forces that a load puts on unstressed contacts of some stiffness. They are
+   looked for as least forces of stiff contacts (>>least), a program with a
+   solution wherever forces exist, but with the associated flow rule of limit
+   analysis, by which what slides parts: f = k (approach + mu slip). A
    price mu slip on each contact takes that away (the fixed point of Acary,
    Cadoux, Lemarechal and Malick). Prices need not be exact: where every loaded
    contact approaches, the forces and the displacement are a proof, for contacts

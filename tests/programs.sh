@@ -179,12 +179,17 @@ moves() { # of single stones: what they bear, and what they need
     done
 }
 
-memory() { # under valgrind
+memory() { # under valgrind; also where the limit of work ends a call
+    local valgrind="valgrind -q --error-exitcode=9 --leak-check=full" limit
     gcc -g -O1 $exact -o "$out/kern_g" examples/kern.c -lm &&
-        valgrind -q --error-exitcode=9 --leak-check=full "$out/kern_g" \
-            --json --forces --mechanism --profile \
+        $valgrind "$out/kern_g" --json --forces --mechanism --profile \
             examples/structures/*.kern >/dev/null
-    [ $? -le 1 ]
+    [ $? -le 1 ] || return 1
+    for limit in 40 200 900; do
+        $valgrind "$out/kern_g" --profile --raised --limit $limit \
+            examples/structures/arch.kern >/dev/null
+        [ $? -lt 9 ] || return 1
+    done
 }
 
 # ---- shaking and walls
