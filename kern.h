@@ -8805,7 +8805,7 @@ typedef struct kern_search {
     kern_real arm;          /* twice the longest diagonal of a box [m] */
     int listing;            /* pairs that overlap are listed, and no   */
     kern_overlap *overlap;  /* contacts are found                      */
-    int overlap_room, overlaps;
+    int overlaps;
 } kern_search;
 
 /* Finds the contacts of the pair. */
@@ -8827,13 +8827,19 @@ static kern_status kern_pair_touch(kern_pair *pair)
 static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
 
+/* The widest gap of blocks of that size. */
+static kern_real kern_search_gap(const kern_search *s, kern_real size)
+{
+    return kern_max(s->options->gap > 0 ? s->options->gap : KERN_GAP * size,
+                    s->floor);
+}
+
 /* The tolerances of the pair, whose smaller free block is of that size. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
                                  kern_real size)
 {
     const kern_options *o = s->options;
-    pair->gap = o->gap > 0 ? o->gap : KERN_GAP * size;
-    pair->gap = kern_max(pair->gap, s->floor);
+    pair->gap = kern_search_gap(s, size);
     pair->swing = KERN_ERROR_SWING * o->turn;
     pair->deep = kern_max(pair->gap, o->overlap) + pair->swing *
                  (kern_box_half(pair->of[0].parts.block) +
@@ -8861,60 +8867,55 @@ static int kern_block_is_stale(const kern_block *block)
                     <= KERN_STALE_AREA * kern_abs(block->area)));
 }
 
-/* Lists the pair if it overlaps. Each round looks for more than was found: the
-   last depth is that of the whole but for a stride. */
-static void kern_search_list(kern_search *s)
+/* Depth of the overlap of the pair, 0: none that is not allowed. Where overlaps
+   are listed each round looks for more than was found: the last depth is that
+   of the whole but for a stride. */
+static kern_real kern_search_depth(const kern_search *s)
 {
-    const kern_pair *pair = &s->pair;
-    kern_overlap found;
-    kern_real least = pair->deep, depth;
-    found.a = pair->a;
-    found.b = pair->b;
-    found.depth = 0;
-    found.allowed = pair->deep;
-    while ((depth = kern_overlap_depth(&pair->of[0].parts, &pair->of[1].parts,
-                                       least)) > 0) {
-        found.depth = depth;
-        least = (1 + KERN_STRIDE) * depth;
-    }
-    if (found.depth > 0 && s->overlaps++ < s->overlap_room)
-        s->overlap[s->overlaps - 1] = found;
+    kern_real depth = 0, more = s->pair.deep;
+    do {
+        more = kern_overlap_depth(&s->pair.of[0].parts, &s->pair.of[1].parts,
+                                  more);
+        depth = kern_max(depth, more);
+        more *= 1 + KERN_STRIDE;
+    } while (more > 0 && s->listing);
+    return depth;
 }
 
-/* Finds the contacts of blocks i and j, which must not overlap: none where both
-   are fixed, or apart. */
+/* Finds the contacts of blocks i and j, which must not overlap, or lists that
+   they do: none where both are fixed, or apart. */
 static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
     const int low = i < j ? i : j, high = i < j ? j : i;
     const kern_block *a = &s->block[low], *b = &s->block[high];
-    kern_real area;
-    if ((a->fixed && b->fixed) || !a->vertices || !b->vertices ||
-        !kern_box_near(&a->box, &b->box, s->reach))
+    kern_overlap found;
+    if ((a->fixed && b->fixed) || !kern_box_near(&a->box, &b->box, s->reach))
         return KERN_OK;
     s->fault->block = low;
     if (low < s->from && kern_block_is_stale(a))
         return KERN_STALE;
-    area = kern_min(a->fixed ? KERN_HUGE : kern_abs(a->area),
-                    b->fixed ? KERN_HUGE : kern_abs(b->area));
-    pair->a = low;
-    pair->b = high;
     kern_outline_open(&pair->of[0], a);
     kern_outline_open(&pair->of[1], b);
-    kern_pair_tolerances(pair, s, KERN_SQRT(area));
-    if (s->listing) {
-        kern_search_list(s);
-    } else {
-        s->fault->value = kern_overlap_depth(
-            &pair->of[0].parts, &pair->of[1].parts, pair->deep);
-        if (s->fault->value > 0) {
-            s->fault->other = high;
-            s->fault->allowed = pair->deep;
-            return KERN_OVERLAP;
-        }
+    kern_pair_tolerances(pair, s, KERN_SQRT(kern_min(
+        a->fixed ? KERN_HUGE : kern_abs(a->area),
+        b->fixed ? KERN_HUGE : kern_abs(b->area))));
+    pair->a = found.a = low;
+    pair->b = found.b = high;
+    found.allowed = pair->deep;
+    found.depth = kern_search_depth(s);
+    if (found.depth > 0 && !s->listing) {
+        s->fault->other = high;
+        s->fault->value = found.depth;
+        s->fault->allowed = found.allowed;
+        return KERN_OVERLAP;
     }
     s->fault->block = -1;
-    return s->listing ? KERN_OK : kern_pair_touch(pair);
+    if (!s->listing)
+        return kern_pair_touch(pair);
+    if (found.depth > 0 && s->overlaps++ < pair->room)
+        s->overlap[s->overlaps - 1] = found;
+    return KERN_OK;
 }
 
 /* ---- sweep and order ---- */
@@ -8927,45 +8928,36 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
 static kern_real kern_search_place(const kern_search *s, kern_vec p)
 { return s->upright ? p.y : p.x; }
 
-/* Of blocks[i] and blocks[j], or of contacts i and j where blocks is NULL. */
-static int kern_search_before(const kern_search *s, const int *blocks,
-                              int i, int j)
-{
-    const kern_contact *c, *d;
-    if (blocks)
-        return kern_search_place(s, s->block[blocks[i]].box.low) <
-               kern_search_place(s, s->block[blocks[j]].box.low);
-    c = &s->pair.out[i];
-    d = &s->pair.out[j];
-    if (c->b != d->b)
-        return c->b < d->b;
-    return c->a < d->a || (c->a == d->a && c->mu < d->mu);
-}
-
-static void kern_search_swap(const kern_search *s, int *blocks, int i, int j)
+/* Changes blocks[i] and blocks[j], or contacts i and j where blocks is NULL, if
+   the second comes before the first; 0: they are in order. */
+static int kern_search_swap(const kern_search *s, int *blocks, int i, int j)
 {
     if (blocks) {
-        const int keep = blocks[i];
+        const int first = blocks[i];
+        if (!(kern_search_place(s, s->block[blocks[j]].box.low) <
+              kern_search_place(s, s->block[first].box.low)))
+            return 0;
         blocks[i] = blocks[j];
-        blocks[j] = keep;
+        blocks[j] = first;
     } else {
-        const kern_contact keep = s->pair.out[i];
-        s->pair.out[i] = s->pair.out[j];
-        s->pair.out[j] = keep;
+        const kern_contact c = s->pair.out[i], d = s->pair.out[j];
+        if (c.b != d.b ? c.b < d.b : c.a != d.a ? c.a < d.a : c.mu < d.mu)
+            return 0;
+        s->pair.out[i] = d;
+        s->pair.out[j] = c;
     }
+    return 1;
 }
 
 static void kern_search_sort(const kern_search *s, int *blocks, int n)
 {
-    int gap, i, k;
-    for (gap = 1; gap < n / 9; gap = 3 * gap + 1)
-        continue;
+    int gap = 1, i, k;
+    while (gap < n / 9)
+        gap = 3 * gap + 1;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < n; i++)
-            for (k = i;
-                 k >= gap && kern_search_before(s, blocks, k, k - gap);
-                 k -= gap)
-                kern_search_swap(s, blocks, k, k - gap);
+            for (k = i; k >= gap && kern_search_swap(s, blocks, k - gap, k);)
+                k -= gap;
 }
 
 /* What follows from all blocks that have been looked at. */
@@ -8973,9 +8965,7 @@ static void kern_search_reach(kern_search *s)
 {
     s->upright = s->box.high.y - s->box.low.y > s->box.high.x - s->box.low.x;
     s->floor = KERN_FLOOR * kern_box_largest(&s->box);
-    s->reach = s->options->gap > 0 ? s->options->gap
-                                   : KERN_GAP * KERN_SQRT(s->area);
-    s->reach = kern_max(s->reach, s->floor) +
+    s->reach = kern_search_gap(s, KERN_SQRT(s->area)) +
                KERN_ERROR_SWING * s->options->turn * s->arm;
 }
 
@@ -9093,17 +9083,16 @@ static kern_status kern_search_survey(kern_search *s)
 /* Finds the contacts of the last block with all others. */
 static kern_status kern_search_last(kern_search *s)
 {
-    kern_status status = KERN_OK;
     const int b = s->blocks - 1;
     const kern_block *last = s->block + b;
+    kern_status status = KERN_OK;
     int a;
     kern_search_reach(s);
     for (a = 0; last->vertices && a < b && status >= 0; a++) {
         const kern_block *other = s->block + a;
         if (!other->vertices)
             continue;
-        if (kern_box_near(&other->box, &last->box, s->reach))
-            status = kern_search_pair(s, a, b);
+        status = kern_search_pair(s, a, b);
         /* one buffer for two stones: the first has lost its vertices */
         if (status >= 0 && other->vertex == last->vertex && !other->fixed) {
             s->fault->block = a;
@@ -9113,6 +9102,7 @@ static kern_status kern_search_last(kern_search *s)
     return status;
 }
 
+/* Checks what is handed in, `out` with so much room as well. */
 static kern_status kern_search_open(kern_search *s, const kern_block *block,
                                     int blocks, const kern_options *options,
                                     kern_contact *out, int room,
@@ -9141,24 +9131,37 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->pair.out = out;
     s->pair.room = room;
     s->pair.count = 0;
-    s->overlap = NULL;
-    s->listing = s->overlaps = s->overlap_room = 0;
+    s->listing = s->overlaps = 0;
     return KERN_OK;
+}
+
+/* Contacts of all blocks, or those of the last one alone. */
+static int kern_search_contacts(const kern_block *block, int blocks, int last,
+                                const kern_options *options, kern_contact *out,
+                                int room, kern_work *work)
+{
+    kern_search s;
+    kern_status status =
+        kern_search_open(&s, block, blocks, options, out, room, work);
+    s.from = last ? blocks - 1 : 0;
+    if (status >= 0)
+        status = kern_search_survey(&s);
+    if (status >= 0)
+        status = last ? kern_search_last(&s) : kern_search_sweep(&s, work);
+    return status < 0 ? (int)status : kern_search_close(&s);
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work)
+{ return kern_search_contacts(block, blocks, 0, options, out, room, work); }
+
+KERN_API int kern_touch(const kern_block *block, int b,
+                        const kern_options *options, kern_contact *out,
+                        int room, kern_work *work)
 {
-    kern_search s;
-    kern_status status;
-    s.from = 0;
-    status = kern_search_open(&s, block, blocks, options, out, room, work);
-    if (status >= 0)
-        status = kern_search_survey(&s);
-    if (status >= 0)
-        status = kern_search_sweep(&s, work);
-    return status < 0 ? (int)status : kern_search_close(&s);
+    return b < 0 ? (int)KERN_BAD_COUNT
+        : kern_search_contacts(block, b + 1, 1, options, out, room, work);
 }
 
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
@@ -9166,37 +9169,19 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            int room, kern_work *work)
 {
     kern_search s;
-    kern_status status;
+    kern_status status =
+        kern_search_open(&s, block, blocks, options, NULL, 0, work);
+    if (status >= 0 && (room < 0 || (room > 0 && !out)))
+        status = room < 0 ? KERN_BAD_COUNT : KERN_BAD_POINTER;
     s.from = 0;
-    status = kern_search_open(&s, block, blocks, options, NULL, 0, work);
-    if (status >= 0 && room < 0)
-        status = KERN_BAD_COUNT;
-    if (status >= 0 && room > 0 && !out)
-        status = KERN_BAD_POINTER;
-    if (status >= 0)
-        status = kern_search_survey(&s);
     s.listing = 1;
     s.overlap = out;
-    s.overlap_room = room;
+    s.pair.room = room;
+    if (status >= 0)
+        status = kern_search_survey(&s);
     if (status >= 0)
         status = kern_search_sweep(&s, work);
     return status < 0 ? (int)status : s.overlaps;
-}
-
-KERN_API int kern_touch(const kern_block *block, int b,
-                        const kern_options *options, kern_contact *out,
-                        int room, kern_work *work)
-{
-    kern_search s;
-    kern_status status = KERN_BAD_COUNT;
-    s.from = b;
-    if (b >= 0)
-        status = kern_search_open(&s, block, b + 1, options, out, room, work);
-    if (status >= 0)
-        status = kern_search_survey(&s);
-    if (status >= 0)
-        status = kern_search_last(&s);
-    return status < 0 ? (int)status : kern_search_close(&s);
 }
 
 /* ---- contacts that are given ---- */
