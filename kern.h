@@ -7726,40 +7726,34 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_STALE_AREA KERN_R(1e-3)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
-/* A polygon is read counter-clockwise, whichever way it was written. Vertices
-   that hardly turn are no corners. */
+/* Vertices are counted as written, which may be clockwise: the area is below 0
+   then. Those that hardly turn are no corners. */
 
-static kern_vec kern_polygon_at(const kern_block *block, int i)
-{ return block->vertex[block->area < 0 ? block->vertices - 1 - i : i]; }
-
-static kern_vec kern_polygon_way(const kern_block *block, int from, int to)
+/* The vertex behind i, or the one before. */
+static int kern_polygon_next(const kern_block *block, int i, int back)
 {
-    return kern_vec_sub(kern_polygon_at(block, to),
-                        kern_polygon_at(block, from));
+    if (back)
+        return i > 0 ? i - 1 : block->vertices - 1;
+    return i + 1 < block->vertices ? i + 1 : 0;
 }
 
-static int kern_polygon_next(const kern_block *block, int i)
-{ return i + 1 < block->vertices ? i + 1 : 0; }
-
-static int kern_polygon_prev(const kern_block *block, int i)
-{ return i > 0 ? i - 1 : block->vertices - 1; }
-
-/* How vertex i turns: 1 left (convex), -1 right (reflex), 0 hardly at all, and
-   2 if it turns back: a spike, or a vertex that is repeated. */
+/* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
+   (reflex), 0 hardly at all, and 2 if it turns back: a spike, or a vertex that
+   is repeated. */
 static int kern_polygon_turn(const kern_block *block, int i)
 {
-    const kern_vec p = kern_polygon_at(block, i);
+    const kern_vec p = block->vertex[i];
     const kern_vec in = kern_vec_sub(
-        p, kern_polygon_at(block, kern_polygon_prev(block, i)));
+        p, block->vertex[kern_polygon_next(block, i, 1)]);
     const kern_vec out = kern_vec_sub(
-        kern_polygon_at(block, kern_polygon_next(block, i)), p);
+        block->vertex[kern_polygon_next(block, i, 0)], p);
     const kern_real turn = kern_vec_cross(in, out);
     const kern_real least = KERN_TURN * kern_vec_dot(in, out);
     if (kern_abs(turn) < least)
         return 0;
     if (kern_abs(turn) <= -least)
         return 2;
-    return turn > 0 ? 1 : -1;
+    return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
 /* The next corner, or the one before. */
@@ -7767,7 +7761,7 @@ static int kern_polygon_corner(const kern_block *block, int i, int back)
 {
     const int start = i;
     do
-        i = back ? kern_polygon_prev(block, i) : kern_polygon_next(block, i);
+        i = kern_polygon_next(block, i, back);
     while (i != start && kern_polygon_turn(block, i) == 0);
     return i;
 }
@@ -7793,13 +7787,14 @@ static kern_real kern_box_largest(const kern_box *box)
 { return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
 
 /* ---- parts ---- */
-/* An outline is looked at part by part: runs of as many edges, each with its
-   box. What is far from a part's box is far from its edges, so outlines of many
-   vertices cost some hundreds of edges a look, and not all. */
+/* An outline is looked at part by part: runs of as many vertices, each with the
+   box of the edges from corner to corner that start there. What is far from a
+   part's box is far from its edges, so outlines of many vertices cost some
+   hundreds of edges a look, and not all. */
 
 typedef struct kern_parts {
     const kern_block *block;
-    int each;               /* edges of a part, in the order written */
+    int each;               /* vertices of a part */
     kern_box box[KERN_PARTS];
 } kern_parts;
 
@@ -7810,39 +7805,37 @@ static void kern_parts_set(kern_parts *parts, const kern_block *block)
     parts->each = block->vertices / KERN_PARTS + KERN_PART_EDGES;
     for (i = 0; i < block->vertices; i++) {
         kern_box *box = &parts->box[i / parts->each];
-        const kern_vec end = block->vertex[kern_polygon_next(block, i)];
+        const int end = kern_polygon_next(block, i, 0);
         if (i % parts->each == 0)
-            kern_box_set(box, block->vertex[i], end);
-        else
-            kern_box_add(box, end);
+            kern_box_set(box, block->vertex[i], block->vertex[i]);
+        kern_box_add(box, block->vertex[end]);
+        if (block->vertices > parts->each && (!end || end % parts->each == 0))
+            kern_box_add(box, block->vertex[kern_polygon_corner(block, i, 0)]);
     }
 }
 
-/* The first edge from i on, counted counter-clockwise, whose part is near the
-   box; the number of edges if there is none. */
+/* The first vertex from i on whose part is near the box; not below the number
+   of vertices if there is none. */
 static int kern_parts_near(const kern_parts *parts, int i, const kern_box *box,
                            kern_real gap)
 {
-    const int n = parts->block->vertices, back = parts->block->area < 0;
-    while (i < n) {
-        const int at = back ? (2 * n - 2 - i) % n : i;
-        if (kern_box_near(&parts->box[at / parts->each], box, gap))
-            return i;
-        i += back ? at % parts->each + 1 : parts->each - at % parts->each;
-    }
-    return n;
+    while (i < parts->block->vertices &&
+           !kern_box_near(&parts->box[i / parts->each], box, gap))
+        i += parts->each - i % parts->each;
+    return i;
 }
 
 /* ---- places ---- */
 
-/* Square of the distance of the origin from the edge from u to v. */
+/* Square of the distance of the origin from the edge from u to v, which may be
+   a point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
     const kern_vec d = kern_vec_sub(v, u);
     const kern_real whole = kern_vec_dot(d, d);
     const kern_real along =
         kern_min(kern_max(-kern_vec_dot(u, d), 0), whole);
-    const kern_vec r = kern_vec_step(u, along / whole, d);
+    const kern_vec r = kern_vec_step(u, whole > 0 ? along / whole : 0, d);
     return kern_vec_dot(r, r);
 }
 
@@ -7866,14 +7859,14 @@ static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
     const kern_vec *vertex = block->vertex;
     const int n = block->vertices;
     const kern_real guess = kern_edge_square(
-        kern_vec_sub(vertex[kern_polygon_prev(block, *nearest)], p),
+        kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 1)], p),
         kern_vec_sub(vertex[*nearest], p));
     kern_vec u = kern_vec_sub(vertex[n - 1], p);
     kern_real least = KERN_HUGE;
     int i = 0, end, inside = 0;
     for (end = 1; i < n; end = n - end > parts->each ? end + parts->each : n) {
         const kern_box *box =
-            &parts->box[kern_polygon_prev(block, i) / parts->each];
+            &parts->box[kern_polygon_next(block, i, 1) / parts->each];
         const int skip = kern_box_beyond(box, p, kern_min(least, guess));
         for (i = skip ? end - 1 : i; i < end; i++) {
             const kern_vec v = kern_vec_sub(vertex[i], p);
@@ -7907,7 +7900,7 @@ static int kern_polygon_meets(const kern_parts *parts, int i)
 {
     const kern_block *block = parts->block;
     const kern_vec p = block->vertex[i];
-    const kern_vec q = block->vertex[kern_polygon_next(block, i)];
+    const kern_vec q = block->vertex[kern_polygon_next(block, i, 0)];
     const int end = block->vertices - (i == 0);
     kern_box box, other;
     int k = i + 2, stop;
@@ -7916,7 +7909,7 @@ static int kern_polygon_meets(const kern_parts *parts, int i)
         for (stop = k + parts->each - k % parts->each; k < stop && k < end;
              k++) {
             const kern_vec u = block->vertex[k];
-            const kern_vec v = block->vertex[kern_polygon_next(block, k)];
+            const kern_vec v = block->vertex[kern_polygon_next(block, k, 0)];
             kern_box_set(&other, u, v);
             if (kern_box_near(&box, &other, 0) &&
                 !kern_one_side(p, q, u, v) && !kern_one_side(u, v, p, q))
@@ -7944,8 +7937,8 @@ static kern_status kern_polygon_simple(const kern_block *block,
             return KERN_CROSSING;
         left |= turn > 0;
         right |= turn < 0;
-        lowest += v[kern_polygon_next(block, i)].y > v[i].y &&
-                  !(v[i].y > v[kern_polygon_prev(block, i)].y);
+        lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y &&
+                  !(v[i].y > v[kern_polygon_next(block, i, 1)].y);
     }
     if (!(left && right) && lowest < 2)
         return KERN_OK;
@@ -7972,7 +7965,7 @@ static kern_real kern_polygon_area(const kern_block *block, kern_box *box,
     for (i = 0; i < block->vertices; i++) {
         const kern_vec o = block->vertex[0], p = block->vertex[i];
         const kern_vec u = kern_vec_sub(p, o), w = kern_vec_sub(
-            block->vertex[kern_polygon_next(block, i)], o);
+            block->vertex[kern_polygon_next(block, i, 0)], o);
         const kern_real part = kern_vec_cross(u, w) / 2;
         kern_box_add(box, p);
         area += part;
@@ -8119,9 +8112,11 @@ static int kern_overlap_parted(const kern_block *a, const kern_block *b,
 {
     int i;
     for (i = 0; i < a->vertices; i++) {
-        const kern_vec p = kern_polygon_at(a, i);
-        const kern_vec d = kern_vec_unit(
-            kern_polygon_way(a, i, kern_polygon_next(a, i)));
+        const int end = kern_polygon_next(a, i, 0);
+        const kern_vec p = a->vertex[i];
+        const kern_vec d = kern_vec_unit(a->area < 0
+            ? kern_vec_sub(p, a->vertex[end])
+            : kern_vec_sub(a->vertex[end], p));
         if (kern_overlap_beside(b, p, d, gap / 2) &&
             kern_overlap_beside(a, p, kern_vec_scale(d, -1), gap / 2))
             return 1;
@@ -8134,7 +8129,7 @@ static int kern_overlap_parted(const kern_block *a, const kern_block *b,
 static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
                                     kern_vec p, kern_vec d, kern_real most)
 {
-    const kern_vec u = b->vertex[kern_polygon_prev(b, i)];
+    const kern_vec u = b->vertex[kern_polygon_next(b, i, 1)];
     const kern_vec f = kern_vec_sub(b->vertex[i], u), r = kern_vec_sub(p, u);
     const kern_real square = kern_vec_dot(f, f);
     const kern_real wide = gap * KERN_SQRT(square);
@@ -8154,7 +8149,7 @@ static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
     int i, nearest = 0;
     for (i = 0; i < a->block->vertices; i++) {
         const kern_vec p = a->block->vertex[i];
-        const kern_vec q = a->block->vertex[kern_polygon_next(a->block, i)];
+        const kern_vec q = a->block->vertex[kern_polygon_next(a->block, i, 0)];
         const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
         const kern_real length = kern_vec_dot(way, d);
         kern_real s, step, stride = gap * KERN_STRIDE;
@@ -8223,20 +8218,22 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
 
 /* ---- edges ---- */
 
-/* The way from corner `start` to corner `end`: an edge or a chord. */
+/* The way from one corner to another, counter-clockwise: an edge or a chord. */
 typedef struct kern_edge {
-    int start, end;         /* corners                               */
+    int at, to;             /* corners as written                    */
+    int start, end;         /* the same, counter-clockwise           */
     kern_vec p, q, d;       /* their places; unit direction          */
     kern_real length;
 } kern_edge;
 
-static void kern_edge_set(kern_edge *e, const kern_block *block, int start,
-                          int end)
+static void kern_edge_set(kern_edge *e, const kern_block *block, int at, int to)
 {
-    e->start = start;
-    e->end = end;
-    e->p = kern_polygon_at(block, start);
-    e->q = kern_polygon_at(block, end);
+    e->at = at;
+    e->to = to;
+    e->start = block->area < 0 ? to : at;
+    e->end = block->area < 0 ? at : to;
+    e->p = block->vertex[e->start];
+    e->q = block->vertex[e->end];
     e->d = kern_vec_sub(e->q, e->p);
     e->length = kern_vec_length(e->d);
     e->d = kern_vec_scale(e->d, 1 / e->length);
@@ -8249,35 +8246,23 @@ static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
 static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
 { return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
 
-/* Before the first edge. */
-static void kern_edge_open(kern_edge *e, const kern_block *block)
-{
-    e->start = -1;
-    e->end = kern_polygon_corner(block, block->vertices - 1, 0);
-}
-
-/* Goes to the next edge that is near the box; 0: there is none. An edge with
-   vertices that are no corners may lie in several parts: that before the first
-   near part is tried as well. */
+/* Goes to the first edge that starts behind vertex e->at and is near the box;
+   0: there is none. */
 static int kern_edge_next(kern_edge *e, const kern_parts *parts,
                           const kern_box *box, kern_real gap)
 {
     const kern_block *block = parts->block;
-    while (e->start < e->end) { /* the last one ends where the first began */
-        const int at = kern_parts_near(parts, e->end, box, 2 * gap);
-        const int from = at == e->end ? at : kern_polygon_corner(
-            block, at + 1 < block->vertices ? at + 1 : 0, 1);
-        const int end = kern_polygon_corner(block, from, 0);
-        kern_box own;
-        kern_box_set(&own, kern_polygon_at(block, from),
-                     kern_polygon_at(block, end));
-        e->start = from;
-        e->end = end;
-        if (!kern_box_near(&own, box, gap))
-            continue;
-        kern_edge_set(e, block, from, end);
-        return 1;
-    }
+    int i = e->at, corner = e->to;
+    while ((i = kern_parts_near(parts, i + 1, box, gap)) < block->vertices)
+        if (i == corner || kern_polygon_turn(block, i) != 0) {
+            kern_box own;
+            corner = kern_polygon_corner(block, i, 0);
+            kern_box_set(&own, block->vertex[i], block->vertex[corner]);
+            if (kern_box_near(&own, box, gap)) {
+                kern_edge_set(e, block, i, corner);
+                return 1;
+            }
+        }
     return 0;
 }
 
@@ -8286,127 +8271,108 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
    rounding. Their simplification (Douglas & Peucker 1973) tells the place and
    the normal of a contact there. It is not stored: the span of an edge is found
    from the whole outline, which is split until no corner is farther than a step
-   from the chord. The nested spans on the way serve the next edge, which is a
-   neighbour as a rule. */
+   from the chord. A span without a reflex corner has no steps, and is not
+   split. The nested spans on the way serve the next edge, which is a neighbour
+   as a rule. */
 
 typedef struct kern_span {
-    int start, end;         /* corners; equal: the whole outline */
+    int start, end;         /* corners; equal: the whole outline         */
+    int steps;              /* nonzero: its chord stands for its edges;
+                               -1: it may be split                       */
 } kern_span;
 
 typedef struct kern_outline {
     kern_parts parts;
-    kern_span span[KERN_SPANS]; /* each lies in the one before            */
-    int spans;              /* so many; 0: not known yet                  */
-    int steps;              /* whether the last one, which is split no
-                               further, has steps; -1: it may be split    */
+    kern_span span[KERN_SPANS]; /* each lies in the one before */
+    int spans;              /* so many; 0: not known yet       */
 } kern_outline;
 
-static void kern_outline_open(kern_outline *o, const kern_block *block)
+/* Does the edge that starts at corner i lie in the span? */
+static int kern_span_holds(const kern_block *block, const kern_span *span,
+                           int i)
 {
-    kern_parts_set(&o->parts, block);
-    o->spans = 0;
+    const int n = block->vertices;
+    return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n;
 }
 
-/* The whole outline as a span from the corner farthest from the centre. A
-   convex outline is not split, and has no steps. */
+static int kern_span_is_convex(const kern_block *block, const kern_span *span)
+{
+    int i = span->start;
+    do
+        i = kern_polygon_next(block, i, 0);
+    while (i != span->end && kern_polygon_turn(block, i) >= 0);
+    return i == span->end;
+}
+
+/* The corner of the span that is farthest from the way from p to q, by more
+   than `most`; its end if there is none. */
+static int kern_span_split(const kern_block *block, const kern_span *span,
+                           kern_vec p, kern_vec q, kern_real most)
+{
+    const kern_vec d = kern_vec_sub(q, p);
+    int i = span->start, at = span->end;
+    most *= most;
+    while ((i = kern_polygon_corner(block, i, 0)) != span->end) {
+        const kern_vec r = kern_vec_sub(p, block->vertex[i]);
+        const kern_real square = kern_edge_square(r, kern_vec_add(r, d));
+        if (square > most) {
+            most = square;
+            at = i;
+        }
+    }
+    return at;
+}
+
+/* The whole outline is a span: from a convex corner, or the corner farthest
+   from the centre. */
 static void kern_outline_whole(kern_outline *o)
 {
     const kern_block *block = o->parts.block;
-    kern_real most = -1;
-    int i, start = 0, reflex = 0;
-    for (i = 0; i < block->vertices; i++) {
-        const int turn = kern_polygon_turn(block, i);
-        const kern_vec r = kern_vec_sub(kern_polygon_at(block, i),
-                                        block->centre);
-        const kern_real square = kern_vec_dot(r, r);
-        reflex |= turn < 0;
-        if (square > most && turn != 0) {
-            most = square;
-            start = i;
-        }
-    }
-    o->span[0].start = o->span[0].end = start;
+    const kern_vec c = block->centre;
+    kern_span *whole = o->span;
+    int i = 0;
+    while (i + 1 < block->vertices && kern_polygon_turn(block, i) <= 0)
+        i++;
+    whole->start = whole->end = i;
+    whole->steps = -!kern_span_is_convex(block, whole);
+    if (whole->steps)
+        whole->start = whole->end = kern_span_split(
+            block, whole, c, c,
+            kern_vec_length(kern_vec_sub(block->vertex[i], c)));
     o->spans = 1;
-    o->steps = -reflex;
-}
-
-/* Does the edge or span that starts at corner i lie in the span? */
-static int kern_span_holds(const kern_block *block, kern_span span, int i)
-{
-    const int n = block->vertices;
-    return (i - span.start + n) % n <= (span.end - span.start - 1 + n) % n;
-}
-
-/* Where to split the span: at the corner farthest from its chord, if that is
-   farther than a step, else at its end. */
-static int kern_span_split(const kern_block *block, kern_span span,
-                           kern_real step)
-{
-    const kern_vec p = kern_polygon_at(block, span.start);
-    const kern_vec d = kern_polygon_way(block, span.start, span.end);
-    const int whole = span.start == span.end; /* its chord is a point */
-    kern_real most = step * step;
-    int i = span.start, part = span.end;
-    while ((i = kern_polygon_corner(block, i, 0)) != span.end) {
-        const kern_vec r = kern_vec_sub(p, kern_polygon_at(block, i));
-        const kern_real square = whole
-            ? kern_vec_dot(r, r) : kern_edge_square(r, kern_vec_add(r, d));
-        if (square > most) {
-            most = square;
-            part = i;
-        }
-    }
-    return part;
-}
-
-/* Has the span a step: does its chord leave out a reflex corner? */
-static int kern_span_steps(const kern_block *block, kern_span span)
-{
-    int i = kern_polygon_corner(block, span.start, 0);
-    while (i != span.end && kern_polygon_turn(block, i) > 0)
-        i = kern_polygon_corner(block, i, 0);
-    return i != span.end && span.start != span.end;
-}
-
-/* Makes the last span the smallest that holds the edge at corner i. */
-static kern_span kern_outline_span(kern_outline *o, kern_real step, int i)
-{
-    const kern_block *block = o->parts.block;
-    kern_span span;
-    while (!kern_span_holds(block, o->span[o->spans - 1], i)) {
-        o->spans--;
-        o->steps = -1;
-    }
-    span = o->span[o->spans - 1];
-    while (o->steps < 0) {
-        kern_span before = span;
-        before.end = kern_span_split(block, span, step);
-        if (before.end == span.end) {
-            o->steps = kern_span_steps(block, span);
-        } else {
-            if (kern_span_holds(block, before, i))
-                span.end = before.end;
-            else
-                span.start = before.end;
-            o->spans += o->spans < KERN_SPANS;
-            o->span[o->spans - 1] = span;
-        }
-    }
-    return span;
 }
 
 /* The chord that stands for an edge: 1, or the edge itself: 0. */
 static int kern_outline_chord(kern_outline *o, kern_real step,
                               const kern_edge *e, kern_edge *chord)
 {
-    kern_span span;
+    const kern_block *block = o->parts.block;
+    kern_span *span, half;
     if (!o->spans)
         kern_outline_whole(o);
-    span = kern_outline_span(o, step, e->start);
+    while (!kern_span_holds(block, &o->span[o->spans - 1], e->at))
+        o->spans--;
+    while ((span = &o->span[o->spans - 1])->steps < 0) {
+        half = *span;
+        span->steps = !kern_span_is_convex(block, span);
+        if (span->steps)
+            half.end = kern_span_split(
+                block, span, block->vertex[span->start],
+                block->vertex[span->end], span->start == span->end ? 0 : step);
+        if (half.end == span->end)
+            break;
+        if (!kern_span_holds(block, &half, e->at)) {
+            half.start = half.end;
+            half.end = span->end;
+        }
+        span->steps = -1;
+        o->spans += o->spans < KERN_SPANS;
+        o->span[o->spans - 1] = half;
+    }
     *chord = *e;
-    if (o->steps)
-        kern_edge_set(chord, o->parts.block, span.start, span.end);
-    return o->steps;
+    if (span->steps)
+        kern_edge_set(chord, block, span->start, span->end);
+    return span->steps;
 }
 
 /* ---- the pair ---- */
@@ -8500,8 +8466,8 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
     int i = corner;
     *p = back ? f->p : f->q;
     do {
-        i = back ? kern_polygon_prev(block, i) : kern_polygon_next(block, i);
-        way = kern_polygon_way(block, corner, i);
+        i = kern_polygon_next(block, i, back == (block->area > 0));
+        way = kern_vec_sub(block->vertex[i], block->vertex[corner]);
     } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * step);
     return !kern_chord_inward(e, way) &&
            !kern_chord_inward(e, kern_vec_sub(back ? f->q : f->p, *p));
@@ -8618,8 +8584,8 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *f,
     if (high > wide || high < -kern_max(wide, pair->deep) ||
         kern_vec_cross(f->d, e->d) < -pair->sine)
         return;
-    back = kern_vec_unit(
-        kern_polygon_way(own, f->start, kern_polygon_prev(own, f->start)));
+    back = kern_vec_unit(kern_vec_sub(own->vertex[kern_polygon_next(
+        own, f->start, own->area > 0)], f->p));
     if (kern_vec_cross(back, f->d) > 0 ||
         kern_vec_cross(back, e->d) < -pair->sine ||
         !kern_edge_bears(e, pair->of[on].parts.block, p,
@@ -8639,10 +8605,10 @@ static void kern_pair_edges(kern_pair *pair)
     const kern_parts *a = &pair->of[0].parts, *b = &pair->of[1].parts;
     kern_edge e, f;
     kern_box box;
-    kern_edge_open(&e, a->block);
+    e.at = e.to = -1;
     while (kern_edge_next(&e, a, &b->block->box, pair->reach)) {
         kern_box_set(&box, e.p, e.q);
-        kern_edge_open(&f, b->block);
+        f.at = f.to = -1;
         while (kern_edge_next(&f, b, &box, pair->reach)) {
             kern_pair_line(pair, &e, &f);
             kern_pair_point(pair, &e, &f, 1);
@@ -8895,8 +8861,9 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     s->fault->block = low;
     if (low < s->from && kern_block_is_stale(a))
         return KERN_STALE;
-    kern_outline_open(&pair->of[0], a);
-    kern_outline_open(&pair->of[1], b);
+    kern_parts_set(&pair->of[0].parts, a);
+    kern_parts_set(&pair->of[1].parts, b);
+    pair->of[0].spans = pair->of[1].spans = 0;
     kern_pair_tolerances(pair, s, KERN_SQRT(kern_min(
         a->fixed ? KERN_HUGE : kern_abs(a->area),
         b->fixed ? KERN_HUGE : kern_abs(b->area))));
@@ -9092,7 +9059,8 @@ static kern_status kern_search_last(kern_search *s)
         const kern_block *other = s->block + a;
         if (!other->vertices)
             continue;
-        status = kern_search_pair(s, a, b);
+        if (kern_box_near(&other->box, &last->box, s->reach))
+            status = kern_search_pair(s, a, b);
         /* one buffer for two stones: the first has lost its vertices */
         if (status >= 0 && other->vertex == last->vertex && !other->fixed) {
             s->fault->block = a;

@@ -3362,7 +3362,8 @@ static int structure_with_steps(world *to, const world *from)
         if (b->vertices < 3 || b->vertices > 16)
             return 0;
         for (k = 0; k < b->vertices; k++) {
-            const kern_vec v = kern_polygon_at(b, k);
+            const kern_vec v =
+                b->vertex[b->area < 0 ? b->vertices - 1 - k : k];
             xy[2 * k] = (double)v.x;
             xy[2 * k + 1] = (double)v.y;
         }
