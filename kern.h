@@ -7756,16 +7756,6 @@ static int kern_polygon_turn(const kern_block *block, int i)
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
 
-/* The next corner, or the one before. */
-static int kern_polygon_corner(const kern_block *block, int i, int back)
-{
-    const int start = i;
-    do
-        i = kern_polygon_next(block, i, back);
-    while (i != start && kern_polygon_turn(block, i) == 0);
-    return i;
-}
-
 /* ---- boxes ---- */
 
 /* The least box with p and q in it. */
@@ -7794,23 +7784,41 @@ static kern_real kern_box_largest(const kern_box *box)
 
 typedef struct kern_parts {
     const kern_block *block;
-    int each;               /* vertices of a part */
+    int each;               /* vertices of a part         */
+    int straight, reflex;   /* are there such vertices?   */
     kern_box box[KERN_PARTS];
 } kern_parts;
+
+/* The next corner. */
+static int kern_parts_corner(const kern_parts *parts, int i)
+{
+    const int start = i;
+    do
+        i = kern_polygon_next(parts->block, i, 0);
+    while (parts->straight && i != start
+           && kern_polygon_turn(parts->block, i) == 0);
+    return i;
+}
 
 static void kern_parts_set(kern_parts *parts, const kern_block *block)
 {
     int i;
     parts->block = block;
     parts->each = block->vertices / KERN_PARTS + KERN_PART_EDGES;
+    parts->straight = parts->reflex = 0;
+    for (i = 0; i < block->vertices; i++) {
+        const int turn = kern_polygon_turn(block, i);
+        parts->straight |= turn == 0;
+        parts->reflex |= turn < 0;
+    }
     for (i = 0; i < block->vertices; i++) {
         kern_box *box = &parts->box[i / parts->each];
         const int end = kern_polygon_next(block, i, 0);
         if (i % parts->each == 0)
             kern_box_set(box, block->vertex[i], block->vertex[i]);
         kern_box_add(box, block->vertex[end]);
-        if (block->vertices > parts->each && (!end || end % parts->each == 0))
-            kern_box_add(box, block->vertex[kern_polygon_corner(block, i, 0)]);
+        if (parts->straight && (!end || end % parts->each == 0))
+            kern_box_add(box, block->vertex[kern_parts_corner(parts, i)]);
     }
 }
 
@@ -7823,6 +7831,59 @@ static int kern_parts_near(const kern_parts *parts, int i, const kern_box *box,
            !kern_box_near(&parts->box[i / parts->each], box, gap))
         i += parts->each - i % parts->each;
     return i;
+}
+
+/* ---- edges ---- */
+
+/* The way from one corner to another, counter-clockwise: an edge or a chord. */
+typedef struct kern_edge {
+    int at, to;             /* corners as written                    */
+    int start, end;         /* the same, counter-clockwise           */
+    kern_vec p, q, d;       /* their places; unit direction          */
+    kern_real length;
+    kern_box box;           /* of an edge                            */
+} kern_edge;
+
+static void kern_edge_set(kern_edge *e, const kern_block *block, int at, int to)
+{
+    e->at = at;
+    e->to = to;
+    e->start = block->area < 0 ? to : at;
+    e->end = block->area < 0 ? at : to;
+    e->p = block->vertex[e->start];
+    e->q = block->vertex[e->end];
+    e->d = kern_vec_sub(e->q, e->p);
+    e->length = kern_vec_length(e->d);
+    e->d = kern_vec_scale(e->d, 1 / e->length);
+}
+
+/* Where the foot of p on the line of e is, from its start on. */
+static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
+{ return kern_vec_dot(kern_vec_sub(p, e->p), e->d); }
+
+static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
+{ return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
+
+static void kern_edge_open(kern_edge *e)
+{ e->at = e->to = -1; }
+
+/* Goes to the first edge that starts behind vertex e->at and is near the box;
+   0: there is none. */
+static int kern_edge_next(kern_edge *e, const kern_parts *parts,
+                          const kern_box *box, kern_real gap)
+{
+    const kern_block *block = parts->block;
+    int i = e->at, corner;
+    while ((i = kern_parts_near(parts, i + 1, box, gap)) < block->vertices)
+        if (!parts->straight || kern_polygon_turn(block, i) != 0) {
+            corner = kern_parts_corner(parts, i);
+            kern_box_set(&e->box, block->vertex[i], block->vertex[corner]);
+            if (kern_box_near(&e->box, box, gap)) {
+                kern_edge_set(e, block, i, corner);
+                return 1;
+            }
+        }
+    return 0;
 }
 
 /* ---- places ---- */
@@ -7894,27 +7955,16 @@ static int kern_one_side(kern_vec u, kern_vec v, kern_vec p, kern_vec q)
     return (from > 0 && to > 0) || (from < 0 && to < 0);
 }
 
-/* Does edge i touch an edge behind it that is not its neighbour? Edges whose
-   boxes meet do, unless one lies on one side of the other. */
-static int kern_polygon_meets(const kern_parts *parts, int i)
+/* Does the edge touch one behind it that is not its neighbour? Edges whose boxes
+   meet do, unless one lies on one side of the other. */
+static int kern_edge_meets(const kern_edge *e, const kern_parts *parts)
 {
-    const kern_block *block = parts->block;
-    const kern_vec p = block->vertex[i];
-    const kern_vec q = block->vertex[kern_polygon_next(block, i, 0)];
-    const int end = block->vertices - (i == 0);
-    kern_box box, other;
-    int k = i + 2, stop;
-    kern_box_set(&box, p, q);
-    while ((k = kern_parts_near(parts, k, &box, 0)) < end)
-        for (stop = k + parts->each - k % parts->each; k < stop && k < end;
-             k++) {
-            const kern_vec u = block->vertex[k];
-            const kern_vec v = block->vertex[kern_polygon_next(block, k, 0)];
-            kern_box_set(&other, u, v);
-            if (kern_box_near(&box, &other, 0) &&
-                !kern_one_side(p, q, u, v) && !kern_one_side(u, v, p, q))
-                return 1;
-        }
+    kern_edge f = *e;
+    while (kern_edge_next(&f, parts, &e->box, 0))
+        if (f.at != e->to && f.to != e->at &&
+            !kern_one_side(e->p, e->q, f.p, f.q) &&
+            !kern_one_side(f.p, f.q, e->p, e->q))
+            return 1;
     return 0;
 }
 
@@ -7929,6 +7979,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
     const kern_vec *v = block->vertex;
     const int n = block->vertices;
     kern_parts parts;
+    kern_edge e;
     int i, left = 0, right = 0, lowest = 0;
     for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
@@ -7943,9 +7994,10 @@ static kern_status kern_polygon_simple(const kern_block *block,
     if (!(left && right) && lowest < 2)
         return KERN_OK;
     kern_parts_set(&parts, block);
-    for (i = 0; i < n; i++) {
-        fault->index = i;
-        if (kern_polygon_meets(&parts, i))
+    kern_edge_open(&e);
+    while (kern_edge_next(&e, &parts, &block->box, 0)) {
+        fault->index = e.at;
+        if (kern_edge_meets(&e, &parts))
             return KERN_CROSSING;
     }
     return KERN_OK;
@@ -8110,15 +8162,12 @@ static int kern_overlap_beside(const kern_block *block, kern_vec p, kern_vec d,
 static int kern_overlap_parted(const kern_block *a, const kern_block *b,
                                kern_real gap)
 {
+    kern_edge e;
     int i;
     for (i = 0; i < a->vertices; i++) {
-        const int end = kern_polygon_next(a, i, 0);
-        const kern_vec p = a->vertex[i];
-        const kern_vec d = kern_vec_unit(a->area < 0
-            ? kern_vec_sub(p, a->vertex[end])
-            : kern_vec_sub(a->vertex[end], p));
-        if (kern_overlap_beside(b, p, d, gap / 2) &&
-            kern_overlap_beside(a, p, kern_vec_scale(d, -1), gap / 2))
+        kern_edge_set(&e, a, i, kern_polygon_next(a, i, 0));
+        if (kern_overlap_beside(b, e.p, e.d, gap / 2) &&
+            kern_overlap_beside(a, e.p, kern_vec_scale(e.d, -1), gap / 2))
             return 1;
     }
     return 0;
@@ -8146,25 +8195,19 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
 static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
                                        kern_real gap)
 {
-    int i, nearest = 0;
-    for (i = 0; i < a->block->vertices; i++) {
-        const kern_vec p = a->block->vertex[i];
-        const kern_vec q = a->block->vertex[kern_polygon_next(a->block, i, 0)];
-        const kern_vec way = kern_vec_sub(q, p), d = kern_vec_unit(way);
-        const kern_real length = kern_vec_dot(way, d);
+    kern_edge e;
+    int nearest = 0;
+    kern_edge_open(&e);
+    while (kern_edge_next(&e, a, &b->block->box, -gap)) {
         kern_real s, step, stride = gap * KERN_STRIDE;
         int left = KERN_STRIDES + 8 * b->block->vertices;
-        kern_box box;
-        kern_box_set(&box, p, q);
-        if (!kern_box_near(&box, &b->block->box, -gap))
-            continue;
-        for (s = 0; s < length; s += step) {
-            const kern_vec at = kern_vec_step(p, s, d);
+        for (s = 0; s < e.length; s += step) {
+            const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
             if (depth > gap)
                 return depth;
-            step = kern_overlap_along(b->block, nearest, gap, at, d,
-                                      length - s);
+            step = kern_overlap_along(b->block, nearest, gap, at, e.d,
+                                      e.length - s);
             step = kern_max(step, gap - depth + stride);
             if (--left < 0)
                 stride *= 2;
@@ -8216,56 +8259,6 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
     return depth > 0 ? depth : kern_overlap_inner(b, a, gap);
 }
 
-/* ---- edges ---- */
-
-/* The way from one corner to another, counter-clockwise: an edge or a chord. */
-typedef struct kern_edge {
-    int at, to;             /* corners as written                    */
-    int start, end;         /* the same, counter-clockwise           */
-    kern_vec p, q, d;       /* their places; unit direction          */
-    kern_real length;
-} kern_edge;
-
-static void kern_edge_set(kern_edge *e, const kern_block *block, int at, int to)
-{
-    e->at = at;
-    e->to = to;
-    e->start = block->area < 0 ? to : at;
-    e->end = block->area < 0 ? at : to;
-    e->p = block->vertex[e->start];
-    e->q = block->vertex[e->end];
-    e->d = kern_vec_sub(e->q, e->p);
-    e->length = kern_vec_length(e->d);
-    e->d = kern_vec_scale(e->d, 1 / e->length);
-}
-
-/* Where the foot of p on the line of e is, from its start on. */
-static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
-{ return kern_vec_dot(kern_vec_sub(p, e->p), e->d); }
-
-static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
-{ return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
-
-/* Goes to the first edge that starts behind vertex e->at and is near the box;
-   0: there is none. */
-static int kern_edge_next(kern_edge *e, const kern_parts *parts,
-                          const kern_box *box, kern_real gap)
-{
-    const kern_block *block = parts->block;
-    int i = e->at, corner = e->to;
-    while ((i = kern_parts_near(parts, i + 1, box, gap)) < block->vertices)
-        if (i == corner || kern_polygon_turn(block, i) != 0) {
-            kern_box own;
-            corner = kern_polygon_corner(block, i, 0);
-            kern_box_set(&own, block->vertex[i], block->vertex[corner]);
-            if (kern_box_near(&own, box, gap)) {
-                kern_edge_set(e, block, i, corner);
-                return 1;
-            }
-        }
-    return 0;
-}
-
 /* ---- simplified outlines ---- */
 /* Outlines from images and from clippers have steps of a pixel or of a
    rounding. Their simplification (Douglas & Peucker 1973) tells the place and
@@ -8306,14 +8299,14 @@ static int kern_span_is_convex(const kern_block *block, const kern_span *span)
 
 /* The corner of the span that is farthest from the way from p to q, by more
    than `most`; its end if there is none. */
-static int kern_span_split(const kern_block *block, const kern_span *span,
+static int kern_span_split(const kern_parts *parts, const kern_span *span,
                            kern_vec p, kern_vec q, kern_real most)
 {
     const kern_vec d = kern_vec_sub(q, p);
     int i = span->start, at = span->end;
     most *= most;
-    while ((i = kern_polygon_corner(block, i, 0)) != span->end) {
-        const kern_vec r = kern_vec_sub(p, block->vertex[i]);
+    while ((i = kern_parts_corner(parts, i)) != span->end) {
+        const kern_vec r = kern_vec_sub(p, parts->block->vertex[i]);
         const kern_real square = kern_edge_square(r, kern_vec_add(r, d));
         if (square > most) {
             most = square;
@@ -8323,31 +8316,31 @@ static int kern_span_split(const kern_block *block, const kern_span *span,
     return at;
 }
 
-/* The whole outline is a span: from a convex corner, or the corner farthest
-   from the centre. */
+/* The whole outline is a span from the corner farthest from the centre. */
 static void kern_outline_whole(kern_outline *o)
 {
     const kern_block *block = o->parts.block;
     const kern_vec c = block->centre;
+    const int i = kern_parts_corner(&o->parts, block->vertices - 1);
     kern_span *whole = o->span;
-    int i = 0;
-    while (i + 1 < block->vertices && kern_polygon_turn(block, i) <= 0)
-        i++;
     whole->start = whole->end = i;
-    whole->steps = -!kern_span_is_convex(block, whole);
-    if (whole->steps)
-        whole->start = whole->end = kern_span_split(
-            block, whole, c, c,
-            kern_vec_length(kern_vec_sub(block->vertex[i], c)));
+    whole->start = whole->end = kern_span_split(
+        &o->parts, whole, c, c,
+        kern_vec_length(kern_vec_sub(block->vertex[i], c)));
+    whole->steps = -1;
     o->spans = 1;
 }
 
-/* The chord that stands for an edge: 1, or the edge itself: 0. */
+/* The chord that stands for an edge: 1, or the edge itself: 0. A convex outline
+   has no steps. */
 static int kern_outline_chord(kern_outline *o, kern_real step,
                               const kern_edge *e, kern_edge *chord)
 {
     const kern_block *block = o->parts.block;
     kern_span *span, half;
+    *chord = *e;
+    if (!o->parts.reflex)
+        return 0;
     if (!o->spans)
         kern_outline_whole(o);
     while (!kern_span_holds(block, &o->span[o->spans - 1], e->at))
@@ -8357,7 +8350,7 @@ static int kern_outline_chord(kern_outline *o, kern_real step,
         span->steps = !kern_span_is_convex(block, span);
         if (span->steps)
             half.end = kern_span_split(
-                block, span, block->vertex[span->start],
+                &o->parts, span, block->vertex[span->start],
                 block->vertex[span->end], span->start == span->end ? 0 : step);
         if (half.end == span->end)
             break;
@@ -8369,7 +8362,6 @@ static int kern_outline_chord(kern_outline *o, kern_real step,
         o->spans += o->spans < KERN_SPANS;
         o->span[o->spans - 1] = half;
     }
-    *chord = *e;
     if (span->steps)
         kern_edge_set(chord, block, span->start, span->end);
     return span->steps;
@@ -8604,12 +8596,10 @@ static void kern_pair_edges(kern_pair *pair)
 {
     const kern_parts *a = &pair->of[0].parts, *b = &pair->of[1].parts;
     kern_edge e, f;
-    kern_box box;
-    e.at = e.to = -1;
+    kern_edge_open(&e);
     while (kern_edge_next(&e, a, &b->block->box, pair->reach)) {
-        kern_box_set(&box, e.p, e.q);
-        f.at = f.to = -1;
-        while (kern_edge_next(&f, b, &box, pair->reach)) {
+        kern_edge_open(&f);
+        while (kern_edge_next(&f, b, &e.box, pair->reach)) {
             kern_pair_line(pair, &e, &f);
             kern_pair_point(pair, &e, &f, 1);
             kern_pair_point(pair, &f, &e, 0);
