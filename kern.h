@@ -7802,24 +7802,24 @@ static int kern_parts_corner(const kern_parts *parts, int i)
 
 static void kern_parts_set(kern_parts *parts, const kern_block *block)
 {
-    int i;
+    int i, straight = 0;
     parts->block = block;
     parts->each = block->vertices / KERN_PARTS + KERN_PART_EDGES;
-    parts->straight = parts->reflex = 0;
-    for (i = 0; i < block->vertices; i++) {
-        const int turn = kern_polygon_turn(block, i);
-        parts->straight |= turn == 0;
-        parts->reflex |= turn < 0;
-    }
+    parts->straight = 1;
+    parts->reflex = 0;
     for (i = 0; i < block->vertices; i++) {
         kern_box *box = &parts->box[i / parts->each];
         const int end = kern_polygon_next(block, i, 0);
+        const int turn = kern_polygon_turn(block, i);
+        straight |= turn == 0;
+        parts->reflex |= turn < 0;
         if (i % parts->each == 0)
             kern_box_set(box, block->vertex[i], block->vertex[i]);
         kern_box_add(box, block->vertex[end]);
-        if (parts->straight && (!end || end % parts->each == 0))
+        if (end % parts->each == 0)
             kern_box_add(box, block->vertex[kern_parts_corner(parts, i)]);
     }
+    parts->straight = straight;
 }
 
 /* The first vertex from i on whose part is near the box; not below the number
@@ -8053,6 +8053,15 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     return kern_abs(area) > least ? KERN_OK : KERN_NO_AREA;
 }
 
+static kern_status kern_vertices_check(const kern_vec *vertex, int vertices)
+{
+    if (vertices < 0 || vertices > KERN_VERTICES_MOST)
+        return KERN_BAD_COUNT;
+    if (vertices < 3)
+        return KERN_FEW_VERTICES;
+    return vertex ? KERN_OK : KERN_BAD_POINTER;
+}
+
 /* Fills a block from a polygon. The density of ground is not read. */
 static kern_status kern_block_fill(kern_block *block, const kern_vec *vertex,
                                    int vertices, kern_real density, int fixed,
@@ -8064,12 +8073,11 @@ static kern_status kern_block_fill(kern_block *block, const kern_vec *vertex,
     if (!fault)
         fault = &ignored;
     kern_fault_clear(fault);
-    if (vertices < 0 || vertices > KERN_VERTICES_MOST)
-        return KERN_BAD_COUNT;
-    if (vertices < 3)
-        return KERN_FEW_VERTICES;
-    if (!block || !vertex)
-        return KERN_BAD_POINTER;
+    status = kern_vertices_check(vertex, vertices);
+    if (status >= 0 && !block)
+        status = KERN_BAD_POINTER;
+    if (status < 0)
+        return status;
     if (!fixed && !(density > 0))
         return KERN_BAD_MASS;
     made.vertex = vertex;
@@ -8704,18 +8712,18 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
                         (c->a == d->b && c->b == d->a));
 }
 
-/* Travels of the points of an interface, whose first is contact i: to the feet
-   of the midpoint of the two that are farthest apart, of several such the first
-   by index. A lone one stays. */
-static void kern_interface_travels(kern_contact *contact, int contacts, int i)
+/* Travels of the points of the interface of the first contact: to the feet of
+   the midpoint of the two that are farthest apart, of several such the first by
+   index. A lone one stays. */
+static void kern_interface_travels(kern_contact *contact, int contacts)
 {
-    const kern_contact first = contact[i];
+    const kern_contact first = *contact;
     kern_vec centre = first.p;
     kern_real widest = 0;
     int j, k;
-    for (j = i; j < contacts; j++) {
-        const int own = kern_same_interface(&first, &contact[j]);
-        for (k = j + 1; k < contacts && own; k++) {
+    for (j = 0; j < contacts; j++)
+        for (k = j + 1; k < contacts &&
+                        kern_same_interface(&first, &contact[j]); k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
             if (square > widest && kern_same_interface(&first, &contact[k])) {
@@ -8723,8 +8731,7 @@ static void kern_interface_travels(kern_contact *contact, int contacts, int i)
                 centre = kern_vec_mid(contact[j].p, contact[k].p);
             }
         }
-    }
-    for (j = i; j < contacts; j++) {
+    for (j = 0; j < contacts; j++) {
         kern_contact *c = &contact[j];
         if (kern_same_interface(&first, c))
             c->travel = widest > 0 ? kern_vec_cross(
@@ -8741,7 +8748,7 @@ static void kern_point_travels(kern_contact *contact, int contacts)
             contact[i].travel = KERN_HUGE;
     for (i = 0; i < contacts; i++)
         if (!contact[i].line && contact[i].travel >= KERN_HUGE)
-            kern_interface_travels(contact, contacts, i);
+            kern_interface_travels(contact + i, contacts - i);
 }
 
 /* ---- the search ---- */
@@ -8989,14 +8996,10 @@ static int kern_search_close(const kern_search *s)
 /* Checks what the search reads of a block. */
 static kern_status kern_search_check(const kern_block *block)
 {
-    if (block->vertices < 0 || block->vertices > KERN_VERTICES_MOST)
-        return KERN_BAD_COUNT;
-    if (!block->vertices)
-        return KERN_OK;
-    if (block->vertices < 3)
-        return KERN_FEW_VERTICES;
-    if (!block->vertex)
-        return KERN_BAD_POINTER;
+    const kern_status status =
+        kern_vertices_check(block->vertex, block->vertices);
+    if (status < 0)
+        return block->vertices ? status : KERN_OK;
     if (!kern_is_finite(block->area) ||
         !(block->box.low.x <= block->box.high.x) ||
         !(block->box.low.y <= block->box.high.y) ||
