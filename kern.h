@@ -8003,42 +8003,41 @@ static kern_status kern_polygon_simple(const kern_block *block,
     return KERN_OK;
 }
 
-/* The area of a polygon, and its box. The area is added up from the triangles
-   between vertex 0 and the edges, against round-off far from the origin;
-   *spread is the sum without signs, *moment that of the area about vertex 0. */
-static kern_real kern_polygon_area(const kern_block *block, kern_box *box,
-                                   kern_real *spread, kern_vec *moment)
+/* Fills in area, centre and box. The area is added up from the triangles between
+   vertex 0 and the edges, against round-off far from the origin; returns the
+   sum without signs. */
+static kern_real kern_polygon_area(kern_block *block)
 {
-    kern_real area = 0;
+    const kern_vec o = block->vertex[0];
+    kern_vec moment = kern_vec_make(0, 0); /* of the area about vertex 0 */
+    kern_real spread = 0;
     int i;
-    kern_box_empty(box);
-    *spread = 0;
-    *moment = kern_vec_make(0, 0);
+    block->area = 0;
+    kern_box_empty(&block->box);
     for (i = 0; i < block->vertices; i++) {
-        const kern_vec o = block->vertex[0], p = block->vertex[i];
-        const kern_vec u = kern_vec_sub(p, o), w = kern_vec_sub(
+        const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
+        const kern_vec w = kern_vec_sub(
             block->vertex[kern_polygon_next(block, i, 0)], o);
         const kern_real part = kern_vec_cross(u, w) / 2;
-        kern_box_add(box, p);
-        area += part;
-        *spread += kern_abs(part);
-        *moment = kern_vec_step(*moment, part / 3, kern_vec_add(u, w));
+        kern_box_add(&block->box, p);
+        block->area += part;
+        spread += kern_abs(part);
+        moment = kern_vec_step(moment, part / 3, kern_vec_add(u, w));
     }
-    return area;
+    block->centre = kern_vec_step(o, 1 / block->area, moment);
+    return spread;
 }
 
-/* Fills in area, box and centre if the polygon is a good one. */
+/* Fills them in if the polygon is a good one. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
-    kern_real area, spread, least;
-    kern_vec moment;
+    kern_real spread, least;
     kern_status status;
-    block->area = 0; /* vertices are read, and faults told, as written */
     for (fault->index = 0; fault->index < block->vertices; fault->index++)
         if (!kern_vec_is_moderate(block->vertex[fault->index]))
             return KERN_BAD_NUMBER;
     fault->index = -1;
-    area = kern_polygon_area(block, &block->box, &spread, &moment);
+    spread = kern_polygon_area(block);
     least = KERN_FLOOR * kern_box_largest(&block->box) *
             kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, KERN_LEAST_SIZE * KERN_LEAST_SIZE);
@@ -8048,9 +8047,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     if (status < 0)
         return status;
     fault->index = -1;
-    block->area = area;
-    block->centre = kern_vec_step(block->vertex[0], 1 / area, moment);
-    return kern_abs(area) > least ? KERN_OK : KERN_NO_AREA;
+    return kern_abs(block->area) > least ? KERN_OK : KERN_NO_AREA;
 }
 
 static kern_status kern_vertices_check(const kern_vec *vertex, int vertices)
@@ -8819,15 +8816,12 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
    area differ. */
 static int kern_block_is_stale(const kern_block *block)
 {
-    kern_real spread;
-    kern_vec moment;
-    kern_box box;
-    const kern_real area = kern_polygon_area(block, &box, &spread, &moment);
-    return block->vertices > 0
-           && (kern_vec_largest(kern_vec_sub(box.low, block->box.low)) > 0
-               || kern_vec_largest(kern_vec_sub(box.high, block->box.high)) > 0
-               || !(kern_abs(area - block->area)
-                    <= KERN_STALE_AREA * kern_abs(block->area)));
+    kern_block now = *block;
+    kern_polygon_area(&now);
+    return kern_vec_largest(kern_vec_sub(now.box.low, block->box.low)) > 0
+           || kern_vec_largest(kern_vec_sub(now.box.high, block->box.high)) > 0
+           || !(kern_abs(now.area - block->area)
+                <= KERN_STALE_AREA * kern_abs(block->area));
 }
 
 /* Depth of the overlap of the pair, 0: none that is not allowed. Where overlaps
@@ -9014,7 +9008,8 @@ static kern_status kern_search_see(kern_search *s, int i)
 {
     const kern_block *block = &s->block[i];
     kern_status status = kern_search_check(block);
-    if (status >= 0 && i >= s->from && kern_block_is_stale(block))
+    if (status >= 0 && block->vertices && i >= s->from &&
+        kern_block_is_stale(block))
         status = KERN_STALE;
     if (status < 0)
         s->fault->block = i;
