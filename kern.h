@@ -7909,28 +7909,28 @@ static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
 }
 
 /* Distance of p from the boundary, below 0 where it is outside, and the vertex
-   at which the nearest edge ends: of several the first. What *nearest is before
-   is a guess, and saves time. A part that is farther away than an edge that is
-   known may cross the level of p to the right of p, if at all: once or not, by
-   where its ends are. */
+   at which the nearest edge starts. What *nearest is before is a guess, and
+   saves time. A part that is farther away than an edge that is known may cross
+   the level of p to the right of p, if at all: once or not, by where its ends
+   are. */
 static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
                                     int *nearest)
 {
     const kern_block *block = parts->block;
     const kern_vec *vertex = block->vertex;
     const int n = block->vertices;
-    const kern_real guess = kern_edge_square(
-        kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 1)], p),
-        kern_vec_sub(vertex[*nearest], p));
-    kern_vec u = kern_vec_sub(vertex[n - 1], p);
-    kern_real least = KERN_HUGE;
-    int i = 0, end, inside = 0;
-    for (end = 1; i < n; end = n - end > parts->each ? end + parts->each : n) {
-        const kern_box *box =
-            &parts->box[kern_polygon_next(block, i, 1) / parts->each];
-        const int skip = kern_box_beyond(box, p, kern_min(least, guess));
-        for (i = skip ? end - 1 : i; i < end; i++) {
-            const kern_vec v = kern_vec_sub(vertex[i], p);
+    kern_vec u = kern_vec_sub(vertex[0], p);
+    kern_real least = kern_edge_square(
+        kern_vec_sub(vertex[*nearest], p),
+        kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 0)], p));
+    int i, start, end, inside = 0;
+    for (start = 0; start < n; start = end) {
+        const kern_box *box = &parts->box[start / parts->each];
+        const int skip = kern_box_beyond(box, p, least);
+        end = n - start > parts->each ? start + parts->each : n;
+        for (i = skip ? end - 1 : start; i < end; i++) {
+            const kern_vec v =
+                kern_vec_sub(vertex[kern_polygon_next(block, i, 0)], p);
             const kern_real square = skip ? least : kern_edge_square(u, v);
             if (square < least) {
                 least = square;
@@ -8179,18 +8179,17 @@ static int kern_overlap_parted(const kern_block *a, const kern_block *b,
 }
 
 /* How far the way from p in direction d, at most `most`, stays within the gap
-   of the edge of b that ends at vertex i; 0: p is not within the gap. */
+   of the edge of b that starts at vertex i; 0: p is not within the gap. */
 static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
                                     kern_vec p, kern_vec d, kern_real most)
 {
-    const kern_vec u = b->vertex[kern_polygon_next(b, i, 1)];
-    const kern_vec f = kern_vec_sub(b->vertex[i], u), r = kern_vec_sub(p, u);
-    const kern_real square = kern_vec_dot(f, f);
-    const kern_real wide = gap * KERN_SQRT(square);
     kern_real low = 0;
-    kern_clip(&low, &most, kern_vec_dot(r, f), kern_vec_dot(d, f), 0, square);
-    kern_clip(&low, &most, kern_vec_cross(r, f), kern_vec_cross(d, f), -wide,
-              wide);
+    kern_edge e;
+    kern_edge_set(&e, b, i, kern_polygon_next(b, i, 0));
+    kern_clip(&low, &most, kern_edge_along(&e, p), kern_vec_dot(d, e.d), 0,
+              e.length);
+    kern_clip(&low, &most, kern_vec_cross(kern_vec_sub(p, e.p), e.d),
+              kern_vec_cross(d, e.d), -gap, gap);
     return low > 0 ? 0 : most;
 }
 

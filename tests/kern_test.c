@@ -2185,6 +2185,13 @@ static const struct {
      0, 8, 3, {0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 2, 2, 2, 1, 0, 1},
      {-1, 0.7, -1, 2.3, 1.9, 1.5}},
     {"with a fixed one", 1, 2, 2, {0, 0, 1, 1}, {0.2, 0.5, 0.8, 3}},
+    {"a blade thinner than the gap, in the side of a box: only its own outline"
+     " is deep",
+     0, 2, 7, {-4, 0, -1, 1},
+     {0, 0, 1, 0, 1, 1, 0, 1, 0, 0.5005, -3, 0.50025, 0, 0.5}},
+    {"the other way round",
+     0, 7, 2, {0, 0, 1, 0, 1, 1, 0, 1, 0, 0.5005, -3, 0.50025, 0, 0.5},
+     {-4, 0, -1, 1}},
 };
 
 static void world_shape(world *w, double density, const double *xy, int n)
