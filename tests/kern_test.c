@@ -1779,6 +1779,35 @@ static void polygon_of_many_vertices(void)
     CHECK_INT(kern_block_init(&b, v, n, R(1), &fault), KERN_CROSSING);
 }
 
+/* The depth of the vertices of stars, whichever edge is guessed to be nearest:
+   the distance to an edge may be rounded to less than that to the box of its
+   part. */
+static void polygon_depth_of_vertices(void)
+{
+    enum { CORNERS = 60 };
+    uint64_t seed = 7;
+    int trial, i, guess;
+    for (trial = 0; trial < 200; trial++) {
+        const double from = random_share(random_bits(&seed));
+        kern_vec v[CORNERS];
+        kern_block b;
+        kern_parts parts;
+        for (i = 0; i < CORNERS; i++) {
+            const double r = i % 2 ? 0.6 : 1, a = 2 * pi * i / CORNERS + from;
+            v[i] = vec(r * cos(a), r * sin(a));
+        }
+        CHECK_INT(kern_block_init(&b, v, CORNERS, R(1), NULL), KERN_OK);
+        kern_parts_set(&parts, &b);
+        for (i = 0; i < CORNERS; i++)
+            for (guess = -1; guess < 2; guess++) {
+                int nearest = (i + guess + CORNERS) % CORNERS;
+                kern_vec p = v[i];
+                p.y += R(1e-7 * (random_share(random_bits(&seed)) - 0.5));
+                CHECK_NEAR(kern_polygon_depth(&parts, p, &nearest), 0, 1e-5);
+            }
+    }
+}
+
 /* ==== Contacts ================================================== >>contact */
 
 /* Is there a contact point between a and b at (x, y) with the normal (nx, ny)
@@ -8996,6 +9025,7 @@ static const test tests[] = {
     TEST(polygon_faults),
     TEST(polygon_load),
     TEST(polygon_of_many_vertices),
+    TEST(polygon_depth_of_vertices),
     TEST(mean_size_of_blocks),
     TEST(contact_cube_on_cube),
     TEST(contact_two_feet),
