@@ -3026,6 +3026,37 @@ static void steps_of_pixels(void)
 
 /* knife/joint_10deg_2000px: the joint of steps_of_pixels() before it was an
    image. */
+/* Stairs in stairs, a third of the gap apart: the contact lies midway between
+   their chords and ends where the stairs do. */
+static void steps_apart(void)
+{
+    enum { TREADS = 100 };
+    static double xy[4 * TREADS + 8];
+    static world w;
+    const double tread = 1.0 / TREADS, high = tread / 2, up = tread / 3;
+    int i, j, k;
+    world_reset(&w);
+    w.options.gap = R(tread);
+    for (j = 0; j < 2; j++) {
+        for (i = k = 0; i < TREADS; i++) {
+            xy[k++] = i * tread;
+            xy[k++] = i * high + j * up;
+            xy[k++] = (i + 1) * tread;
+            xy[k++] = i * high + j * up;
+        }
+        xy[k++] = 1;
+        xy[k++] = j ? 2 : -1;
+        xy[k++] = 0;
+        xy[k++] = j ? 2 : -1;
+        world_polygon(&w, j, xy, k / 2);
+    }
+    CHECK_INT(world_touch(&w), 2);
+    for (i = 0; i < 2; i++) { /* from the last tread's end to the first's start */
+        const kern_contact *c = &w.contact[i];
+        CHECK_NEAR(c->p.x, 1 - i, GEO);
+        CHECK_NEAR(c->p.y, (1 - i) * (TREADS - 1) * high + up / 2, GEO);
+    }
+}
 static void steps_straight_joint(void)
 {
     static world w;
@@ -9050,6 +9081,7 @@ static const test tests[] = {
     TEST(steps_of_a_rounding),
     TEST(steps_that_carry),
     TEST(steps_of_pixels),
+    TEST(steps_apart),
     TEST(steps_straight_joint),
     TEST(overlap_with_whiskers),
     TEST(travels_of_many),
