@@ -388,7 +388,7 @@
    counts as standing. kern_raised() tells these apart. Mechanisms are those of
    limit analysis: blocks that slide also part (sliding is dilatant).
 
-   In a structure of more than 128 blocks of which many move at once a margin
+   In a structure of more than 64 blocks of which many move at once a margin
    may lie anywhere between holds and fails; above 256 these are up to 3e-5 mean
    sizes apart. A thousand perfect bricks in bond may take minutes:
    options.limit ends them with the shrinkage up to which the wall is proven to
@@ -6272,7 +6272,7 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 #define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 #define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
-#define KERN_INNER_EXACT   128     /* groups: more, and a bracket is enough   */
+#define KERN_INNER_EXACT   64      /* groups: more, and a bracket is enough   */
 #define KERN_INNER_WIDE    256     /* groups of what is said to be large      */
 #define KERN_INNER_STEPS   40      /* of a search                             */
 #define KERN_INNER_MANY    300     /* the same of what is large               */
