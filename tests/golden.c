@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x50ad17e5ea122dc9u },
-    { 1000, 0x30080447bfbe6f24u },
-    { 5000, 0x4018763719e71791u },
+    { 200, 0xc51b0c4f37f3fd3bu },
+    { 1000, 0x58952e9356242403u },
+    { 5000, 0x4dd14ae0bd0ac8efu },
 #else
-    { 200, 0x581685774fd57e8cu },
-    { 1000, 0xa8ca2307c8675d9eu },
-    { 5000, 0xef14bdb0094eb147u },
+    { 200, 0x3552a7e7a67d4e3cu },
+    { 1000, 0x1eb1df7d57a5d65au },
+    { 5000, 0xe6ad194464f8354cu },
 #endif
 };
 
