@@ -1614,16 +1614,19 @@ STACK_API int stack_best(struct stack_wall *w)
     return bad ? -1 : 0;
 }
 
-/* Takes the last stones off until the wall stays in the last look: what a stone
-   does to it may show late. Returns 0, or -1 where memory is lacking. */
+/* Takes off the last stones, a few at the most, so that what is left stays in the
+   last look: what a stone does to a wall may show late. Where it takes more, all
+   are left. Returns 0, or -1 where memory is lacking. */
 STACK_API int stack_finish(struct stack_wall *w)
 {
-    int bad = 0;
-    while (w->laid > 0 && !bad && !stack_rests(w)) {
-        bad = stack_restore(w, w->place, w->laid - 1);
-        stack_give_up(w);
-    }
-    return bad;
+    enum { FEW = 6 };
+    struct stack_wall part = *w;
+    while (part.laid > 0 && !stack_rests(&part))
+        if (--part.laid < w->laid - FEW) return 0;
+    if (part.laid == w->laid) return 0;
+    stack_give_up(&part);
+    memcpy(w->message, part.message, sizeof w->message);
+    return stack_restore(w, w->place, part.laid);
 }
 
 /* Builds a wall with the planner of the options. Returns 0, or -1 where memory
