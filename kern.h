@@ -5654,7 +5654,8 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     poured = kern_pour(m, p);
     if (poured == KERN_POUR_FALLS)
         return KERN_FALLS;
-    if (poured != KERN_POURED && proven && m->from == 0
+    /* at the edge of a load least forces would take many steps */
+    if (poured != KERN_POURED && proven && m->from == 0 && !(q->factor > 0)
         && !kern_pour_spares(m)) {
         status = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
         p->found = status;
@@ -7114,10 +7115,9 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     if (!seeded && kern_plain_bracket(m, path) == KERN_STANDS)
         return KERN_STANDS;
     path->holds = holds;
-    if (closed) { /* the bracket of the part, in which nothing was found */
-        path->edge = edge;
+    path->edge = edge; /* that of the interior point may not be exact */
+    if (closed) /* the bracket of the part, in which nothing was found */
         path->fails = fails;
-    }
     if (probe->at > holds && (small || seeded)) {
         status = kern_plain_at(m, path, probe, seeded, closed);
         if (probe->done)
@@ -9107,6 +9107,7 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->pair.out = out;
     s->pair.room = room;
     s->pair.count = 0;
+    s->overlap = NULL;
     s->listing = s->overlaps = 0;
     return KERN_OK;
 }
