@@ -5634,6 +5634,18 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
     return KERN_STANDS;
 }
 
+/* The verdict by least forces of all groups, where they were not poured:
+   KERN_STANDS or KERN_UNDECIDED. At the edge of a load they would take many
+   steps. */
+static kern_status kern_model_hold(kern_model *m, kern_part *p,
+                                   const kern_query *q)
+{
+    if (m->from > 0 || q->factor > 0 || kern_pour_spares(m))
+        return KERN_UNDECIDED;
+    p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
+    return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
+}
+
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
    open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pour(kern_model *m, kern_part *p,
@@ -5654,15 +5666,8 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     poured = kern_pour(m, p);
     if (poured == KERN_POUR_FALLS)
         return KERN_FALLS;
-    /* at the edge of a load least forces would take many steps */
-    if (poured != KERN_POURED && proven && m->from == 0 && !(q->factor > 0)
-        && !kern_pour_spares(m)) {
-        status = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
-        p->found = status;
-        return status == KERN_NO_SPACE ? KERN_UNDECIDED : status;
-    }
     if (poured != KERN_POURED)
-        return KERN_UNDECIDED;
+        return proven ? kern_model_hold(m, p, q) : KERN_UNDECIDED;
     for (i = 0; i < m->s->contacts; i++)
         total += m->force[i].normal;
     if (total > KERN_BOUND / 2)
