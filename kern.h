@@ -388,7 +388,7 @@
    counts as standing. kern_raised() tells these apart. Mechanisms are those of
    limit analysis: blocks that slide also part (sliding is dilatant).
 
-   In a structure of more than 64 blocks of which many move at once a margin
+   In a structure of more than 128 blocks of which many move at once a margin
    may lie anywhere between holds and fails; above 256 these are up to 3e-5 mean
    sizes apart. A thousand perfect bricks in bond may take minutes:
    options.limit ends them with the shrinkage up to which the wall is proven to
@@ -6282,7 +6282,7 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 #define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 #define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
-#define KERN_INNER_EXACT   64      /* groups: more, and a bracket is enough   */
+#define KERN_INNER_EXACT   128     /* groups: more, and a bracket is enough   */
 #define KERN_INNER_WIDE    256     /* groups of what is said to be large      */
 #define KERN_INNER_STEPS   40      /* of a search                             */
 #define KERN_INNER_MANY    300     /* the same of what is large               */
@@ -7055,10 +7055,14 @@ typedef struct kern_probe {
     int done;                 /* nonzero: the search is over                  */
 } kern_probe;
 
-/* Narrows the bracket from where the interior point has proven that it falls. */
+/* Narrows the bracket from where the interior point has proven that it falls:
+   where kerns shrink only from close to the edge, since beyond it few bases are
+   near to the first. */
 static kern_status kern_plain_bracket(kern_model *m, kern_path *path)
 {
     if (path->fell <= path->fails && path->stood >= path->holds
+        && (path->kind != KERN_PATH_SHRINK
+            || path->fails - path->holds <= path->tolerance * KERN_WIDEST)
         && kern_path_evaluate(m, path, path->fails) == KERN_FALLS)
         return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
     return KERN_UNDECIDED;

@@ -40,11 +40,11 @@ static const struct {
 #ifdef KERN_SINGLE
     { 200, 0xc51b0c4f37f3fd3bu },
     { 1000, 0x58952e9356242403u },
-    { 5000, 0xb5c36c3bc996e386u },
+    { 5000, 0x9846867ca93375d8u },
 #else
     { 200, 0x3552a7e7a67d4e3cu },
-    { 1000, 0x1eb1df7d57a5d65au },
-    { 5000, 0x099d063bf28da426u },
+    { 1000, 0x77c2462f6970b7deu },
+    { 5000, 0xb4f4c036729373c5u },
 #endif
 };
 
