@@ -128,7 +128,9 @@ large() { # the verdict on 2,000 bricks takes a tenth of a second, the margin an
     bricks 50 40 >"$out/large.kern"
     timeout 20 "$kern" --verdict "$out/large.kern" | grep -q ": stands" &&
         bricks 23 22 >"$out/large.kern" &&
-        timeout 60 "$kern" "$out/large.kern" | grep "margin *0.11"
+        timeout 60 "$kern" "$out/large.kern" | grep "margin *0.11" &&
+        bricks 25 20 >"$out/large.kern" &&
+        timeout 60 "$kern" "$out/large.kern" | grep "margin *0.1"
 }
 
 reader() { # in any locale, and of files without an end

@@ -160,12 +160,12 @@ int main(void)
 }
 
 /* Output, where pivots and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 3 pivots; 72834 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 5361 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 16 pivots; 132283 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 16 pivots; 114214 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 229 ticks
-memory: 45720 bytes of work memory, 9256 of blocks and contacts,
-        54984 of variables in all, 2560 of 10552 of stack, 57500 of flash
+wall of 30 stones:    level 31, margin 0.1518 m; 34 pivots; 320878 ticks
+candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 5289 ticks
+candidate at  0.20 m: level 34, margin 0.1663 m; 11 pivots; 35258 ticks
+candidate at  0.40 m: level 34, margin 0.1663 m; 11 pivots; 35851 ticks
+candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 239 ticks
+memory: 45976 bytes of work memory, 9256 of blocks and contacts,
+        55240 of variables in all, 2744 of 10296 of stack, 58664 of flash
 best place: 0.20 m
 */
