@@ -6293,6 +6293,7 @@ static int kern_path_still_falls(kern_model *m, kern_path *path)
 #define KERN_INNER_ROUNDING KERN_PICK(1e-11, 1e-6) /* A x - b, that is none   */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
+#define KERN_INNER_COARSE  KERN_R(16)     /* of a second search: its gap      */
 #define KERN_INNER_SOFT    KERN_R(0.01)   /* width over which kerns close     */
 /* Gaps: of lost digits; at which a prediction counts; from which a verdict
    begins; beside the power of a motion, that shows its edge. */
@@ -6911,7 +6912,7 @@ static int kern_inner_sharp(const kern_inner *in)
 static int kern_inner_follow(kern_inner *in, kern_real last)
 {
     int round, beyond = 0, stalled = 0;
-    for (round = 0; round < 3 * in->most / 4 && !(in->gap <= in->least)
+    for (round = 0; round < KERN_INNER_ROUNDS && !(in->gap <= in->least)
                     && !beyond && stalled < KERN_INNER_STALLED;
          round++) {
         in->soft = kern_min(in->soft, in->gap / 20);
@@ -6981,9 +6982,10 @@ static void kern_inner_level(kern_model *m, kern_path *path)
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
    where it is not found. `last` is the end of the path, or a place from which
-   to path->fails nothing need be evaluated. */
+   to path->fails nothing need be evaluated. The path is followed to a gap of
+   `coarse` times what is wanted in the end. */
 static kern_status kern_inner_search(kern_model *m, kern_path *path,
-                                     kern_real last)
+                                     kern_real last, kern_real coarse)
 {
     const kern_real high = last < path->end ? path->fails : path->end;
     kern_inner in;
@@ -6992,6 +6994,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
         return KERN_UNDECIDED;
     path->inner = &in;
     path->fails = in.high = high;
+    in.least *= coarse;
     if (last < path->end) /* it need not go to the edge */
         in.high = last + in.least / 2;
     status = kern_inner_follow(&in, last)
@@ -7099,6 +7102,20 @@ static kern_status kern_plain_climb(kern_model *m, kern_path *path,
     return status == KERN_STANDS ? kern_path_climb(m, path, step) : status;
 }
 
+/* The interior point; of what is large and degenerate a second time, on another
+   way to the edge. */
+static kern_status kern_plain_inner(kern_model *m, kern_path *path,
+                                    kern_real last)
+{
+    const kern_real holds = path->holds, fails = path->fails;
+    const kern_status status = kern_inner_search(m, path, last, KERN_R(1));
+    if (status == KERN_STANDS || m->groups <= KERN_INNER_WIDE)
+        return status;
+    path->holds = holds;
+    path->fails = fails;
+    return kern_inner_search(m, path, last, KERN_INNER_COARSE);
+}
+
 /* As kern_path_search(), by the interior point, or else by the linear program
    of the whole. Where something is known it begins at the next place, where
    that stands. Else, or if it is not decided there, it climbs from
@@ -7115,7 +7132,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     kern_status status = KERN_UNDECIDED;
     if (!seeded) /* else one verdict from the known forces may do */
-        status = kern_inner_search(m, path, closed ? probe->at : path->end);
+        status = kern_plain_inner(m, path, closed ? probe->at : path->end);
     if (status == KERN_STANDS)
         return status;
     status = kern_model_plain(m, path->part, &q);
