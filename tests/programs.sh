@@ -208,7 +208,7 @@ placements() { # that stay and that move, told apart in double and in float
     local truth
     truth=$(program truth tests/truth.c) && "$truth" tests/truth 0.8 0.8 &&
         truth=$(program truth_single tests/truth.c -DKERN_SINGLE) &&
-        "$truth" tests/truth 0.65 0.9
+        "$truth" tests/truth 0.8 0.8
 }
 
 film() { # of a shake
