@@ -2936,9 +2936,12 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     kern_call c;
     kern_seed seed;
     kern_proof kept;
-    const int warm = task && task->known.motion && task->known.force;
-    int spares = warm; /* where these do not fit, forces without may */
+    int warm, spares;
     kern_status status;
+    if (!task)
+        return KERN_BAD_POINTER;
+    warm = task->known.motion && task->known.force;
+    spares = warm; /* where these do not fit, forces without may */
     do {
         status = kern_call_open(&c, task, KERN_R(0), out);
         if (status != KERN_OK)
