@@ -2936,19 +2936,27 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     kern_call c;
     kern_seed seed;
     kern_proof kept;
-    const int warm = task && task->known.motion && task->known.force;
-    kern_status status = kern_call_open(&c, task, KERN_R(0), out);
-    if (status != KERN_OK)
-        return status;
-    c.path.proof = proof;
-    if (warm) {
-        kept.force = task->known.force;
-        kept.motion = task->known.motion;
-        c.path.proof = &kept;
-        seed = kern_known_seed(task);
-        c.path.seed = &seed;
-    }
-    status = kern_measure_along(&c.m, &c.path, task, status, out);
+    int warm, spares;
+    kern_status status;
+    if (!task)
+        return KERN_BAD_POINTER;
+    warm = task->known.motion && task->known.force;
+    spares = warm; /* where these do not fit, forces without may */
+    do {
+        status = kern_call_open(&c, task, KERN_R(0), out);
+        if (status != KERN_OK)
+            return status;
+        c.path.proof = proof;
+        c.m.known = spares;
+        if (warm) {
+            kept.force = task->known.force;
+            kept.motion = task->known.motion;
+            c.path.proof = &kept;
+            seed = kern_known_seed(task);
+            c.path.seed = &seed;
+        }
+        status = kern_measure_along(&c.m, &c.path, task, status, out);
+    } while (status == KERN_NO_SPACE && spares-- > 0);
     if (!warm || status == KERN_BAD_STEP)
         return status;
     task->known.blocks = 0; /* the proof there has been written over */
