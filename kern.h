@@ -2720,12 +2720,9 @@ static kern_real kern_step(const kern_query *q, const kern_options *o)
     return q->relative ? KERN_R(0.05) : KERN_R(0.02) * q->mean;
 }
 
-/* Opens the model of a task that has been checked, and a path in it along which
-   kerns shrink. */
-static kern_status kern_path_begin(kern_path *path, kern_model *m,
-                                   kern_part *part, const kern_task *task,
-                                   const kern_structure *s,
-                                   const kern_query *q)
+/* Begins a path along which kerns shrink. */
+static void kern_path_begin(kern_path *path, kern_part *part,
+                            const kern_task *task, const kern_query *q)
 {
     path->kind = KERN_PATH_SHRINK;
     path->part = part;
@@ -2742,7 +2739,6 @@ static kern_status kern_path_begin(kern_path *path, kern_model *m,
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
     path->never = path->closed = 0;
-    return kern_model_open(m, task, s, &path->q);
 }
 
 /* Along the path a load grows or gravity turns instead. */
@@ -2770,8 +2766,10 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
 {
     kern_query q;
     kern_status status = kern_query_check(task, shrink, out, &q);
-    if (status == KERN_OK)
-        status = kern_path_begin(&c->path, &c->m, &c->part, task, &task->s, &q);
+    if (status != KERN_OK)
+        return status;
+    kern_path_begin(&c->path, &c->part, task, &q);
+    status = kern_model_open(&c->m, task, &task->s, &q);
     if (status == KERN_OK)
         kern_model_group(&c->m, &q);
     return status;
@@ -9462,8 +9460,8 @@ static kern_status kern_trial_begin(const kern_trial *t, kern_stage *on,
     on->s = task->s;
     on->s.contact += task->s.contacts - t->found;
     on->s.contacts = t->found;
-    status = kern_path_begin(&on->path, &on->m, &on->part, task,
-                             alone ? &on->s : &task->s, &t->q);
+    kern_path_begin(&on->path, &on->part, task, &t->q);
+    status = kern_model_open(&on->m, task, alone ? &on->s : &task->s, &t->q);
     on->path.proof = proof;
     if (status == KERN_OK && !alone && t->balanced) {
         on->m.prior = task->known.force;

@@ -325,9 +325,6 @@ tidy_examples() { # one by one: clang-tidy 14 forgets va_start() of the first
         */figures.c | */nudge.c | */stack.c | */study.c | */walls.c)
             lost=--checks=-clang-analyzer-core.NullDereference
             lost=$lost,-clang-analyzer-core.CallAndMessage ;;
-        */contour.c | */shaking/*) # there it forgets that a model was opened
-            lost=--checks=-clang-analyzer-core.uninitialized.Assign
-            lost=$lost,-clang-analyzer-core.UndefinedBinaryOperatorResult ;;
         esac
         tidy $lost "$file" || return 1
     done

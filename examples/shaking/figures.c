@@ -436,7 +436,7 @@ static int draw_wall(const struct figures *f, const char *path,
     struct draw_scene scene = { 0 };
     char caption[120];
     FILE *out = plot_open(f->folder, name);
-    int bad = !out || measures_load(&w, path) ||
+    int bad = measures_load(&w, path) || !out ||
               kern_measure(&w.task, m, NULL) != KERN_STANDS;
     if (!bad) {
         snprintf(caption, sizeof caption, "level %d, margin %.3g stones", m->level,
@@ -445,8 +445,8 @@ static int draw_wall(const struct figures *f, const char *path,
         scene.limiting = -1;
         scene.caption = caption;
         bad = draw_svg(out, &scene);
-        measures_free(&w);
     }
+    measures_free(&w);
     if (out) bad |= fclose(out) != 0;
     return bad ? fail("cannot draw", name) : 0;
 }
