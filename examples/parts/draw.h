@@ -141,6 +141,12 @@ DRAW_API const char *draw_shade(double share, char out[8])
 
 /* ---- Text --------------------------------------------------------------- */
 
+static int draw_xml_holds(unsigned long c)
+{
+    return (c >= 0x20 || c == '\t') && c <= 0x10ffff
+           && (c < 0xd800 || c >= 0xe000) && c != 0xfffe && c != 0xffff;
+}
+
 /* Reads one character of UTF-8 and says how many bytes it takes; *code is 0
    where there is none that XML may hold. */
 DRAW_API int draw_utf8(const char *text, unsigned long *code)
@@ -161,10 +167,8 @@ DRAW_API int draw_utf8(const char *text, unsigned long *code)
             return 1;
         c = c << 6 | (s[i] & 0x3fUL);
     }
-    if (c < least[more] || (c < 0x20 && c != '\t') || c > 0x10ffff
-        || (c >= 0xd800 && c < 0xe000) || c == 0xfffe || c == 0xffff)
-        return more + 1;
-    *code = c;
+    if (c >= least[more] && draw_xml_holds(c))
+        *code = c;
     return more + 1;
 }
 
@@ -1080,6 +1084,57 @@ static int draw_box_hit(struct draw_pt c, double w, double h, struct draw_pt p,
     return t[0] <= t[1];
 }
 
+static int draw_box_seen(const struct draw_view *v, struct draw_pt c, double w,
+                         double h)
+{
+    return c.x - w / 2 >= v->left && c.y - h / 2 >= v->top
+           && c.x + w / 2 <= v->left + (v->high.x - v->low.x) * v->scale
+           && c.y + h / 2 <= v->top + (v->high.y - v->low.y) * v->scale;
+}
+
+/* Does the box lie inside the block, clear of its outline? */
+static int draw_box_inside(const struct draw_view *v, const kern_block *b,
+                           struct draw_pt c, double w, double h)
+{
+    int i, inside = 0;
+
+    for (i = 0; i < b->vertices; i++) {
+        kern_vec e = b->vertex[i], f = b->vertex[(i + 1) % b->vertices];
+        struct draw_pt p = draw_place(v, e.x, e.y);
+        struct draw_pt q = draw_place(v, f.x, f.y);
+
+        if (draw_box_hit(c, w + 2, h + 2, p, q))
+            return 0;
+        if ((p.y > c.y) != (q.y > c.y)
+            && c.x < p.x + (q.x - p.x) * (c.y - p.y) / (q.y - p.y))
+            inside = !inside;
+    }
+    return inside;
+}
+
+/* Is the box clear of contact i, where it is one of the block, and of the arrow
+   of its force? */
+static int draw_box_clear(const struct draw_scene *d, const struct draw_view *v,
+                          const struct draw_sizes *z, int block, int i,
+                          struct draw_pt c, double w, double h)
+{
+    const kern_contact *k = &d->s->contact[i];
+    struct draw_pt p = draw_place(v, k->p.x, k->p.y), q = p, from, to;
+
+    if (k->a == block || k->b == block) {
+        if (draw_is_line(d->s, i))
+            q = draw_place(v, k[1].p.x, k[1].p.y);
+        if (draw_box_hit(c, w + 2 * z->bar, h + 2 * z->bar, p, q))
+            return 0;
+    } else if (draw_hypot(p.x - c.x, p.y - c.y) > w + z->stone * v->scale) {
+        return 1; /* no arrow comes from so far */
+    }
+    return !d->force || !draw_force_ends(d, z->force, i, &from, &to)
+           || !draw_box_hit(c, w + 3 * z->arrow, h + 2 * z->arrow,
+                            draw_place(v, from.x, from.y),
+                            draw_place(v, to.x, to.y));
+}
+
 /* Is there room for a box around c: inside the block and inside the view, and
    clear of the block's outline and contacts, and of arrows? */
 static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
@@ -1087,45 +1142,15 @@ static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
                          struct draw_pt c, double w, double h)
 {
     const kern_block *b = &d->s->block[block];
-    struct draw_pt p, q, from, to;
-    double reach = w + z->stone * v->scale, r = DRAW_TURN * z->stone * v->scale;
-    int i, inside = 0;
+    const double r = DRAW_TURN * z->stone * v->scale;
+    struct draw_pt p, from, to;
+    int i;
 
-    if (c.x - w / 2 < v->left || c.y - h / 2 < v->top
-        || c.x + w / 2 > v->left + (v->high.x - v->low.x) * v->scale
-        || c.y + h / 2 > v->top + (v->high.y - v->low.y) * v->scale)
+    if (!draw_box_seen(v, c, w, h) || !draw_box_inside(v, b, c, w, h))
         return 0;
-    for (i = 0; i < b->vertices; i++) {
-        kern_vec e = b->vertex[i], f = b->vertex[(i + 1) % b->vertices];
-
-        p = draw_place(v, e.x, e.y);
-        q = draw_place(v, f.x, f.y);
-        if (draw_box_hit(c, w + 2, h + 2, p, q))
+    for (i = 0; i < d->s->contacts; i++)
+        if (!draw_box_clear(d, v, z, block, i, c, w, h))
             return 0;
-        if ((p.y > c.y) != (q.y > c.y)
-            && c.x < p.x + (q.x - p.x) * (c.y - p.y) / (q.y - p.y))
-            inside = !inside;
-    }
-    if (!inside)
-        return 0;
-    for (i = 0; i < d->s->contacts; i++) {
-        const kern_contact *k = &d->s->contact[i];
-
-        p = q = draw_place(v, k->p.x, k->p.y);
-        if (k->a == block || k->b == block) {
-            if (draw_is_line(d->s, i))
-                q = draw_place(v, k[1].p.x, k[1].p.y);
-            if (draw_box_hit(c, w + 2 * z->bar, h + 2 * z->bar, p, q))
-                return 0;
-        } else if (draw_hypot(p.x - c.x, p.y - c.y) > reach) {
-            continue; /* no arrow comes from so far */
-        }
-        if (d->force && draw_force_ends(d, z->force, i, &from, &to)
-            && draw_box_hit(c, w + 3 * z->arrow, h + 2 * z->arrow,
-                            draw_place(v, from.x, from.y),
-                            draw_place(v, to.x, to.y)))
-            return 0;
-    }
     i = draw_load_ends(b, z->force, &from, &to);
     if (i > 0 && draw_box_hit(c, w + 2, h + 2, draw_place(v, from.x, from.y),
                               draw_place(v, to.x, to.y)))
@@ -1320,63 +1345,86 @@ static void draw_key_values(struct draw_key *key, const struct draw_scene *d)
     draw_colours(key->out, p.x + zero, p.y - 5, w, 10);
 }
 
+static void draw_key_contacts(struct draw_key *key, const struct draw_scene *d)
+{
+    int shrunk = d->shrink > 0 || d->shrink < 0;
+    char text[80];
+
+    snprintf(text, sizeof text, d->relative ? "%s by %.3g %%" : "%s by %.3g",
+             d->shrink > 0 ? "shrunk" : "grown",
+             (d->relative ? 100 : 1) * fabs(d->shrink));
+    if (shrunk)
+        draw_key_bar(key, DRAW_WHOLE, d->shrink > 0 ? "contact" : text);
+    draw_key_bar(key, DRAW_KERN, d->shrink > 0 ? text : "contact");
+}
+
+static void draw_key_circle(struct draw_key *key, double r, const char *style,
+                            const char *text)
+{
+    struct draw_pt p = draw_key_entry(key, 12, text);
+
+    if (key->out)
+        draw_circle(key->out, draw_vec(p.x + 6, p.y), r, style);
+}
+
+static void draw_key_loads(struct draw_key *key, const struct draw_scene *d,
+                           const struct draw_view *v,
+                           const struct draw_sizes *z)
+{
+    struct draw_pt p;
+    int i, load = 0;
+
+    for (i = 0; i < d->s->blocks; i++)
+        load |= draw_load_ends(&d->s->block[i], 0, &p, &p) > 0;
+    if (!load)
+        return;
+    if (!d->force && z->force > 0) {
+        draw_key_force(key, v, z, NULL);
+        return;
+    }
+    p = draw_key_entry(key, 22, "load");
+    if (key->out)
+        draw_arrow(key->out, p, draw_vec(p.x + 22, p.y), 1.3 * z->arrow,
+                   DRAW_LOAD);
+}
+
+static void draw_key_motion(struct draw_key *key, const struct draw_scene *d)
+{
+    struct draw_pt p = draw_key_entry(key, 22, d->motion_name
+                                      ? d->motion_name : "collapse mechanism");
+
+    if (key->out)
+        draw_rect(key->out, p.x, p.y - 5, 22, 10, "fill=\"" DRAW_GHOST "\" "
+                  "fill-opacity=\"0.08\" stroke=\"" DRAW_GHOST "\" "
+                  "stroke-dasharray=\"4 2.5\"");
+}
+
 /* Returns the y below the key. */
 static double draw_key_all(FILE *out, const struct draw_scene *d,
                            const struct draw_view *v,
                            const struct draw_sizes *z, double width, double y)
 {
-    int shrunk = d->shrink > 0 || d->shrink < 0, load = 0, i;
     struct draw_key key;
-    struct draw_pt p;
-    char text[80];
 
-    for (i = 0; i < d->s->blocks; i++)
-        load |= draw_load_ends(&d->s->block[i], 0, &p, &p) > 0;
     key.out = out;
     key.x = DRAW_PAD;
     key.y = y + 6;
     key.right = width - DRAW_PAD;
     draw_key_scale(&key, v);
-    snprintf(text, sizeof text, d->relative ? "%s by %.3g %%" : "%s by %.3g",
-             d->shrink > 0 ? "shrunk" : "grown",
-             (d->relative ? 100 : 1) * fabs(d->shrink));
-    if (d->s->contacts > 0 && shrunk)
-        draw_key_bar(&key, DRAW_WHOLE, d->shrink > 0 ? "contact" : text);
     if (d->s->contacts > 0)
-        draw_key_bar(&key, DRAW_KERN, d->shrink > 0 ? text : "contact");
-    if (d->limiting >= 0) {
-        p = draw_key_entry(&key, 12, "critical contact");
-        if (out)
-            draw_circle(out, draw_vec(p.x + 6, p.y), 5, "fill=\"none\" stroke="
-                        "\"" DRAW_LIMIT "\" stroke-width=\"2.4\"");
-    }
-    if (d->hinges) {
-        p = draw_key_entry(&key, 12, "hinge of the mechanism");
-        if (out)
-            draw_circle(out, draw_vec(p.x + 6, p.y), 4, "fill=\"#ffffff\" "
-                        "stroke=\"" DRAW_GHOST "\" stroke-width=\"1.8\"");
-    }
+        draw_key_contacts(&key, d);
+    if (d->limiting >= 0)
+        draw_key_circle(&key, 5, "fill=\"none\" stroke=\"" DRAW_LIMIT "\" "
+                        "stroke-width=\"2.4\"", "critical contact");
+    if (d->hinges)
+        draw_key_circle(&key, 4, "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
+                        "stroke-width=\"1.8\"", "hinge of the mechanism");
     if (d->force && z->force > 0)
         draw_key_force(&key, v, z, d->force_name ? d->force_name
                                    : "one admissible set of forces");
-    if (load) {
-        if (!d->force && z->force > 0) {
-            draw_key_force(&key, v, z, NULL);
-        } else {
-            p = draw_key_entry(&key, 22, "load");
-            if (out)
-                draw_arrow(out, p, draw_vec(p.x + 22, p.y), 1.3 * z->arrow,
-                           DRAW_LOAD);
-        }
-    }
-    if (z->time > 0) {
-        p = draw_key_entry(&key, 22, d->motion_name ? d->motion_name
-                                                    : "collapse mechanism");
-        if (out)
-            draw_rect(out, p.x, p.y - 5, 22, 10, "fill=\"" DRAW_GHOST "\" "
-                      "fill-opacity=\"0.08\" stroke=\"" DRAW_GHOST "\" "
-                      "stroke-dasharray=\"4 2.5\"");
-    }
+    draw_key_loads(&key, d, v, z);
+    if (z->time > 0)
+        draw_key_motion(&key, d);
     if (d->value)
         draw_key_values(&key, d);
     return key.y + 14;
