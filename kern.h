@@ -98,10 +98,10 @@
    The library allocates nothing, has no globals and no recursion, and keeps
    nothing between calls: it may be used from any number of threads, each with
    its own work memory. Work memory is two plain arrays, sized by the constant
-   expressions KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts),
-   or by the function kern_work_need() at run time. Contacts are counted as
-   contact points: a running bond has about seven for a block, twelve with the
-   joints between neighbours. KERN_CONTACTS(blocks) has room for these; if
+   expressions KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts), or
+   by the function kern_work_need() at run time. Contacts are counted as contact
+   points: a running bond has about seven for a block, twelve with the joints
+   between neighbours. KERN_CONTACTS(blocks) has room for these; if
    kern_contacts() says KERN_NO_SPACE, as it may of stones with many short
    edges, double it.
 
@@ -114,10 +114,10 @@
 
    KERN_REALS was enough for every structure that was tried. KERN_LEAN_REALS and
    KERN_LEAN_INTS (from 10 blocks on) are enough where a few blocks decide the
-   margin, as in most walls: 0.4 MB for 1000 blocks instead of 21. Where many
+   margin, as in most walls: 0.4 MB for 1000 blocks instead of 22. Where many
    blocks move at the margin, as in arches, a call needs more and returns
-   KERN_NO_SPACE: of 1,900 random structures of 10 to 15 blocks 5 % of the
-   verdicts, 36 % of the margins, 26 % of the load factors. 2.9 MB were enough
+   KERN_NO_SPACE: of 1,900 random structures of 10 to 16 blocks 2 % of the
+   verdicts, 28 % of the margins, 9 % of the load factors. 2.9 MB were enough
    for every wall of 1000 blocks.
 
 
@@ -133,9 +133,8 @@
    options.limit bounds the work of one call. Work that would exceed the limit
    is not begun: the call returns KERN_LIMIT and writes what is proven by then.
    Below the limit the answer is the same, to the last bit, as without. A unit
-   of work took 0.05 to 0.3 microseconds on a desktop computer. The margin of
-   examples/structures/wall-60.kern takes 1,346 units, its load factors 7,193 and
-   7,453.
+   of work took 0.05 to 0.3 microseconds on a desktop computer; the margin of
+   examples/structures/wall-60.kern takes some 1,300 units, a load factor 7,300.
 
 
    CONFIGURATION                                                     >>config
@@ -173,11 +172,11 @@
    Forces are passed on from top to bottom (>>pour), three equations at a time
    where blocks can be balanced alone. What cannot be balanced is a small part
    that falls, or a few bodies of blocks that move as one: the simplex method
-   (>>lp) finds its motion. Where no small part
-   decides, an interior-point method (>>inner) finds forces, motion and margin
-   together. The margin is found from above (>>search): a part that falls while
-   all other blocks are held is a motion of the whole, so the whole falls no
-   later than any of its parts.
+   (>>lp) finds its motion. Where no small part decides, an interior-point
+   method (>>inner) finds forces, motion and margin together. The margin is
+   found from above (>>search): a part that falls while all other blocks are
+   held is a motion of the whole, so the whole falls no later than any of its
+   parts.
 
 
    RULES                                                               >>rules
@@ -264,9 +263,9 @@
    profile     how much worse it gets after that: every stone's own margin or
                load factor, their mean, the mean of the weaker half, and the
                expected drop
-   raised      whether the load raises the forces that hold it; and what share
-               of gravity may push sideways, and of the mean size its contacts
-               be off, until that is not shown (the reserve)
+   raised      whether the load raises the forces that hold it; reserve: up to
+               what share of gravity pushing sideways, with contacts shrunk by
+               that share of the mean size, this can still be shown
    sensitivity which way a stone should move or turn, and how exactly it must
                lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
@@ -317,22 +316,22 @@
                                      stays    moves     unclear
                                       kept   rejected   rejected
        raised                         0.99     0.48       0.19
-       reserve at least 0.003         0.98     0.78       0.52
+       reserve at least 0.003         0.98     0.79       0.52
        reserve at least 0.005         0.96     0.89       0.66
-       reserve at least 0.0055        0.96     0.90       0.70
-       reserve at least 0.007         0.95     0.91       0.75
+       reserve at least 0.0055        0.96     0.91       0.70
+       reserve at least 0.007         0.95     0.92       0.75
        reserve at least 0.02          0.85     0.97       0.88
-       load factor above 0.02         0.93     0.67       0.59
-       margin above 0.03 mean sizes   0.95     0.57       0.49
+       load factor above 0.02         0.92     0.67       0.59
+       margin above 0.03 mean sizes   0.94     0.57       0.49
 
-   Recommended: a reserve of 0.0055 or more. The larger reserve belongs to what
-   stays in 97.5 of 100 pairs (area under the curve; margin 0.87, load factor
-   0.91). It pushes and shrinks kerns at once, because a stone laid within e,
-   and e over its size in angle, errs in both. All of 272 settled structures are
-   raised, 271 with a reserve of 0.006. In float 0.94 of what stays is raised,
-   0.89 with a reserve of 0.0055. "Not shown" is no proof of falling; what is
-   raised may slip where the first motion of a stone changes its contacts.
-   tests/truth.c has the measurement.
+   Recommended: a reserve of 0.0055 or more. Of one that stays and one that
+   moves, the one that stays has the larger reserve in 97.5 % of pairs (area
+   under the ROC curve 0.975; margin 0.86, load factor 0.91). It pushes and
+   shrinks kerns at once: a stone is laid with errors of place and of angle. All
+   of 272 settled structures are raised, 271 with a reserve of 0.006. In float
+   0.98 of what stays is raised, 0.95 with a reserve of 0.0055. "Not shown" is
+   no proof of falling; what is raised may slip where the first motion of a
+   stone changes its contacts. The measurement is tests/truth.c.
 
    Forces. Many sets of forces hold a structure, no measure depends on which,
    and a proof has the first that was found. To look at, take the least forces
@@ -520,22 +519,22 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_UNDECIDED, -1, "undecided: neither proof could be completed")      \
     X(KERN_NO_SPACE, -2, "an array is too short for the result or the work")  \
     X(KERN_BAD_POINTER, -3, "a pointer is null where an array is expected")   \
-    X(KERN_BAD_NUMBER, -4, "not a number, or infinite, or out of bounds")   \
-    X(KERN_BAD_COUNT, -5, "a count is negative or above its limit")          \
+    X(KERN_BAD_NUMBER, -4, "not a number, or infinite, or out of bounds")     \
+    X(KERN_BAD_COUNT, -5, "a count is negative or above its limit")           \
     X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
     X(KERN_NO_AREA, -7, "a polygon has no area")                              \
-    X(KERN_CROSSING, -8, "a polygon crosses or touches itself")               \
+    X(KERN_CROSSING, -8, "a polygon crosses itself or passes a point twice")  \
     X(KERN_BAD_MASS, -9, "a mass or density is not positive or out of range") \
     X(KERN_BAD_FRICTION, -10, "a coefficient of friction is negative")        \
-    X(KERN_BAD_OPTION, -11, "an option is out of its range")                  \
-    X(KERN_BAD_BLOCK, -12, "a contact names a block that does not exist")     \
+    X(KERN_BAD_OPTION, -11, "an option or a side is out of its range")        \
+    X(KERN_BAD_BLOCK, -12, "there is no block of that index")                 \
     X(KERN_SAME_BLOCK, -13, "a contact names the same block twice")           \
-    X(KERN_BAD_NORMAL, -14, "the normal of a contact has no direction")       \
+    X(KERN_BAD_NORMAL, -14, "a contact has no normal of length 1")            \
     X(KERN_BAD_LINE, -15, "a line contact does not lie along its tangent")    \
     X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
     X(KERN_NO_FREE, -17, "no block is free")                                  \
     X(KERN_BAD_STEP, -18, "the step needs more than 1,000,000 levels")        \
-    X(KERN_LIMIT, -19, "the limit of work of one call was reached")          \
+    X(KERN_LIMIT, -19, "the limit of work of one call was reached")           \
     X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
     X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")
 
@@ -551,7 +550,7 @@ typedef struct kern_fault {
     int block;            /* index of a block, -1: none                       */
     int other;            /* the other block of an overlap, -1: none          */
     int index;            /* vertex of the polygon or contact point, -1: none */
-    kern_real value;      /* depth of an overlap [m], 0: none                 */
+    kern_real value;      /* an overlap is at least so deep [m], 0: none      */
     kern_real allowed;    /* overlap that would be a contact [m], 0: none     */
 } kern_fault;
 
@@ -725,11 +724,10 @@ typedef struct kern_known {
     kern_force *force;    /* one a contact point: at holds                    */
     kern_real holds, margin, fails; /* of the last measure; fails 0: there
                                        was none                               */
-    int blocks, contacts; /* that it checked and balanced; 0: none            */
-    kern_real seen;       /* a sum over these blocks, by which it is noticed
-                             that one was changed                             */
-    kern_vec gravity;     /* that it was measured under,                      */
-    int relative, nested; /* and how; nonzero: its kerns are nested           */
+    int blocks, contacts; /* of the structure that was measured; 0: none     */
+    kern_real seen;       /* a sum over these blocks: a change is noticed     */
+    kern_vec gravity;     /* its gravity                                      */
+    int relative, nested; /* its option; nonzero: its kerns are nested        */
 } kern_known;
 
 /* What a call needs. kern_task_of() fills it; each field may be changed between
@@ -746,9 +744,9 @@ typedef struct kern_task {
    blocks are added. Everything may be read at any time; contacts that are given
    rather than found may be appended to contact[task.s.contacts]. A try trusts
    what kern_measure() checked and proved as long as blocks and contacts are as
-   many as they were then. That a mass, a centre or a load has changed it
-   notices, and trusts nothing; who changes a contact by hand sets
-   task.known.fails to 0, or measures again, before the next try. */
+   many as they were then. It notices that a mass, a centre or a load has
+   changed; after changing a contact by hand set task.known.fails to 0, or
+   measure again, before the next try. */
 typedef struct kern_plan {
     kern_task task;       /* the structure as it is now                       */
     kern_block *block;    /* arrays of the caller, which task.s reads         */
@@ -885,7 +883,8 @@ KERN_API void kern_work_need(int blocks, int contacts,
    have moved, call this again. fault may be NULL; its index is the vertex.
    KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
    above 1e100, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
-   [m^2]), KERN_CROSSING (also for repeated vertices), KERN_BAD_MASS (density
+   [m^2]), KERN_CROSSING (also where the last vertex repeats the first, as in
+   closed rings of other formats), KERN_BAD_MASS (density
    not above 0, or a mass below 1e-100 or above 1e100 [kg]; float: 1e-15 and
    1e15).
    Time: O(n) for n vertices of a convex polygon; in another each edge is held
@@ -914,18 +913,17 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    of block 1 with block 0, of block 2 with 0 and with 1, and so on, so that
    what the last block touches comes last. Two fixed blocks have none, nor has a
    block without vertices. Returns how many contact points there are, or
-   KERN_NO_SPACE (nothing may be read from out, which has to be longer than the
-   result while the faces of a pair are merged, by some seven points for each
-   step of its outlines), KERN_OVERLAP (the first pair; value: the depth [m]
-   that was found), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
-   KERN_FEW_VERTICES, KERN_NO_AREA (the block), KERN_STALE (the block: its
-   vertices have moved, or their array was used for another block). Of the work
-   memory it takes 2 B ints: less than KERN_INTS(B, C). Time: O(B log B + C log
-   C), and a test of boxes for each two blocks that stand above each other
-   (beside, where the whole is higher than wide). For two blocks whose boxes
-   meet: a few products for each two edges that are near, and some tens for each
-   two edges where no edge of either parts them, as one does between convex
-   stones. */
+   KERN_NO_SPACE (out means nothing; while faces of a pair are merged it takes
+   some seven points for each step of its outlines), KERN_OVERLAP (the first
+   pair; kern_overlaps() lists all, and how deep they are), KERN_BAD_POINTER,
+   _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES, KERN_NO_AREA (the
+   block), KERN_STALE (the block: its vertices have moved, or their array was
+   used for another block). Of the work memory it takes 2 B ints: less than
+   KERN_INTS(B, C). Time: O(B log B + C log C), and a test of boxes for each two
+   blocks that stand above each other (beside, where the whole is higher than
+   wide). For two blocks whose boxes meet: a few products for each two edges
+   that are near, and some tens for each two edges where no edge of either parts
+   them, as one does between convex stones. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
@@ -990,13 +988,13 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    kern_measured() was given: 1 yes, 0 no. It stands for certain if it also
    stands with half the error allowed in gaps and angles, with its kerns shrunk
    by e and with friction angles less by 4 theta, and falls for certain if it
-   also falls with three times the error allowed and with its kerns grown by
-   2 e. As the stated error grows "falls for certain" only ends; "stands for
-   certain" begins where the error explains the gaps, and ends where it is too
-   large. verdict is that of kern_verdict() at 0, KERN_STANDS or KERN_FALLS.
-   out[0..room) receives the contacts of that query. Below 0: what
-   kern_contacts() or kern_verdict() returns, KERN_BAD_OPTION where the options
-   are not those of kern_measured() or for any other verdict. */
+   also falls with three times the error allowed and with its kerns grown by 2
+   e. A larger stated error makes no fall certain; standing becomes certain
+   where it explains the gaps, and ceases to be where it is too large. verdict
+   is that of kern_verdict() at 0, KERN_STANDS or KERN_FALLS. out[0..room)
+   receives the contacts of that query. Below 0: what kern_contacts() or
+   kern_verdict() returns, KERN_BAD_OPTION where the options are not those of
+   kern_measured() or for any other verdict. */
 KERN_API int kern_certain(const kern_task *task, kern_status verdict,
                           kern_contact *out, int room);
 
@@ -1141,8 +1139,10 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 
 /* -- planning -- */
 /* A planner compares many structures that differ by a stone. No contact is
-   searched twice, and every measure starts from the last one. Answers are those
-   without a warm start. kern_measure(&plan.task, ...) measures the plan. */
+   searched twice. kern_measure(&plan.task, ...) measures the plan: the first
+   time it takes up to 5 times as long as without `known`, since it looks for
+   forces with room for candidates, and later it starts from the last measure.
+   Answers are those without a warm start. */
 
 /* An empty plan: arrays for so many blocks and contact points, kern_known_of()
    arrays as long as these, and work memory for a structure of that size.
@@ -1154,8 +1154,8 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
 /* Adds a block behind the others and finds its contacts. Returns how many
    contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
    also where there is no room for it; the plan is then as it was. The block is
-   copied, its vertices are NOT: they must outlive the plan. Contacts are found
-   with the options of then, also their friction. Time: O(B). */
+   copied, its vertices are NOT: they must outlive the plan. Options that change
+   later, friction too, leave its contacts as they are. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
 /* Takes block i away; those behind it move up, in contacts too. KERN_OK: done.

@@ -151,7 +151,7 @@ int main(void)
 
 /* Output:
 outline          vertices     mass     error    margin
-as it comes         10000   a polygon crosses or touches itself
+as it comes         10000   a polygon crosses itself or passes a point twice
 within 0.003 m         56   2669.6    0.0036    0.2500  certain
 within 0.006 m         35   2663.0    0.0063    0.3300  certain
 within 0.012 m         29   2659.0    0.0122    0.3307  certain

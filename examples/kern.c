@@ -52,7 +52,8 @@ static const char help[] =
 "                   mean block, angles up to 0.15 rad): best predictor of\n"
 "                   shaking; the verdict still comes from real contacts\n"
 "      --raised     does the load raise the forces that hold it, or do blocks\n"
-"                   hang; and the share of g that may push to either side\n"
+"                   hang; and the reserve, the share of g that may push to\n"
+"                   either side: 0.0055 is enough for a stone that is let go\n"
 "      --error E[,THETA]  how many times the robot's error the structure bears:\n"
 "                   +-E in place (a length), +-THETA in angle (rad); and the\n"
 "                   least friction at which it stands\n"
@@ -967,7 +968,11 @@ static void report_resultants(const struct analysis *a)
     const struct draw_scene scene = scene_of(a);
     char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     struct draw_pt at, f;
+    double least = 0; /* below, a component is rounding */
     if (!scene.force) return;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        if (draw_resultant(&scene, k, &at, &f))
+            least = fmax(least, 1e-9 * hypot(f.x, f.y));
     printf("  resultants  %-10s %-10s %11s %11s %11s %11s\n", "from", "on", "x",
            "y", "fx", "fy");
     for (int k = 0; k < a->task.s.contacts; k++)
@@ -975,7 +980,8 @@ static void report_resultants(const struct analysis *a)
             printf("              %-10s %-10s %11.5g %11.5g %11.5g %11.5g\n",
                    name_of(a, a->task.s.contact[k].a, one),
                    name_of(a, a->task.s.contact[k].b, two), tidy(a, at.x),
-                   tidy(a, at.y), f.x, f.y);
+                   tidy(a, at.y), fabs(f.x) < least ? 0 : f.x,
+                   fabs(f.y) < least ? 0 : f.y);
 }
 
 static void report_motion(const struct analysis *a)
@@ -1130,7 +1136,7 @@ static void report_raised(const struct analysis *a)
            ? "hangs     some blocks rest on nothing"
            : "not shown  no forces were found that its load raises");
     if (a->raising == KERN_RAISED && !isnan(a->reserve))
-        printf("; to either side up to %.4g g more", a->reserve);
+        printf("; reserve %.4g g to either side", a->reserve);
     printf("\n");
 }
 
@@ -1138,9 +1144,13 @@ static void report_error(const struct analysis *a)
 {
     printf("  bears       ");
     if (isnan(a->bears)) printf("undecided\n");
-    else printf("%-8.4g  times the error of its places, %.4g%s%.4g\n", a->bears,
-                (double)a->set->own_error, a->set->own_turn > 0 ? " and " : "",
-                (double)a->set->own_turn);
+    else {
+        printf("%-8.4g  times an error of %.4g in place", a->bears,
+               (double)a->set->own_error);
+        if (a->set->own_turn > 0)
+            printf(" and %.4g rad in angle", (double)a->set->own_turn);
+        printf("\n");
+    }
     if (!isnan(a->least_friction))
         printf("  friction    %-8.4g  the least at which it stands\n",
                a->least_friction);
@@ -1153,7 +1163,7 @@ static void report_sequence(const struct analysis *a)
     printf("  sequence    margin after each block\n");
     for (int i = 0; i < a->task.s.blocks; i++)
         if (!a->task.s.block[i].fixed)
-            printf("    %-16s %-10.4g%s\n", name_of(a, i, shown),
+            printf("    %-16s %.4g%s\n", name_of(a, i, shown),
                    a->sequence[i], i == weakest ? "  weakest" : "");
 }
 

@@ -8,7 +8,7 @@
            -ffunction-sections -fdata-sections -Wl,--gc-sections \
            -T examples/firmware/mps2-an386.ld -o firmware.elf \
            examples/firmware/main.c examples/firmware/board.c
-       qemu-system-arm -M mps2-an386 -nographic \
+       qemu-system-arm -M mps2-an386 -nographic -icount shift=0 \
            -semihosting-config enable=on,target=native -kernel firmware.elf
 
    A wall of 30 stones lies in flash. It is measured, then a candidate stone is

@@ -381,13 +381,14 @@ class KernError(ValueError):
     """A status below zero: the library refused its input, or was undecided.
 
     status: the Status; blocks: names of the blocks at fault; index: of the
-    vertex or contact point, or -1; value: the depth that was found of an
-    overlap, or 0.
+    vertex or contact point, or -1; value: an overlap is at
+    least so deep (overlaps() measures it), or 0.
 
     >>> Structure([Block("bow tie", [(0, 0), (1, 1), (2, 0), (0, 1)])])
     Traceback (most recent call last):
         ...
-    kern.KernError: 'bow tie': a polygon crosses or touches itself (vertex 0)
+    kern.KernError: 'bow tie': a polygon crosses itself or passes a point twice \
+(vertex 0)
     """
 
     def __init__(self, status: int, names: Sequence[str], fault: _Fault):
@@ -397,7 +398,7 @@ class KernError(ValueError):
         self.index, self.value = fault.index, fault.value
         place = ""
         if self.status == Status.OVERLAP:
-            place = " (%.4g deep; %.4g is allowed: Options.overlap)" % (
+            place = " (at least %.4g deep; %.4g is allowed: Options.overlap)" % (
                 self.value, fault.allowed)
         elif self.status == Status.STALE:
             place = ": call update()"
@@ -781,7 +782,7 @@ class Structure:
     Traceback (most recent call last):
         ...
     kern.KernError: 'low' and 'top': two blocks overlap deeper than the gap \
-tolerance (0.25 deep; 0.001 is allowed: Options.overlap)
+tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     """
 
     def __init__(self, blocks: Iterable[Block],
