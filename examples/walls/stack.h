@@ -97,6 +97,10 @@ static const char *const stack_goal_name[] = { "shaking", "drop", "load" };
 
 struct stack_wall;
 
+/* What it takes to let a stone go in the simulator, in candidates; and how many
+   stones of the stock may be the next one, if nothing else is asked for. */
+enum { STACK_SWAY = 100, STACK_LOOK = 6 };
+
 struct stack_options {
     enum stack_planner planner;
     double width, height;   /* of the frame, whose lower left is 0, 0     */
@@ -110,7 +114,9 @@ struct stack_options {
     int walls;              /* that `best` builds                         */
     int effort;             /* no further one after so many candidates and
                                questions to kern, and STACK_SWAY for each
-                               that was let go; 0: no such limit          */
+                               that was let go; twice as many where twice as
+                               many stones or more than STACK_LOOK may be
+                               the next; 0: no such limit                 */
     enum stack_goal goal;   /* what it wants to be high                   */
     double beat[2];         /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
@@ -120,15 +126,12 @@ struct stack_options {
 
 STACK_API struct stack_options stack_defaults(void)
 {
-    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, 6, { 0 }, 0,
-                               0.4, -1, 1, 48, 140000, STACK_PROOF, { 0, 0 },
-                               NULL };
+    struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
+                               { 0 }, 0, 0.4, -1, 1, 48, 140000, STACK_PROOF,
+                               { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
-
-/* What it takes to let a stone go in the simulator, in candidates. */
-enum { STACK_SWAY = 100 };
 
 /* A small stone fills what others leave: below this share of the mean area. */
 static const double stack_filler = 0.25;
@@ -1557,6 +1560,16 @@ static struct stack_weights stack_vary(struct stack_weights g,
     return g;
 }
 
+/* Was the effort spent? A wall has more candidates where more stones may be the
+   next one, so that as many walls take more. */
+static int stack_spent(const struct stack_wall *w)
+{
+    const struct stack_options *o = &w->options;
+    const double share = fmin(2, fmax(1, (double)o->look / STACK_LOOK));
+    return o->effort > 0 && (double)w->tried + (double)w->asked +
+                            STACK_SWAY * (double)w->swayed > share * o->effort;
+}
+
 /* Builds one wall after the other: a quarter from the ground, then by taking
    stones off the best one and going on differently, more often than not with
    weights like those that made it; keeps the best. */
@@ -1585,9 +1598,7 @@ STACK_API int stack_best(struct stack_wall *w)
         const int fresh = keep == 0 || i < o->walls / 4;
         struct stack_weights g = stack_weigh(o, chance);
         double value;
-        if (o->effort > 0 && w->tried + w->asked + STACK_SWAY * w->swayed
-                             > o->effort)
-            break;
+        if (stack_spent(w)) break;
         int from = fresh ? 0 : (int)build_uniform(chance, 0, keep - 1);
         if (!fresh && build_uniform(chance, 0, 1) < 0.6)
             g = stack_vary(good, chance);
