@@ -21,17 +21,20 @@ block_of() { # block_of WORD: the block of code in README with that word
         on = !on; text = ""; next } on { text = text $0 "\n" }' README.md
 }
 
-three_stones() { # its output, its file and its function in C
+three_stones() { # its output, its file and its functions in C
     local kern
     kern=$(program kern examples/kern.c) || return 1
     block_of "block beam" >"$out/mine.kern"
     block_of how_safe >"$out/mine.c"
+    block_of best_place >"$out/plan.c"
     "$kern" examples/structures/irregular-wall.kern |
         diff - <(block_of "irregular-wall.kern: stands") || return 1
     "$kern" --svg "$out/mine.svg" "$out/mine.kern" | grep -q ": stands" &&
         $judge svg "$out/mine.svg" &&
         gcc -std=c99 -Wall -Wextra -Werror -I. -c -o "$out/mine.o" \
-            "$out/mine.c"
+            "$out/mine.c" &&
+        gcc -std=c99 -Wall -Wextra -Werror -I. -include kern.h -c \
+            -o "$out/plan.o" "$out/plan.c"
 }
 
 firmware() { # its commands; pivots, ticks and bytes are not compared
