@@ -33,8 +33,8 @@ three_stones() { # its output, its file and its functions in C
         $judge svg "$out/mine.svg" &&
         gcc -std=c99 -Wall -Wextra -Werror -I. -c -o "$out/mine.o" \
             "$out/mine.c" &&
-        gcc -std=c99 -Wall -Wextra -Werror -I. -include kern.h -c \
-            -o "$out/plan.o" "$out/plan.c"
+        gcc -std=c99 -Wall -Wextra -Werror -I. -include stddef.h -include kern.h \
+            -c -o "$out/plan.o" "$out/plan.c"
 }
 
 firmware() { # its commands; pivots, ticks and bytes are not compared
