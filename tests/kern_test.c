@@ -1670,6 +1670,7 @@ static void polygon_faults(void)
     static const double spike[] = {0, 0, 2, 0, 2, 2, 2, 3, 2, 2, 0, 2};
     static const double star[] = {0,   1,   .59, -.81, -.95,
                                   .31, .95, .31, -.59, -.81};
+    double needle[] = {0, 0, 2, 0, 1, 1, 1, 2, 1, 1, 0.5, 1, 0, 1};
     double xy[8];
     kern_block b;
     kern_fault fault;
@@ -1690,6 +1691,13 @@ static void polygon_faults(void)
     CHECK(fault.index >= 0 && fault.index < 6);
     CHECK_INT(polygon(&b, &fault, 1, on_edge, 5), KERN_CROSSING);
     CHECK_INT(polygon(&b, &fault, 1, spike, 6), KERN_CROSSING);
+    for (i = 0; i < 2 && !SINGLE; i++) { /* a needle of 0.7e-6 rad is a spike */
+        needle[4] = 1 + (i ? 1.4e-6 : 0.7e-6);
+        CHECK_INT(polygon(&b, &fault, 1, needle, 7),
+                  i ? KERN_OK : KERN_CROSSING);
+        CHECK_INT(fault.index, i ? -1 : 3);
+    }
+    CHECK_INT(kern_block_init(&b, v, 1000001, R(1), &fault), KERN_BAD_COUNT);
     CHECK_INT(polygon(&b, &fault, -1, square, 4), KERN_BAD_MASS);
     i = polygon(&b, &fault, not_a_number(), square, 4);
     CHECK(i == KERN_BAD_MASS || i == KERN_BAD_NUMBER);
@@ -2138,6 +2146,139 @@ static int box_on_ground(world *w, double x, double y, double width,
     return world_touch(w);
 }
 
+/* The rules of contacts (>>rules in kern.h), each where it alone decides: a
+   stone on ground, how many contact points there are, and where some are, with
+   the x of their normals, which point up. */
+static const struct rule {
+    int tiny;                     /* too small for float                     */
+    double gap;                   /* 0: 1e-3 of the stone's size             */
+    double ground[24], stone[20]; /* vertices, until the first 99            */
+    int points, lines;
+    double at[4][3];              /* x, y, n.x, until the first 99           */
+} contact_rule[] = {
+    /* a point is the vertex, not midway to the edge */
+    {0, 0.02, {-1, -1, 1, -1, 1, 0, -1, 0, 99}, {0, 0.01, 1, 1, -1, 1, 99},
+     1, 0, {{0, 0.01, 0}, {99}}},
+    /* what is longer than the gap is a line, however short beside the stone */
+    {0, 1e-4, {-1, -1, 2e-4, -1, 2e-4, 0, -1, 0, 99},
+     {0, 0, 1, 0, 1, 1, 0, 1, 99}, 2, 1, {{0, 0, 0}, {2e-4, 0, 0}, {99}}},
+    /* a tip beside a stone, within the gap of its bed, has another normal */
+    {0, 0.01, {-1, -1, 2, -1, 2, 0, -0.03, 0, 0, 0.005, -0.03, 0.03, -1, 0.03, 99},
+     {0, 0, 1, 0, 1, 1, 0, 1, 99}, 3, 1,
+     {{0, 0, 0}, {1, 0, 0}, {0, 0.005, 1}, {99}}},
+    /* a tip on a shelf below another has the normal of the line on that one */
+    {0, 0, {-1, -1, 1, -1, 1, 0, 0, 0, 0, 0.7, 1, 0.7, 1, 1, -1, 1, 99},
+     {0.5, 0, 1.5, 0.2, 1.5, 1.3, 0, 1.3, 0, 1, 1.2, 1, 1.2, 0.5, 0.2, 0.3, 99},
+     3, 1, {{0, 1, 0}, {1, 1, 0}, {0.5, 0, 0}, {99}}},
+    /* of two on one line, one bears the stone and one holds it down */
+    {0, 0, {-2, -1, 0, -1, 0, 0, -1.2, 0, -1.2, 0.8, 1, 0.8, 1, 0, 2, 0, 2, 1.2,
+         -2, 1.2, 99},
+     {-1, 0, 0.2, 0, 0.2, -0.3, 2, -0.3, 2, 0, 0.6, 0, 0.6, 0.3, -1, 0.3, 99},
+     4, 2, {{-1, 0, 0}, {0, 0, 0}, {99}}},
+    /* a bed that bends by more than the angle is two, also within the gap */
+    {0, 0.02, {-1, -1, 1, -1, 1, 0, 0, 0, -1, 0.05, 99},
+     {-0.3, 0.015, 0, 0, 0.7, 0, 0.7, 1, -0.3, 1, 99}, 4, 2,
+     {{0, 0, 0}, {0.7, 0, 0}, {99}}},
+    /* so is one within the angle whose end is off the line of the other */
+    {0, 0, {-2, -1, 1.5, -1, 1.5, 0.0025, 0.5, -0.0025, 0.5, -0.5, 0, -0.5, 0, 0,
+         -2, 0, 99},
+     {-2, 0, 0, 0, 0.5, -0.0025, 1.5, 0.0025, 1.5, 0.5, -2, 0.5, 99}, 4, 2,
+     {{-2, 0, 0}, {0, 0, 0}, {99}}},
+    /* normals count by length: tilts of 0.0005 over 1 and -0.001 over 0.5 */
+    {0, 0.01, {-2, -1, 2, -1, 2, 0, -2, 0, 99},
+     {-1, 0.001, 0, 0, 0.5, 0.001, 0.5, 1, -1, 1, 99}, 2, 1,
+     {{-1, 0.0005, 0}, {0.5, 0.0005, 0}, {99}}},
+    /* points count alike: on slopes of 0.004 and -0.002 */
+    {0, 0.01, {-1, -1, 1, -1, 1, -0.002, 0, 0, -1, -0.004, 99},
+     {-0.5, -0.002, 0, 0.5, 0.5, -0.001, 1, 1, -1, 1, 99}, 2, 1,
+     {{-0.5, -0.002, -0.001}, {0.5, -0.001, -0.001}, {99}}},
+    /* a line of an outline with a step is midway between the chords */
+    {0, 0.02, {-1, -1, 1, -1, 1, 0, 0.1, 0, 0.1, -0.01, -0.1, -0.01, -0.1, 0, -1,
+            0, 99},
+     {-0.5, 0.008, 0.5, 0.008, 0.5, 1, -0.5, 1, 99}, 2, 1,
+     {{-0.5, 0.004, 0}, {0.5, 0.004, 0}, {99}}},
+    /* a tooth below the gap is none, also where the outline begins with it */
+    {0, 0.05, {-1, -1, 1, -1, 1, 0, -1, 0, 99},
+     {0, 0, 0.02, 0.04, 1, 0.04, 1, 1, -1, 1, -1, 0.04, -0.02, 0.04, 99}, 2, 1,
+     {{-1, 0.02, 0}, {1, 0.02, 0}, {99}}},
+    /* what is farther from its chord than a tenth of a stone is no step,
+       whatever the gap: both beds bear, 0.105 above and below their mean */
+    {0, 0.3, {-1, -1, 1, -1, 1, -0.21, 0, -0.21, 0, 0, -1, 0, 99},
+     {-1, 0, 1, 0, 1, 0.5, -1, 0.5, 99}, 2, 1,
+     {{-1, -0.0525, 0}, {1, -0.0525, 0}, {99}}},
+    {0, 0.3, {-1, -1, 1, -1, 1, -0.19, 0, -0.19, 0, 0, -1, 0, 99},
+     {-1, 0, 1, 0, 1, 0.5, -1, 0.5, 99}, 4, 2, {{-1, 0, 0}, {0, 0, 0}, {99}}},
+    /* the tread of a step in a side bears nothing: it is no part of the side */
+    {0, 0.02, {-1, -1, 1.015, -1, 1.015, -0.01, 1, -0.01, 1, 0, -1, 0, 99},
+     {1.008, -0.01, 2, -0.01, 2, 1, 1.2, 1, 99}, 1, 0, {{99}}},
+    /* a point beside a line within 10 degrees (here 9.5, then 10.5) is none */
+    {0, 0, {-1, -1, 1, -1, 1, 0.16734, 0, 0, -1, 0, 99},
+     {-0.5, 0, 0, 0, 1, 0.5, 1, 2, -0.5, 2, 99}, 2, 1, {{99}}},
+    {0, 0, {-1, -1, 1, -1, 1, 0.18534, 0, 0, -1, 0, 99},
+     {-0.5, 0, 0, 0, 1, 0.5, 1, 2, -0.5, 2, 99}, 3, 1, {{99}}},
+    /* 1e-6 of the size: a foot so close to the end is none, */
+    {1, 0, {-1, -1, 0, -1, 0, 0, -1, 0, 99}, {-0.7e-6, 0, 1, 1, -1, 1, 99},
+     0, 0, {{99}}},
+    {1, 0, {-1, -1, 0, -1, 0, 0, -1, 0, 99}, {-1.4e-6, 0, 1, 1, -1, 1, 99},
+     1, 0, {{-1.4e-6, 0, 0}, {99}}},
+    /* a face so short is a point, */
+    {1, 0, {-1, -1, 1, -1, 1, 0, -1, 0, 99}, {0, 0, 0.7e-6, 0, 1, 1, -1, 1, 99},
+     1, 0, {{0.35e-6, 0, 0}, {99}}},
+    {1, 0, {-1, -1, 1, -1, 1, 0, -1, 0, 99}, {0, 0, 1.4e-6, 0, 1, 1, -1, 1, 99},
+     2, 1, {{0, 0, 0}, {1.4e-6, 0, 0}, {99}}},
+    /* and a vertex that turns by less is no corner, which bears nothing */
+    {1, 0, {-1, -1, 1, -1, 1, -0.35e-6, 0, 0, -1, -0.35e-6, 99},
+     {0, 0, 1, 1, -1, 1, 99}, 1, 0, {{0, 0, 0}, {99}}},
+    {1, 0, {-1, -1, 1, -1, 1, -0.7e-6, 0, 0, -1, -0.7e-6, 99},
+     {0, 0, 1, 1, -1, 1, 99}, 0, 0, {{99}}},
+};
+
+static int rule_polygon(world *w, double density, const double *xy)
+{
+    int n = 0;
+    while (xy[2 * n] < 99)
+        n++;
+    return world_polygon(w, density, xy, n);
+}
+
+static void contact_rules(void)
+{
+    static world w;
+    size_t i;
+    int k;
+    for (i = 0; i < sizeof contact_rule / sizeof contact_rule[0]; i++) {
+        const struct rule *r = &contact_rule[i];
+        if (SINGLE && r->tiny)
+            continue;
+        sprintf(context, "(rule %d)", (int)i);
+        world_reset(&w);
+        w.options.gap = R(r->gap);
+        rule_polygon(&w, 0, r->ground);
+        rule_polygon(&w, 1, r->stone);
+        CHECK_INT(world_touch(&w), r->points);
+        CHECK_INT(lines_of(&w), r->lines);
+        for (k = 0; k < 4 && r->at[k][0] < 99; k++)
+            CHECK(contact_at(&w, 0, 1, r->at[k][0], r->at[k][1], r->at[k][2],
+                             sqrt(1 - r->at[k][2] * r->at[k][2]),
+                             r->tiny ? 1e-9 : SINGLE ? 1e-5 : 2e-6));
+        check_contacts(&w);
+    }
+    context[0] = 0;
+}
+
+/* No gap is less than 64 roundings of the largest coordinate. */
+static void contact_floor(void)
+{
+    static world w;
+    const double least = 64 * EPS * 5; /* the ground ends at 5 */
+    CHECK_INT(box_on_ground(&w, 0, 0.7 * least, 1, 1), 2);
+    w.options.gap = R(1e-3 * least);
+    CHECK_INT(world_touch(&w), 2);
+    CHECK_INT(box_on_ground(&w, 0, 1.4 * least, 1, 1), 2);
+    w.options.gap = R(1e-3 * least);
+    CHECK_INT(world_touch(&w), 0);
+}
+
 /* The gap tolerance is a thousandth of the smaller free block's size, unless
    the user gives one, which holds for all pairs. */
 static void contact_gap(void)
@@ -2390,6 +2531,16 @@ static void contact_stale(void)
         v[2] = before;
     }
     CHECK_INT(kern_touch(w.block, 2, &w.options, out, 8, &work), 2);
+    /* in the same box, 0.7 and 1.4 thousandths of the area less */
+    for (k = 0; k < 2; k++) {
+        static const double notch[] = {5, 0, 6, 0, 6, 1, 5.5, 1, 5, 1};
+        world_polygon(&w, 1, notch, 5);
+        w.vertex[w.vertices - 2].y = R(k ? 1 - 2.8e-3 : 1 - 1.4e-3);
+        CHECK_INT(kern_touch(w.block, 3, &w.options, out, 8, &work),
+                  k ? KERN_STALE : 0);
+        w.blocks--;
+        w.vertices -= 5;
+    }
     /* the mirror image has the same box, and the other sign of area */
     w.vertex[4] = vec(0, 1);
     w.vertex[5] = vec(1, 1);
@@ -3024,8 +3175,6 @@ static void steps_of_pixels(void)
     context[0] = 0;
 }
 
-/* knife/joint_10deg_2000px: the joint of steps_of_pixels() before it was an
-   image. */
 /* Stairs in stairs, a third of the gap apart: the contact lies midway between
    their chords and ends where the stairs do. */
 static void steps_apart(void)
@@ -3057,6 +3206,9 @@ static void steps_apart(void)
         CHECK_NEAR(c->p.y, (1 - i) * (TREADS - 1) * high + up / 2, GEO);
     }
 }
+
+/* knife/joint_10deg_2000px: the joint of steps_of_pixels() before it was an
+   image. */
 static void steps_straight_joint(void)
 {
     static world w;
@@ -8177,6 +8329,82 @@ static void certain_verdicts(void)
     CHECK_INT(kern_certain(NULL, KERN_STANDS, again, 20), KERN_BAD_POINTER);
 }
 
+/* What kern_measured() allows, in errors: a gap of 4, an overlap of 8 and 5
+   errors of angle times half the diagonals, a foot 2 beyond the edge. */
+static void measured_bounds(void)
+{
+    static const double ground[] = {-1, -1, 0, -1, 0, 0, -1, 0};
+    static const double beyond[2] = {1.8, 2.2};
+    static world w;
+    const double e = 0.01, angle = 0.003;
+    int index[4], i, k;
+    kern_work work = kern_work_of(NULL, 0, index, 4);
+    double stone[6];
+    kern_options o = kern_measured(NULL, R(e), R(0.2));
+    CHECK_NEAR(o.gap, 4 * e, GEO);
+    CHECK_NEAR(o.overlap, 8 * e, GEO);
+    CHECK_NEAR(o.angle, 0.495, GEO);
+    CHECK_NEAR(kern_measured(NULL, R(e), R(0.02)).angle, 0.13, GEO);
+    for (i = 0; i < 4; i++) { /* beyond the ground's end, deep in it */
+        stone[0] = i < 2 ? beyond[i] * e : -0.5;
+        stone[1] = i < 2 ? 0 : i == 2 ? -0.07 : -0.09;
+        stone[2] = stone[0] + 1;
+        stone[4] = stone[0] - 1;
+        stone[3] = stone[5] = stone[1] + 1;
+        world_reset(&w);
+        world_polygon(&w, 0, ground, 4);
+        world_polygon(&w, 1, stone, 3);
+        w.options = kern_measured(NULL, R(e), R(0));
+        k = world_touch(&w);
+        CHECK(i == 3 ? k == KERN_OVERLAP : k > 0);
+        CHECK_INT(contact_at(&w, 0, 1, stone[0], stone[1] / 2, 0, 1, GEO),
+                  i % 2 == 0); /* midway */
+    }
+    world_reset(&w);
+    world_box(&w, 0, 0, 0, 3, 4);
+    world_box(&w, 1, 0, 0, 3, 4);
+    w.options = kern_measured(NULL, R(e), R(angle));
+    CHECK_INT(kern_contacts(w.block, 2, &w.options, w.contact, MAX_POINTS,
+                            &work), KERN_OVERLAP);
+    CHECK_NEAR(work.fault.allowed, 8 * e + 5 * angle * (2.5 + 2.5), GEO);
+}
+
+/* A unit box on a bed that ends at `end`, `gap` above it, gravity leaning: the
+   verdict, and whether it is certain. */
+static int certain_of(double end, double gap, double lean, double angle,
+                      kern_status got)
+{
+    static world w;
+    static kern_contact again[20];
+    kern_work work;
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, end, 0);
+    world_box(&w, 1, 0, gap, 1, 1 + gap);
+    w.gravity = vec(lean, -1);
+    w.options = kern_measured(&w.options, R(0.01), R(angle));
+    CHECK(world_touch(&w) >= 0);
+    CHECK_INT(verdict(&w, 0), got);
+    work = work_of(&w);
+    return kern_certain(world_task(&w, &work), got, again, 20);
+}
+
+/* The errors that a certain verdict bears: in one that stands kerns are shorter
+   by 1 at each end, gaps half as wide, slopes steeper by 4 errors of angle; in
+   one that falls kerns are longer by 2, gaps 3 times as wide. */
+static void certain_bounds(void)
+{
+    const double mu = 0.4, slope = (mu - 0.04) / (1 + mu * 0.04);
+    int i;
+    for (i = 0; i < 2; i++) {
+        const double by = i ? 1.1 : 0.9;
+        CHECK_INT(certain_of(0.51 + (by - 1) * 0.01, 0, 0, 0, KERN_STANDS), i);
+        CHECK_INT(certain_of(2, 0.02 * by, 0, 0, KERN_STANDS), !i);
+        CHECK_INT(certain_of(2, 0, slope * by, 0.01, KERN_STANDS), !i);
+        CHECK_INT(certain_of(0.48 - (by - 1) * 0.02, 0, 0, 0, KERN_FALLS), i);
+        CHECK_INT(certain_of(2, 0.12 * by, 0, 0, KERN_FALLS), i);
+    }
+}
+
 /* A rounded stone on a flat bed has one margin, however many vertices it has,
    if the options know how exact they are. */
 static void measured_round_stone(void)
@@ -9064,6 +9292,8 @@ static const test tests[] = {
     TEST(contact_points),
     TEST(contact_merged_faces),
     TEST(contact_angle),
+    TEST(contact_rules),
+    TEST(contact_floor),
     TEST(contact_gap),
     TEST(contact_narrow_seat),
     TEST(contact_overlap),
@@ -9129,7 +9359,9 @@ static const test tests[] = {
     TEST(near_contacts),
     TEST(measured_gaps),
     TEST(overlaps_of_three),
+    TEST(measured_bounds),
     TEST(certain_verdicts),
+    TEST(certain_bounds),
     TEST(measured_round_stone),
     TEST(plan_random),
     TEST(plan_points),
