@@ -144,8 +144,7 @@
    KERN_API             linkage of public functions; extern
    KERN_SINGLE          kern_real is float; the same in every file
    KERN_SQRT(x)         in place of sqrt or sqrtf and of <math.h>
-   KERN_USE_GLPK        large programs go to GLPK: see kern_lp.h, and what it
-                        says about the licence
+   KERN_USE_GLPK        large programs go to GLPK (under the GPL): see kern_lp.h
    KERN_GLPK_ROWS       rows above which they do (three a free block); 96
 
    Without a C library gcc is kept from calls of memcpy and memset by -Os and
@@ -174,9 +173,8 @@
    that falls, or a few bodies of blocks that move as one: the simplex method
    (>>lp) finds its motion. Where no small part decides, an interior-point
    method (>>inner) finds forces, motion and margin together. The margin is
-   found from above (>>search): a part that falls while all other blocks are
-   held is a motion of the whole, so the whole falls no later than any of its
-   parts.
+   found from above (>>search): where a part falls while all other blocks are
+   held, the whole falls.
 
 
    RULES                                                               >>rules
@@ -277,10 +275,9 @@
    sees the sliver: a robot that places stones less exactly than that cannot
    count on it.
 
-   All but the profile belong to the weakest place of a structure. Whether half
-   of a wall comes down is another question than when its first stone does. In a
-   shaking test of 272 structures, each at 20 levels, these ranked the levels of
-   collapse (Spearman's rank correlation; 1 would be perfect):
+   All but the profile tell when the first stone falls, not when half of a wall
+   does. In a shaking test of 272 structures, each at 20 levels, these ranked the
+   levels of collapse (Spearman's rank correlation; 1 would be perfect):
 
                                      contacts     kern_near()
        margin, level                   0.23           0.42
@@ -513,12 +510,12 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_OK, 0, "done")                                                     \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
     X(KERN_FALLS, 2, "falls: a motion was found that no forces can stop")     \
-    X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost was found")      \
+    X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost")                \
     X(KERN_LP_INFEASIBLE, 4, "infeasible: no solution exists")                \
     X(KERN_LP_UNBOUNDED, 5, "unbounded: the cost falls without end")          \
     X(KERN_UNDECIDED, -1, "undecided: neither proof could be completed")      \
     X(KERN_NO_SPACE, -2, "an array is too short for the result or the work")  \
-    X(KERN_BAD_POINTER, -3, "a pointer is null where an array is expected")   \
+    X(KERN_BAD_POINTER, -3, "a pointer is null")                              \
     X(KERN_BAD_NUMBER, -4, "not a number, or infinite, or out of bounds")     \
     X(KERN_BAD_COUNT, -5, "a count is negative or above its limit")           \
     X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
@@ -534,7 +531,7 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
     X(KERN_NO_FREE, -17, "no block is free")                                  \
     X(KERN_BAD_STEP, -18, "the step needs more than 1,000,000 levels")        \
-    X(KERN_LIMIT, -19, "the limit of work of one call was reached")           \
+    X(KERN_LIMIT, -19, "the limit of work was reached")                       \
     X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
     X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")
 
@@ -1138,11 +1135,10 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A planner compares many structures that differ by a stone. No contact is
-   searched twice. kern_measure(&plan.task, ...) measures the plan: the first
-   time it takes up to 5 times as long as without `known`, since it looks for
-   forces with room for candidates, and later it starts from the last measure.
-   Answers are those without a warm start. */
+/* A planner compares structures that differ by a stone. No contact is searched
+   twice. kern_measure(&plan.task, ...) measures the plan: the first time for
+   forces with room for candidates, which takes up to 5 times as long, then from
+   the last measure on. Answers are those without a warm start. */
 
 /* An empty plan: arrays for so many blocks and contact points, kern_known_of()
    arrays as long as these, and work memory for a structure of that size.
@@ -2818,30 +2814,27 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
    what falls at once: KERN_FALLS. */
 static kern_status kern_measure_along(kern_model *m, kern_path *path,
                                       const kern_task *task, kern_status status,
-                                      kern_margin *out)
+                                      kern_margin *r)
 {
     const kern_travels travels = kern_travels_of(&task->s, &path->q, 0);
-    kern_margin r;
     int last;
-    r.most = travels.most;
-    r.epsilon = kern_step(&path->q, &task->options);
-    r.margin = r.holds = r.fails = KERN_R(0);
-    r.level = r.saturated = 0;
-    if (kern_steps(&r, &last) != KERN_OK)
+    r->most = travels.most;
+    r->epsilon = kern_step(&path->q, &task->options);
+    r->margin = r->holds = r->fails = KERN_R(0);
+    r->level = r->saturated = 0;
+    if (kern_steps(r, &last) != KERN_OK)
         return KERN_BAD_STEP;
-    path->end = r.most;
-    path->step = r.epsilon;
+    path->end = r->most;
+    path->step = r->epsilon;
     if (status == KERN_OK)
         status = kern_spent(m->work, m->limit, kern_measure_path(
-            m, path, travels.nested, last, &r));
+            m, path, travels.nested, last, r));
     if (status == KERN_LIMIT) {
-        r.fails = kern_min(path->fell, r.most);
-        r.margin = r.holds = kern_min(path->stood, r.fails);
-        r.level = -1;
-        r.saturated = 0;
+        r->fails = kern_min(path->fell, r->most);
+        r->margin = r->holds = kern_min(path->stood, r->fails);
+        r->level = -1;
+        r->saturated = 0;
     }
-    if (status == KERN_STANDS || status == KERN_FALLS || status == KERN_LIMIT)
-        *out = r;
     return status;
 }
 
@@ -2934,6 +2927,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     kern_call c;
     kern_seed seed;
     kern_proof kept;
+    kern_margin r;
     int warm, spares;
     kern_status status;
     if (!task)
@@ -2942,7 +2936,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     spares = warm; /* where these do not fit, forces without may */
     do {
         status = kern_call_open(&c, task, KERN_R(0), out);
-        if (status != KERN_OK)
+        if (status < 0)
             return status;
         c.path.proof = proof;
         c.m.known = spares;
@@ -2953,16 +2947,18 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
             seed = kern_known_seed(task);
             c.path.seed = &seed;
         }
-        status = kern_measure_along(&c.m, &c.path, task, status, out);
+        status = kern_measure_along(&c.m, &c.path, task, status, &r);
     } while (status == KERN_NO_SPACE && spares-- > 0);
+    if (status >= 0 || status == KERN_LIMIT)
+        *out = r;
     if (!warm || status == KERN_BAD_STEP)
         return status;
     task->known.blocks = 0; /* the proof there has been written over */
     task->known.fails = KERN_R(0);
-    if (status == KERN_STANDS && !out->saturated)
-        kern_known_clean(&c.m, &c.path, out->fails);
+    if (status == KERN_STANDS && !r.saturated)
+        kern_known_clean(&c.m, &c.path, r.fails);
     if (status >= 0)
-        kern_known_set(task, status, &c.path, out, proof);
+        kern_known_set(task, status, &c.path, &r, proof);
     return status;
 }
 
@@ -9583,6 +9579,7 @@ static kern_status kern_trial_measure(const kern_trial *t,
     const kern_task *task = &t->plan->task;
     kern_stage on;
     kern_seed seed = kern_known_seed(task);
+    kern_margin r;
     kern_status status = KERN_OK;
     if (shrink)
         return kern_trial_stands(t, &on, *shrink, proof);
@@ -9599,7 +9596,10 @@ static kern_status kern_trial_measure(const kern_trial *t,
             return status;
         on.path.seed = &seed;
     }
-    return kern_measure_along(&on.m, &on.path, task, status, out);
+    status = kern_measure_along(&on.m, &on.path, task, status, &r);
+    if (status >= 0 || status == KERN_LIMIT)
+        *out = r;
+    return status;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
