@@ -178,9 +178,7 @@ typedef struct program {
 static void random_program(program *p, int seed)
 {
     int i;
-    state = (uint64_t)seed * 2862933555777941757u + 3037000493u;
-    for (i = 0; i < 8; i++)
-        random_word();
+    state = random_from((uint64_t)seed);
     p->lp.rows = 1 + random_below(ROWS);
     p->lp.cols = p->lp.rows + random_below(COLS - ROWS + 1);
     p->lp.limit = 0;

@@ -488,9 +488,7 @@ static void run_random(long many, unsigned seed)
     long k;
     for (k = 0; k < many; k++) {
         size_t i, length;
-        state = (uint64_t)seed * 1000003u + (uint64_t)k + 88172645463325252u;
-        for (i = 0; i < 20; i++)
-            random_byte();
+        state = random_from((uint64_t)seed * 1000003u + (uint64_t)k);
         length = 16 + 2 * random_byte() % (sizeof data - 16);
         for (i = 0; i < length; i++)
             data[i] = (uint8_t)random_byte();

@@ -166,14 +166,7 @@ static double no_number(int which)
 static uint64_t random_state = 88172645463325252ull;
 
 static void random_seed(unsigned long long seed)
-{
-    int i;
-    random_state = seed * 2862933555777941757ull + 3037000493ull;
-    if (random_state == 0)
-        random_state = 1;
-    for (i = 0; i < 8; i++)
-        random_bits(&random_state);
-}
+{ random_state = random_from(seed); }
 
 static double uniform(double low, double high)
 {
@@ -3731,6 +3724,25 @@ static void long_joint(void)
 {
     CHECK(growth(joint_of_pixels, 125) < 12);
     joint_of_pixels(2000);
+}
+
+/* An L in an L, with a joint of three gaps: no steps of a gap each go along it
+   where overlap is looked for. There would be 3e8. */
+static void open_joint(void)
+{
+    static const double outer[] = {-1, -1, 2, -1, 2, 0, 0, 0, 0, 2, -1, 2};
+    const double gap = SINGLE ? 1e-4 : 1e-9, joint = 3 * gap;
+    double inner[] = {0, 0, 1, 0, 1, 0.5, 0.6, 0.5, 0.6, 1.5,
+                      0.3, 1.5, 0.3, 1.2, 0, 1.2};
+    static world w;
+    const clock_t start = clock();
+    inner[0] = inner[14] = joint;
+    world_reset(&w);
+    w.options.gap = R(gap);
+    world_polygon(&w, 0, outer, 6);
+    world_polygon(&w, 1, inner, 8);
+    CHECK_INT(world_touch(&w), 2);
+    CHECK(clock() - start < CLOCKS_PER_SEC);
 }
 
 /* ==== Linear programs ================================================ >>lp */
@@ -9322,6 +9334,7 @@ static const test tests[] = {
     TEST(steps_in_random_structures),
     TEST(long_outlines),
     TEST(long_joint),
+    TEST(open_joint),
     TEST(lp_cycling),
     TEST(lp_kinds),
     TEST(lp_random),

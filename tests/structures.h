@@ -242,10 +242,7 @@ static int random_count(int least, int most)
    `relative` are relative. */
 static void random_begin(int seed, int relative)
 {
-    int i;
-    state = (uint64_t)seed * 2862933555777941757u + 3037000493u;
-    for (i = 0; i < 8; i++)
-        random_word();
+    state = random_from((uint64_t)seed);
     options = kern_defaults();
     options.mu = uniform(0.1, 1);
     options.relative = random_below(relative) == 0;

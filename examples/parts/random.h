@@ -1,7 +1,7 @@
 /* random.h - random numbers for the programs and the tests: from a seed, the
    same on every machine.
 
-       uint64_t state = seed;
+       uint64_t state = random_from(seed);
        x = low + (high - low) * random_share(random_bits(&state));
 
    SPDX-License-Identifier: MIT */
@@ -19,6 +19,18 @@ static inline uint64_t random_bits(uint64_t *state)
     *state ^= *state >> 7;
     *state ^= *state << 17;
     return *state;
+}
+
+/* A state for it from a seed: of seeds that are small numbers one after the
+   other the first few would be alike. */
+static inline uint64_t random_from(uint64_t seed)
+{
+    uint64_t state = seed * UINT64_C(2862933555777941757);
+    int i;
+    state += UINT64_C(3037000493);
+    for (i = 0; i < 8; i++)
+        random_bits(&state);
+    return state;
 }
 
 /* Splitmix64, for states that are small numbers one after the other: G. L.
