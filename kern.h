@@ -2936,7 +2936,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     spares = warm; /* where these do not fit, forces without may */
     do {
         status = kern_call_open(&c, task, KERN_R(0), out);
-        if (status < 0)
+        if (status != KERN_OK)
             return status;
         c.path.proof = proof;
         c.m.known = spares;
