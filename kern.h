@@ -1746,6 +1746,9 @@ static int kern_moves(const kern_model *m, int i);
 static int kern_part_moved(kern_part *p, kern_model *m);
 /* Notes the part as what falls, and lays out its linear program. */
 static kern_status kern_part_note(kern_part *p);
+/* Where a load or a tilt begins that search. */
+static kern_real kern_push_first(kern_model *m, const kern_path *path,
+                                 kern_real first);
 /* Brackets the first place where it falls, by small parts where it can. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step);
@@ -2504,6 +2507,18 @@ static void kern_model_set(kern_model *m, const kern_query *q)
         kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
 }
 
+/* Adds to `out` what a wrench on group g is on group `on`. */
+static void kern_model_shift(const kern_model *m, int g, const kern_real *load,
+                             int on, kern_real *out)
+{
+    const kern_vec arm = kern_vec_sub(m->s->block[m->block[g]].centre,
+                                      m->s->block[m->block[on]].centre);
+    out[0] += load[0];
+    out[1] += load[1];
+    out[2] += (load[2] / m->unit[g] + arm.x * load[1] - arm.y * load[0])
+              * m->unit[on];
+}
+
 /* No contact bears anything. */
 static void kern_model_unload(kern_model *m)
 {
@@ -3127,8 +3142,9 @@ static kern_status kern_growth_check(const kern_growth *growth,
 
 /* How a load grows or gravity turns: a verdict where the path begins, the
    search, the proofs. It begins where most structures fall: single blocks at
-   the top do at once, and show how far to go back. Under loads that stay a tilt
-   may stand again after it fell: then in even steps. */
+   the top do at once, and show how far to go back; or where a stack tips.
+   Under loads that stay a tilt may stand again after it fell: then in even
+   steps. */
 static kern_status kern_push(const kern_task *task, kern_real shrink,
                              const kern_growth *growth, kern_real *out,
                              const kern_proof *proof)
@@ -3155,6 +3171,8 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
     }
     status = kern_path_evaluate(&c.m, path, KERN_R(0));
     path->begun = status == KERN_STANDS;
+    if (status == KERN_STANDS && !loaded && !c.m.plain)
+        first = kern_push_first(&c.m, path, first);
     if (status == KERN_STANDS)
         status = loaded ? kern_path_walk(&c.m, path, step)
                         : kern_path_search(&c.m, path, first, step);
@@ -4278,7 +4296,7 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
     kern_real before = KERN_INFINITY;
     int i, round;
     p->rounds = 0;
-    for (i = 0; i < n + 3 && first == 0; i++)
+    for (i = first == 0 ? 0 : n; i < n + 3; i++)
         p->u[i] = p->step[i] = KERN_R(0);
     for (round = first; round < end; round++) {
         kern_real most, value, share, left;
@@ -4297,7 +4315,7 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
         kern_least_factor(p);
         kern_least_solve(p, p->left, p->step);
         kern_least_ways(p, p->step, p->own, 2);
-        p->rounds = round + 1;
+        p->rounds = round + 1 - first;
         share = round == 0 ? KERN_R(1) : kern_least_share(p);
         for (i = 0; i < n; i++)
             p->u[i] += share * p->step[i];
@@ -4819,11 +4837,13 @@ static int kern_pour_parts(kern_part *p)
     return power > 0;
 }
 
-/* Least forces of the open part, written if they balance it. KERN_FALLS where
-   no forces would, all else held. */
-static kern_status kern_pour_part(kern_part *p, int *budget)
+/* Least forces of the open part, written if they balance it; if `warm` from the
+   motions that gave such before. KERN_FALLS where no forces would, all else
+   held. */
+static kern_status kern_pour_part(kern_part *p, int warm, int *budget)
 {
     const kern_model *m = p->m;
+    kern_motion *u = (kern_motion *)(void *)p->u;
     kern_real load = KERN_R(0), least = KERN_INFINITY;
     kern_status status;
     int n;
@@ -4834,11 +4854,15 @@ static kern_status kern_pour_part(kern_part *p, int *budget)
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->b[n]);
+    for (n = 0; n < p->groups && warm; n++)
+        u[n] = m->motion[m->block[p->group[n]]];
     status = kern_least_find(p, KERN_POUR_TOL * least, KERN_LEAST_MOST * load,
-                             0, KERN_LEAST_ROUNDS);
+                             warm, KERN_LEAST_ROUNDS + warm);
     *budget -= p->rounds * p->cost;
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
+    for (n = 0; n < p->groups && status == KERN_STANDS; n++)
+        m->motion[m->block[p->group[n]]] = u[n];
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
         status = KERN_UNDECIDED;
     return status;
@@ -4859,7 +4883,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
         if (open && kern_least_lay(p, &take) && p->cost <= *budget)
             status = failed && groups == 1
                      ? p->own < p->contacts ? KERN_UNDECIDED : KERN_FALLS
-                     : kern_pour_part(p, budget);
+                     : kern_pour_part(p, groups > 1 && levels == 1, budget);
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
         kern_pour_unmark(m, last);
@@ -4912,10 +4936,13 @@ static void kern_pour_returns(kern_model *m, int last)
    with an open part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
+    kern_real *u = (kern_real *)(void *)m->motion;
     const int size = m->s->contacts + m->groups;
     int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
                                      ? size : KERN_POUR_LARGEST);
     int at;
+    for (at = 0; at < 3 * m->s->blocks; at++)
+        u[at] = KERN_R(0);
     m->regrown = m->known || m->s->contacts > 3 * m->groups
                  ? KERN_REGROWN : KERN_REGROWN_CHAIN;
     for (at = 0; at < m->groups; ) {
@@ -5220,22 +5247,19 @@ static kern_vec kern_part_from(const kern_part *p, int n, int g)
 static void kern_part_weigh(kern_part *p, const kern_query *q)
 {
     kern_model *m = p->m;
-    int n;
+    int n, j;
     for (n = 0; n < p->groups; n++)
         kern_model_unit(m, q, p->group[n]);
     for (n = 0; n < 3 * p->bodies; n++)
         p->rhs[n] = KERN_R(0);
     for (n = 0; n < p->groups; n++) {
         const int g = p->group[n], lead = p->lead[p->body[n]];
-        const kern_vec arm = kern_part_from(p, p->body[n], g);
-        const kern_real *load = m->load + 3 * (size_t)g;
         kern_real *to = p->rhs + 3 * (size_t)p->body[n];
         kern_model_load(m, q, g);
-        to[0] += load[0];
-        to[1] += load[1];
-        to[2] += g == lead ? load[2]
-                 : (load[2] / m->unit[g] + arm.x * load[1] - arm.y * load[0])
-                   * m->unit[lead];
+        if (g != lead)
+            kern_model_shift(m, g, m->load + 3 * (size_t)g, lead, to);
+        for (j = 0; j < 3 && g == lead; j++)
+            to[j] += m->load[3 * g + j];
     }
 }
 
@@ -7046,6 +7070,86 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
                                     kern_min(path->end, fails + step / 8));
     path->alone = path->closed = 0;
     return status;
+}
+
+/* Where a group that touches others by n ends tips over one of these, in units
+   of what grows, or KERN_INFINITY. */
+static kern_real kern_body_tips(const kern_model *m, const int *end, int n,
+                                const kern_real *load, const kern_real *rate)
+{
+    kern_row row[KERN_ROWS_MOST];
+    kern_real least = KERN_INFINITY;
+    int k, j;
+    for (k = 0; k < n; k++)
+        kern_pour_row(m, end[k], row + k);
+    for (k = 0; k < n; k++) {
+        const kern_row *c = row + k;
+        kern_real u[3] = {c->turn * c->n[1] - c->n[2] * c->n[0],
+                          -c->turn * c->n[0] - c->n[2] * c->n[1], KERN_R(1)};
+        const kern_real rises = kern_three(rate, u);
+        for (j = 0; j < 3 && rises < 0; j++)
+            u[j] = -u[j];
+        for (j = 0; j < n; j++)
+            if (kern_three(row[j].n, u) < row[j].mu
+                * kern_abs(kern_row_along(row + j, u)) - KERN_TOL)
+                break;
+        if (j == n && kern_abs(rises) > 0 && kern_three(load, u) > 0)
+            least = kern_min(least, kern_three(load, u) / kern_abs(rises));
+    }
+    return least;
+}
+
+/* Lists up to KERN_ROWS_MOST ends at group g but those of what touches it
+   alone, if there is such; returns how many. In m->leader[g] what carries it
+   and is all that it touches but for that, or KERN_OUT. */
+static int kern_body_ends(kern_model *m, int g, int *end)
+{
+    int e, n = 0, leads = 0, on = KERN_OUT;
+    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const int other = m->ends[e ^ 1];
+        if (other < g && m->leader[other] == g)
+            leads = 1;
+        else {
+            on = on == KERN_OUT || on == other ? other : m->groups;
+            if (n < KERN_ROWS_MOST)
+                end[n++] = e;
+        }
+    }
+    m->leader[g] = on > g && on < m->groups ? on : KERN_OUT;
+    return leads ? n : 0;
+}
+
+/* Where the first block tips over with what touches it alone, all else held, or
+   else `first`. What falls at the top would show single blocks too, but the
+   joints of a stack one after the other. The model is that of the start; a tilt
+   begins at 0. */
+static kern_real kern_push_first(kern_model *m, const kern_path *path,
+                                 kern_real first)
+{
+    const kern_query q = kern_path_at(path, path->holds);
+    kern_real *rates = m->sum, least = KERN_INFINITY;
+    int end[KERN_ROWS_MOST], g, k;
+    for (g = 0; g < m->groups; g++) {
+        kern_wrench w;
+        kern_path_rate(path, m, &q, path->holds, m->block[g], &w);
+        rates[3 * g] = w.fx / m->weight;
+        rates[3 * g + 1] = w.fy / m->weight;
+        rates[3 * g + 2] = w.torque * m->unit[g] / m->weight;
+    }
+    for (g = 0; g < m->groups; g++) {
+        const kern_real *load = m->load + 3 * (size_t)g, *rate = rates + 3 * g;
+        const int n = kern_body_ends(m, g, end), on = m->leader[g];
+        least = kern_min(least, kern_body_tips(m, end, n, load, rate));
+        if (on != KERN_OUT) {
+            kern_model_shift(m, g, load, on, m->load + 3 * (size_t)on);
+            kern_model_shift(m, g, rate, on, rates + 3 * on);
+        }
+    }
+    for (k = 0; k < 2 && path->kind == KERN_PATH_TILT; k++) {
+        const kern_real t = k ? least : 4 * least; /* of the whole angle */
+        least = t / (1 + KERN_SQRT(1 + t * t));
+    }
+    return least < first ? least + path->tolerance * KERN_R(0.45) : first;
 }
 
 /* How far the search for the first edge of a path has come. */

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xc51b0c4f37f3fd3bu },
-    { 1000, 0x58952e9356242403u },
-    { 5000, 0x9846867ca93375d8u },
+    { 200, 0xbe123c7b62efb74cu },
+    { 1000, 0x6bda930f758b4fa7u },
+    { 5000, 0xd304fdcbd28e815eu },
 #else
-    { 200, 0x3552a7e7a67d4e3cu },
-    { 1000, 0x77c2462f6970b7deu },
-    { 5000, 0xb4f4c036729373c5u },
+    { 200, 0xeeea6b1649d9bd4bu },
+    { 1000, 0x0c9fd461e8155edfu },
+    { 5000, 0xff0ad57cd5f7974cu },
 #endif
 };
 
