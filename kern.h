@@ -10822,6 +10822,16 @@ static kern_real kern_lp_sum(const kern_real *u, const kern_real *v, int n,
     return sum;
 }
 
+/* Do the prices y pay for every column, and for the whole that value? */
+static int kern_lp_pays(const kern_program *lp, const kern_real *y,
+                        kern_real value, kern_real spent)
+{
+    kern_real paid, gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid);
+    return kern_lp_columns(lp, y, lp->cost)
+           && kern_abs(value - gain) <= KERN_TOL * (spent + paid)
+           && kern_is_finite(spent + paid);
+}
+
 /* Whether x, or y, proves the status, by products with the matrix alone. Every
    row and every column is measured by its own terms, so units do not matter.
    What is not a number proves nothing. Where nothing else is in a row the last
@@ -10851,14 +10861,10 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
     value = kern_lp_sum(lp->cost, x, lp->cols, &spent);
     if (ray)
         return value < -KERN_TOL * spent && kern_is_finite(spent);
-    if (!kern_lp_columns(lp, y, lp->cost)) {
-        kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
-        if (!kern_lp_columns(lp, y, lp->cost))
-            return 0;
-    }
-    gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid); /* least: prices pay */
-    return kern_abs(value - gain) <= KERN_TOL * (spent + paid)
-           && kern_is_finite(spent + paid);
+    if (kern_lp_pays(lp, y, value, spent))
+        return 1;
+    kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
+    return kern_lp_pays(lp, y, value, spent);
 }
 
 /* What is wrong with a program, if anything. */

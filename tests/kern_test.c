@@ -3862,6 +3862,21 @@ static void lp_cycling(void)
     CHECK_INT(program_solve(&p), KERN_LP_UNBOUNDED);
 }
 
+/* The least cost is 0, paid by prices of (-2/35, 0): what the second one is by
+   rounding pays 1e-19, which is all that there is to compare. */
+static void lp_of_no_cost(void)
+{
+    static const double table[] = {1, 0, -0.25, -0.75, 17.5, 0,
+                                   0, 1, 22.5,  -0.25, 2.25, 1};
+    static const double cost[] = {0, 0, 2, 2, -1};
+    program p;
+    program_set(&p, 2, 5, table, cost);
+    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
+    CHECK_NEAR(program_cost(&p), 0, 0);
+    CHECK_NEAR(p.x[1], 1, EPS);
+    CHECK_NEAR(p.y[0], -2. / 35, 4 * EPS);
+}
+
 static void lp_kinds(void)
 {
     /* x + y = 2, x - y = 0 */
@@ -9336,6 +9351,7 @@ static const test tests[] = {
     TEST(long_joint),
     TEST(open_joint),
     TEST(lp_cycling),
+    TEST(lp_of_no_cost),
     TEST(lp_kinds),
     TEST(lp_random),
     TEST(lp_scaled),
