@@ -2644,8 +2644,7 @@ typedef struct kern_simplex {
     const kern_program *lp;
     int groups;             /* of three rows; the last may be short           */
     int most, factors;      /* room for them, and how many there are          */
-    int own, factored;      /* of them, of columns in their own groups, and
-                               when the basis was factored last               */
+    int factored;           /* when the basis was factored last               */
     int room;               /* for entries of all, in groups                  */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
@@ -2660,8 +2659,7 @@ typedef struct kern_simplex {
     int *pivot, *first;     /* factor: the row in which it pivots, and the first
                                of its groups of entries; one more             */
     int *at;                /* group of entries: its first row                */
-    int *extra;             /* columns of factors from own to factored        */
-    int *link;              /* scratch: groups + 1 + 2 rows                   */
+    int *link;              /* scratch: groups + 1 + rows                     */
     kern_real *entry;       /* three a group                                  */
     kern_real *value;       /* row: of its variable                           */
     kern_real *alpha;       /* row: of the entering column                    */
@@ -9774,15 +9772,8 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    factored they enter in the order in which groups carry each other, each in a
    row of the first of its groups. There they meet no column of another group:
    a tower keeps six entries a column. A column that finds no row in its group
-   would fill all that lies below, so it is kept as it is. With B0 the basis that
-   has logicals (unit vectors) in the place of these columns C, and S the rows of
-   B0^-1 C in which they are,
-
-       B x = b:      v = B0^-1 b,  S z = v_logicals,   x = B0^-1 (b - C z)
-       B' y = c:     w = B0^-T c,  S' u = c_C - C' w,  y = B0^-T (c + u)
-
-   S, a Schur complement, is factored as B0 is. After that a pivot appends one
-   factor. Without `ends` all rows are one group.
+   would fill all that lies below, so it enters after the others. Without `ends`
+   all rows are one group.
 
    Vectors over the rows have three more places at their end: there lie the
    rows of the group that a column leads to which leads to none. Reading it
@@ -9791,7 +9782,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 /* A column whose part outside of the basis is less depends on it. */
 #define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
 /* Least pivot of a column in its own group, where its entries are about 1. Less
-   makes the inverse grow from course to course, more makes S larger. */
+   makes the inverse grow from course to course, more fills it. */
 #define KERN_OWN_TOL     KERN_R(0.03)
 /* Determinant of three columns, each about 1 long, for the crash basis. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
@@ -9876,24 +9867,13 @@ static int kern_lp_first(const kern_program *lp, int j)
     return head < tail ? head : tail;
 }
 
-/* Its last group, or `least` if that is later. */
-static int kern_lp_reach(const kern_program *lp, int j, int least)
-{
-    const int none = (lp->rows + 2) / 3;
-    const int head = lp->ends ? kern_lp_head(lp, j) : none - 1;
-    const int tail = lp->ends ? kern_lp_tail(lp, j) : none - 1;
-    const int last = head == none || (tail > head && tail < none) ? tail : head;
-    return last > least && last < none ? last : least;
-}
-
 /* ---- the basis ---- */
 
-/* v := E_to-1 ... E_from v */
-static void kern_factors_apply(const kern_simplex *sx, int from, int to,
-                               kern_real *v)
+/* v := B^-1 v, from rows to variables */
+static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     int e, n;
-    for (e = from; e < to; e++) {
+    for (e = 0; e < sx->factors; e++) {
         const kern_real x = v[sx->pivot[e]];
         if (x >= 0 && x <= 0)
             continue;
@@ -9906,12 +9886,13 @@ static void kern_factors_apply(const kern_simplex *sx, int from, int to,
     }
 }
 
-/* c := c E_to-1 ... E_from */
-static void kern_factors_apply_t(const kern_simplex *sx, int from, int to,
-                                 kern_real *c)
+/* c := B^-T c, from variables to rows; zero where no rows are. */
+static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     int e, n;
-    for (e = to - 1; e >= from; e--) {
+    for (e = sx->lp->rows; e < 3 * sx->groups + 3; e++)
+        c[e] = KERN_R(0);
+    for (e = sx->factors - 1; e >= 0; e--) {
         kern_real sum = KERN_R(0);
         for (n = sx->first[e]; n < sx->first[e + 1]; n++) {
             const kern_real *a = sx->entry + 3 * (size_t)n;
@@ -9922,55 +9903,14 @@ static void kern_factors_apply_t(const kern_simplex *sx, int from, int to,
     }
 }
 
-/* v := B^-1 v, from rows to variables */
-static void kern_basis_solve(kern_simplex *sx, kern_real *v)
-{
-    const int own = sx->own, end = sx->factored;
-    int e;
-    if (own < end) {
-        for (e = 0; e < 3 * sx->groups; e++)
-            sx->temp[e] = v[e];
-        kern_factors_apply(sx, 0, end, sx->temp);
-        for (e = own; e < end; e++)
-            kern_lp_subtract(sx->lp, sx->extra[e - own],
-                             sx->temp[sx->pivot[e]], v);
-    }
-    kern_factors_apply(sx, 0, own, v);
-    for (e = own; e < end; e++)
-        v[sx->pivot[e]] = sx->temp[sx->pivot[e]];
-    kern_factors_apply(sx, end, sx->factors, v);
-}
-
-/* c := B^-T c, from variables to rows; zero where no rows are. */
-static void kern_basis_solve_t(kern_simplex *sx, kern_real *c)
-{
-    const int own = sx->own, end = sx->factored;
-    int e;
-    for (e = sx->lp->rows; e < 3 * sx->groups + 3; e++)
-        c[e] = KERN_R(0);
-    kern_factors_apply_t(sx, end, sx->factors, c);
-    if (own < end) {
-        for (e = 0; e < 3 * sx->groups + 3; e++)
-            sx->temp[e] = c[e];
-        for (e = own; e < end; e++)
-            sx->temp[sx->pivot[e]] = KERN_R(0);
-        kern_factors_apply_t(sx, 0, own, sx->temp);
-        for (e = own; e < end; e++)
-            c[sx->pivot[e]] -= kern_lp_dot(sx->lp, sx->extra[e - own],
-                                           sx->temp);
-        kern_factors_apply_t(sx, own, end, c);
-    }
-    kern_factors_apply_t(sx, 0, own, c);
-}
-
-/* Column j, in groups [from, to]: to sx->alpha, which is left as it is
-   elsewhere. */
-static void kern_basis_column(kern_simplex *sx, int j, int from, int to)
+/* Column j in terms of the basis: to sx->alpha. */
+static void kern_basis_column(kern_simplex *sx, int j)
 {
     int i;
-    for (i = 3 * from; i < 3 * to + 3; i++)
+    for (i = 0; i < 3 * sx->groups + 3; i++)
         sx->alpha[i] = KERN_R(0);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
+    kern_basis_solve(sx, sx->alpha);
 }
 
 /* Whether there is no room for one more factor. */
@@ -9980,15 +9920,14 @@ static int kern_basis_full(const kern_simplex *sx)
            || sx->first[sx->factors] + sx->groups > sx->room;
 }
 
-/* Column q, which is v in terms of the basis, and zero outside of groups
-   [from, to], is basic in row p from now on. */
-static void kern_basis_enter(kern_simplex *sx, int q, int p,
-                             const kern_real *v, int from, int to)
+/* Column q, which is sx->alpha in terms of the basis, is basic in row p from now
+   on. */
+static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
-    const kern_real one = 1 / v[p];
+    const kern_real one = 1 / sx->alpha[p];
     int n = sx->first[sx->factors], r;
-    for (r = 3 * from; r <= 3 * to; r += 3) {
-        const kern_real *a = v + r;
+    for (r = 0; r < 3 * sx->groups; r += 3) {
+        const kern_real *a = sx->alpha + r;
         kern_real *out = sx->entry + 3 * (size_t)n;
         if (a[0] >= 0 && a[0] <= 0 && a[1] >= 0 && a[1] <= 0
             && a[2] >= 0 && a[2] <= 0)
@@ -10004,15 +9943,15 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p,
     sx->place[q] = p;
 }
 
-/* Of the rows [from, to) that still have their logical, the one in which v is
-   largest; KERN_OUT if it is less than `least` there. */
-static int kern_basis_row(const kern_simplex *sx, const kern_real *v, int from,
-                          int to, kern_real least)
+/* Of the rows [from, to) that still have their logical, the one in which
+   sx->alpha is largest; KERN_OUT if it is less than `least` there. */
+static int kern_basis_row(const kern_simplex *sx, int from, int to,
+                          kern_real least)
 {
     int p, best = KERN_OUT;
     for (p = from; p < to; p++)
-        if (sx->base[p] >= sx->lp->cols && kern_abs(v[p]) >= least) {
-            least = kern_abs(v[p]);
+        if (sx->base[p] >= sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
+            least = kern_abs(sx->alpha[p]);
             best = p;
         }
     return best;
@@ -10045,78 +9984,28 @@ static int kern_basis_list(kern_simplex *sx, int *list)
     return n;
 }
 
-/* Lets the columns list[0..n), sorted by their groups, enter in these. Those that
-   do not stay in the list; returns how many do. */
-static int kern_factor_own(kern_simplex *sx, int *list, int n)
-{
-    const kern_program *lp = sx->lp;
-    const int size = lp->ends ? 3 : lp->rows; /* of a column's own group */
-    int i, left = 0, from = 0, last = KERN_OUT, reach = 0;
-    for (i = 0; i < n; i++) {
-        const int j = list[i], g = kern_lp_first(lp, j);
-        int p = KERN_OUT;
-        if (g != last)
-            from = sx->factors; /* those before do nothing here */
-        last = g;
-        reach = kern_lp_reach(lp, j, reach > g ? reach : g);
-        if (sx->factors < from + size && !kern_basis_full(sx)) {
-            kern_basis_column(sx, j, g, reach);
-            kern_factors_apply(sx, from, sx->factors, sx->alpha);
-            p = kern_basis_row(sx, sx->alpha, 3 * g, 3 * g + size,
-                               KERN_OWN_TOL);
-        }
-        if (p == KERN_OUT)
-            list[left++] = j;
-        else
-            kern_basis_enter(sx, j, p, sx->alpha, g, reach);
-    }
-    return left;
-}
-
-/* Lets the columns list[0..n) enter where logicals are left: factors S. One that
-   depends on those before it does not enter. */
-static void kern_factor_extra(kern_simplex *sx, int *list, int n)
-{
-    const kern_program *lp = sx->lp;
-    const int last = sx->groups - 1;
-    int *free_row = list + n;
-    int i, r, k, rows_left = 0;
-    for (r = 0; r < lp->rows; r++)
-        if (sx->base[r] >= lp->cols)
-            free_row[rows_left++] = r;
-    for (r = 0; r < 3 * sx->groups; r++)
-        sx->row[r] = KERN_R(0);
-    for (i = 0; i < n; i++) {
-        int p;
-        kern_basis_column(sx, list[i], 0, last);
-        kern_factors_apply(sx, 0, sx->own, sx->alpha);
-        for (k = 0; k < rows_left; k++)
-            sx->row[free_row[k]] = sx->alpha[free_row[k]];
-        kern_factors_apply(sx, sx->own, sx->factors, sx->row);
-        p = kern_basis_row(sx, sx->row, 0, lp->rows, KERN_RANK_TOL);
-        sx->overfull |= p != KERN_OUT && kern_basis_full(sx);
-        if (p != KERN_OUT && !kern_basis_full(sx)) {
-            sx->extra[sx->factors - sx->own] = list[i];
-            kern_basis_enter(sx, list[i], p, sx->row, 0, last);
-        }
-    }
-    for (i = sx->first[sx->own]; i < sx->first[sx->factors]; i++)
-        for (k = 0; k < 3; k++)
-            if (sx->at[i] + k < lp->rows
-                && sx->base[sx->at[i] + k] >= lp->cols)
-                sx->entry[3 * (size_t)i + (size_t)k] = KERN_R(0);
-}
-
-/* Factors the basis anew. */
+/* Factors the basis anew: columns enter in rows of their first groups, then in
+   any. One that depends on those before it does not. */
 static void kern_basis_factor(kern_simplex *sx)
 {
+    const kern_program *lp = sx->lp;
     int *list = sx->link + sx->groups + 1;
-    int n = kern_basis_list(sx, list);
+    const int n = kern_basis_list(sx, list);
+    int any, i;
     sx->overfull = sx->factors = sx->first[0] = 0;
-    n = kern_factor_own(sx, list, n);
-    sx->own = sx->factors;
-    if (n > 0)
-        kern_factor_extra(sx, list, n);
+    for (any = !lp->ends; any < 2; any++)
+        for (i = 0; i < n; i++) {
+            const int from = any ? 0 : 3 * kern_lp_first(lp, list[i]);
+            int p;
+            if (sx->place[list[i]] != KERN_OUT)
+                continue;
+            kern_basis_column(sx, list[i]);
+            p = kern_basis_row(sx, from, any ? lp->rows : from + 3,
+                               any ? KERN_RANK_TOL : KERN_OWN_TOL);
+            sx->overfull |= p != KERN_OUT && kern_basis_full(sx);
+            if (p != KERN_OUT && !kern_basis_full(sx))
+                kern_basis_enter(sx, list[i], p);
+        }
     sx->factored = sx->factors;
 }
 
@@ -10480,7 +10369,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
     kern_basis_add(sx, -step);
     if (sx->base[p] < sx->lp->cols)
         sx->place[sx->base[p]] = KERN_OUT;
-    kern_basis_enter(sx, q, p, sx->alpha, 0, sx->groups - 1);
+    kern_basis_enter(sx, q, p);
     sx->value[p] = step;
     sx->refined = 0;
     work->pivots++;
@@ -10515,8 +10404,7 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
         if (q == KERN_OUT && sx->refined)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (q != KERN_OUT) {
-            kern_basis_column(sx, q, 0, sx->groups - 1);
-            kern_basis_solve(sx, sx->alpha);
+            kern_basis_column(sx, q);
             p = kern_leaving(sx, gain, first, &step);
         }
         if (p == KERN_OUT && sx->refined) {
@@ -10555,8 +10443,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->pivot = kern_take_ints(take, sx->most);
     sx->first = kern_take_ints(take, sx->most + 1);
     sx->at = kern_take_ints(take, room);
-    sx->extra = kern_take_ints(take, m);
-    sx->link = kern_take_ints(take, n + 1 + 2 * m);
+    sx->link = kern_take_ints(take, n + 1 + m);
     sx->entry = kern_take_reals(take, 3 * room);
     sx->value = kern_take_reals(take, m);
     sx->alpha = kern_take_reals(take, 3 * n + 3);
