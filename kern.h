@@ -2649,7 +2649,6 @@ typedef struct kern_simplex {
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
     int stale;              /* the matrix has changed since                   */
-    int overfull;           /* columns had to leave for want of room          */
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
@@ -2659,7 +2658,7 @@ typedef struct kern_simplex {
     int *pivot, *first;     /* factor: the row in which it pivots, and the first
                                of its groups of entries; one more             */
     int *at;                /* group of entries: its first row                */
-    int *link;              /* scratch: groups + 1 + rows                     */
+    int *link;              /* scratch: groups + rows                         */
     kern_real *entry;       /* three a group                                  */
     kern_real *value;       /* row: of its variable                           */
     kern_real *alpha;       /* row: of the entering column                    */
@@ -9784,14 +9783,14 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 /* Least pivot of a column in its own group, where its entries are about 1. Less
    makes the inverse grow from course to course, more fills it. */
 #define KERN_OWN_TOL     KERN_R(0.03)
-/* Determinant of three columns, each about 1 long, for the crash basis. */
-#define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
+/* The same for the crash basis: forces of columns that are farther apart rather
+   press. */
+#define KERN_CRASH_TOL   KERN_R(0.1)
 /* Residual of the basic solution at which refinement ends, and above which the
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
 #define KERN_REFACTOR_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_REFACTOR      40      /* most pivots between factorisations      */
-#define KERN_CRASH_MOST    12      /* columns tried for a crash triple        */
 
 
 /* ---- columns ---- */
@@ -9810,17 +9809,6 @@ static int kern_lp_head(const kern_program *lp, int j)
 
 static int kern_lp_tail(const kern_program *lp, int j)
 { return lp->ends[j | 1]; }
-
-/* The three entries of network column j in group g, one of its ends. */
-static void kern_lp_part(const kern_program *lp, int j, int g, kern_real out[3])
-{
-    const kern_real *c = lp->a + 4 * (size_t)j;
-    if (kern_lp_head(lp, j) == g) {
-        out[0] = c[0]; out[1] = c[1]; out[2] = c[2];
-    } else {
-        out[0] = -c[0]; out[1] = -c[1]; out[2] = c[3];
-    }
-}
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y)
 {
@@ -9957,55 +9945,58 @@ static int kern_basis_row(const kern_simplex *sx, int from, int to,
     return best;
 }
 
-/* Lists the basic columns by the first of their groups (a counting sort), and
-   puts logicals in their places; returns how many there are. */
-static int kern_basis_list(kern_simplex *sx, int *list)
+/* Lets column j enter where sx->alpha is largest in the rows [from, to). 0: it is
+   less than `least` there, or there is no room. */
+static int kern_factor_enter(kern_simplex *sx, int j, int from, int to,
+                             kern_real least)
 {
-    const kern_program *lp = sx->lp;
-    int *end = sx->link;
-    int i, g, n = 0;
-    for (g = 0; g <= sx->groups; g++)
-        end[g] = 0;
-    for (i = 0; i < lp->rows; i++)
-        if (sx->base[i] < lp->cols) {
-            end[kern_lp_first(lp, sx->base[i]) + 1]++;
-            n++;
-        }
-    for (g = 0; g < sx->groups; g++)
-        end[g + 1] += end[g];
-    for (i = 0; i < lp->rows; i++) {
-        const int j = sx->base[i];
-        if (j < lp->cols) {
-            list[end[kern_lp_first(lp, j)]++] = j;
-            sx->place[j] = KERN_OUT;
-        }
-        sx->base[i] = lp->cols + i;
-    }
-    return n;
+    int p;
+    kern_basis_column(sx, j);
+    p = kern_basis_row(sx, from, to, least);
+    if (p == KERN_OUT || kern_basis_full(sx))
+        return 0;
+    kern_basis_enter(sx, j, p);
+    return 1;
 }
 
-/* Factors the basis anew: columns enter in rows of their first groups, then in
-   any. One that depends on those before it does not. */
+/* Factors the basis anew: its columns, group by group, enter in rows of their
+   first groups, then in any; one that depends on those before it does not. The
+   crash basis has the first columns of each group that are independent there,
+   else logicals; without a network, logicals alone. */
 static void kern_basis_factor(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *list = sx->link + sx->groups + 1;
-    const int n = kern_basis_list(sx, list);
-    int any, i;
-    sx->overfull = sx->factors = sx->first[0] = 0;
-    for (any = !lp->ends; any < 2; any++)
-        for (i = 0; i < n; i++) {
-            const int from = any ? 0 : 3 * kern_lp_first(lp, list[i]);
-            int p;
-            if (sx->place[list[i]] != KERN_OUT)
-                continue;
-            kern_basis_column(sx, list[i]);
-            p = kern_basis_row(sx, from, any ? lp->rows : from + 3,
-                               any ? KERN_RANK_TOL : KERN_OWN_TOL);
-            sx->overfull |= p != KERN_OUT && kern_basis_full(sx);
-            if (p != KERN_OUT && !kern_basis_full(sx))
-                kern_basis_enter(sx, list[i], p);
+    const int size = lp->ends ? 3 : lp->rows; /* of a column's own group */
+    int *head = sx->link, *left = head + sx->groups, *next = sx->place;
+    int g, i, j, n = 0;
+    for (g = 0; g < sx->groups; g++)
+        head[g] = KERN_OUT;
+    for (j = lp->cols - 1; j >= 0; j--) {
+        if (sx->started ? sx->place[j] == KERN_OUT : !lp->ends) {
+            sx->place[j] = KERN_OUT;
+            continue;
         }
+        next[j] = head[kern_lp_first(lp, j)];
+        head[kern_lp_first(lp, j)] = j;
+    }
+    for (i = 0; i < lp->rows; i++)
+        sx->base[i] = lp->cols + i;
+    sx->factors = sx->first[0] = 0;
+    for (g = 0; g < sx->groups; g++) {
+        const int from = sx->factors;
+        for (j = head[g]; j != KERN_OUT; j = i) {
+            i = next[j];
+            sx->place[j] = KERN_OUT;
+            if ((sx->factors == from + size
+                 || !kern_factor_enter(sx, j, 3 * g, 3 * g + size,
+                                       sx->started ? KERN_OWN_TOL
+                                                   : KERN_CRASH_TOL))
+                && sx->started)
+                left[n++] = j;
+        }
+    }
+    for (i = 0; i < n; i++)
+        kern_factor_enter(sx, left[i], 0, lp->rows, KERN_RANK_TOL);
     sx->factored = sx->factors;
 }
 
@@ -10057,14 +10048,21 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_REFACTOR_TOL;
 }
 
-/* Begins anew from the basic columns: after a change of the matrix, and when
-   pivots have made the factors longer or less accurate than they need to be. */
+/* Begins anew from the basic columns, or from the crash basis: after a change of
+   the matrix, and when pivots have made the factors longer or less accurate than
+   they need to be. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
+    const int rows = sx->lp->rows;
     int i;
     kern_basis_factor(sx);
-    for (i = 0; i < sx->lp->rows; i++)
+    for (i = 0; i < rows; i++)
         sx->value[i] = KERN_R(0);
+    if (!sx->started)
+        sx->unit = kern_largest(sx->lp->rhs, rows);
+    if (!(sx->unit > 0))
+        sx->unit = KERN_R(1);
+    sx->started = 1;
     sx->stale = 0;
     kern_basis_values(sx);
 }
@@ -10362,7 +10360,7 @@ static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
                                       int p, kern_real step)
 {
-    if (sx->overfull || kern_basis_full(sx))
+    if (kern_basis_full(sx))
         return KERN_NO_SPACE;
     if (!kern_pivot_spend(sx, work))
         return KERN_LIMIT;
@@ -10434,7 +10432,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows, n = (m + 2) / 3;
     sx->lp = lp;
-    sx->started = sx->stale = sx->overfull = sx->violated = 0;
+    sx->started = sx->stale = sx->violated = 0;
     sx->groups = n;
     sx->room = room;
     sx->most = 2 * m + 8;
@@ -10443,138 +10441,12 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->pivot = kern_take_ints(take, sx->most);
     sx->first = kern_take_ints(take, sx->most + 1);
     sx->at = kern_take_ints(take, room);
-    sx->link = kern_take_ints(take, n + 1 + m);
+    sx->link = kern_take_ints(take, n + m);
     sx->entry = kern_take_reals(take, 3 * room);
     sx->value = kern_take_reals(take, m);
     sx->alpha = kern_take_reals(take, 3 * n + 3);
     sx->row = kern_take_reals(take, 3 * n + 3);
     sx->temp = kern_take_reals(take, 3 * n + 3);
-}
-
-/* Of the columns mine[0..n), the three that carry `load` in group g with the
-   largest smallest share; none if every three of them are dependent. */
-static void kern_crash_choose(const kern_simplex *sx, int g, const int *mine,
-                              int n, const kern_real load[3], int take[3],
-                              kern_real share[3])
-{
-    kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY;
-    int i, j, k;
-    take[0] = take[1] = take[2] = KERN_OUT;
-    for (i = 0; i < n; i++)
-        kern_lp_part(sx->lp, mine[i], g, part[i]);
-    for (i = 0; i < n; i++)
-        for (j = i + 1; j < n; j++) {
-            const kern_real *a = part[i], *b = part[j];
-            const kern_real ab0 = a[1] * b[2] - a[2] * b[1];
-            const kern_real ab1 = a[2] * b[0] - a[0] * b[2];
-            const kern_real ab2 = a[0] * b[1] - a[1] * b[0];
-            const kern_real lc = ab0 * load[0] + ab1 * load[1] + ab2 * load[2];
-            for (k = j + 1; k < n; k++) {
-                const kern_real *c = part[k];
-                const kern_real det = ab0 * c[0] + ab1 * c[1] + ab2 * c[2];
-                kern_real la, lb, least, w;
-                if (kern_abs(det) < KERN_CRASH_TOL
-                    || (det > 0 ? lc <= best * det : lc >= best * det))
-                    continue; /* lc / det would be no better */
-                w = lc / det;
-                la = (load[0] * (b[1] * c[2] - b[2] * c[1])
-                      + load[1] * (b[2] * c[0] - b[0] * c[2])
-                      + load[2] * (b[0] * c[1] - b[1] * c[0])) / det;
-                lb = (load[0] * (c[1] * a[2] - c[2] * a[1])
-                      + load[1] * (c[2] * a[0] - c[0] * a[2])
-                      + load[2] * (c[0] * a[1] - c[1] * a[0])) / det;
-                least = kern_min(w, kern_min(la, lb));
-                if (least > best) {
-                    best = least;
-                    take[0] = mine[i];
-                    take[1] = mine[j];
-                    take[2] = mine[k];
-                    share[0] = la; share[1] = lb; share[2] = w;
-                }
-            }
-        }
-}
-
-/* Whether column j faces the load of group g within 60 degrees: what stands
-   beside a group only steadies it. */
-static int kern_crash_faces(const kern_program *lp, int j, int g,
-                            const kern_real load[3])
-{
-    kern_real part[3], along;
-    kern_lp_part(lp, j, g, part);
-    along = part[0] * load[0] + part[1] * load[1];
-    return along > 0 && 4 * along * along
-           >= (part[0] * part[0] + part[1] * part[1])
-              * (load[0] * load[0] + load[1] * load[1]);
-}
-
-/* Lists at most KERN_CRASH_MOST, evenly chosen, of the columns of group g that
-   face its load, or of all where `any` is set; returns how many. They hang
-   together from `first`. */
-static int kern_crash_list(const kern_simplex *sx, int g, int first, int any,
-                           int *mine)
-{
-    const kern_real *load = sx->row + 3 * g;
-    const int *next = sx->place;
-    int j, n = 0, facing = 0, step;
-    for (j = first; j >= 0; j = next[j])
-        facing += any || kern_crash_faces(sx->lp, j, g, load);
-    step = 1 + (facing - 1) / KERN_CRASH_MOST;
-    facing = 0;
-    for (j = first; j >= 0; j = next[j])
-        if ((any || kern_crash_faces(sx->lp, j, g, load))
-            && facing++ % step == 0)
-            mine[n++] = j;
-    return n;
-}
-
-/* Lets group g take three of its columns: of those that face its load, or
-   where there are not three (a chain that leans), of all. What they cannot
-   carry by pressing is left to phase one. */
-static void kern_crash_group(kern_simplex *sx, int g, int first)
-{
-    const kern_program *lp = sx->lp;
-    int mine[KERN_CRASH_MOST], take[3], any, s;
-    kern_real share[3];
-    take[0] = KERN_OUT;
-    for (any = 0; any < 2 && take[0] == KERN_OUT; any++) {
-        const int n = kern_crash_list(sx, g, first, any, mine);
-        kern_crash_choose(sx, g, mine, n, sx->row + 3 * g, take, share);
-    }
-    for (s = 0; s < 3 && take[0] != KERN_OUT; s++) {
-        sx->base[3 * g + s] = take[s];
-        kern_lp_subtract(lp, take[s], kern_max(share[s], KERN_R(0)), sx->row);
-    }
-}
-
-/* The crash basis: down the order, each group takes three columns to groups
-   after it (or to none) that carry its load and what rests on it. Feasible at
-   once for most walls. Without a network every logical is basic. */
-static void kern_simplex_crash(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    int *first = sx->link, *next = sx->place;
-    int i, j;
-    for (i = 0; i < lp->rows; i++) {
-        sx->row[i] = lp->rhs[i];
-        sx->base[i] = lp->cols + i;
-    }
-    for (i = 0; i <= sx->groups; i++)
-        first[i] = -1;
-    for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
-        const int g = kern_lp_first(sx->lp, j);
-        next[j] = first[g];
-        first[g] = j;
-    }
-    for (i = 0; i < sx->groups && lp->ends; i++)
-        kern_crash_group(sx, i, first[i]);
-    for (j = 0; j < lp->cols; j++)
-        sx->place[j] = KERN_OUT;
-    sx->started = 1;
-    sx->unit = kern_largest(lp->rhs, lp->rows);
-    if (!(sx->unit > 0))
-        sx->unit = KERN_R(1);
-    kern_basis_refactorise(sx);
 }
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
@@ -10624,9 +10496,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     }
 #endif
     (void)own;
-    if (!sx->started)
-        kern_simplex_crash(sx);
-    else if (sx->stale)
+    if (!sx->started || sx->stale)
         kern_basis_refactorise(sx);
     else
         kern_basis_values(sx);
