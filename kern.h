@@ -2882,7 +2882,8 @@ static kern_real kern_known_seen(const kern_block *block, int blocks)
 
 /* An interior point leaves a little motion in what rests: instead of that the
    mechanism of what moves alone is remembered. */
-static void kern_known_clean(kern_model *m, kern_path *path, kern_real fails)
+static kern_status kern_known_clean(kern_model *m, kern_path *path,
+                                    kern_real fails)
 {
     const kern_query q = kern_path_at(path, fails);
     const int plain = m->plain;
@@ -2892,7 +2893,7 @@ static void kern_known_clean(kern_model *m, kern_path *path, kern_real fails)
         noise |= kern_speed(m->motion + i) > 0 && !kern_moves(m, i);
     }
     if (!noise)
-        return;
+        return KERN_STANDS;
     if (plain)
         kern_model_touch(m);
     m->plain = 0;
@@ -2901,6 +2902,7 @@ static void kern_known_clean(kern_model *m, kern_path *path, kern_real fails)
     if (kern_part_moved(path->part, m) && kern_part_note(path->part) == KERN_OK)
         kern_path_evaluate(m, path, fails);
     m->plain = plain;
+    return kern_spent(m->work, m->limit, KERN_STANDS);
 }
 
 /* Remembers a measure, whose proof is in the arrays of what is known, and
@@ -2968,7 +2970,11 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     task->known.blocks = 0; /* the proof there has been written over */
     task->known.fails = KERN_R(0);
     if (status == KERN_STANDS && !r.saturated)
-        kern_known_clean(&c.m, &c.path, r.fails);
+        status = kern_known_clean(&c.m, &c.path, r.fails);
+    if (status == KERN_LIMIT && r.level >= 0) {
+        out->margin = r.holds;
+        out->level = -1;
+    }
     if (status >= 0)
         kern_known_set(task, status, &c.path, &r, proof);
     return status;
@@ -9785,7 +9791,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 #define KERN_OWN_TOL     KERN_R(0.03)
 /* The same for the crash basis: forces of columns that are farther apart rather
    press. */
-#define KERN_CRASH_TOL   KERN_R(0.1)
+#define KERN_CRASH_TOL   KERN_R(0.2)
 /* Residual of the basic solution at which refinement ends, and above which the
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
@@ -9972,12 +9978,14 @@ static void kern_basis_factor(kern_simplex *sx)
     for (g = 0; g < sx->groups; g++)
         head[g] = KERN_OUT;
     for (j = lp->cols - 1; j >= 0; j--) {
-        if (sx->started ? sx->place[j] == KERN_OUT : !lp->ends) {
-            sx->place[j] = KERN_OUT;
-            continue;
+        const int listed = sx->started ? sx->place[j] != KERN_OUT
+                                       : lp->ends != NULL;
+        g = kern_lp_first(lp, j);
+        next[j] = KERN_OUT;
+        if (listed && g < sx->groups) {
+            next[j] = head[g];
+            head[g] = j;
         }
-        next[j] = head[kern_lp_first(lp, j)];
-        head[kern_lp_first(lp, j)] = j;
     }
     for (i = 0; i < lp->rows; i++)
         sx->base[i] = lp->cols + i;
