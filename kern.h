@@ -9590,12 +9590,13 @@ static kern_status kern_trial_moves(kern_stage *on, const kern_query *q,
     m->work->solves++;
     for (i = 0; i < last; i++)
         m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
-    most = kern_max(KERN_SQRT(u[0] * u[0] + u[1] * u[1]),
-                    kern_abs(u[2]) / q->mean
-                    * kern_block_size(on->s.block + last));
-    v->vx = u[0] / most;
-    v->vy = u[1] / most;
-    v->spin = u[2] / (q->mean * most);
+    v->vx = u[0];
+    v->vy = u[1];
+    v->spin = u[2] / q->mean;
+    most = kern_block_speed(on->s.block + last, v);
+    v->vx /= most;
+    v->vy /= most;
+    v->spin /= most;
     if (!kern_model_proven(m, kern_prove_motion(&on->s, q, m->motion)))
         return KERN_UNDECIDED;
     kern_proof_out(m, proof, KERN_FALLS);
