@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xbe123c7b62efb74cu },
-    { 1000, 0x6bda930f758b4fa7u },
-    { 5000, 0xd304fdcbd28e815eu },
+    { 200, 0x2c7d5f14a7f8ef15u },
+    { 1000, 0x0a9d13a1161364acu },
+    { 5000, 0x5b8fb0fea95c33f4u },
 #else
-    { 200, 0xeeea6b1649d9bd4bu },
-    { 1000, 0x0c9fd461e8155edfu },
-    { 5000, 0xff0ad57cd5f7974cu },
+    { 200, 0xf55d9ffa50e7b92fu },
+    { 1000, 0x42628f06fb89458eu },
+    { 5000, 0x56b52767d73b75aau },
 #endif
 };
 
