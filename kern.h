@@ -9792,7 +9792,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 #define KERN_OWN_TOL     KERN_R(0.03)
 /* The same for the crash basis: forces of columns that are farther apart rather
    press. */
-#define KERN_CRASH_TOL   KERN_R(0.2)
+#define KERN_CRASH_TOL   KERN_R(0.05)
 /* Residual of the basic solution at which refinement ends, and above which the
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x2c7d5f14a7f8ef15u },
-    { 1000, 0x0a9d13a1161364acu },
-    { 5000, 0x5b8fb0fea95c33f4u },
+    { 200, 0x4dcbcc22c68f2473u },
+    { 1000, 0x15fa8fb32ee40887u },
+    { 5000, 0xb6d71c0e7bc46b26u },
 #else
-    { 200, 0xf55d9ffa50e7b92fu },
-    { 1000, 0x42628f06fb89458eu },
-    { 5000, 0x56b52767d73b75aau },
+    { 200, 0xaec062ae0e71124cu },
+    { 1000, 0x2c9d1c41f05b08cfu },
+    { 5000, 0x4e085d46d033ee56u },
 #endif
 };
 
