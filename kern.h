@@ -725,6 +725,7 @@ typedef struct kern_known {
     kern_real seen;       /* a sum over these blocks: a change is noticed     */
     kern_vec gravity;     /* its gravity                                      */
     int relative, nested; /* its option; nonzero: its kerns are nested        */
+    kern_real most;       /* d_max                                            */
 } kern_known;
 
 /* What a call needs. kern_task_of() fills it; each field may be changed between
@@ -2148,10 +2149,10 @@ static kern_real kern_prove_motion(const kern_structure *s,
         kern_real px, py, pt;
         kern_wrench w;
         const kern_real speed = kern_speed(m);
+        if (speed <= 0)
+            continue;
         if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
             return KERN_INFINITY;
-        if (!(speed > 0))
-            continue;
         first = first < i ? first : i;
         weight += kern_wrench_on(s, q, i, &w);
         px = w.fx * m->vx;
@@ -2215,7 +2216,6 @@ struct kern_model {
     int relative;
     kern_real mean;           /* size of the free blocks                      */
     kern_real weight;         /* unit of force: all that acts on free blocks  */
-    int from;                 /* blocks before it are held                    */
     int groups;
     int *group;               /* of a block                                   */
     int *block;               /* of a group                                   */
@@ -2329,7 +2329,7 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     known.force = force;
     known.holds = known.margin = known.fails = KERN_R(0);
     known.blocks = known.contacts = known.relative = known.nested = 0;
-    known.seen = KERN_R(0);
+    known.seen = known.most = KERN_R(0);
     known.gravity = kern_vec_make(0, 0);
     return known;
 }
@@ -2362,14 +2362,23 @@ static void kern_model_order(const kern_model *m, kern_vec along, int *list)
 /* Lists the contacts of every group, in their order. */
 static void kern_model_touch(kern_model *m)
 {
-    int g, e;
-    for (g = 0; g < m->groups; g++)
+    const int none = m->groups;
+    int g, i;
+    for (g = 0; g < none; g++)
         m->touch[g] = KERN_OUT;
-    for (e = 2 * m->s->contacts - 1; e >= 0; e--)
-        if (m->ends[e] < m->groups && m->ends[e] != m->ends[e ^ 1]) {
-            m->after[e] = m->touch[m->ends[e]];
-            m->touch[m->ends[e]] = e;
+    for (i = m->s->contacts - 1; i >= 0; i--) {
+        const int head = m->ends[2 * i], tail = m->ends[2 * i + 1];
+        if (head == tail)
+            continue;
+        if (tail < none) {
+            m->after[2 * i + 1] = m->touch[tail];
+            m->touch[tail] = 2 * i + 1;
         }
+        if (head < none) {
+            m->after[2 * i] = m->touch[head];
+            m->touch[head] = 2 * i;
+        }
+    }
 }
 
 /* Gives every block that is free and has not been taken away a group. */
@@ -2378,7 +2387,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     const kern_structure *s = m->s;
     int i, g;
     m->groups = m->plain = m->wide = m->falls = 0;
-    for (i = s->blocks - 1; i >= m->from; i--)
+    for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->block[m->groups++] = i;
     kern_model_order(m, s->gravity, m->block);
@@ -2397,15 +2406,14 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     kern_model_touch(m);
 }
 
-/* Opens the model of a structure that has been checked: of the task, or else of
-   its last block with all others held. It has no groups yet: a change that is
-   passed on needs none. */
+/* Opens the model of a task that has been checked. It has no groups yet: a change
+   that is passed on needs none. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
-                                   const kern_structure *s, const kern_query *q)
+                                   const kern_query *q)
 {
+    const kern_structure *s = &task->s;
     int i, groups = 0;
-    m->from = s == &task->s ? 0 : s->blocks - 1;
-    for (i = m->from; i < s->blocks; i++)
+    for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
     kern_take_open(&m->rest, task->work);
     kern_model_lay(m, s->blocks, groups, s->contacts);
@@ -2777,7 +2785,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     if (status != KERN_OK)
         return status;
     kern_path_begin(&c->path, &c->part, task, &q);
-    status = kern_model_open(&c->m, task, &task->s, &q);
+    status = kern_model_open(&c->m, task, &q);
     if (status == KERN_OK)
         kern_model_group(&c->m, &q);
     return status;
@@ -2826,11 +2834,11 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
    what falls at once: KERN_FALLS. */
 static kern_status kern_measure_along(kern_model *m, kern_path *path,
                                       const kern_task *task, kern_status status,
+                                      const kern_travels *travels,
                                       kern_margin *r)
 {
-    const kern_travels travels = kern_travels_of(&task->s, &path->q, 0);
     int last;
-    r->most = travels.most;
+    r->most = travels->most;
     r->epsilon = kern_step(&path->q, &task->options);
     r->margin = r->holds = r->fails = KERN_R(0);
     r->level = r->saturated = 0;
@@ -2840,7 +2848,7 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     path->step = r->epsilon;
     if (status == KERN_OK)
         status = kern_spent(m->work, m->limit, kern_measure_path(
-            m, path, travels.nested, last, r));
+            m, path, travels->nested, last, r));
     if (status == KERN_LIMIT) {
         r->fails = kern_min(path->fell, r->most);
         r->margin = r->holds = kern_min(path->stood, r->fails);
@@ -2908,7 +2916,7 @@ static kern_status kern_known_clean(kern_model *m, kern_path *path,
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
 static void kern_known_set(kern_task *task, kern_status status,
-                           const kern_path *path, const kern_margin *out,
+                           const kern_travels *travels, const kern_margin *out,
                            const kern_proof *proof)
 {
     kern_known *known = &task->known;
@@ -2930,7 +2938,8 @@ static void kern_known_set(kern_task *task, kern_status status,
         known->contacts = task->s.contacts;
         known->gravity = task->s.gravity;
         known->relative = task->options.relative;
-        known->nested = kern_travels_of(&task->s, &path->q, 0).nested;
+        known->nested = travels->nested;
+        known->most = travels->most;
         known->seen = kern_known_seen(task->s.block, task->s.blocks);
     }
 }
@@ -2940,6 +2949,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 {
     kern_call c;
     kern_seed seed;
+    kern_travels travels;
     kern_proof kept;
     kern_margin r;
     int warm, spares;
@@ -2961,7 +2971,8 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
             seed = kern_known_seed(task);
             c.path.seed = &seed;
         }
-        status = kern_measure_along(&c.m, &c.path, task, status, &r);
+        travels = kern_travels_of(&task->s, &c.path.q, 0);
+        status = kern_measure_along(&c.m, &c.path, task, status, &travels, &r);
     } while (status == KERN_NO_SPACE && spares-- > 0);
     if (status >= 0 || status == KERN_LIMIT)
         *out = r;
@@ -2976,7 +2987,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         out->level = -1;
     }
     if (status >= 0)
-        kern_known_set(task, status, &c.path, &r, proof);
+        kern_known_set(task, status, &travels, &r, proof);
     return status;
 }
 
@@ -4625,24 +4636,26 @@ static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
     b[2] += f * row->n[2] + r * row->turn;
 }
 
-/* The forces with which the two ends of a line exert what is left besides what
-   they do, if it opposes gravity, and can. The force along t is shared as that
-   along n is. */
+/* The forces with which the two ends of a line, or one point where its kern is
+   closed, exert what is left besides what they do, if it opposes gravity, and
+   can. The force along t is shared as that along n is. */
 static int kern_row_line(const kern_model *m, const kern_row *row,
-                         const kern_real left[3], kern_force f[2])
+                         const kern_real left[3], kern_real tolerance,
+                         kern_force f[2])
 {
     const kern_force *was = m->force + (row->end >> 1);
     const kern_vec down = m->s->gravity;
     const kern_real along = row->n[0] * left[0] + row->n[1] * left[1];
     const kern_real across = row->n[0] * left[1] - row->n[1] * left[0];
-    const kern_real turn = left[2] - across * row->turn;
+    const kern_real turn = left[2] - across * row->turn - along * row[1].n[2];
     const kern_real arm = row[0].n[2] - row[1].n[2];
     kern_real share;
     int k;
     if (!(row->n[0] * down.x + row->n[1] * down.y
           < -kern_vec_largest(down) / 2))
         return 0;
-    f[0].normal = (turn - along * row[1].n[2]) / arm;
+    f[0].normal = kern_abs(turn) + kern_abs(along * arm) <= tolerance
+                  ? along / 2 : turn / arm;
     f[1].normal = was[1].normal + (along - f[0].normal); /* keeps their sum */
     f[0].normal += was[0].normal;
     if (!(f[0].normal >= 0 && f[1].normal >= 0))
@@ -4667,7 +4680,7 @@ static int kern_pour_line(kern_model *m, const kern_row *row, int n,
     }
     for (k = 0; k < n; k++) {
         lines = m->s->contact[row[k].end >> 1].line ? lines % 2 + 1 : 0;
-        if (lines == 2 && kern_row_line(m, row + k - 1, left, f)) {
+        if (lines == 2 && kern_row_line(m, row + k - 1, left, tolerance, f)) {
             for (j = 0; j < 2; j++)
                 kern_pour_write(m, row[k - 1 + j].end >> 1,
                                 m->ends[row[k].end ^ 1], f[j].normal,
@@ -5130,7 +5143,7 @@ static int kern_pass_block(kern_pass *p, int i)
             return 0;
         kern_pass_row(s, p->q, k, i, row + n++);
         lines = c->line ? lines % 2 + 1 : 0;
-        if (lines == 2 && kern_row_line(m, row + n - 2, left, f)) {
+        if (lines == 2 && kern_row_line(m, row + n - 2, left, tolerance, f)) {
             kern_pass_write(p, i, row + n - 2, f[0].normal, f[0].tangential,
                             tolerance);
             kern_pass_write(p, i, row + n - 1, f[1].normal, f[1].tangential,
@@ -5351,7 +5364,7 @@ static void kern_part_motion(kern_part *p)
 
 /* Whether the part is all there is: then forces on it prove that it stands. */
 static int kern_part_is_whole(const kern_part *p)
-{ return p->bodies == p->m->groups && p->m->from == 0; }
+{ return p->bodies == p->m->groups; }
 
 /* The forces of a program of all groups. What is negative by rounding is
    nothing. */
@@ -5669,7 +5682,7 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
 static kern_status kern_model_hold(kern_model *m, kern_part *p,
                                    const kern_query *q)
 {
-    if (m->from > 0 || q->factor > 0 || kern_pour_spares(m))
+    if (q->factor > 0 || kern_pour_spares(m))
         return KERN_UNDECIDED;
     p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
     return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
@@ -5702,7 +5715,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     if (total > KERN_BOUND / 2)
         return KERN_UNDECIDED;
     p->found = KERN_STANDS;
-    if (!proven || m->from > 0)
+    if (!proven)
         return KERN_STANDS;
     for (i = 0; i < m->s->contacts; i++) {
         m->force[i].normal *= m->weight;
@@ -6255,30 +6268,36 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* Whether the motion that is known still proves that it falls where it did. */
-static int kern_path_still_falls(kern_model *m, kern_path *path)
+/* Lays the motion that is known to m->motion. */
+static void kern_seed_lay(kern_model *m, const kern_seed *seed)
+{
+    const kern_motion rest = {0, 0, 0};
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
+        m->motion[i] = seed->motion ? seed->motion[i] : rest;
+    m->motion[i - 1] = seed->last;
+}
+
+/* Whether it still proves that it falls where it did, close beyond where it is
+   known to have stood. */
+static int kern_seed_falls(kern_model *m, const kern_path *path)
+{
+    const kern_query q = kern_path_at(path, path->seed->fails);
+    if (path->seed->fails - path->seed->holds > path->tolerance)
+        return 0;
+    kern_seed_lay(m, path->seed);
+    return kern_model_proven(m, kern_prove_motion(m->s, &q, m->motion));
+}
+
+/* Ends the search there. */
+static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 {
     const kern_seed *seed = path->seed;
-    const kern_query q = kern_path_at(path, seed->fails);
-    const int last = m->s->blocks - 1;
-    kern_real error;
-    int i;
-    for (i = 0; i < m->s->blocks; i++) {
-        kern_motion *v = m->motion + i;
-        v->vx = v->vy = v->spin = KERN_R(0);
-        if (i == last)
-            *v = seed->last;
-        else if (seed->motion)
-            *v = seed->motion[i];
-    }
-    error = kern_prove_motion(m->s, &q, m->motion);
-    if (seed->fails - path->holds > path->tolerance
-        || !kern_model_proven(m, error))
-        return 0;
+    kern_seed_lay(m, seed);
     kern_path_note(m, path, KERN_FALLS, seed->fails);
     path->fails = seed->fails;
     path->edge = seed->edge;
-    return 1;
+    return KERN_STANDS;
 }
 
 /* ---- Interior point -------------------------------------------- >>inner */
@@ -7019,7 +7038,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
     const kern_real high = last < path->end ? path->fails : path->end;
     kern_inner in;
     kern_status status;
-    if (m->from > 0 || m->narrow > 0 || !kern_inner_open(&in, m, path))
+    if (m->narrow > 0 || !kern_inner_open(&in, m, path))
         return KERN_UNDECIDED;
     path->inner = &in;
     path->fails = in.high = high;
@@ -7187,8 +7206,9 @@ static kern_status kern_plain_at(kern_model *m, kern_path *path,
     const kern_real holds = path->holds;
     kern_status status = kern_path_evaluate(m, path, probe->at);
     probe->done = 1;
-    if (status == KERN_STANDS
-        && (closed || (seeded && kern_path_still_falls(m, path))))
+    if (status == KERN_STANDS && seeded && kern_seed_falls(m, path))
+        return kern_seed_ends(m, path);
+    if (status == KERN_STANDS && closed)
         return status;
     if (status == KERN_STANDS && seeded)
         return kern_path_climb(m, path, probe->step);
@@ -7313,21 +7333,17 @@ static kern_status kern_probe_stood(kern_probe *probe, kern_model *m,
     }
     if (at >= path->end)
         return kern_path_saturate(path);
-    if (probe->seeded && kern_path_still_falls(m, path))
-        return KERN_STANDS;
+    if (probe->seeded)
+        return kern_seed_ends(m, path);
     probe->done = 0;
     if (probe->fell) {
         probe->guess = 1; /* it may be the first that falls */
         return kern_part_again(path->part, m) == KERN_OK ? KERN_STANDS
                                                          : KERN_NO_SPACE;
     }
-    if (probe->seeded && kern_path_moved(m, path, probe->first) == KERN_FALLS) {
-        probe->fell = 1;
-        probe->guess = 1; /* most likely it is what falls */
-    } else
-        probe->at = kern_min(path->end, path->seed && path->seed->fails > 0
-                             ? at + probe->first
-                             : probe->start + 2 * (at - probe->start));
+    probe->at = kern_min(path->end, path->seed && path->seed->fails > 0
+                         ? at + probe->first
+                         : probe->start + 2 * (at - probe->start));
     return KERN_STANDS;
 }
 
@@ -7381,6 +7397,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
     const kern_seed *seed = path->seed;
+    kern_status status = KERN_STANDS;
     kern_probe probe;
     int round;
     probe.start = probe.holds = path->start = path->holds;
@@ -7394,10 +7411,20 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                               : kern_min(probe.start + first, path->end);
     if (m->plain)
         return kern_path_plain(m, path, &probe);
-    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
+    if (probe.seeded && probe.at < path->end && !kern_seed_falls(m, path)) {
+        /* most likely what moves in it falls, with the last block, beyond */
+        probe.seeded = 0;
+        probe.fell = probe.guess = kern_path_moved(m, path, first)
+                                   == KERN_FALLS;
+        path->holds = probe.holds;
+        if (probe.fell)
+            status = kern_probe_part(&probe, m, path, status);
+    }
+    for (round = 0; round < KERN_EDGE_ROUNDS && !probe.done
+                    && status == KERN_STANDS; round++) {
         const int last = probe.fell ? path->closed
                                     : probe.seeded || probe.at >= path->end;
-        kern_status status = kern_path_pour(m, path, probe.at, last);
+        status = kern_path_pour(m, path, probe.at, last);
         if (status == KERN_STANDS)
             status = kern_probe_stood(&probe, m, path, last);
         else if (status == KERN_FALLS)
@@ -7408,8 +7435,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         path->holds = probe.holds;
         if (probe.fell)
             status = kern_probe_part(&probe, m, path, status);
-        if (probe.done || status != KERN_STANDS)
-            break;
     }
     if (probe.done)
         return KERN_STANDS;
@@ -9492,12 +9517,14 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     return KERN_OK;
 }
 
+#define KERN_TRIAL_ROUNDS  12      /* to find where a block falls alone       */
+
 /* A block that is tried: the last of the plan as long as it is. */
 typedef struct kern_trial {
     kern_plan *plan;
     int found;                /* contacts of the block                        */
     int balanced;             /* nonzero: known forces balance all others     */
-    int nested;               /* nonzero: the kerns are                       */
+    kern_travels travels;     /* of all kerns                                 */
     kern_query q;
 } kern_trial;
 
@@ -9539,172 +9566,162 @@ static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
     if (status != KERN_OK)
         kern_trial_close(t);
     t->q = kern_query_of(s, &plan->task.options, KERN_R(0));
-    t->nested = kern_travels_of(s, &t->q, from).nested
-                && (known->nested || !t->balanced);
-    return status;
-}
-
-/* What a trial evaluates: the plan with the block, or that alone. */
-typedef struct kern_stage {
-    kern_structure s;         /* of the block alone                           */
-    kern_model m;
-    kern_part part;
-    kern_path path;
-} kern_stage;
-
-/* Opens the model of the plan with the block, or of that alone, with its
-   contacts, on neighbours that are held: it cannot stand better than that on
-   neighbours that give way, and its motion proves that the whole falls. */
-static kern_status kern_trial_begin(const kern_trial *t, kern_stage *on,
-                                    int alone, const kern_proof *proof)
-{
-    const kern_task *task = &t->plan->task;
-    kern_status status;
-    on->s = task->s;
-    on->s.contact += task->s.contacts - t->found;
-    on->s.contacts = t->found;
-    kern_path_begin(&on->path, &on->part, task, &t->q);
-    status = kern_model_open(&on->m, task, alone ? &on->s : &task->s, &t->q);
-    on->path.proof = proof;
-    if (status == KERN_OK && !alone && t->balanced) {
-        on->m.prior = task->known.force;
-        on->m.balanced = task->known.holds;
-        on->m.complete = !t->nested || (proof && proof->force);
+    t->travels = kern_travels_of(s, &t->q, from);
+    if (t->balanced) {
+        t->travels.most = kern_max(t->travels.most, known->most);
+        t->travels.nested &= known->nested;
     }
     return status;
 }
 
-/* The motion u of the last block alone, its torque in units of the mean size,
-   if it proves that it falls. */
-static kern_status kern_trial_moves(kern_stage *on, const kern_query *q,
-                                    const kern_real u[3],
+/* Opens the model of the plan with the block. */
+static kern_status kern_trial_begin(const kern_trial *t, kern_call *on,
                                     const kern_proof *proof)
 {
-    kern_model *m = &on->m;
-    const int last = on->s.blocks - 1;
-    kern_motion *v = m->motion + last;
-    kern_real most;
-    int i;
-    if (!kern_model_spend(m, m->query_units))
-        return KERN_LIMIT;
-    m->work->solves++;
-    for (i = 0; i < last; i++)
-        m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
-    v->vx = u[0];
-    v->vy = u[1];
-    v->spin = u[2] / q->mean;
-    most = kern_block_speed(on->s.block + last, v);
-    v->vx /= most;
-    v->vy /= most;
-    v->spin /= most;
-    if (!kern_model_proven(m, kern_prove_motion(&on->s, q, m->motion)))
-        return KERN_UNDECIDED;
-    kern_proof_out(m, proof, KERN_FALLS);
-    return KERN_FALLS;
+    const kern_task *task = &t->plan->task;
+    const kern_status status = kern_model_open(&on->m, task, &t->q);
+    kern_path_begin(&on->path, &on->part, task, &t->q);
+    on->path.proof = proof;
+    if (status == KERN_OK && t->balanced) {
+        on->m.prior = task->known.force;
+        on->m.balanced = task->known.holds;
+        on->m.complete = !t->travels.nested || (proof && proof->force);
+    }
+    return status;
 }
 
-/* The verdict on the last block alone by its own three rows: KERN_FALLS is
-   proven, KERN_STANDS need not be. Unless that is what it says its model is
-   open. */
-static kern_status kern_trial_alone(const kern_trial *t, kern_stage *on,
-                                    kern_real shrink, const kern_proof *proof)
+/* The motion u of the last block, its torque in units of the mean size. */
+static kern_motion kern_trial_motion(const kern_trial *t, const kern_real u[3])
+{
+    const kern_structure *s = &t->plan->task.s;
+    kern_motion v;
+    kern_real most;
+    v.vx = u[0];
+    v.vy = u[1];
+    v.spin = u[2] / t->q.mean;
+    most = kern_block_speed(s->block + s->blocks - 1, &v);
+    v.vx /= most;
+    v.vy /= most;
+    v.spin /= most;
+    return v;
+}
+
+/* Whether the last block falls alone, by its own three rows, unproven; to u how
+   it moves then, and to *power what that gains, its spin being 1. */
+static kern_status kern_trial_pour(const kern_trial *t, kern_real shrink,
+                                   kern_real u[3], kern_real *power)
 {
     const kern_structure *s = &t->plan->task.s;
     const int last = s->blocks - 1;
     kern_query q = t->q;
     kern_row row[KERN_ROWS_MOST];
-    kern_real b[3], u[3], size;
-    kern_status status = KERN_UNDECIDED, open;
+    kern_real b[3], size;
+    kern_status status;
     int k;
     if (s->block[last].fixed)
         return KERN_STANDS;
+    if (t->found > KERN_ROWS_MOST)
+        return KERN_UNDECIDED;
     q.shrink = shrink;
-    for (k = 0; k < t->found && t->found <= KERN_ROWS_MOST; k++)
+    for (k = 0; k < t->found; k++)
         kern_pass_row(s, &q, s->contacts - t->found + k, last, row + k);
     size = kern_pass_load(s, &q, last, b);
-    if (k == t->found)
-        status = kern_pour_solve(row, k, b, KERN_POUR_TOL * size, u);
-    if (status == KERN_STANDS)
-        return status;
-    open = kern_trial_begin(t, on, 1, proof);
-    if (open != KERN_OK)
-        return open;
-    return status == KERN_FALLS ? kern_trial_moves(on, &q, u, proof)
-                                : KERN_UNDECIDED;
-}
-
-/* Where the last block falls alone: what is known of it to *seed, if that is
-   nearer than what is known there. KERN_FALLS where it falls at once. */
-static kern_status kern_trial_nearer(const kern_trial *t, kern_stage *on,
-                                     kern_seed *seed, const kern_proof *proof)
-{
-    kern_path *path = &on->path;
-    kern_status status = kern_trial_begin(t, on, 1, proof);
-    if (status != KERN_OK)
-        return status;
-    path->end = seed->fails;
-    status = kern_path_search(&on->m, path, path->end,
-                              path->unit * KERN_FIRST);
-    if (status == KERN_STANDS && !path->never && path->fails < seed->fails) {
-        seed->holds = path->holds;
-        seed->edge = path->edge;
-        seed->fails = path->fails;
-        seed->motion = NULL;
-        seed->last = on->m.motion[on->s.blocks - 1];
-    }
+    status = kern_pour_solve(row, k, b, KERN_POUR_TOL * size, u);
+    *power = kern_three(b, u);
     return status;
 }
 
-/* The verdict of the plan with the block at a shrinkage: of that alone first. */
-static kern_status kern_trial_stands(const kern_trial *t, kern_stage *on,
-                                     kern_real shrink, const kern_proof *proof)
+/* The same, where KERN_FALLS is proven: on neighbours that are held it cannot
+   stand worse than on such that give way. */
+static kern_status kern_trial_alone(const kern_trial *t, kern_call *on,
+                                    kern_real shrink)
 {
-    kern_status status = kern_trial_alone(t, on, shrink, proof);
-    if (status == KERN_UNDECIDED) {
-        on->path.q.shrink = shrink;
-        status = kern_model_plain(&on->m, &on->part, &on->path.q);
-        if (status == KERN_OK)
-            status = kern_model_evaluate(&on->m, &on->part, &on->path.q);
-        if (status == KERN_FALLS)
-            kern_proof_out(&on->m, proof, status);
-    }
-    if (status != KERN_STANDS && status != KERN_UNDECIDED)
+    kern_structure s = t->plan->task.s;
+    kern_model *m = &on->m;
+    kern_real u[3], power;
+    kern_seed seed;
+    const kern_status status = kern_trial_pour(t, shrink, u, &power);
+    if (status != KERN_FALLS)
         return status;
-    status = kern_trial_begin(t, on, 0, proof);
-    if (status != KERN_OK)
-        return status;
+    if (!kern_model_spend(m, m->query_units))
+        return KERN_LIMIT;
+    m->work->solves++;
+    seed.motion = NULL;
+    seed.last = kern_trial_motion(t, u);
+    kern_seed_lay(m, &seed);
+    s.contact += s.contacts - t->found;
+    s.contacts = t->found;
     on->path.q.shrink = shrink;
-    status = kern_model_evaluate(&on->m, &on->part, &on->path.q);
-    kern_proof_out(&on->m, proof, status);
+    if (!kern_model_proven(m, kern_prove_motion(&s, &on->path.q, m->motion)))
+        return KERN_UNDECIDED;
+    kern_proof_out(m, on->path.proof, status);
     return status;
 }
 
-/* The measure of the plan with the block, or the verdict where *shrink is. */
+/* Where the last block falls alone: what is known of it to *seed, if it falls
+   there. The power of how it falls ends at the edge: the secant method, which
+   looks at places a little beyond. */
+static void kern_trial_nearer(const kern_trial *t, kern_seed *seed)
+{
+    const kern_real unit = t->q.relative ? KERN_R(1) : t->q.mean;
+    const kern_real aside = KERN_WIDTH * KERN_R(0.45) * unit;
+    kern_real holds = KERN_R(0), at = seed->fails, fails = at, edge = at;
+    kern_real power = KERN_R(0), now, u[3];
+    int round;
+    for (round = 0; round < KERN_TRIAL_ROUNDS; round++) {
+        const kern_real before = edge;
+        if (kern_trial_pour(t, at, u, &now) == KERN_FALLS) {
+            edge = at - now * (fails - at) / (power - now);
+            fails = at;
+            power = now;
+            if (round > 0
+                && kern_abs(edge - before) <= KERN_SAME_EDGE / 8 * unit) {
+                seed->holds = edge - aside;
+                seed->edge = edge;
+                seed->fails = at;
+                seed->motion = NULL;
+                seed->last = kern_trial_motion(t, u);
+                break;
+            }
+        } else
+            holds = at;
+        at = edge + aside;
+        if (!(at > holds && at < fails))
+            at = holds + (fails - holds) / 2;
+    }
+}
+
+/* The measure of the plan with the block, or the verdict where *shrink is: of
+   that alone first. */
 static kern_status kern_trial_measure(const kern_trial *t,
                                       const kern_real *shrink, kern_margin *out,
                                       const kern_proof *proof)
 {
-    const kern_task *task = &t->plan->task;
-    kern_stage on;
-    kern_seed seed = kern_known_seed(task);
+    kern_seed seed = kern_known_seed(&t->plan->task);
+    kern_real u[3], power;
+    kern_call on;
     kern_margin r;
-    kern_status status = KERN_OK;
-    if (shrink)
-        return kern_trial_stands(t, &on, *shrink, proof);
-    if (t->nested && seed.fails > 0)
-        status = kern_trial_alone(t, &on, seed.fails, NULL);
-    if (status == KERN_FALLS || status == KERN_UNDECIDED) {
-        status = kern_trial_alone(t, &on, KERN_R(0), proof);
-        if (status != KERN_FALLS)
-            status = kern_trial_nearer(t, &on, &seed, proof);
-    }
-    if (status != KERN_FALLS) {
-        status = kern_trial_begin(t, &on, 0, proof);
-        if (status != KERN_OK)
+    kern_status status = kern_trial_begin(t, &on, proof);
+    if (status == KERN_OK && shrink) {
+        status = kern_trial_alone(t, &on, *shrink);
+        if (status != KERN_STANDS && status != KERN_UNDECIDED)
             return status;
-        on.path.seed = &seed;
+        on.path.q.shrink = *shrink;
+        status = kern_model_evaluate(&on.m, &on.part, &on.path.q);
+        kern_proof_out(&on.m, proof, status);
     }
-    status = kern_measure_along(&on.m, &on.path, task, status, &r);
+    if (status != KERN_OK || shrink)
+        return status;
+    if (t->travels.nested && seed.fails > 0
+        && kern_trial_pour(t, seed.fails, u, &power) != KERN_STANDS) {
+        if (kern_trial_alone(t, &on, KERN_R(0)) == KERN_FALLS)
+            status = KERN_FALLS;
+        else
+            kern_trial_nearer(t, &seed);
+    }
+    on.path.seed = &seed;
+    status = kern_measure_along(&on.m, &on.path, &t->plan->task, status,
+                                &t->travels, &r);
     if (status >= 0 || status == KERN_LIMIT)
         *out = r;
     return status;
@@ -9733,8 +9750,9 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
     if (!(margin >= 0 && kern_is_finite(margin))) {
         status = KERN_BAD_NUMBER;
     } else {
-        status = kern_trial_measure(&t, t.nested ? &margin : NULL, &r, proof);
-        if (!t.nested && status == KERN_STANDS && !(r.margin >= margin))
+        status = kern_trial_measure(&t, t.travels.nested ? &margin : NULL, &r,
+                                    proof);
+        if (!t.travels.nested && status == KERN_STANDS && !(r.margin >= margin))
             status = KERN_FALLS;
     }
     kern_trial_close(&t);

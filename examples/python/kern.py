@@ -142,7 +142,8 @@ class _Known(ctypes.Structure):
     _fields_ = [("motion", c_void_p), ("force", c_void_p), ("holds", c_double),
                 ("margin", c_double), ("fails", c_double),
                 ("blocks", c_int), ("contacts", c_int), ("seen", c_double),
-                ("gravity", _Vec), ("relative", c_int), ("nested", c_int)]
+                ("gravity", _Vec), ("relative", c_int), ("nested", c_int),
+                ("most", c_double)]
 
 
 class _Task(ctypes.Structure):
