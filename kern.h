@@ -3849,6 +3849,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     32      /* groups of a unit                        */
+#define KERN_SMALL         16      /* groups of a small structure             */
 #define KERN_REGROWN       16      /* times that a unit of three is joined    */
 #define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
@@ -4884,6 +4885,20 @@ static kern_status kern_pour_part(kern_part *p, int warm, int *budget)
     return status;
 }
 
+/* Blocks of which each rests on another, as in an arch or a tower. */
+static int kern_model_chain(const kern_model *m)
+{ return m->s->contacts <= 3 * m->groups; }
+
+/* Groups of a unit at the most. In a structure that is not large the simplex
+   method asks about all groups for less than units of half of them take, or in
+   a short chain those of more than two or three. */
+static int kern_unit_most(const kern_model *m)
+{
+    return m->groups > KERN_UNIT_MOST ? KERN_UNIT_MOST
+           : m->groups <= KERN_SMALL && kern_model_chain(m)
+           ? m->s->contacts / m->groups : m->groups / 2;
+}
+
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
    part of it is seen to fall. */
 static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
@@ -4909,7 +4924,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0 || groups > KERN_UNIT_MOST
+        if (added == 0 || groups > kern_unit_most(m)
             || m->regrown < 0)
             return KERN_POUR_DRY;
         if (last > begun) {
@@ -4959,8 +4974,8 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     int at;
     for (at = 0; at < 3 * m->s->blocks; at++)
         u[at] = KERN_R(0);
-    m->regrown = m->known || m->s->contacts > 3 * m->groups
-                 ? KERN_REGROWN : KERN_REGROWN_CHAIN;
+    m->regrown = m->known || !kern_model_chain(m) ? KERN_REGROWN
+                                                  : KERN_REGROWN_CHAIN;
     for (at = 0; at < m->groups; ) {
         kern_poured found;
         kern_status alone = KERN_UNDECIDED;
@@ -5221,8 +5236,6 @@ static int kern_pass_down(kern_model *m, const kern_query *q)
 }
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
-
-#define KERN_WIDE_SMALL    16      /* groups: widened to the whole at once    */
 
 /* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
 static kern_status kern_part_lay(kern_part *p)
@@ -5554,7 +5567,7 @@ static kern_status kern_part_note(kern_part *p)
 {
     kern_model *m = p->m;
     int n;
-    if (m->groups > KERN_WIDE_SMALL && 2 * p->bodies > m->groups)
+    if (m->groups > KERN_SMALL && 2 * p->bodies > m->groups)
         return KERN_NO_SPACE;
     m->falls++;
     m->rigid = p->bodies < p->groups;
@@ -5577,10 +5590,10 @@ static kern_status kern_part_widen(kern_part *p)
     kern_part_join(p);
     for (n = 0; n < p->bodies; n++)
         again |= m->fell[p->lead[n]] > 0;
-    again |= m->groups <= KERN_WIDE_SMALL / 2 && 2 * p->bodies > m->groups;
+    again |= m->groups <= KERN_SMALL / 2 && 2 * p->bodies > m->groups;
     if (!again)
         return kern_part_note(p);
-    m->wide = groups * 2 <= m->groups && m->groups > KERN_WIDE_SMALL
+    m->wide = groups * 2 <= m->groups && m->groups > KERN_SMALL
               ? 2 * m->wide + 1 : m->groups;
     for (levels = m->wide; kern_part_open(p, m, groups, last); levels--) {
         if (levels == 0 || groups == m->groups)
@@ -7220,15 +7233,18 @@ static kern_status kern_plain_at(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Climbs from path->holds, or if it does not stand there, from the start. */
+/* Climbs from path->holds, or from the next place where that is the start; if
+   it does not stand there, from the start. */
 static kern_status kern_plain_climb(kern_model *m, kern_path *path,
-                                    kern_real step)
+                                    const kern_probe *probe)
 {
-    const kern_real holds = path->holds;
-    kern_status status = kern_path_evaluate(m, path, holds);
-    if (status == KERN_FALLS && holds > path->start)
+    const kern_real at = path->begun || path->holds > path->start
+                         ? path->holds : probe->at;
+    kern_status status = kern_path_evaluate(m, path, at);
+    if ((status == KERN_FALLS || status == KERN_UNDECIDED) && at > path->start)
         status = kern_path_evaluate(m, path, path->start);
-    return status == KERN_STANDS ? kern_path_climb(m, path, step) : status;
+    return status == KERN_STANDS ? kern_path_climb(m, path, probe->step)
+                                 : status;
 }
 
 /* The interior point; of what is large and degenerate a second time, on another
@@ -7245,10 +7261,10 @@ static kern_status kern_plain_inner(kern_model *m, kern_path *path,
     return kern_inner_search(m, path, last, KERN_INNER_COARSE);
 }
 
-/* As kern_path_search(), by the interior point, or else by the linear program
-   of the whole. Where something is known it begins at the next place, where
-   that stands. Else, or if it is not decided there, it climbs from
-   path->holds. */
+/* As kern_path_search(), by the interior point, or else, and of what is small
+   at once, by the linear program of the whole. Where something is known it
+   begins at the next place, where that stands. Else, or if it is not decided
+   there, it climbs. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
                                    kern_probe *probe)
 {
@@ -7260,7 +7276,8 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const int closed = probe->fell && path->closed;
     const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     kern_status status = KERN_UNDECIDED;
-    if (!seeded) /* else one verdict from the known forces may do */
+    if (!seeded /* else one verdict from the known forces may do */
+        && m->groups > (kern_model_chain(m) ? KERN_SMALL : KERN_UNIT_MOST))
         status = kern_plain_inner(m, path, closed ? probe->at : path->end);
     if (status == KERN_STANDS)
         return status;
@@ -7278,7 +7295,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
         if (probe->done)
             return status;
     }
-    return kern_plain_climb(m, path, probe->step);
+    return kern_plain_climb(m, path, probe);
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
