@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xece94bd82baeb8d7u },
-    { 1000, 0xbb07e082edf2b238u },
-    { 5000, 0xea799892f93178fdu },
+    { 200, 0x88f79ff452133364u },
+    { 1000, 0xd556bcd392481fefu },
+    { 5000, 0x7873df5c7339cc64u },
 #else
-    { 200, 0x30fa9d6846111578u },
-    { 1000, 0x112a97050f252751u },
-    { 5000, 0x16c2f16b6d25eb7eu },
+    { 200, 0xc8e88d8f32cca60fu },
+    { 1000, 0xfcc36fc9770e05eau },
+    { 5000, 0x1db34ad41f2bcddbu },
 #endif
 };
 
