@@ -3848,7 +3848,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_HOLD_ROUNDS   8       /* the same where they were not poured     */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
-#define KERN_UNIT_MOST     32      /* groups of a unit                        */
+#define KERN_UNIT_MOST     20      /* groups of a unit                        */
 #define KERN_SMALL         16      /* groups of a small structure             */
 #define KERN_REGROWN       16      /* times that a unit of three is joined    */
 #define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
@@ -6351,6 +6351,7 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 #define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
 #define KERN_INNER_TRIES   6       /* halvings of a step; steps for a proof   */
 #define KERN_INNER_REFINED 2       /* times that a step is refined            */
+#define KERN_INNER_BALANCED 2      /* the same of forces                      */
 #define KERN_INNER_ROUNDING KERN_PICK(1e-11, 1e-6) /* A x - b, that is none   */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
@@ -6526,17 +6527,15 @@ static void kern_inner_set(kern_inner *in)
     kern_inner_carry(p, in->x, in->over);
 }
 
-/* M's factor, and M^-1 g; with D = 1 if `even`. */
-static void kern_inner_factor(kern_inner *in, int even)
+/* M's factor, where D is in->dz. */
+static void kern_inner_factor(kern_inner *in)
 {
     kern_part *p = in->p;
     int k;
     kern_least_clear(p);
     for (k = 0; k < p->contacts; k++) {
         const kern_real mu = p->m->s->contact[p->contact[k]].mu;
-        const kern_real plus = even ? KERN_R(1) : in->x[2 * k] / in->z[2 * k];
-        const kern_real minus = even ? KERN_R(1)
-            : in->x[2 * k + 1] / in->z[2 * k + 1];
+        const kern_real plus = in->dz[2 * k], minus = in->dz[2 * k + 1];
         kern_spring s;
         s.f = s.r = KERN_R(0);
         s.nn = plus + minus;
@@ -6545,7 +6544,6 @@ static void kern_inner_factor(kern_inner *in, int even)
         kern_least_spring(p, k, &s);
     }
     kern_least_factor(p);
-    kern_least_solve(p, in->g, in->gain);
     p->m->work->pivots++;
 }
 
@@ -6680,6 +6678,31 @@ static void kern_inner_centre(kern_inner *in, kern_real gap)
         kern_inner_carry(in->p, in->dx, in->over);
 }
 
+/* Takes A x - b from the forces, of each as a share of what it is: so M is far
+   from singular where D = x / z has entries of all sizes. */
+static void kern_inner_balance(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real *turn = p->way + rays;
+    int i, round;
+    for (i = 0; i < rays; i++)
+        in->dz[i] = in->x[i];
+    kern_inner_factor(in);
+    for (round = 0; round < KERN_INNER_BALANCED; round++) {
+        kern_inner_set(in);
+        for (i = 0; i < n; i++)
+            p->left[i] = -in->over[i];
+        kern_least_solve(p, p->left, in->more);
+        kern_inner_ways(p, in->more, turn);
+        for (i = 0; i < rays; i++)
+            in->x[i] = kern_max(in->x[i] + in->dz[i] * turn[i],
+                                in->x[i] / 1024);
+    }
+    kern_inner_set(in);
+    in->gap = kern_dot(in->x, in->z, rays);
+}
+
 /* One step of the method; 0 if the call has no more work for it, or the digits
    do not reach for one. */
 static int kern_inner_advance(kern_inner *in)
@@ -6693,7 +6716,11 @@ static int kern_inner_advance(kern_inner *in)
     if (!(gap <= KERN_INNER_LOST) || in->steps++ == in->most
         || !kern_model_spend(p->m, 1 + p->cost / 150))
         return 0;
-    kern_inner_factor(in, 0);
+    in->soft = kern_min(in->soft, gap / 20);
+    for (i = 0; i < rays; i++)
+        in->dz[i] = in->x[i] / in->z[i];
+    kern_inner_factor(in);
+    kern_least_solve(p, in->g, in->gain);
     if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
         in->gap = KERN_INFINITY;
         return 0;
@@ -6725,8 +6752,10 @@ static int kern_inner_advance(kern_inner *in)
     if (in->gap <= KERN_INNER_CLEAR)
         kern_inner_refine(in, ds);
     kern_inner_move(in, ds);
-    kern_inner_centre(in, KERN_INNER_APART * in->gap);
     in->slow = kern_abs(in->gap - gap) < gap / 32;
+    if (in->slow)
+        kern_inner_balance(in);
+    kern_inner_centre(in, KERN_INNER_APART * in->gap);
     return 1;
 }
 
@@ -6754,10 +6783,12 @@ static int kern_inner_begin(kern_inner *in)
     for (i = 0; i < n + 3; i++)
         p->u[i] = p->step[i] = p->left[i] = in->gain[i] = in->more[i]
             = KERN_R(0);
-    for (i = 0; i < rays; i++)
+    for (i = 0; i < rays; i++) {
         in->x[i] = KERN_R(0);
+        in->dz[i] = KERN_R(1);
+    }
     kern_inner_set(in);
-    kern_inner_factor(in, 1);
+    kern_inner_factor(in);
     for (i = 0; i < n; i++)
         p->left[i] = -in->over[i];
     kern_least_solve(p, p->left, p->u);
@@ -6848,6 +6879,31 @@ static int kern_inner_falls(kern_inner *in, kern_real place)
     kern_part_motion(p);
     return kern_model_proven(p->m,
                              kern_prove_motion(p->m->s, &q, p->m->motion));
+}
+
+/* Whether forces close to those that were found prove that it stands at a
+   place. If not they are what they were. */
+static int kern_inner_restore(kern_inner *in, kern_real place)
+{
+    const kern_inner was = *in;
+    const int rays = 2 * in->p->contacts;
+    int i, holds;
+    if (!kern_model_spend(in->p->m, 1 + in->p->cost / 300))
+        return 0;
+    for (i = 0; i < rays; i++)
+        in->dx[i] = in->x[i];
+    in->soft = KERN_R(0);
+    in->s = place;
+    kern_inner_place(in, place);
+    in->held = 1;
+    kern_inner_balance(in);
+    holds = kern_inner_holds(in);
+    for (i = 0; i < rays && !holds; i++)
+        in->x[i] = in->dx[i];
+    *in = was;
+    if (!holds && !in->held)
+        kern_inner_set(in);
+    return holds;
 }
 
 /* Holds the matrix at a place from now on. Where the path's g is less than what
@@ -6947,6 +7003,9 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
         return status;
     if (in->sharp && place > *edge && kern_inner_falls(in, place))
         return KERN_FALLS;
+    if (in->held && in->along && place <= in->end
+        && kern_inner_restore(in, place))
+        return KERN_STANDS;
     kern_inner_hold(in, place);
     p->m->work->solves++;
     for (round = 0; round < KERN_INNER_ROUNDS && late < KERN_INNER_STALLED
@@ -6965,7 +7024,7 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
 }
 
 static int kern_inner_sharp(const kern_inner *in)
-{ return in && in->sharp; }
+{ return in && (in->sharp || in->p->groups > KERN_INNER_EXACT); }
 
 /* Follows the path to the first place where the whole falls, or until it is
    proven to stand at `last`, as far as it can be followed. Returns nonzero where
@@ -6976,12 +7035,9 @@ static int kern_inner_follow(kern_inner *in, kern_real last)
     for (round = 0; round < KERN_INNER_ROUNDS && !(in->gap <= in->least)
                     && !beyond && stalled < KERN_INNER_STALLED;
          round++) {
-        in->soft = kern_min(in->soft, in->gap / 20);
         if (!kern_inner_advance(in))
             return 0;
-        if (in->s >= last
-            && kern_largest(in->over, 3 * in->p->groups) <= KERN_TOL
-            && kern_inner_holds(in))
+        if (in->s >= last && in->gap <= KERN_INNER_CLEAR)
             return 0;
         beyond = in->gap <= KERN_INNER_CLEAR && in->high >= in->path->end
                  && in->ahead > in->high - in->least;
@@ -6995,14 +7051,20 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
                                    kern_path *path, kern_real last)
 {
     const kern_real edge = path->edge;
+    kern_real at = in->s;
     kern_status status;
-    int round;
-    for (round = 0; round < KERN_INNER_TRIES && in->gap <= KERN_INNER_CLEAR
-                    && !kern_inner_holds(in) && kern_inner_advance(in); round++)
-        ;
-    if (in->s >= path->start && kern_inner_holds(in)) {
-        kern_path_note(m, path, KERN_STANDS, in->s);
-        path->holds = in->s;
+    int round, holds = 0;
+    for (round = 0; round < KERN_INNER_TRIES && in->gap <= KERN_INNER_CLEAR;
+         round++) {
+        at = last < path->end ? in->s
+             : kern_min(in->s, in->ahead - in->least / 32);
+        holds = at >= path->start && kern_inner_restore(in, at);
+        if (holds || !kern_inner_advance(in))
+            break;
+    }
+    if (holds) {
+        kern_path_note(m, path, KERN_STANDS, at);
+        path->holds = at;
     }
     if (path->holds >= last)
         return KERN_STANDS;
@@ -7358,9 +7420,11 @@ static kern_status kern_probe_stood(kern_probe *probe, kern_model *m,
         return kern_part_again(path->part, m) == KERN_OK ? KERN_STANDS
                                                          : KERN_NO_SPACE;
     }
-    probe->at = kern_min(path->end, path->seed && path->seed->fails > 0
-                         ? at + probe->first
-                         : probe->start + 2 * (at - probe->start));
+    probe->at = path->seed && path->seed->fails > 0
+              ? at + probe->first
+              : probe->start + 2 * (at - probe->start);
+    if (probe->at > path->end * KERN_R(0.9)) /* rather the whole of it */
+        probe->at = path->end;
     return KERN_STANDS;
 }
 
