@@ -6350,9 +6350,7 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 #define KERN_INNER_STALLED 3       /* of them without effect                  */
 #define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
 #define KERN_INNER_TRIES   6       /* halvings of a step; steps for a proof   */
-#define KERN_INNER_REFINED 2       /* times that a step is refined            */
-#define KERN_INNER_BALANCED 2      /* the same of forces                      */
-#define KERN_INNER_ROUNDING KERN_PICK(1e-11, 1e-6) /* A x - b, that is none   */
+#define KERN_INNER_BALANCED 2      /* times that forces are balanced          */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
 #define KERN_INNER_COARSE  KERN_R(16)     /* of a second search: its gap      */
@@ -6390,7 +6388,6 @@ typedef struct kern_inner {
     kern_real *over;          /* of a row: A x - b                            */
     kern_real *g;             /* of a row                                     */
     kern_real *gain;          /* M^-1 g                                       */
-    kern_real *more;          /* of a row: what is added to a step            */
 } kern_inner;
 
 /* out := A'v, two rays a contact */
@@ -6585,40 +6582,6 @@ static kern_real kern_inner_step(kern_inner *in)
     return ds;
 }
 
-/* Takes from a step what the rounding of M^-1, where entries of D are of all
-   sizes, makes of A x - b, as long as that helps. */
-static void kern_inner_refine(kern_inner *in, kern_real ds)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real *turn = p->way + rays, was, is;
-    int i, round;
-    for (i = 0; i < n; i++)
-        p->left[i] += ds * in->g[i];
-    for (i = 0; i < rays; i++)
-        turn[i] *= -in->x[i] / in->z[i];
-    kern_inner_carry(p, turn, p->left);
-    is = kern_largest(p->left, n);
-    for (round = 0; round < KERN_INNER_REFINED && is > KERN_INNER_ROUNDING;
-         round++) {
-        was = is;
-        kern_least_solve(p, p->left, in->more);
-        kern_inner_ways(p, in->more, turn);
-        for (i = 0; i < rays; i++)
-            turn[i] *= -in->x[i] / in->z[i];
-        kern_inner_carry(p, turn, p->left);
-        is = kern_largest(p->left, n);
-        if (!(is < was * KERN_R(0.3)))
-            return;
-        for (i = 0; i < n; i++)
-            p->step[i] += in->more[i];
-        for (i = 0; i < rays; i++) {
-            in->dx[i] += turn[i];
-            in->dz[i] -= turn[i] * in->z[i] / in->x[i];
-        }
-    }
-}
-
 /* Goes along the steps as far as x, z > 0 let it. Where the matrix is held s
    does not pass its place. Else, where s moves at all, it goes only so far that
    A x comes nearer to b, or stays as near as the gap wants it. */
@@ -6683,7 +6646,7 @@ static void kern_inner_centre(kern_inner *in, kern_real gap)
 static void kern_inner_balance(kern_inner *in)
 {
     kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    const int rays = 2 * p->contacts;
     kern_real *turn = p->way + rays;
     int i, round;
     for (i = 0; i < rays; i++)
@@ -6691,12 +6654,10 @@ static void kern_inner_balance(kern_inner *in)
     kern_inner_factor(in);
     for (round = 0; round < KERN_INNER_BALANCED; round++) {
         kern_inner_set(in);
-        for (i = 0; i < n; i++)
-            p->left[i] = -in->over[i];
-        kern_least_solve(p, p->left, in->more);
-        kern_inner_ways(p, in->more, turn);
+        kern_least_solve(p, in->over, p->step);
+        kern_inner_ways(p, p->step, turn);
         for (i = 0; i < rays; i++)
-            in->x[i] = kern_max(in->x[i] + in->dz[i] * turn[i],
+            in->x[i] = kern_max(in->x[i] - in->dz[i] * turn[i],
                                 in->x[i] / 1024);
     }
     kern_inner_set(in);
@@ -6749,8 +6710,6 @@ static int kern_inner_advance(kern_inner *in)
         in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->way[i])
                     / in->z[i];
     ds = kern_inner_step(in);
-    if (in->gap <= KERN_INNER_CLEAR)
-        kern_inner_refine(in, ds);
     kern_inner_move(in, ds);
     in->slow = kern_abs(in->gap - gap) < gap / 32;
     if (in->slow)
@@ -6781,8 +6740,7 @@ static int kern_inner_begin(kern_inner *in)
     kern_real power, x = KERN_R(0), z = KERN_R(0);
     int i;
     for (i = 0; i < n + 3; i++)
-        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = in->more[i]
-            = KERN_R(0);
+        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = KERN_R(0);
     for (i = 0; i < rays; i++) {
         in->x[i] = KERN_R(0);
         in->dz[i] = KERN_R(1);
@@ -6843,7 +6801,6 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->roll = kern_take_reals(&p->rest, p->contacts);
     in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
-    in->more = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->over = p->b;
     in->most = m->groups > KERN_INNER_WIDE ? KERN_INNER_MANY
                                            : KERN_INNER_STEPS;
@@ -6885,8 +6842,8 @@ static int kern_inner_falls(kern_inner *in, kern_real place)
    place. If not they are what they were. */
 static int kern_inner_restore(kern_inner *in, kern_real place)
 {
-    const kern_inner was = *in;
-    const int rays = 2 * in->p->contacts;
+    const kern_real s = in->s, at = in->at, soft = in->soft, gap = in->gap;
+    const int rays = 2 * in->p->contacts, held = in->held;
     int i, holds;
     if (!kern_model_spend(in->p->m, 1 + in->p->cost / 300))
         return 0;
@@ -6900,8 +6857,12 @@ static int kern_inner_restore(kern_inner *in, kern_real place)
     holds = kern_inner_holds(in);
     for (i = 0; i < rays && !holds; i++)
         in->x[i] = in->dx[i];
-    *in = was;
-    if (!holds && !in->held)
+    in->s = s;
+    in->at = at;
+    in->soft = soft;
+    in->gap = gap;
+    in->held = held;
+    if (!held)
         kern_inner_set(in);
     return holds;
 }
@@ -7051,20 +7012,19 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
                                    kern_path *path, kern_real last)
 {
     const kern_real edge = path->edge;
-    kern_real at = in->s;
+    const kern_real under = last < path->end ? KERN_R(0) : in->least / 32;
     kern_status status;
-    int round, holds = 0;
+    int round;
     for (round = 0; round < KERN_INNER_TRIES && in->gap <= KERN_INNER_CLEAR;
          round++) {
-        at = last < path->end ? in->s
-             : kern_min(in->s, in->ahead - in->least / 32);
-        holds = at >= path->start && kern_inner_restore(in, at);
-        if (holds || !kern_inner_advance(in))
+        const kern_real at = kern_min(in->s, in->ahead - under);
+        if (at >= path->start && kern_inner_restore(in, at)) {
+            kern_path_note(m, path, KERN_STANDS, at);
+            path->holds = at;
             break;
-    }
-    if (holds) {
-        kern_path_note(m, path, KERN_STANDS, at);
-        path->holds = at;
+        }
+        if (!kern_inner_advance(in))
+            break;
     }
     if (path->holds >= last)
         return KERN_STANDS;
@@ -7423,7 +7383,7 @@ static kern_status kern_probe_stood(kern_probe *probe, kern_model *m,
     probe->at = path->seed && path->seed->fails > 0
               ? at + probe->first
               : probe->start + 2 * (at - probe->start);
-    if (probe->at > path->end * KERN_R(0.9)) /* rather the whole of it */
+    if (probe->at > path->end * KERN_R(0.95)) /* as well the whole of it */
         probe->at = path->end;
     return KERN_STANDS;
 }
