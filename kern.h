@@ -6887,6 +6887,7 @@ static void kern_inner_hold(kern_inner *in, kern_real place)
     in->held = 1;
     kern_inner_set(in);
     in->error = KERN_INFINITY;
+    in->end = -KERN_INFINITY;
     in->along = kern_largest(in->over, n) < kern_largest(in->g, n) * way;
     /* it must be able to go back from the edge, where x and z are near to 0 */
     kern_inner_centre(in, kern_max(in->gap, in->along ? 10 * in->least
