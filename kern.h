@@ -3154,42 +3154,53 @@ static kern_status kern_growth_check(const kern_growth *growth,
     return KERN_OK;
 }
 
+/* Whether a load lies on a block that is free. */
+static int kern_model_loaded(const kern_model *m)
+{
+    int g;
+    for (g = 0; g < m->groups; g++)
+        if (kern_wrench_sum(&m->s->block[m->block[g]].load) > 0)
+            return 1;
+    return 0;
+}
+
+/* The search for the edge of a path along which a load grows or gravity turns.
+   It begins where most structures fall: single blocks at the top do at once,
+   and show how far to go back; or where a stack tips. Under loads that stay a
+   tilt may stand again after it fell: then in even steps. */
+static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
+{
+    kern_real first = tilt ? KERN_R(0.2) /* 45 degrees, as a factor of 1 */
+                           : KERN_R(1);
+    if (tilt && kern_model_loaded(m))
+        return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS);
+    if (!m->plain)
+        first = kern_push_first(m, path, first);
+    return kern_path_search(m, path, first, tilt ? KERN_R(0.0125)
+                                                 : KERN_R(0.05));
+}
+
 /* How a load grows or gravity turns: a verdict where the path begins, the
-   search, the proofs. It begins where most structures fall: single blocks at
-   the top do at once, and show how far to go back; or where a stack tips.
-   Under loads that stay a tilt may stand again after it fell: then in even
-   steps. */
+   search, the proofs. */
 static kern_status kern_push(const kern_task *task, kern_real shrink,
                              const kern_growth *growth, kern_real *out,
                              const kern_proof *proof)
 {
     const int tilt = growth->kind == KERN_PATH_TILT;
-    kern_real first = KERN_R(1), step = KERN_R(0.05);
     kern_call c;
     kern_path *const path = &c.path;
-    int i, loaded = 0;
     kern_status status = kern_call_open(&c, task, shrink, out);
     if (status == KERN_OK)
         status = kern_growth_check(growth, &c.m);
     if (status != KERN_OK)
         return status;
-    for (i = 0; tilt && i < task->s.blocks; i++)
-        loaded |= kern_is_free(&c.m, i)
-                  && kern_wrench_sum(&task->s.block[i].load) > 0;
     kern_path_push(path, growth->kind, growth->pattern, growth->side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
-    if (tilt) {
-        first = KERN_R(0.2); /* 45 degrees, as a load factor of 1 */
-        step = loaded ? KERN_R(1) / KERN_TILTS : KERN_R(0.0125);
-    }
     status = kern_path_evaluate(&c.m, path, KERN_R(0));
     path->begun = status == KERN_STANDS;
-    if (status == KERN_STANDS && !loaded && !c.m.plain)
-        first = kern_push_first(&c.m, path, first);
     if (status == KERN_STANDS)
-        status = loaded ? kern_path_walk(&c.m, path, step)
-                        : kern_path_search(&c.m, path, first, step);
+        status = kern_push_search(&c.m, path, tilt);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
         path->edge = path->stood;
@@ -4889,14 +4900,15 @@ static kern_status kern_pour_part(kern_part *p, int warm, int *budget)
 static int kern_model_chain(const kern_model *m)
 { return m->s->contacts <= 3 * m->groups; }
 
-/* Groups of a unit at the most. In a structure that is not large the simplex
-   method asks about all groups for less than units of half of them take, or in
-   a short chain those of more than two or three. */
-static int kern_unit_most(const kern_model *m)
+/* Whether a unit of so many groups is given up. In a structure that is not large
+   the simplex method asks about all groups for less than units of half of them
+   take, or in a short chain those of more than two or three. */
+static int kern_unit_ends(const kern_model *m, int groups)
 {
-    return m->groups > KERN_UNIT_MOST ? KERN_UNIT_MOST
-           : m->groups <= KERN_SMALL && kern_model_chain(m)
-           ? m->s->contacts / m->groups : m->groups / 2;
+    const int most = m->groups > 2 * KERN_SMALL ? KERN_UNIT_MOST
+                     : m->groups <= KERN_SMALL && kern_model_chain(m)
+                     ? m->s->contacts / m->groups : m->groups / 2;
+    return groups > most || m->regrown < 0;
 }
 
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
@@ -4924,8 +4936,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0 || groups > kern_unit_most(m)
-            || m->regrown < 0)
+        if (added == 0 || kern_unit_ends(m, groups))
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -4963,6 +4974,20 @@ static void kern_pour_returns(kern_model *m, int last)
         m->dirty[last] = again;
 }
 
+/* Balances a group, by itself or with others in a unit. */
+static kern_poured kern_pour_group(kern_model *m, kern_part *p, int at,
+                                   int *budget)
+{
+    kern_status alone = KERN_UNDECIDED;
+    if (m->next[at] == at)
+        alone = kern_pour_alone(m, at);
+    if (alone == KERN_STANDS)
+        return KERN_POURED;
+    if (alone == KERN_FALLS && kern_pour_stack(m, p, at))
+        return KERN_POUR_FALLS;
+    return kern_pour_unit(m, p, at, alone == KERN_FALLS, budget);
+}
+
 /* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
    with an open part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
@@ -4978,7 +5003,6 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
                                                   : KERN_REGROWN_CHAIN;
     for (at = 0; at < m->groups; ) {
         kern_poured found;
-        kern_status alone = KERN_UNDECIDED;
         if (!(m->dirty[at] & 1)) {
             at++;
             continue;
@@ -4987,15 +5011,9 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
             return KERN_POUR_DRY;
         m->dirty[at] &= ~1;
         m->again = m->groups;
-        if (m->next[at] == at)
-            alone = kern_pour_alone(m, at);
-        if (alone == KERN_FALLS && kern_pour_stack(m, p, at))
-            return KERN_POUR_FALLS;
-        if (alone != KERN_STANDS) {
-            found = kern_pour_unit(m, p, at, alone == KERN_FALLS, &budget);
-            if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
-                return found;
-        }
+        found = kern_pour_group(m, p, at, &budget);
+        if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
+            return found;
         budget -= 300;
         if (budget < 0)
             return KERN_POUR_DRY;
@@ -7130,28 +7148,40 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
     return status;
 }
 
+/* Whether a group that moves by u opens all these contacts, or slides on them. */
+static int kern_body_opens(const kern_model *m, const int *end, int n,
+                           const kern_real u[3])
+{
+    kern_row c;
+    int k;
+    for (k = 0; k < n; k++) {
+        kern_pour_row(m, end[k], &c);
+        if (kern_three(c.n, u) < c.mu * kern_abs(kern_row_along(&c, u))
+                                 - KERN_TOL)
+            return 0;
+    }
+    return 1;
+}
+
 /* Where a group that touches others by n ends tips over one of these, in units
    of what grows, or KERN_INFINITY. */
 static kern_real kern_body_tips(const kern_model *m, const int *end, int n,
                                 const kern_real *load, const kern_real *rate)
 {
-    kern_row row[KERN_ROWS_MOST];
     kern_real least = KERN_INFINITY;
+    kern_row c;
     int k, j;
-    for (k = 0; k < n; k++)
-        kern_pour_row(m, end[k], row + k);
     for (k = 0; k < n; k++) {
-        const kern_row *c = row + k;
-        kern_real u[3] = {c->turn * c->n[1] - c->n[2] * c->n[0],
-                          -c->turn * c->n[0] - c->n[2] * c->n[1], KERN_R(1)};
-        const kern_real rises = kern_three(rate, u);
+        kern_real u[3], rises;
+        kern_pour_row(m, end[k], &c);
+        u[0] = c.turn * c.n[1] - c.n[2] * c.n[0];
+        u[1] = -c.turn * c.n[0] - c.n[2] * c.n[1];
+        u[2] = KERN_R(1);
+        rises = kern_three(rate, u);
         for (j = 0; j < 3 && rises < 0; j++)
             u[j] = -u[j];
-        for (j = 0; j < n; j++)
-            if (kern_three(row[j].n, u) < row[j].mu
-                * kern_abs(kern_row_along(row + j, u)) - KERN_TOL)
-                break;
-        if (j == n && kern_abs(rises) > 0 && kern_three(load, u) > 0)
+        if (kern_abs(rises) > 0 && kern_three(load, u) > 0
+            && kern_body_opens(m, end, n, u))
             least = kern_min(least, kern_three(load, u) / kern_abs(rises));
     }
     return least;
