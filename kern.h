@@ -787,8 +787,9 @@ typedef struct kern_lp {
 /* Constant expressions, for arrays: of contact points, and of work memory for a
    structure of so many blocks (fixed ones included) and contact points or for a
    linear program by itself. See >>memory. KERN_ROOM holds the factors of a basis
-   with an S (see >>lp) of so many rows, three entries each; KERN_LEAN_EXTRAS is
-   what a wall needs, KERN_LP_ROOM what a dense program does. */
+   in which so many columns fill (see >>lp), three entries each;
+   KERN_LEAN_EXTRAS is what a wall needs, KERN_LP_ROOM what a dense program
+   does. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
@@ -4900,6 +4901,11 @@ static kern_status kern_pour_part(kern_part *p, int warm, int *budget)
 static int kern_model_chain(const kern_model *m)
 { return m->s->contacts <= 3 * m->groups; }
 
+/* Whether the simplex method asks about all groups for less than the interior
+   point does. */
+static int kern_model_small(const kern_model *m)
+{ return m->groups <= (kern_model_chain(m) ? KERN_SMALL : 2 * KERN_SMALL); }
+
 /* Whether a unit of so many groups is given up. In a structure that is not large
    the simplex method asks about all groups for less than units of half of them
    take, or in a short chain those of more than two or three. */
@@ -6970,6 +6976,18 @@ static void kern_inner_note(kern_inner *in, kern_status status,
     in->sharp = sharp || (in->sharp && status == KERN_STANDS);
 }
 
+/* What the last motion and forces prove at a place without a further step. */
+static kern_status kern_inner_seen(kern_inner *in, kern_real place,
+                                   kern_real edge)
+{
+    if (in->sharp && place > edge && kern_inner_falls(in, place))
+        return KERN_FALLS;
+    if (in->held && in->along && place <= in->end
+        && kern_inner_restore(in, place))
+        return KERN_STANDS;
+    return KERN_UNDECIDED;
+}
+
 /* The verdict at a place. A motion proves that it falls as long as it parts
    from all contacts by more than rounding, which is before it is sharp enough
    for Newton's method. */
@@ -6977,15 +6995,13 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
                                        kern_real *edge)
 {
     kern_part *p = in->p;
-    kern_status status = KERN_UNDECIDED;
+    kern_status status;
     int round, late = 0;
     if (in->failed == KERN_INNER_FAILED || in->steps > in->most)
+        return KERN_UNDECIDED;
+    status = kern_inner_seen(in, place, *edge);
+    if (status != KERN_UNDECIDED)
         return status;
-    if (in->sharp && place > *edge && kern_inner_falls(in, place))
-        return KERN_FALLS;
-    if (in->held && in->along && place <= in->end
-        && kern_inner_restore(in, place))
-        return KERN_STANDS;
     kern_inner_hold(in, place);
     p->m->work->solves++;
     for (round = 0; round < KERN_INNER_ROUNDS && late < KERN_INNER_STALLED
@@ -7300,6 +7316,21 @@ static kern_status kern_plain_climb(kern_model *m, kern_path *path,
                                  : status;
 }
 
+/* Begins at the next place where something is known, or a part of what is small
+   fell; else, or if it is not decided there, it climbs. */
+static kern_status kern_plain_search(kern_model *m, kern_path *path,
+                                     kern_probe *probe, int seeded, int closed)
+{
+    const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
+    if (probe->at > path->holds && (small || seeded)) {
+        const kern_status status = kern_plain_at(m, path, probe, seeded,
+                                                 closed);
+        if (probe->done)
+            return status;
+    }
+    return kern_plain_climb(m, path, probe);
+}
+
 /* The interior point; of what is large and degenerate a second time, on another
    way to the edge. */
 static kern_status kern_plain_inner(kern_model *m, kern_path *path,
@@ -7315,9 +7346,7 @@ static kern_status kern_plain_inner(kern_model *m, kern_path *path,
 }
 
 /* As kern_path_search(), by the interior point, or else, and of what is small
-   at once, by the linear program of the whole. Where something is known it
-   begins at the next place, where that stands. Else, or if it is not decided
-   there, it climbs. */
+   at once, by the linear program of the whole. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
                                    kern_probe *probe)
 {
@@ -7327,10 +7356,8 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const int seeded = !probe->fell && path->seed
                        && path->seed->fails > probe->at;
     const int closed = probe->fell && path->closed;
-    const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     kern_status status = KERN_UNDECIDED;
-    if (!seeded /* else one verdict from the known forces may do */
-        && m->groups > (kern_model_chain(m) ? KERN_SMALL : KERN_UNIT_MOST))
+    if (!seeded && !kern_model_small(m)) /* known forces may do for a verdict */
         status = kern_plain_inner(m, path, closed ? probe->at : path->end);
     if (status == KERN_STANDS)
         return status;
@@ -7343,12 +7370,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     path->edge = edge; /* that of the interior point may not be exact */
     if (closed) /* the bracket of the part, in which nothing was found */
         path->fails = fails;
-    if (probe->at > holds && (small || seeded)) {
-        status = kern_plain_at(m, path, probe, seeded, closed);
-        if (probe->done)
-            return status;
-    }
-    return kern_plain_climb(m, path, probe);
+    return kern_plain_search(m, path, probe, seeded, closed);
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
@@ -7460,6 +7482,36 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
     return status;
 }
 
+/* The search begins at path->holds. The next place is one about which something
+   is known, or `first` beyond. */
+static void kern_probe_open(kern_probe *probe, const kern_model *m,
+                            kern_path *path, kern_real first, kern_real step)
+{
+    const kern_seed *seed = path->seed;
+    probe->start = probe->holds = path->start = path->holds;
+    probe->first = first;
+    probe->step = step;
+    probe->fell = probe->done = probe->guess = 0;
+    probe->seeded = seed && seed->fails > probe->start
+                    && seed->fails <= path->end;
+    probe->at = m->plain ? probe->start
+                : probe->seeded ? kern_max(probe->start, seed->holds)
+                                : kern_min(probe->start + first, path->end);
+}
+
+/* What moves in what is known no longer falls: most likely it does beyond, with
+   the last block. */
+static kern_status kern_probe_moved(kern_probe *probe, kern_model *m,
+                                    kern_path *path)
+{
+    probe->seeded = 0;
+    probe->fell = probe->guess = kern_path_moved(m, path, probe->first)
+                                 == KERN_FALLS;
+    path->holds = probe->holds;
+    return probe->fell ? kern_probe_part(probe, m, path, KERN_STANDS)
+                       : KERN_STANDS;
+}
+
 /* The first edge of a path on which the verdict changes but once. What falls
    at some place is a part, most often a small one, and no edge of the whole
    lies beyond that of a part, all else held. So the path is poured where the
@@ -7468,30 +7520,14 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
-    const kern_seed *seed = path->seed;
     kern_status status = KERN_STANDS;
     kern_probe probe;
     int round;
-    probe.start = probe.holds = path->start = path->holds;
-    probe.first = first;
-    probe.step = step;
-    probe.fell = probe.done = probe.guess = 0;
-    probe.seeded = seed && seed->fails > probe.start
-                   && seed->fails <= path->end;
-    probe.at = m->plain ? probe.start
-               : probe.seeded ? kern_max(probe.start, seed->holds)
-                              : kern_min(probe.start + first, path->end);
+    kern_probe_open(&probe, m, path, first, step);
     if (m->plain)
         return kern_path_plain(m, path, &probe);
-    if (probe.seeded && probe.at < path->end && !kern_seed_falls(m, path)) {
-        /* most likely what moves in it falls, with the last block, beyond */
-        probe.seeded = 0;
-        probe.fell = probe.guess = kern_path_moved(m, path, first)
-                                   == KERN_FALLS;
-        path->holds = probe.holds;
-        if (probe.fell)
-            status = kern_probe_part(&probe, m, path, status);
-    }
+    if (probe.seeded && probe.at < path->end && !kern_seed_falls(m, path))
+        status = kern_probe_moved(&probe, m, path);
     for (round = 0; round < KERN_EDGE_ROUNDS && !probe.done
                     && status == KERN_STANDS; round++) {
         const int last = probe.fell ? path->closed

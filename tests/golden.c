@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x88f79ff452133364u },
-    { 1000, 0xd556bcd392481fefu },
-    { 5000, 0x7873df5c7339cc64u },
+    { 200, 0xbfc621354bf3dab3u },
+    { 1000, 0x43f11fb6e07238b5u },
+    { 5000, 0x3454915cae6987adu },
 #else
-    { 200, 0xc8e88d8f32cca60fu },
-    { 1000, 0xfcc36fc9770e05eau },
-    { 5000, 0x1db34ad41f2bcddbu },
+    { 200, 0x9ea73791f5362db5u },
+    { 1000, 0x4db90ebd20074028u },
+    { 5000, 0x46d75f38c1384ccau },
 #endif
 };
 
