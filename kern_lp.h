@@ -51,14 +51,13 @@ static int kern_glpk_column(const kern_program *lp, int j, int *row,
     if (lp->ends) {
         for (end = 0; end < 2; end++) {
             const int g = end ? kern_lp_tail(lp, j) : kern_lp_head(lp, j);
-            kern_real part[3];
+            const kern_real *c = lp->a + 4 * (size_t)j;
             if (3 * g >= lp->rows)
                 continue;
-            kern_lp_part(lp, j, g, part);
             for (i = 0; i < 3; i++) {
                 n++;
                 row[n] = 3 * g + i + 1;
-                value[n] = (double)part[i];
+                value[n] = (double)(end ? i == 2 ? c[3] : -c[i] : c[i]);
             }
         }
         return n;
