@@ -9790,7 +9790,7 @@ static void kern_trial_nearer(const kern_trial *t, kern_seed *seed)
             if (round > 0
                 && kern_abs(edge - before) <= KERN_SAME_EDGE / 8 * unit) {
                 seed->holds = edge - aside;
-                seed->edge = edge;
+                seed->edge = kern_max(edge, KERN_R(0));
                 seed->fails = at;
                 seed->motion = NULL;
                 seed->last = kern_trial_motion(t, u);
