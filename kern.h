@@ -4902,10 +4902,10 @@ static int kern_model_chain(const kern_model *m)
 { return m->s->contacts <= 3 * m->groups; }
 
 /* Whether there are no more groups than `most`, and room for the linear program
-   of them all whatever it is. */
+   of them all whatever it is. Its forces leave a plan's candidates no room. */
 static int kern_model_small(const kern_model *m, int most)
 {
-    return m->groups <= most
+    return m->groups <= most && !m->known
            && m->work->reals >= KERN_REALS(m->s->blocks, m->s->contacts);
 }
 
