@@ -5303,19 +5303,16 @@ static kern_vec kern_part_from(const kern_part *p, int n, int g)
 static void kern_part_weigh(kern_part *p, const kern_query *q)
 {
     kern_model *m = p->m;
-    int n, j;
+    int n;
     for (n = 0; n < p->groups; n++)
         kern_model_unit(m, q, p->group[n]);
     for (n = 0; n < 3 * p->bodies; n++)
         p->rhs[n] = KERN_R(0);
     for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n], lead = p->lead[p->body[n]];
-        kern_real *to = p->rhs + 3 * (size_t)p->body[n];
+        const int g = p->group[n];
         kern_model_load(m, q, g);
-        if (g != lead)
-            kern_model_shift(m, g, m->load + 3 * (size_t)g, lead, to);
-        for (j = 0; j < 3 && g == lead; j++)
-            to[j] += m->load[3 * g + j];
+        kern_model_shift(m, g, m->load + 3 * (size_t)g, p->lead[p->body[n]],
+                         p->rhs + 3 * (size_t)p->body[n]);
     }
 }
 
@@ -5901,6 +5898,18 @@ static void kern_path_rate(const kern_path *path, const kern_model *m,
     else
         kern_weigh(kern_vec_turn(q->gravity),
                    4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), w);
+}
+
+/* The same of group g, in units, to `out`. */
+static void kern_group_rate(const kern_path *path, const kern_model *m,
+                            const kern_query *q, kern_real s, int g,
+                            kern_real *out)
+{
+    kern_wrench w;
+    kern_path_rate(path, m, q, s, m->block[g], &w);
+    out[0] = w.fx / m->weight;
+    out[1] = w.fy / m->weight;
+    out[2] = w.torque * m->unit[g] / m->weight;
 }
 
 /* y.rhs' there. */
@@ -6499,17 +6508,11 @@ static void kern_inner_rate(kern_inner *in)
 {
     const kern_query q = kern_path_at(in->path, in->s);
     const kern_part *p = in->p;
-    const kern_model *m = p->m;
     int n;
-    for (n = 0; n < p->groups; n++) {
-        kern_wrench w;
-        w.fx = w.fy = w.torque = KERN_R(0);
-        if (!in->shrinks)
-            kern_path_rate(in->path, m, &q, in->s, m->block[p->group[n]], &w);
-        in->g[3 * n] = w.fx / m->weight;
-        in->g[3 * n + 1] = w.fy / m->weight;
-        in->g[3 * n + 2] = w.torque * m->unit[p->group[n]] / m->weight;
-    }
+    for (n = 0; n < 3 * p->groups && in->shrinks; n++)
+        in->g[n] = KERN_R(0);
+    for (n = 0; n < p->groups && !in->shrinks; n++)
+        kern_group_rate(in->path, p->m, &q, in->s, p->group[n], in->g + 3 * n);
     if (in->shrinks)
         kern_inner_shrink(in, in->x, KERN_R(1), in->g);
     in->rate = kern_max(in->rate, kern_largest(in->g, 3 * p->groups));
@@ -7236,13 +7239,8 @@ static kern_real kern_push_first(kern_model *m, const kern_path *path,
     const kern_query q = kern_path_at(path, path->holds);
     kern_real *rates = m->sum, least = KERN_INFINITY;
     int end[KERN_ROWS_MOST], g, k;
-    for (g = 0; g < m->groups; g++) {
-        kern_wrench w;
-        kern_path_rate(path, m, &q, path->holds, m->block[g], &w);
-        rates[3 * g] = w.fx / m->weight;
-        rates[3 * g + 1] = w.fy / m->weight;
-        rates[3 * g + 2] = w.torque * m->unit[g] / m->weight;
-    }
+    for (g = 0; g < m->groups; g++)
+        kern_group_rate(path, m, &q, path->holds, g, rates + 3 * g);
     for (g = 0; g < m->groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g, *rate = rates + 3 * g;
         const int n = kern_body_ends(m, g, end), on = m->leader[g];
@@ -9921,15 +9919,11 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 /* Least pivot of a column in its own group, where its entries are about 1. Less
    makes the inverse grow from course to course, more fills it. */
 #define KERN_OWN_TOL     KERN_R(0.03)
-/* The same for the crash basis: forces of columns that are farther apart rather
-   press. */
-#define KERN_CRASH_TOL   KERN_R(0.05)
 /* Residual of the basic solution at which refinement ends, and above which the
    basis is made anew. */
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
 #define KERN_REFACTOR_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_REFACTOR      40      /* most pivots between factorisations      */
-
 
 /* ---- columns ---- */
 
@@ -10129,8 +10123,7 @@ static void kern_basis_factor(kern_simplex *sx)
             sx->place[j] = KERN_OUT;
             if ((sx->factors == from + size
                  || !kern_factor_enter(sx, j, 3 * g, 3 * g + size,
-                                       sx->started ? KERN_OWN_TOL
-                                                   : KERN_CRASH_TOL))
+                                       KERN_OWN_TOL))
                 && sx->started)
                 left[n++] = j;
         }

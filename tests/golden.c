@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xbfc621354bf3dab3u },
-    { 1000, 0x43f11fb6e07238b5u },
-    { 5000, 0x3454915cae6987adu },
+    { 200, 0xfadaa44581b4b531u },
+    { 1000, 0x6324fe4907f70ef3u },
+    { 5000, 0xad9bbcf897520701u },
 #else
-    { 200, 0x9ea73791f5362db5u },
-    { 1000, 0x4db90ebd20074028u },
-    { 5000, 0x46d75f38c1384ccau },
+    { 200, 0x0daf2df9c92a092au },
+    { 1000, 0x7680d3a1fab400f0u },
+    { 5000, 0xb455ba6fb69144c9u },
 #endif
 };
 
