@@ -125,6 +125,16 @@ static int outline_of(int cell[HIGH][WIDE], int stone, const double *x,
     return n;
 }
 
+/* Is a cell empty, and does a stone have one beside it? */
+static int may_grow(int cell[HIGH][WIDE], int stone, int i, int j)
+{
+    return !cell[j][i]
+           && ((i > 0 && cell[j][i - 1] == stone)
+               || (i + 1 < WIDE && cell[j][i + 1] == stone)
+               || (j > 0 && cell[j - 1][i] == stone)
+               || (j + 1 < HIGH && cell[j + 1][i] == stone));
+}
+
 /* Stones of one to four cells of a grid, some cells empty. */
 static void make_interlocks(int blocks)
 {
@@ -144,11 +154,7 @@ static void make_interlocks(int blocks)
         for (k = 0; k < 60 && cells < size; k++) {
             i = random_below(WIDE);
             j = random_below(HIGH);
-            if (!cell[j][i]
-                && (cells == 0 || (i > 0 && cell[j][i - 1] == stone)
-                    || (i + 1 < WIDE && cell[j][i + 1] == stone)
-                    || (j > 0 && cell[j - 1][i] == stone)
-                    || (j + 1 < HIGH && cell[j + 1][i] == stone))) {
+            if (cells > 0 ? may_grow(cell, stone, i, j) : !cell[j][i]) {
                 cell[j][i] = stone;
                 cells++;
             }
@@ -168,17 +174,16 @@ static void rest_edges(struct rest_near *around, const kern_vec *v, int n)
 /* Stones let down one after the other that rolled to rest. */
 static void make_settled(int blocks)
 {
-    static struct build b;
     static struct rest_edge edge[BLOCKS * VERTICES];
     struct rest_near around = { edge, 0 };
+    uint64_t made = state;
     int i;
-    b.state = state;
     add_box(-9, -1, 9, 0, 0);
     rest_edges(&around, vertex[0], 4);
     for (i = 0; i < 3 * blocks && s.blocks <= blocks; i++) {
         const double x = uniform(-1, 1), turn = uniform(-1, 1);
         struct stone stone;
-        stone_make(&b, 20 + 60 * (double)uniform(0, 1), &stone);
+        stone_make(&made, 20 + 60 * (double)uniform(0, 1), &stone);
         stone_turn(&stone, stone.centre, on_circle(turn, 1));
         stone_move(&stone, stones_vec(x, 20));
         if (!rest_settle(&around, &stone) || stone.n > VERTICES)

@@ -13,7 +13,6 @@
 #include "../examples/parts/rigid.h"
 #include "../examples/parts/text.h"
 
-#include "../examples/parts/build.h"
 #include "../examples/walls/masonry.h"
 #include "../examples/walls/stones.h"
 #include "../examples/walls/stack.h"

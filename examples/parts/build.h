@@ -45,7 +45,7 @@ struct build {
 
 static double build_uniform(struct build *b, double low, double high)
 {
-    return low + (high - low) * random_share(random_bits(&b->state));
+    return random_uniform(&b->state, low, high);
 }
 
 /* ---- One stone ----------------------------------------------------------- */
@@ -290,7 +290,7 @@ static int build_settle(struct build *b)
 static inline void build_structure(struct build *b, enum build_kind kind,
                                    double irregularity, uint64_t seed)
 {
-    b->state = seed * UINT64_C(2862933555777941757) + 3037000493u;
+    b->state = random_start(seed);
     do {
         double low = HUGE_VAL, high = -HUGE_VAL;
         b->stones = 0;

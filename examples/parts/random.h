@@ -2,7 +2,7 @@
    same on every machine.
 
        uint64_t state = random_from(seed);
-       x = low + (high - low) * random_share(random_bits(&state));
+       x = random_uniform(&state, low, high);
 
    SPDX-License-Identifier: MIT */
 
@@ -21,13 +21,18 @@ static inline uint64_t random_bits(uint64_t *state)
     return *state;
 }
 
-/* A state for it from a seed: of seeds that are small numbers one after the
-   other the first few would be alike. */
+/* A state for it from a seed. Of seeds that are small numbers one after the other
+   the first few numbers are alike. */
+static inline uint64_t random_start(uint64_t seed)
+{
+    return seed * UINT64_C(2862933555777941757) + UINT64_C(3037000493);
+}
+
+/* The same, behind those first numbers. */
 static inline uint64_t random_from(uint64_t seed)
 {
-    uint64_t state = seed * UINT64_C(2862933555777941757);
+    uint64_t state = random_start(seed);
     int i;
-    state += UINT64_C(3037000493);
     for (i = 0; i < 8; i++)
         random_bits(&state);
     return state;
@@ -48,6 +53,11 @@ static inline uint64_t random_mixed(uint64_t *state)
 static inline double random_share(uint64_t bits)
 {
     return (double)(bits >> 11) / 9007199254740992.0;
+}
+
+static inline double random_uniform(uint64_t *state, double low, double high)
+{
+    return low + (high - low) * random_share(random_bits(state));
 }
 
 #endif

@@ -166,33 +166,49 @@ static double masonry_top(const struct masonry_place *at, int n, double left,
     return sum;
 }
 
+/* Of the points that are not done, the one with the shortest way; NULL where no
+   way leads to any. */
+static struct masonry_place *masonry_next(struct masonry_place *at, int n)
+{
+    struct masonry_place *next = NULL;
+    double least = HUGE_VAL;
+    for (int i = 0; i < n; i++)
+        if (at[i].way >= 0 && at[i].way < least) {
+            next = &at[i];
+            least = next->way;
+        }
+    return next;
+}
+
+/* Shortens the ways to what is next to a point: its neighbours on the outline,
+   and the points of other stones within a step. */
+static void masonry_go_on(struct masonry_place *at, int n, double step,
+                          const struct masonry_place *p)
+{
+    for (int i = 0; i < n; i++) {
+        const double x = at[i].x - p->x, y = at[i].y - p->y;
+        const int beside = i == p->next || i == p->before;
+        const int across = at[i].stone != p->stone &&
+                           x * x + y * y <= step * step;
+        if (beside || across) at[i].way = fmin(at[i].way, p->way + hypot(x, y));
+    }
+}
+
 /* The shortest way (Dijkstra) along outlines, and from one to another within a
    step, from the base at y = 0 up to `high`; HUGE_VAL: there is none. */
 static double masonry_climb(struct masonry_place *at, int n, double step,
                             double left, double right, double high)
 {
+    struct masonry_place *p;
     for (int i = 0; i < n; i++)
         at[i].way = at[i].y < step && at[i].x > left && at[i].x < right
                   ? at[i].y : HUGE_VAL;
-    for (;;) {
-        struct masonry_place *p = NULL;
-        double way;
-        for (int i = 0; i < n; i++)
-            if (at[i].way >= 0 && (!p || at[i].way < p->way)) p = &at[i];
-        if (!p || !(p->way < HUGE_VAL)) return HUGE_VAL;
+    while ((p = masonry_next(at, n)) != NULL) {
         if (p->y >= high) return p->way / p->y;
-        way = p->way;
+        if (p->x >= left && p->x <= right) masonry_go_on(at, n, step, p);
         p->way = -1;
-        if (p->x < left || p->x > right) continue;
-        for (int i = 0; i < n; i++) {
-            double x = at[i].x - p->x, y = at[i].y - p->y;
-            int beside = i == p->next || i == p->before;
-            if (at[i].way < 0 || (!beside && (at[i].stone == p->stone ||
-                                              x * x + y * y > step * step)))
-                continue;
-            at[i].way = fmin(at[i].way, way + hypot(x, y));
-        }
     }
+    return HUGE_VAL;
 }
 
 static int masonry_joints(const kern_structure *s, double size,

@@ -566,28 +566,34 @@ static void report(const struct stack_wall *w, double seconds)
             w->asked / fmax(w->asking, 1e-9), w->swayed, w->slipped);
 }
 
+/* The wall as a structure and in pictures, and its line of the table. */
+static int put_wall(const struct settings *o, struct stack_wall *w,
+                    double seconds)
+{
+    if (stack_write(w, o->out)) return fail(o->out, "cannot be written");
+    return draw_wall(w, o->svg) || (o->film && draw_film(w, o->film)) ||
+           print_result(o, w, seconds) ||
+           (o->steps && draw_steps(w, o->steps));
+}
+
 static int build(struct settings *o, const struct stones *stock)
 {
     struct stack_wall w;
     clock_t start = clock();
     double seconds;
-    int bad = choose_frame(o, stock);
-    if (bad) return EXIT_BAD;
-    bad = stack_open(&w, stock, &o->plan) || stack_plan(&w);
-    seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-    if (bad) fail("planner", "not enough memory");
-    if (!bad && !o->json) report(&w, seconds);
-    if (!bad && w.laid == 0) {
+    int end = EXIT_DONE;
+    if (choose_frame(o, stock)) return EXIT_BAD;
+    if (stack_open(&w, stock, &o->plan) || stack_plan(&w)) {
+        fail("planner", "not enough memory");
         stack_free(&w);
-        return EXIT_NONE;
+        return EXIT_BAD;
     }
-    if (!bad && stack_write(&w, o->out))
-        bad = fail(o->out, "cannot be written");
-    bad = bad || draw_wall(&w, o->svg) ||
-          (o->film && draw_film(&w, o->film)) || print_result(o, &w, seconds) ||
-          (o->steps && draw_steps(&w, o->steps));
+    seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    if (!o->json) report(&w, seconds);
+    if (w.laid == 0) end = EXIT_NONE;
+    else if (put_wall(o, &w, seconds)) end = EXIT_BAD;
     stack_free(&w);
-    return bad ? EXIT_BAD : EXIT_DONE;
+    return end;
 }
 
 /* A dot a wall, and for the planners that build only one a dot a stone. */

@@ -32,7 +32,6 @@
 #define STACK_H
 
 #include "../../kern.h"
-#include "../parts/build.h"
 #include "../parts/draw.h"
 #include "../parts/random.h"
 #include "../parts/rigid.h"
@@ -751,44 +750,69 @@ static int stack_asked(const struct stack_wall *w)
     return w->options.most <= w->stock->stones;
 }
 
+/* Finds the edges that a stone may meet when it is let down at x and slid. */
+static void stack_look_below(struct stack_wall *w, const struct stone *s,
+                             double x)
+{
+    const double most = 2 * s->reach + stack_slide * w->stock->size;
+    const int to = stack_column(w, x + most);
+    double low = HUGE_VAL;
+    for (int c = stack_column(w, x - most); c < to; c++)
+        low = fmin(low, w->sky[c]);
+    stack_look(w, x - most, x + most, low - rest_touch);
+}
+
+/* Where stones are let down, and how much of that is looked at: a share of the
+   pairs of anchor and bed, by chance. */
+struct stack_scan {
+    struct stack_anchor *anchor;
+    int anchors;
+    double share;
+    uint64_t *chance;
+};
+
+/* The candidates of one stone of the stock. */
+static int stack_propose_one(struct stack_wall *w, struct stack_list *list,
+                             int stone, const struct stack_scan *scan)
+{
+    const struct stone *s = &w->stock->stone[stone];
+    int bad = 0;
+    for (int i = 0; i < scan->anchors && !bad; i++) {
+        const struct stack_anchor *a = &scan->anchor[i];
+        stack_look_below(w, s, a->x);
+        for (int bed = 0; bed < s->beds && !bad; bed++)
+            if (scan->share >= 1 ||
+                random_uniform(scan->chance, 0, 1) < scan->share)
+                bad = stack_let_down(w, list, stone, bed, a);
+    }
+    return bad;
+}
+
 /* Fills the list with candidates of the next stones of the stock, or of `all`
    that are left; `share` of what could be is looked at. `all` is on a finer
-   grid, for `best` only where a number of stones is asked for. Returns 0, or -1
-   where memory is lacking. */
+   grid and looks at everything, for `best` only where a number of stones is
+   asked for. Returns 0, or -1 where memory is lacking. */
 STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
-                            double share, struct build *chance, int all)
+                            double share, uint64_t *chance, int all)
 {
     const int fine = all && (stack_asked(w) ||
                              w->options.planner != STACK_BEST);
-    const double size = w->stock->size;
-    const double step = (fine ? stack_fine : stack_grid) * size;
-    int stones = 0, anchors, bad = 0, room = (int)(w->options.width / step) + 2;
-    struct stack_anchor *anchor;
+    const double step = (fine ? stack_fine : stack_grid) * w->stock->size;
+    struct stack_scan scan = { NULL, 0, fine ? 1 : share, chance };
+    int stones = 0, bad = 0;
+    int room = (int)(w->options.width / step) + 2 + 2 * w->columns;
     for (int i = 0; i < w->laid; i++) room += w->stone[i].n;
-    room += 2 * w->columns;
-    anchor = malloc((size_t)room * sizeof *anchor);
-    if (!anchor) return -1;
-    anchors = stack_anchors(w, step, anchor);
+    scan.anchor = malloc((size_t)room * sizeof *scan.anchor);
+    if (!scan.anchor) return -1;
+    scan.anchors = stack_anchors(w, step, scan.anchor);
     list->count = 0;
-    for (int k = 0; k < w->stock->stones &&
+    for (int k = 0; k < w->stock->stones && !bad &&
          (all || stones < w->options.look); k++) {
-        const struct stone *s = &w->stock->stone[k];
         if (w->used[k]) continue;
         stones++;
-        for (int i = 0; i < anchors && !bad; i++) {
-            const double most = 2 * s->reach + stack_slide * size;
-            const double x = anchor[i].x;
-            double low = HUGE_VAL;
-            int from = stack_column(w, x - most);
-            int to = stack_column(w, x + most);
-            for (int c = from; c < to; c++) low = fmin(low, w->sky[c]);
-            stack_look(w, x - most, x + most, low - rest_touch);
-            for (int bed = 0; bed < s->beds && !bad; bed++)
-                if (fine || share >= 1 || build_uniform(chance, 0, 1) < share)
-                    bad = stack_let_down(w, list, k, bed, &anchor[i]);
-        }
+        bad = stack_propose_one(w, list, k, &scan);
     }
-    free(anchor);
+    free(scan.anchor);
     return bad;
 }
 
@@ -1204,20 +1228,69 @@ static int stack_filter(struct stack_wall *w, struct stack_list *list)
     return best;
 }
 
-/* ---- Search: one wall by the filters ------------------------------------- */
+/* ---- Search: what both kinds need ---------------------------------------- */
 
-/* Where so many candidates that stand are not raised or move, none is laid. */
-enum { STACK_TRIES = 128 };
+/* How `best` builds a wall: the cost of a candidate is a weighted sum. Areas are
+   in squares of a stone's size, lengths in sizes. */
+struct stack_weights {
+    double notch;           /* narrower ones are dead, sizes               */
+    double height;          /* of the top of a stone, against a dead area  */
+    double stable;          /* a load factor of 1/20, where that is the goal */
+    double slope, bond, edges; /* the features                             */
+    double bed, step;       /* length of beds; unevenness of a course      */
+    double end;             /* area of what ends a course                  */
+    double noise;
+    double share;           /* of the candidates that are looked at        */
+};
 
-/* The same, of what is also raised and stays in the simulator. */
-STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
+/* Room for the skies that a cost compares. */
+struct stack_skies {
+    double *now, *then, *room, *closed[2];
+};
+
+struct stack_search {
+    struct stack_list list;     /* candidates for the next stone          */
+    uint64_t chance;            /* state of the random numbers            */
+    struct stack_place *kept;   /* the stones of the best wall so far     */
+    int keep;                   /* how many these are                     */
+    int retreats;               /* of stack_build()                       */
+    struct stack_skies skies;   /* the rest is for `best`                 */
+    double value;               /* of the best wall, and how it was built */
+    struct stack_weights good;
+};
+
+/* Returns 0, or -1 where memory is lacking; stack_search_free() either way. */
+static int stack_search_open(const struct stack_wall *w, uint64_t chance,
+                             struct stack_search *s)
 {
-    for (int i = 0; i < STACK_TRIES; i++) {
-        int best = stack_filter(w, list);
-        if (best < 0 || stack_holds(w, &list->one[best])) return best;
-        stack_strike(list, best);
-    }
-    return -1;
+    static const struct stack_search empty;
+    const size_t n = (size_t)w->columns + 4 * STACK_COLUMNS; /* notches below 2
+                                                          sizes on both sides */
+    *s = empty;
+    s->chance = chance;
+    s->value = -HUGE_VAL;
+    s->kept = malloc((size_t)w->stock->stones * sizeof *s->kept);
+    s->skies.now = malloc(5 * n * sizeof *s->skies.now);
+    if (!s->kept || !s->skies.now) return -1;
+    s->skies.then = s->skies.now + n;
+    s->skies.room = s->skies.then + n;
+    s->skies.closed[0] = s->skies.room + n;
+    s->skies.closed[1] = s->skies.closed[0] + n;
+    return 0;
+}
+
+static void stack_search_free(struct stack_search *s)
+{
+    free(s->list.one);
+    free(s->kept);
+    free(s->skies.now);
+}
+
+/* Notes the wall as the best so far. */
+static void stack_keep(const struct stack_wall *w, struct stack_search *s)
+{
+    s->keep = w->laid;
+    memcpy(s->kept, w->place, (size_t)s->keep * sizeof *s->kept);
 }
 
 /* Takes away the last stones, down to a number of them. */
@@ -1233,6 +1306,16 @@ static void stack_cut(struct stack_wall *w, int keep)
     }
     stack_clear_sky(w);
     for (int i = 0; i < w->laid; i++) stack_raise(w, i);
+}
+
+/* Takes all stones off and lays others. Returns 0, or -1. */
+static int stack_restore(struct stack_wall *w, const struct stack_place *place,
+                         int laid)
+{
+    int bad = 0;
+    stack_cut(w, 0);
+    for (int i = 0; i < laid && !bad; i++) bad = stack_lay(w, &place[i]);
+    return bad;
 }
 
 /* Why a wall ended. */
@@ -1253,80 +1336,78 @@ static void stack_give_up(struct stack_wall *w)
              w->stock->stones - w->laid);
 }
 
-/* Chooses and lays one stone, of the next or of all that are left. Returns 1
-   where it is laid, 0 where none can be, -1 where memory is lacking. */
-static int stack_step(struct stack_wall *w, struct stack_list *list,
-                      double share, struct build *chance)
+/* ---- Search: one wall by the filters ------------------------------------- */
+
+/* Where so many candidates that stand are not raised or move, none is laid. */
+enum { STACK_TRIES = 128 };
+
+/* The same, of what is also raised and stays in the simulator. */
+STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
 {
-    int best = -1;
-    for (int all = 0; all < 2 && best < 0; all++) {
-        if (stack_propose(w, list, share, chance, all)) return -1;
-        best = stack_choose(w, list);
+    for (int i = 0; i < STACK_TRIES; i++) {
+        int best = stack_filter(w, list);
+        if (best < 0 || stack_holds(w, &list->one[best])) return best;
+        stack_strike(list, best);
     }
-    return best >= 0 && !stack_lay(w, &list->one[best].place);
+    return -1;
 }
 
-/* Takes all stones off and lays others. Returns 0, or -1. */
-static int stack_restore(struct stack_wall *w, const struct stack_place *place,
-                         int laid)
+/* Chooses and lays one stone, of the next or of all that are left. Returns 1
+   where it is laid, 0 where none can be, -1 where memory is lacking. */
+static int stack_step(struct stack_wall *w, struct stack_search *s)
 {
-    int bad = 0;
-    stack_cut(w, 0);
-    for (int i = 0; i < laid && !bad; i++) bad = stack_lay(w, &place[i]);
-    return bad;
+    const double share = s->retreats > 0 ? 0.5 : 1;
+    int best = -1;
+    for (int all = 0; all < 2 && best < 0; all++) {
+        if (stack_propose(w, &s->list, share, &s->chance, all)) return -1;
+        best = stack_choose(w, &s->list);
+    }
+    return best >= 0 && !stack_lay(w, &s->list.one[best].place);
+}
+
+/* Are all stones laid that are wanted? Where a number is asked for they must
+   also stay in the last look. */
+static int stack_is_done(struct stack_wall *w)
+{
+    return stack_ends(w) && (!stack_asked(w) || stack_rests(w));
+}
+
+/* Takes stones off again, more from time to time, so that it can go on
+   otherwise: returns 1. Where that does not pay it leaves the longest wall and
+   returns 0, or -1 where this cannot be laid again. */
+static int stack_retreat(struct stack_wall *w, struct stack_search *s)
+{
+    enum { RETREATS = 20 };
+    int bad = 0, off;
+    if (w->laid > s->keep) stack_keep(w, s);
+    if (!stack_asked(w) || s->retreats == RETREATS) {
+        if (w->laid < s->keep) bad = stack_restore(w, s->kept, s->keep);
+        stack_give_up(w);
+        return bad;
+    }
+    off = 2 * ++s->retreats;
+    stack_cut(w, w->laid > off ? w->laid - off : 0);
+    return 1;
 }
 
 /* Builds a wall by the filters. Where a number of stones is asked for and there
-   is no place for the next one, or they do not stay in the last look, some are
-   taken off again, more from time to time, and it goes on with half of the
-   candidates, by chance; it keeps the longest. Returns 0, or -1 where memory is lacking; w->message says why it
-   ended. */
+   is no place for the next one, or they do not stay in the last look, it
+   retreats and goes on with half of the candidates, by chance. Returns 0, or -1
+   where memory is lacking; w->message says why it ended. */
 STACK_API int stack_build(struct stack_wall *w)
 {
-    enum { RETREATS = 20 };
-    struct stack_list list = { NULL, 0, 0 };
-    struct build *chance = calloc(1, sizeof *chance);
-    struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
-    int laid = chance && kept ? 1 : -1, retreats = 0, most = 0;
-    if (chance) chance->state = w->options.seed + 1;
-    while (laid >= 0 &&
-           !(stack_ends(w) && (!stack_asked(w) || stack_rests(w)))) {
+    struct stack_search s;
+    int goes_on = stack_search_open(w, w->options.seed + 1, &s) ? -1 : 1;
+    while (goes_on > 0 && !stack_is_done(w)) {
         if (w->options.progress) w->options.progress(w, 1);
-        laid = stack_ends(w) ? 0
-             : stack_step(w, &list, retreats ? 0.5 : 1, chance);
-        if (laid != 0) continue;
-        if (w->laid > most) {
-            most = w->laid;
-            memcpy(kept, w->place, (size_t)most * sizeof *kept);
-        }
-        if (!stack_asked(w) || retreats == RETREATS) {
-            if (w->laid < most && stack_restore(w, kept, most)) laid = -1;
-            stack_give_up(w);
-            break;
-        }
-        retreats++;
-        stack_cut(w, w->laid > 2 * retreats ? w->laid - 2 * retreats : 0);
+        goes_on = stack_ends(w) ? 0 : stack_step(w, &s);
+        if (goes_on == 0) goes_on = stack_retreat(w, &s);
     }
-    free(list.one);
-    free(chance);
-    free(kept);
-    return laid < 0 ? -1 : 0;
+    stack_search_free(&s);
+    return goes_on < 0 ? -1 : 0;
 }
 
 /* ---- Search: `best`, many walls by a cost -------------------------------- */
-
-/* How a wall is built: the cost of a candidate is a weighted sum. Areas are in
-   squares of a stone's size, lengths in sizes. */
-struct stack_weights {
-    double notch;           /* narrower ones are dead, sizes               */
-    double height;          /* of the top of a stone, against a dead area  */
-    double stable;          /* a load factor of 1/20, where that is the goal */
-    double slope, bond, edges; /* the features                             */
-    double bed, step;       /* length of beds; unevenness of a course      */
-    double end;             /* area of what ends a course                  */
-    double noise;
-    double share;           /* of the candidates that are looked at        */
-};
 
 /* The most (sign 1) or least (-1) of every k neighbours in a[0..n), where what
    is beside them is `beyond`: out[i] is that of the k that end at i. */
@@ -1357,11 +1438,6 @@ static void stack_close(const double *sky, int n, int k, double *room,
     stack_windows(sky, n, k, 1, HUGE_VAL, room);
     stack_windows(room, n + k - 1, k, -1, HUGE_VAL, out);
 }
-
-/* Room for the skies that a cost compares. */
-struct stack_skies {
-    double *now, *then, *room, *closed[2];
-};
 
 /* Area that a candidate takes and does not fill: what the closed sky rises by
    over it, within the frame, less the stone. */
@@ -1434,17 +1510,17 @@ static double stack_cost(const struct stack_wall *w,
 
 /* The candidate of least cost that may be laid; -1: none. The load factor is
    weighed among the cheapest that stand. */
-static int stack_pick(struct stack_wall *w, struct stack_list *list,
-                      const struct stack_weights *g, struct build *chance,
-                      const struct stack_skies *r)
+static int stack_pick(struct stack_wall *w, struct stack_search *s,
+                      const struct stack_weights *g)
 {
+    struct stack_list *list = &s->list;
     const int ask = w->options.goal == STACK_LOAD ? 8 : 1;
     int stand = 0;
     double low = HUGE_VAL;
     for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
     for (int i = 0; i < list->count; i++)
-        list->one[i].cost = stack_cost(w, &list->one[i], low, g, r)
-                          + g->noise * build_uniform(chance, 0, 1);
+        list->one[i].cost = stack_cost(w, &list->one[i], low, g, &s->skies)
+                          + g->noise * random_uniform(&s->chance, 0, 1);
     if (list->count == 0) return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
     for (int from = 0; from < list->count; from += stand) {
@@ -1467,9 +1543,8 @@ static int stack_pick(struct stack_wall *w, struct stack_list *list,
 
 /* Builds on what is there. Where none of the next stones has a place, one of
    all that are left may. */
-static int stack_grow(struct stack_wall *w, struct stack_list *list,
-                      const struct stack_weights *g, struct build *chance,
-                      const struct stack_skies *r)
+static int stack_grow(struct stack_wall *w, struct stack_search *s,
+                      const struct stack_weights *g)
 {
     int bad = 0;
     while (!bad && !stack_ends(w)) {
@@ -1477,10 +1552,10 @@ static int stack_grow(struct stack_wall *w, struct stack_list *list,
         if (w->options.progress) w->options.progress(w, w->walls + 1);
         for (int all = 0; all < 2 && best < 0 && !bad; all++) {
             w->lie = !all || w->upright + 1 > stack_soldiers * (w->laid + 1);
-            bad = stack_propose(w, list, g->share, chance, all);
-            if (!bad) best = stack_pick(w, list, g, chance, r);
+            bad = stack_propose(w, &s->list, g->share, &s->chance, all);
+            if (!bad) best = stack_pick(w, s, g);
         }
-        if (!bad && (best < 0 || stack_lay(w, &list->one[best].place))) {
+        if (!bad && (best < 0 || stack_lay(w, &s->list.one[best].place))) {
             stack_give_up(w);
             break;
         }
@@ -1524,16 +1599,16 @@ static double stack_value(struct stack_wall *w, double most)
     return limit * stack_worth(fill);
 }
 
-static double stack_between(struct build *chance, double low, double high)
+static double stack_between(uint64_t *chance, double low, double high)
 {
-    return low * pow(high / low, build_uniform(chance, 0, 1));
+    return low * pow(high / low, random_uniform(chance, 0, 1));
 }
 
 static struct stack_weights stack_weigh(const struct stack_options *o,
-                                        struct build *chance)
+                                        uint64_t *chance)
 {
     struct stack_weights g;
-    g.notch = build_uniform(chance, 1.15, 1.75);
+    g.notch = random_uniform(chance, 1.15, 1.75);
     g.height = stack_between(chance, 0.4, 2);
     g.stable = stack_between(chance, 0.01, 0.3);
     g.slope = stack_between(chance, 0.02, 0.5);
@@ -1543,20 +1618,19 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
     g.step = stack_between(chance, 0.2, 1.2);
     g.end = stack_between(chance, 0.15, 1);
     g.noise = stack_between(chance, 0.005, 0.1);
-    g.share = build_uniform(chance, 0.15, 0.6);
+    g.share = random_uniform(chance, 0.15, 0.6);
     if (o->goal == STACK_LOAD) g.share = fmin(1, 2 * g.share);
     return g;
 }
 
 /* Weights like others. */
-static struct stack_weights stack_vary(struct stack_weights g,
-                                       struct build *chance)
+static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
 {
     double *one[] = { &g.height, &g.stable, &g.slope, &g.bond, &g.edges,
                       &g.bed, &g.step, &g.end, &g.noise, &g.share };
     for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
-        *one[i] *= exp(build_uniform(chance, -0.4, 0.4));
-    g.notch = fmin(1.85, fmax(0.9, g.notch + build_uniform(chance, -0.1, 0.1)));
+        *one[i] *= exp(random_uniform(chance, -0.4, 0.4));
+    g.notch = fmin(1.85, fmax(0.9, g.notch + random_uniform(chance, -0.1, 0.1)));
     return g;
 }
 
@@ -1570,58 +1644,43 @@ static int stack_spent(const struct stack_wall *w)
                             STACK_SWAY * (double)w->swayed > share * o->effort;
 }
 
-/* Builds one wall after the other: a quarter from the ground, then by taking
-   stones off the best one and going on differently, more often than not with
-   weights like those that made it; keeps the best. */
+/* Builds one more wall: from the ground, or by taking stones off the best one
+   and going on differently, more often than not with weights like those that
+   made it. Keeps it where it is the best so far. Returns 0, or -1. */
+static int stack_next_wall(struct stack_wall *w, struct stack_search *s,
+                           int fresh)
+{
+    struct stack_weights g = stack_weigh(&w->options, &s->chance);
+    double value;
+    int from = 0;
+    if (!fresh) {
+        from = (int)random_uniform(&s->chance, 0, s->keep - 1);
+        if (random_uniform(&s->chance, 0, 1) < 0.6)
+            g = stack_vary(s->good, &s->chance);
+    }
+    if (stack_restore(w, s->kept, from) || stack_grow(w, s, &g)) return -1;
+    value = stack_value(w, s->value);
+    if (value > s->value) {
+        s->value = value;
+        s->good = g;
+        stack_keep(w, s);
+    }
+    return 0;
+}
+
+/* Builds one wall after the other, the first quarter from the ground, and leaves
+   the best. Returns 0, or -1 where memory is lacking. */
 STACK_API int stack_best(struct stack_wall *w)
 {
-    struct stack_list list = { NULL, 0, 0 };
-    struct build *chance = calloc(1, sizeof *chance);
-    struct stack_place *kept = malloc((size_t)w->stock->stones * sizeof *kept);
     const struct stack_options *o = &w->options;
-    struct stack_weights good;
-    struct stack_skies r;
-    const size_t n = ((size_t)w->columns + 4 * STACK_COLUMNS)
-                   * sizeof(double); /* notches below 2 sizes on both sides */
-    int bad, keep = 0;
-    double most = -HUGE_VAL;
-    r.now = malloc(n);
-    r.then = malloc(n);
-    r.room = malloc(n);
-    r.closed[0] = malloc(n);
-    r.closed[1] = malloc(n);
-    bad = !chance || !kept || !r.now || !r.then || !r.room || !r.closed[0] ||
-          !r.closed[1];
-    if (!bad) chance->state = w->options.seed * UINT64_C(2862933555777941757)
-                            + 3037000493u;
-    for (int i = 0; i < o->walls && !bad; i++) {
-        const int fresh = keep == 0 || i < o->walls / 4;
-        struct stack_weights g = stack_weigh(o, chance);
-        double value;
-        if (stack_spent(w)) break;
-        int from = fresh ? 0 : (int)build_uniform(chance, 0, keep - 1);
-        if (!fresh && build_uniform(chance, 0, 1) < 0.6)
-            g = stack_vary(good, chance);
-        w->walls = i;
-        bad = stack_restore(w, kept, from) ||
-              stack_grow(w, &list, &g, chance, &r);
-        value = stack_value(w, most);
-        if (value <= most) continue;
-        most = value;
-        good = g;
-        keep = w->laid;
-        memcpy(kept, w->place, (size_t)keep * sizeof *kept);
-    }
-    if (!bad) bad = stack_restore(w, kept, keep);
+    struct stack_search s;
+    int bad = stack_search_open(w, random_start(o->seed), &s);
+    for (w->walls = 0; w->walls < o->walls && !bad && !stack_spent(w);
+         w->walls++)
+        bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < o->walls / 4);
+    bad = bad || stack_restore(w, s.kept, s.keep);
     if (!stack_ends(w)) stack_give_up(w);
-    free(list.one);
-    free(chance);
-    free(kept);
-    free(r.now);
-    free(r.then);
-    free(r.room);
-    free(r.closed[0]);
-    free(r.closed[1]);
+    stack_search_free(&s);
     return bad ? -1 : 0;
 }
 

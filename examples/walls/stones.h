@@ -17,6 +17,7 @@
 
 #include "../../kern.h"
 #include "../parts/build.h"
+#include "../parts/random.h"
 #include "../parts/rigid.h"
 #include "../parts/text.h"
 
@@ -274,29 +275,30 @@ STONES_API int stones_load(struct stones *s, const char *path)
    side with probability min(0.7, 2 f) one more point in its middle part, every
    point moved by up to 0.75 f of the sides, the convex hull, made smaller by
    what moving adds. Corners that stand out by less than 0.012 are none. */
-STONES_API void stone_make(struct build *b, double level, struct stone *s)
+STONES_API void stone_make(uint64_t *state, double level, struct stone *s)
 {
     const double f = level / 100, shrink = 1 / sqrt(1 + 0.42 * f);
     do {
         struct rigid_pt p[8], hull[2 * 8];
         kern_vec v[8];
-        double area = 1 + (0.15 + 0.2 * f) * sqrt(3) * build_uniform(b, -1, 1);
+        double area = 1 + (0.15 + 0.2 * f) * sqrt(3)
+                          * random_uniform(state, -1, 1);
         double high = sqrt(area / 1.5), wide = 1.5 * high;
         int n = 4, k;
         for (int i = 0; i < 4; i++)
             p[i] = rigid_vec(i == 1 || i == 2 ? wide : 0, i > 1 ? high : 0);
         for (int i = 0; i < 4; i++)
-            if (build_uniform(b, 0, 1) < fmin(0.7, 2 * f)) {
-                double at = build_uniform(b, 0.3, 0.7);
+            if (random_uniform(state, 0, 1) < fmin(0.7, 2 * f)) {
+                double at = random_uniform(state, 0.3, 0.7);
                 struct rigid_pt q = p[i], r = p[(i + 1) % 4];
                 p[n++] = rigid_vec(q.x + at * (r.x - q.x),
                                    q.y + at * (r.y - q.y));
             }
         for (int i = 0; i < n; i++) {
             p[i].x = shrink * (p[i].x + 0.75 * f * wide
-                               * build_uniform(b, -1, 1));
+                               * random_uniform(state, -1, 1));
             p[i].y = shrink * (p[i].y + 0.75 * f * high
-                               * build_uniform(b, -1, 1));
+                               * random_uniform(state, -1, 1));
         }
         n = build_hull(p, n, hull);
         for (int i = k = 0; i < n; i++) {
@@ -316,16 +318,12 @@ STONES_API void stone_make(struct build *b, double level, struct stone *s)
 STONES_API int stones_make(struct stones *s, double level, int stones,
                            uint64_t seed)
 {
-    struct build *b = calloc(1, sizeof *b);
+    uint64_t state = random_start(seed);
     s->stones = stones;
     s->stone = calloc((size_t)stones, sizeof *s->stone);
-    if (b && s->stone) {
-        b->state = seed * UINT64_C(2862933555777941757) + 3037000493u;
-        for (int i = 0; i < stones; i++) stone_make(b, level, &s->stone[i]);
-    }
-    free(b);
-    return s->stone && b ? stones_sum_up(s)
-                         : stones_fail(s, "not enough memory", "");
+    if (!s->stone) return stones_fail(s, "not enough memory", "");
+    for (int i = 0; i < stones; i++) stone_make(&state, level, &s->stone[i]);
+    return stones_sum_up(s);
 }
 
 /* ---- What a stone may meet ----------------------------------------------- */

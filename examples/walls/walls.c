@@ -21,6 +21,7 @@
 #define KERN_IMPLEMENTATION
 #include "../../kern.h"
 
+#include "../parts/args.h"
 #include "../parts/draw.h"
 #include "../parts/plot.h"
 #include "../parts/table.h"
@@ -527,36 +528,34 @@ static int walls_all(struct walls *f)
     return bad;
 }
 
-/* An option with a number above 0. */
-static int walls_number(const char *word, int *out)
+/* Reads the option at argv[*i]; returns 0, or -1. */
+static int walls_option(void *set, char **argv, int *i)
 {
-    *out = word ? atoi(word) : 0;
-    return *out > 0 && *out <= 1000000;
+    struct walls *f = set;
+    const struct { const char *name; int most, *out; } number[] = {
+        { "--sets", 1000, &f->sets }, { "--first", 1000000, &f->first },
+        { "--steps", 1000000, &f->steps }
+    };
+    const char *word;
+    for (int k = 0; k < 3; k++)
+        if (args_value(argv, i, number[k].name, &word))
+            return args_integer(&word, 1, number[k].most, number[k].out) ||
+                   *word ? -1 : 0;
+    if (args_value(argv, i, "--from", &f->from)) return f->from ? 0 : -1;
+    f->quick = strcmp(argv[*i], "--quick") == 0;
+    return f->quick ? 0 : -1;
 }
 
 int main(int argc, char **argv)
 {
     struct walls f = { NULL, NULL, 0, 0, 1, 0, NULL, NULL };
-    int bad = 0;
-    for (int i = 1; i < argc && !bad; i++) {
-        if (strcmp(argv[i], "--help") == 0)
-            return fputs(help, stdout) < 0 ? 2 : 0;
-        if (strcmp(argv[i], "--quick") == 0) f.quick = 1;
-        else if (strcmp(argv[i], "--sets") == 0)
-            bad = !walls_number(argv[++i], &f.sets) || f.sets > 1000;
-        else if (strcmp(argv[i], "--first") == 0)
-            bad = !walls_number(argv[++i], &f.first);
-        else if (strcmp(argv[i], "--steps") == 0)
-            bad = !walls_number(argv[++i], &f.steps);
-        else if (strcmp(argv[i], "--from") == 0)
-            bad = !(f.from = argv[++i]);
-        else if (argv[i][0] != '-' && !f.folder) f.folder = argv[i];
-        else bad = 1;
-    }
-    if (bad || !f.folder) {
+    const int folders = args_read(argc, argv, walls_option, &f);
+    if (folders == ARGS_HELP) return fputs(help, stdout) < 0 ? 2 : 0;
+    if (folders != 1) {
         fputs(help, stderr);
         return 2;
     }
+    f.folder = argv[0];
     if (f.sets == 0) f.sets = f.quick ? 2 : 20;
     if (f.quick && f.steps == 0) f.steps = 1;
     return walls_all(&f) ? 2 : 0;
