@@ -186,69 +186,95 @@ static double arm_of(int i, int k)
     return kern_max(kern_block_size(&block[i]), kern_abs(x) + kern_abs(y));
 }
 
-/* Whether the forces hold: what is left in every sum, over what is allowed. */
-static int forces_hold(void)
+/* What the forces leave of the load in the three sums of every block. */
+static void sum_forces(mpq_t sum[BLOCKS][3])
 {
-    mpq_t sum[BLOCKS][3], f, r, fx, fy;
-    double largest[BLOCKS] = { 0 }, moment[BLOCKS] = { 0 };
-    double total = 0, weight = 0;
-    int i, k, row, end, holds = 1;
-    missing = 1e-9;
+    mpq_t f, r, fx, fy;
+    int i, k, row;
     mpq_inits(f, r, fx, fy, NULL);
     for (i = 0; i < s.blocks; i++)
-        for (row = 0; row < 3; row++) {
-            mpq_init(sum[i][row]);
+        for (row = 0; row < 3; row++)
             mpq_set(sum[i][row], load[i][row]);
-        }
     for (k = 0; k < s.contacts; k++) {
         const int a = contact[k].a, b = contact[k].b;
-        const double most = force[k].normal * contact[k].mu;
-        holds = holds && force[k].normal >= 0
-                && kern_abs(force[k].tangential) <= most * (1 + 1e-15);
-        total += force[k].normal;
-        for (end = 0; end < 2; end++) {
-            const double f_n = force[k].normal;
-            i = end ? b : a;
-            largest[i] = kern_max(largest[i], f_n);
-            moment[i] = kern_max(moment[i], f_n * arm_of(i, k));
-        }
         mpq_set_d(f, force[k].normal);
         mpq_set_d(r, force[k].tangential);
         exact_force(fx, fy, k, f, r);
         exact_act(sum[a], a, k, fx, fy, -1);
         exact_act(sum[b], b, k, fx, fy, 1);
     }
-    for (i = 0; i < s.blocks; i++) {
-        const double size = kern_block_size(&block[i]);
-        const double own = block[i].fixed ? 0 : weight_of(i);
-        /* forces are doubles: some roundings of them, and of their moments */
-        const double allowed = 1.000001e-9 * own + 1e-14 * largest[i];
-        const double turning = 1.000001e-9 * own * size + 1e-14 * moment[i];
-        weight += own;
-        for (row = 0; row < 3 && !block[i].fixed; row++)
-            holds = holds && kern_abs(mpq_get_d(sum[i][row]))
-                             <= (row == 2 ? turning : allowed);
-        if (!block[i].fixed && own > 0)
-            missing = kern_max(missing, allowed / own);
-        for (row = 0; row < 3; row++)
-            mpq_clear(sum[i][row]);
-    }
     mpq_clears(f, r, fx, fy, NULL);
+}
+
+/* Whether free block i misses no more than it may: forces are doubles, so some
+   roundings of them and of their moments. */
+static int is_balanced(int i, mpq_t sum[3])
+{
+    const double own = weight_of(i), size = kern_block_size(&block[i]);
+    double largest = 0, moment = 0, allowed, turning;
+    int k;
+    for (k = 0; k < s.contacts; k++)
+        if (contact[k].a == i || contact[k].b == i) {
+            largest = kern_max(largest, force[k].normal);
+            moment = kern_max(moment, force[k].normal * arm_of(i, k));
+        }
+    allowed = 1.000001e-9 * own + 1e-14 * largest;
+    turning = 1.000001e-9 * own * size + 1e-14 * moment;
+    if (own > 0)
+        missing = kern_max(missing, allowed / own);
+    return kern_abs(mpq_get_d(sum[0])) <= allowed
+           && kern_abs(mpq_get_d(sum[1])) <= allowed
+           && kern_abs(mpq_get_d(sum[2])) <= turning;
+}
+
+/* Whether the forces hold: they lie in their cones, are not too large in all,
+   and leave nothing in any sum. */
+static int forces_hold(void)
+{
+    mpq_t sum[BLOCKS][3];
+    double total = 0, weight = 0;
+    int i, k, holds = 1;
+    missing = 1e-9;
+    for (k = 0; k < s.contacts; k++) {
+        const double most = force[k].normal * contact[k].mu;
+        holds = holds && force[k].normal >= 0
+                && kern_abs(force[k].tangential) <= most * (1 + 1e-15);
+        total += force[k].normal;
+    }
+    for (i = 0; i < s.blocks; i++)
+        mpq_inits(sum[i][0], sum[i][1], sum[i][2], NULL);
+    sum_forces(sum);
+    for (i = 0; i < s.blocks; i++) {
+        if (!block[i].fixed) {
+            weight += weight_of(i);
+            holds &= is_balanced(i, sum[i]);
+        }
+        mpq_clears(sum[i][0], sum[i][1], sum[i][2], NULL);
+    }
     return holds && total <= 1e6 * weight * (1 + 1e-9);
 }
 
-/* What the motion gains from a force of 1 on edge n + side mu t of point k. */
-static double gain_of(int k, int side)
+/* A force along edge n + side mu t of the friction cone of point k. */
+static void edge_force(mpq_t fx, mpq_t fy, int k, int side)
 {
-    mpq_t sum[3], f, r, fx, fy, gain, speed;
-    double result;
-    int end, row;
-    mpq_inits(f, r, fx, fy, gain, speed, sum[0], sum[1], sum[2], NULL);
+    mpq_t f, r;
+    mpq_inits(f, r, NULL);
     mpq_set_si(f, 1, 1);
     mpq_set(r, place[k].mu);
     if (side < 0)
         mpq_neg(r, r);
     exact_force(fx, fy, k, f, r);
+    mpq_clears(f, r, NULL);
+}
+
+/* What the motion gains from a force of 1 on edge n + side mu t of point k. */
+static double gain_of(int k, int side)
+{
+    mpq_t sum[3], fx, fy, gain, speed;
+    double result;
+    int end, row;
+    mpq_inits(fx, fy, gain, speed, sum[0], sum[1], sum[2], NULL);
+    edge_force(fx, fy, k, side);
     for (end = 0; end < 2; end++) {
         const int i = end ? contact[k].b : contact[k].a;
         const double v[3] = { motion[i].vx, motion[i].vy, motion[i].spin };
@@ -261,7 +287,7 @@ static double gain_of(int k, int side)
         }
     }
     result = mpq_get_d(gain);
-    mpq_clears(f, r, fx, fy, gain, speed, sum[0], sum[1], sum[2], NULL);
+    mpq_clears(fx, fy, gain, speed, sum[0], sum[1], sum[2], NULL);
     return result;
 }
 
@@ -326,37 +352,44 @@ static void simplex_column(int j, mpq_t *entry, int rows)
     mpz_clear(whole);
 }
 
+/* Whether edge n + side mu t of point k carried in the library's solution. */
+static int carried(int k, int side)
+{
+    return force[k].normal * contact[k].mu + side * force[k].tangential
+           > 1e-9 * force[k].normal;
+}
+
+/* What a force along an edge does in the sums of all groups. */
+static void edge_entries(mpq_t entry[ROWS], int k, int side)
+{
+    mpq_t fx, fy;
+    int i;
+    mpq_inits(fx, fy, NULL);
+    for (i = 0; i < ROWS; i++)
+        mpq_set_si(entry[i], 0, 1);
+    edge_force(fx, fy, k, side);
+    for (i = 0; i < 2; i++) {
+        const int b = i ? contact[k].b : contact[k].a;
+        if (group[b] >= 0)
+            exact_act(entry + 3 * group[b], b, k, fx, fy, i ? 1 : -1);
+    }
+    mpq_clears(fx, fy, NULL);
+}
+
 /* Columns of the friction cones; those that carried in the library's solution
    come first, since Bland's rule tries them in this order. */
 static int simplex_fill(int with_forces)
 {
-    mpq_t entry[ROWS], f, r, fx, fy;
+    mpq_t entry[ROWS];
     int i, k, side, pass, cols = 0;
-    mpq_inits(f, r, fx, fy, NULL);
     for (i = 0; i < ROWS; i++)
         mpq_init(entry[i]);
-    mpq_set_si(f, 1, 1);
     for (pass = 0; pass < 2; pass++)
         for (k = 0; k < s.contacts; k++)
             for (side = -1; side < 2; side += 2) {
-                const double share = force[k].normal * contact[k].mu
-                                     + side * force[k].tangential;
-                const int carries = with_forces
-                                    && share > 1e-9 * force[k].normal;
-                if (carries != (pass == 0))
+                if ((with_forces && carried(k, side)) != (pass == 0))
                     continue;
-                for (i = 0; i < ROWS; i++)
-                    mpq_set_si(entry[i], 0, 1);
-                mpq_set(r, place[k].mu);
-                if (side < 0)
-                    mpq_neg(r, r);
-                exact_force(fx, fy, k, f, r);
-                for (i = 0; i < 2; i++) {
-                    const int b = i ? contact[k].b : contact[k].a;
-                    if (group[b] >= 0)
-                        exact_act(entry + 3 * group[b], b, k, fx, fy,
-                                  i ? 1 : -1);
-                }
+                edge_entries(entry, k, side);
                 simplex_column(cols++, entry, 3 * groups);
             }
     for (i = 0; i < s.blocks; i++)
@@ -365,7 +398,6 @@ static int simplex_fill(int with_forces)
     simplex_column(cols, entry, 3 * groups);
     for (i = 0; i < ROWS; i++)
         mpq_clear(entry[i]);
-    mpq_clears(f, r, fx, fy, NULL);
     return cols;
 }
 

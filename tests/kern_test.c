@@ -170,7 +170,7 @@ static void random_seed(unsigned long long seed)
 
 static double uniform(double low, double high)
 {
-    return low + (high - low) * random_share(random_bits(&random_state));
+    return random_uniform(&random_state, low, high);
 }
 
 static int random_int(int low, int high) /* both ends included */
@@ -431,44 +431,62 @@ static kern_work work_of(const world *w)
 /* Checked again as kern_check_forces() and kern_check_motion() define them,
    with contact points moved as >>rules of the header says. */
 
-/* Where contact k acts at shrinkage d, and the way its point may go. Written
-   from the definition: ends of a line meet in the middle, points of one
-   interface at the feet of its centre. */
+/* Do two points belong to one interface, in either order of its blocks? */
+static int same_interface(const kern_contact *p, const kern_contact *q)
+{
+    return (p->a == q->a && p->b == q->b) || (p->a == q->b && p->b == q->a);
+}
+
+/* The middle of the line that ends in contact k: ends come in pairs. */
+static void middle_of_line(const world *w, int k, wide *x, wide *y)
+{
+    int i, other, before = 0;
+    for (i = k - 1; i >= 0 && w->contact[i].line; i--)
+        before++;
+    other = before % 2 ? k - 1 : k + 1;
+    *x = ((wide)w->contact[k].p.x + w->contact[other].p.x) / 2;
+    *y = ((wide)w->contact[k].p.y + w->contact[other].p.y) / 2;
+}
+
+/* The middle between the two points of the interface of contact k that are
+   furthest apart. */
+static void middle_of_points(const world *w, int k, wide *x, wide *y)
+{
+    const kern_contact *c = &w->contact[k];
+    wide most = -1;
+    int i, j;
+    *x = c->p.x;
+    *y = c->p.y;
+    for (i = 0; i < w->contacts; i++) {
+        const kern_contact *p = &w->contact[i];
+        if (p->line || !same_interface(p, c))
+            continue;
+        for (j = i + 1; j < w->contacts; j++) {
+            const kern_contact *q = &w->contact[j];
+            const wide dx = (wide)p->p.x - q->p.x, dy = (wide)p->p.y - q->p.y;
+            if (q->line || !same_interface(q, c) || dx * dx + dy * dy <= most)
+                continue;
+            most = dx * dx + dy * dy;
+            *x = ((wide)p->p.x + q->p.x) / 2;
+            *y = ((wide)p->p.y + q->p.y) / 2;
+        }
+    }
+}
+
+/* The way that the point of each contact may go. Written from the definition:
+   ends of a line meet in the middle, points of one interface at the feet of its
+   centre. */
 static void own_travels(const world *w, wide *travel)
 {
-    int i, j, k;
+    int k;
     for (k = 0; k < w->contacts; k++) {
         const kern_contact *c = &w->contact[k];
-        wide qx = c->p.x, qy = c->p.y;
-        if (c->line) {
-            /* which neighbour is the other end: ends come in pairs */
-            int before = 0;
-            for (i = k - 1; i >= 0 && w->contact[i].line; i--)
-                before++;
-            j = before % 2 ? k - 1 : k + 1;
-            qx = ((wide)c->p.x + w->contact[j].p.x) / 2;
-            qy = ((wide)c->p.y + w->contact[j].p.y) / 2;
-        } else {
-            wide far2 = -1;
-            for (i = 0; i < w->contacts; i++)
-                for (j = i + 1; j < w->contacts; j++) {
-                    const kern_contact *p = &w->contact[i], *q = &w->contact[j];
-                    const wide dx = (wide)p->p.x - q->p.x,
-                               dy = (wide)p->p.y - q->p.y;
-                    const int same_p = (p->a == c->a && p->b == c->b) ||
-                                       (p->a == c->b && p->b == c->a);
-                    const int same_q = (q->a == c->a && q->b == c->b) ||
-                                       (q->a == c->b && q->b == c->a);
-                    if (same_p && same_q && !p->line && !q->line &&
-                        dx * dx + dy * dy > far2) {
-                        far2 = dx * dx + dy * dy;
-                        qx = ((wide)p->p.x + q->p.x) / 2;
-                        qy = ((wide)p->p.y + q->p.y) / 2;
-                    }
-                }
-        }
-        travel[k] =
-            (qx - c->p.x) * -(wide)c->n.y + (qy - c->p.y) * (wide)c->n.x;
+        wide x, y;
+        if (c->line)
+            middle_of_line(w, k, &x, &y);
+        else
+            middle_of_points(w, k, &x, &y);
+        travel[k] = (x - c->p.x) * -(wide)c->n.y + (y - c->p.y) * (wide)c->n.x;
         if (fabs((double)travel[k]) < 1e-9 * mean_size(w))
             travel[k] = 0;
     }
@@ -1052,27 +1070,67 @@ static int verdict(const world *w, double d)
     return got;
 }
 
+/* Is it an answer without a verdict, or without a level? */
+static int unanswered(int got, const kern_margin *m)
+{
+    return got == KERN_UNDECIDED || (got >= 0 && m->level < 0);
+}
+
+/* What a measure promises of a structure that does not stand. */
+static void check_fallen(const world *w, const kern_margin *m)
+{
+    CHECK_INT(m->level, 0);
+    CHECK(!(m->margin < 0) && !(m->margin > 0));
+    CHECK(!(m->holds < 0) && !(m->holds > 0));
+    CHECK(!m->saturated);
+    CHECK(share_of_motion(w, 0, motion_of) <= 1.001);
+}
+
+/* And of one that stands at any shrinkage. */
+static void check_saturated(const kern_margin *m)
+{
+    /* a quotient that is a whole number may be rounded either way */
+    const double steps = (double)m->most / (double)m->epsilon,
+                 slip = 8 * fmax(EPS, 1e-10) * steps;
+    CHECK_NEAR(m->margin, m->most, 0);
+    CHECK_NEAR(m->fails, m->most, 0);
+    CHECK((SINGLE && m->level == -1) ||
+          m->level == (int)ceil(steps - slip) + 1 ||
+          m->level == (int)ceil(steps + slip) + 1);
+}
+
+/* And of one that falls at the end of the bracket. */
+static void check_end(const world *w, const kern_margin *m)
+{
+    const double mean = mean_size(w);
+    const double past =
+        (double)m->margin +
+        (SINGLE ? 1e-4 : 1e-6) * fmax((double)m->margin, mean);
+    /* forces of GLPK miss more than a proof allows in a wider zone: the bracket
+       may grow there to KERN_WIDEST times its width */
+    const double wide_as = (SINGLE ? 0.04001 : GLPK ? 2.8001e-5 : 2.0001e-6)
+                           * (w->options.relative ? 1 : mean);
+    CHECK_NEAR(m->fails - m->holds, 0, wide_as);
+    CHECK(share_of_motion(w, (double)m->fails, motion_of) <= 1.001 ||
+          share_of_motion(w, past, motion_of) <= 1.001);
+    CHECK_NEAR(speed_of(w, motion_of), 1, 100 * EPS);
+}
+
 /* Everything that a measure promises about itself, where `work` counted it and
    its proofs are in force_of and motion_of. */
 static void check_measure(const world *w, int got, const kern_margin *m,
                           const kern_work *work)
 {
-    const double mean = mean_size(w);
     asked++;
     if (work->error > proof_error)
         proof_error = work->error;
-    if (got == KERN_UNDECIDED || (got >= 0 && m->level < 0))
-        undecided++;
+    undecided += unanswered(got, m);
     if (got < 0)
         return;
-    CHECK_NEAR(m->most, twin_most(w), 8 * EPS * (reach_of(w) + mean));
+    CHECK_NEAR(m->most, twin_most(w), 8 * EPS * (reach_of(w) + mean_size(w)));
     CHECK(work->error <= 1 && work->solves > 0);
     if (got == KERN_FALLS) {
-        CHECK_INT(m->level, 0);
-        CHECK(!(m->margin < 0) && !(m->margin > 0));
-        CHECK(!(m->holds < 0) && !(m->holds > 0));
-        CHECK(!m->saturated);
-        CHECK(share_of_motion(w, 0, motion_of) <= 1.001);
+        check_fallen(w, m);
         return;
     }
     CHECK_INT(got, KERN_STANDS);
@@ -1081,28 +1139,10 @@ static void check_measure(const world *w, int got, const kern_margin *m,
     CHECK(m->holds >= 0 && m->holds <= m->margin * (1 + 4 * R(EPS)));
     CHECK(m->fails >= m->margin * (1 - 4 * R(EPS)) || m->saturated);
     CHECK(share_of_forces(w, (double)m->holds, force_of) <= 1.001);
-    if (m->saturated) {
-        CHECK_NEAR(m->margin, m->most, 0);
-        CHECK_NEAR(m->fails, m->most, 0);
-        /* a quotient that is a whole number may be rounded either way */
-        const double steps = (double)m->most / (double)m->epsilon,
-                     slip = 8 * fmax(EPS, 1e-10) * steps;
-        CHECK((SINGLE && m->level == -1) ||
-              m->level == (int)ceil(steps - slip) + 1 ||
-              m->level == (int)ceil(steps + slip) + 1);
-    } else {
-        const double past =
-            (double)m->margin +
-            (SINGLE ? 1e-4 : 1e-6) * fmax((double)m->margin, mean);
-        /* forces of GLPK miss more than a proof allows in a wider zone: the
-           bracket may grow there to KERN_WIDEST times its width */
-        const double wide_as = (SINGLE ? 0.04001 : GLPK ? 2.8001e-5 : 2.0001e-6)
-                               * (w->options.relative ? 1 : mean);
-        CHECK_NEAR(m->fails - m->holds, 0, wide_as);
-        CHECK(share_of_motion(w, (double)m->fails, motion_of) <= 1.001 ||
-              share_of_motion(w, past, motion_of) <= 1.001);
-        CHECK_NEAR(speed_of(w, motion_of), 1, 100 * EPS);
-    }
+    if (m->saturated)
+        check_saturated(m);
+    else
+        check_end(w, m);
 }
 
 /* kern_measure(), checked. */
@@ -1136,6 +1176,33 @@ static void check_bracket(const world *w, const kern_margin *m)
           open_question(w, (double)m->fails));
 }
 
+/* Two margins of one structure are alike, or what differs is an open question.
+ */
+static void same_margin(const world *w, double n, double m, double tol,
+                        int line)
+{
+    if (fabs(n - m) > tol && !open_question(w, (n + m) / 2))
+        check_near(n, m, tol, line, "margin of the same");
+    passed++;
+}
+
+/* The same for the levels. One step more or less to closing is a rounding of
+   the quotient of most and epsilon. */
+static void same_level(const world *w, const kern_margin *m,
+                       const kern_margin *n, int line)
+{
+    const double steps = (double)(m->most / m->epsilon);
+    const double edge = (n->level < m->level ? n->level : m->level)
+                        * (double)m->epsilon;
+    const int closing = n->saturated && m->saturated &&
+                        abs(n->level - m->level) == 1 &&
+                        fabs(steps - floor(steps + 0.5)) < 1e-6;
+    if (n->level != m->level && !closing &&
+        !open_question(w, fmin(edge, (double)m->most)))
+        check_near(n->level, m->level, 0, line, "level of the same");
+    passed++;
+}
+
 /* The answer `now`, n is the answer `got`, m about w, its lengths `scale` times
    as long; or what differs is an open question. */
 static void same_answer(const world *w, const kern_margin *m, int got,
@@ -1144,8 +1211,7 @@ static void same_answer(const world *w, const kern_margin *m, int got,
 {
     const double unit = w->options.relative ? 1 : mean_size(w);
     const double by = w->options.relative ? 1 : scale;
-    if (SINGLE && (now == KERN_UNDECIDED || got == KERN_UNDECIDED ||
-                   (now >= 0 && n->level < 0) || (got >= 0 && m->level < 0)))
+    if (SINGLE && (unanswered(now, n) || unanswered(got, m)))
         return; /* no answer is like any other */
     if (now != got) {
         if (now < 0 || got < 0 || !open_question(w, 0))
@@ -1155,23 +1221,8 @@ static void same_answer(const world *w, const kern_margin *m, int got,
     passed++;
     if (got != KERN_STANDS)
         return;
-    if (fabs((double)n->margin / by - (double)m->margin) > tol * unit &&
-        !open_question(w, ((double)n->margin / by + (double)m->margin) / 2))
-        check_near((double)n->margin / by, (double)m->margin, tol * unit, line,
-                   "margin of the same");
-    passed++;
-    if (n->level != m->level) {
-        const int least = n->level < m->level ? n->level : m->level;
-        /* one step more or less to closing is a rounding of their quotient */
-        const int closing =
-            n->saturated && m->saturated && abs(n->level - m->level) == 1 &&
-            fabs((double)(m->most / m->epsilon) -
-                 floor((double)(m->most / m->epsilon) + 0.5)) < 1e-6;
-        if (!closing && !open_question(w, fmin(least * (double)m->epsilon,
-                                               (double)m->most)))
-            check_near(n->level, m->level, 0, line, "level of the same");
-    }
-    passed++;
+    same_margin(w, (double)n->margin / by, (double)m->margin, tol * unit, line);
+    same_level(w, m, n, line);
 }
 
 static int load_factor(const world *w, const kern_wrench *pattern, int side,
@@ -1652,7 +1703,8 @@ static void polygon_far_away(void)
     CHECK_NEAR(b.centre.y, far_y + 1, 4 * EPS * far_x);
 }
 
-static void polygon_faults(void)
+/* Corners that a polygon may not have. */
+static void polygon_shapes(void)
 {
     static const double square[] = {0, 0, 1, 0, 1, 1, 0, 1};
     static const double bow[] = {0, 0, 1, 1, 1, 0, 0, 1};
@@ -1664,11 +1716,9 @@ static void polygon_faults(void)
     static const double star[] = {0,   1,   .59, -.81, -.95,
                                   .31, .95, .31, -.59, -.81};
     double needle[] = {0, 0, 2, 0, 1, 1, 1, 2, 1, 1, 0.5, 1, 0, 1};
-    double xy[8];
     kern_block b;
     kern_fault fault;
-    kern_vec v[3];
-    int i, j;
+    int i;
     CHECK_INT(polygon(&b, &fault, 1, square, 2), KERN_FEW_VERTICES);
     CHECK_INT(polygon(&b, &fault, 1, square, 0), KERN_FEW_VERTICES);
     i = polygon(&b, &fault, 1, square, -5);
@@ -1690,7 +1740,16 @@ static void polygon_faults(void)
                   i ? KERN_OK : KERN_CROSSING);
         CHECK_INT(fault.index, i ? -1 : 3);
     }
-    CHECK_INT(kern_block_init(&b, v, 1000001, R(1), &fault), KERN_BAD_COUNT);
+}
+
+/* Masses and coordinates that are no numbers, or none to reckon with. */
+static void polygon_numbers(void)
+{
+    static const double square[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    double xy[8];
+    kern_block b;
+    kern_fault fault;
+    int i, j;
     CHECK_INT(polygon(&b, &fault, -1, square, 4), KERN_BAD_MASS);
     i = polygon(&b, &fault, not_a_number(), square, 4);
     CHECK(i == KERN_BAD_MASS || i == KERN_BAD_NUMBER);
@@ -1703,14 +1762,23 @@ static void polygon_faults(void)
             CHECK_INT(polygon(&b, &fault, 1, xy, 4), KERN_BAD_NUMBER);
             CHECK_INT(fault.index, i / 2);
         }
-    /* a number, but none to reckon with */
     memcpy(xy, square, sizeof xy);
     xy[5] = SINGLE ? 2e10 : 2e100;
     CHECK_INT(polygon(&b, &fault, 1, xy, 4), KERN_BAD_NUMBER);
     CHECK_INT(fault.index, 2);
+}
+
+static void polygon_faults(void)
+{
+    kern_block b;
+    kern_fault fault;
+    kern_vec v[3];
+    polygon_shapes();
+    polygon_numbers();
     v[0] = vec(0, 0);
     v[1] = vec(1, 0);
     v[2] = vec(0, 1);
+    CHECK_INT(kern_block_init(&b, v, 1000001, R(1), &fault), KERN_BAD_COUNT);
     CHECK_INT(kern_block_init(NULL, v, 3, R(1), &fault), KERN_BAD_POINTER);
     CHECK_INT(kern_block_init(&b, NULL, 3, R(1), &fault), KERN_BAD_POINTER);
     CHECK_INT(kern_block_init(&b, v, 3, R(1), NULL), KERN_OK);
@@ -2905,20 +2973,37 @@ static void world_changed(world *to, const world *from, const change *c,
         contacts_shuffled(to);
 }
 
+/* Is e the image of contact o under a change? Its normal may point either way.
+ */
+static int is_image(const change *c, const int *order, const kern_contact *o,
+                    const kern_contact *e)
+{
+    const double tol = SINGLE ? 2e-3 : 1e-10;
+    const kern_vec p = moved(c, o->p), n = turned(c, o->n);
+    const double sign = e->a == order[o->a] && e->b == order[o->b]   ? 1
+                        : e->b == order[o->a] && e->a == order[o->b] ? -1
+                                                                     : 0;
+    return fabs(sign) > 0 &&
+           hypot((double)(e->p.x - p.x), (double)(e->p.y - p.y)) <=
+               tol * c->scale &&
+           hypot((double)e->n.x * sign - (double)n.x,
+                 (double)e->n.y * sign - (double)n.y) <= tol &&
+           fabs(fabs((double)e->travel) - fabs((double)o->travel) * c->scale) <=
+               2 * tol * c->scale;
+}
+
 static void contact_invariance(void)
 {
     static world w, t;
     static int order[MAX_BLOCKS];
-    int seed, k, trial;
+    int seed, i, k, trial;
     for (seed = 0; seed < 300; seed++) {
-        const int kind = random_world(&w, 7000u + (unsigned long long)seed, 20);
+        random_world(&w, 7000u + (unsigned long long)seed, 20);
         if (w.given)
             continue;
-        (void)kind;
         check_contacts(&w);
         for (trial = 0; trial < 4; trial++) {
             change c = no_change();
-            double tol;
             c.shuffle = trial != 1;
             c.angle = trial == 0 ? 0 : uniform(-pi, pi);
             c.scale = trial < 2 ? 1 : pow(10, uniform(-3, 3));
@@ -2927,27 +3012,10 @@ static void contact_invariance(void)
             world_changed(&t, &w, &c, order);
             CHECK_INT(t.contacts, w.contacts);
             CHECK_INT(lines_of(&t), lines_of(&w));
-            tol = (SINGLE ? 2e-3 : 1e-10);
             for (k = 0; k < w.contacts; k++) {
-                const kern_contact *o = &w.contact[k];
-                const kern_vec p = moved(&c, o->p), n = turned(&c, o->n);
-                int j, found = 0;
-                for (j = 0; j < t.contacts; j++) {
-                    const kern_contact *e = &t.contact[j];
-                    const double sign =
-                        e->a == order[o->a] && e->b == order[o->b]   ? 1
-                        : e->b == order[o->a] && e->a == order[o->b] ? -1
-                                                                     : 0;
-                    if (fabs(sign) > 0 &&
-                        hypot((double)(e->p.x - p.x), (double)(e->p.y - p.y)) <=
-                            tol * c.scale &&
-                        hypot((double)e->n.x * sign - (double)n.x,
-                              (double)e->n.y * sign - (double)n.y) <= tol &&
-                        fabs(fabs((double)e->travel) -
-                             fabs((double)o->travel) * c.scale) <=
-                            2 * tol * c.scale)
-                        found++;
-                }
+                int found = 0;
+                for (i = 0; i < t.contacts; i++)
+                    found += is_image(&c, order, &w.contact[k], &t.contact[i]);
                 CHECK(found >= 1);
             }
         }
@@ -3344,48 +3412,67 @@ static void given_normals(void)
 #define STONES 2000
 #endif
 
-/* The polygon xy with steps in the edges that `rough` has a bit for: pairs of
-   risers, upright, inclined or broken, that lead `high` out of or into the
-   stone and back. Returns how many vertices there are. */
+/* An edge of a polygon, and the outline that it is copied to. */
+typedef struct edge_copy {
+    double *out;
+    int to; /* numbers that are written */
+    double x, y, tx, ty, length;
+} edge_copy;
+
+/* A point so far along the edge, and a share of a height to its right. */
+static void put_point(edge_copy *e, double at, double high, double share)
+{
+    e->out[e->to++] = e->x + e->tx * at + e->ty * high * share;
+    e->out[e->to++] = e->y + e->ty * at - e->tx * high * share;
+}
+
+/* A pair of risers, upright, inclined or broken, in one of some equal parts of
+   the edge: out of the stone or into it by less than a gap, and back. */
+static void put_risers(edge_copy *e, int pair, int pairs, double gap)
+{
+    double at, high, run, part;
+    high = gap * pow(10, uniform(SINGLE ? -3 : -9, log10(0.9)));
+    high *= chance(0.5) ? 1 : -1;
+    at = chance(0.2) ? uniform(0.1, 3) * gap
+                     : uniform(0.05, 0.9) * e->length / pairs;
+    at += e->length * pair / pairs;
+    run = chance(0.5) ? 0 : fabs(high) * uniform(0, 1);
+    part = chance(0.3) ? uniform(0.2, 0.8) : 0;
+    put_point(e, at, high, 0);
+    at += run;
+    if (part > 0)
+        put_point(e, at - run * 0.7, high, part);
+    put_point(e, at, high, 1);
+    at += ((pair + 1.0) / pairs * e->length - at - 3 * run) * uniform(0.1, 0.9);
+    put_point(e, at, high, 1);
+    at += run;
+    if (part > 0)
+        put_point(e, at - run * 0.7, high, part);
+    put_point(e, at, high, 0);
+}
+
+/* The polygon xy with risers in the edges that `rough` has a bit for. Returns
+   how many vertices there are. */
 static int roughened(double *out, const double *xy, int n, int rough,
                      double gap)
 {
-    int i, k, to = 0;
+    edge_copy e;
+    int i, k;
+    e.out = out;
+    e.to = 0;
     for (i = 0; i < n; i++) {
         const double *p = xy + 2 * i, *q = xy + 2 * ((i + 1) % n);
-        const double long_ = hypot(q[0] - p[0], q[1] - p[1]);
-        const double tx = (q[0] - p[0]) / long_, ty = (q[1] - p[1]) / long_;
         const int pairs = rough >> i & 1 ? random_int(1, 3) : 0;
-        out[to++] = p[0];
-        out[to++] = p[1];
-        for (k = 0; k < 4 * pairs; k++) {
-            static double at, high, run, part;
-            const int pair = k / 4, lower = k % 4 == 0 || k % 4 == 3;
-            if (k % 4 == 0) {
-                high = gap * pow(10, uniform(SINGLE ? -3 : -9, log10(0.9)));
-                high *= chance(0.5) ? 1 : -1;
-                at = chance(0.2) ? uniform(0.1, 3) * gap
-                                 : uniform(0.05, 0.9) * long_ / pairs;
-                at += long_ * pair / pairs;
-                run = chance(0.5) ? 0 : fabs(high) * uniform(0, 1);
-                part = chance(0.3) ? uniform(0.2, 0.8) : 0;
-            } else if (k % 4 == 2) {
-                const double left = (pair + 1.0) / pairs * long_ - at;
-                at += (left - 3 * run) * uniform(0.1, 0.9);
-            }
-            if (k % 4 == 1 || k % 4 == 3)
-                at += run;
-            if (part > 0 && (k % 4 == 1 || k % 4 == 3)) {
-                /* the riser is broken in the middle */
-                const double x = at - run * 0.7;
-                out[to++] = p[0] + tx * x + ty * high * part;
-                out[to++] = p[1] + ty * x - tx * high * part;
-            }
-            out[to++] = p[0] + tx * at + (lower ? 0 : ty * high);
-            out[to++] = p[1] + ty * at - (lower ? 0 : tx * high);
-        }
+        e.x = p[0];
+        e.y = p[1];
+        e.length = hypot(q[0] - p[0], q[1] - p[1]);
+        e.tx = (q[0] - p[0]) / e.length;
+        e.ty = (q[1] - p[1]) / e.length;
+        put_point(&e, 0, 0, 0);
+        for (k = 0; k < pairs; k++)
+            put_risers(&e, k, pairs, gap);
     }
-    return to / 2;
+    return e.to / 2;
 }
 
 /* A random stone of three to seven corners around (0, 0). */
@@ -3593,13 +3680,33 @@ static int structure_with_steps(world *to, const world *from)
 }
 
 /* No structure falls because its stones have steps, and none bears more. */
+/* What stands with a margin of more than a gap, by which an end of a contact
+   moves, stands still. */
+static void check_stays(const world *w, int got, const kern_margin *m, int now)
+{
+    if (got == KERN_STANDS && (double)m->margin > 0.01 * mean_size(w))
+        CHECK(now == KERN_STANDS || (SINGLE && now == KERN_UNDECIDED));
+}
+
+/* Two load factors of about the same structure. */
+static void check_like_load(const world *w, const world *t)
+{
+    double factor, rough;
+    if (load_factor(w, NULL, 1, &factor) != KERN_STANDS ||
+        load_factor(t, NULL, 1, &rough) != KERN_STANDS)
+        return;
+    if (isinf(factor) || isinf(rough))
+        CHECK(isinf(factor) && isinf(rough));
+    else
+        CHECK_NEAR(rough, factor, 0.05 * factor + 0.01);
+}
+
 static void steps_in_random_structures(void)
 {
     static world w, t;
     int seed, cases = 0;
     for (seed = 0; seed < 2000; seed++) {
         kern_margin m, n;
-        double factor, rough;
         int got, now;
         random_of_kind(&w, 83000u + (unsigned long long)seed, 8, seed % KINDS);
         w.options.relative = 0;
@@ -3610,19 +3717,10 @@ static void steps_in_random_structures(void)
         cases++;
         got = measure(&w, &m);
         now = measure(&t, &n);
-        /* an end of a contact moves by a gap */
-        if (got == KERN_STANDS && (double)m.margin > 0.01 * mean_size(&w))
-            CHECK(now == KERN_STANDS || (SINGLE && now == KERN_UNDECIDED));
-        if (now == KERN_STANDS && (double)n.margin > 0.01 * mean_size(&w))
-            CHECK(got == KERN_STANDS || (SINGLE && got == KERN_UNDECIDED));
-        if (SINGLE || got != KERN_STANDS || now != KERN_STANDS ||
-            load_factor(&w, NULL, 1, &factor) != KERN_STANDS ||
-            load_factor(&t, NULL, 1, &rough) != KERN_STANDS)
-            continue;
-        if (isinf(factor) || isinf(rough))
-            CHECK(isinf(factor) && isinf(rough));
-        else
-            CHECK_NEAR(rough, factor, 0.05 * factor + 0.01);
+        check_stays(&w, got, &m, now);
+        check_stays(&w, now, &n, got);
+        if (!SINGLE && got == KERN_STANDS && now == KERN_STANDS)
+            check_like_load(&w, &t);
     }
     context[0] = 0;
     CHECK(cases > 500);
@@ -3775,54 +3873,68 @@ static void program_set(program *p, int rows, int cols, const double *table,
     p->lp.cost = cost ? p->cost : NULL;
 }
 
+/* The coordinates of an optimum, or of a ray of falling cost, which changes no
+   row. Returns the cost. */
+static double check_primal(const program *p, int got)
+{
+    const double tol = SINGLE ? 1e-3 : 1e-8;
+    const int m = p->lp.rows, n = p->lp.cols;
+    double cost = 0, large = 1;
+    int i, j;
+    for (j = 0; j < n; j++) {
+        CHECK(p->x[j] >= 0);
+        large = fmax(large, (double)p->x[j]);
+        if (p->lp.cost)
+            cost += (double)p->x[j] * (double)p->lp.cost[j];
+    }
+    for (i = 0; i < m; i++) {
+        double sum = got == KERN_LP_OPTIMAL ? -(double)p->lp.rhs[i] : 0;
+        for (j = 0; j < n; j++)
+            sum += (double)p->lp.a[j * m + i] * (double)p->x[j];
+        CHECK_NEAR(sum, 0, tol * large);
+    }
+    if (got == KERN_LP_UNBOUNDED)
+        CHECK(cost < -tol * large * 0.01);
+    return cost;
+}
+
+/* The prices of an optimum that costs so much, or the Farkas certificate. */
+static void check_dual(const program *p, int got, double cost)
+{
+    const double tol = SINGLE ? 1e-3 : 1e-8;
+    const int m = p->lp.rows, n = p->lp.cols, optimal = got == KERN_LP_OPTIMAL;
+    double dual = 0, large = 0;
+    int i, j;
+    for (i = 0; i < m; i++) {
+        dual += (double)p->y[i] * (double)p->lp.rhs[i];
+        large = fmax(large, fabs((double)p->y[i]));
+    }
+    for (j = 0; j < n; j++) {
+        double sum = optimal ? (double)p->lp.cost[j] : 0;
+        for (i = 0; i < m; i++)
+            sum += (optimal ? -1 : 1) * (double)p->lp.a[j * m + i] *
+                   (double)p->y[i];
+        CHECK(sum >= -tol * fmax(large, optimal ? 1 : 0));
+    }
+    if (optimal)
+        CHECK_NEAR(cost, dual, 10 * tol * (1 + fabs(cost)));
+    else
+        CHECK(dual < -tol * 0.01 * large);
+}
+
 /* Solves and checks everything that the answer says of itself. */
 static int program_solve(program *p)
 {
     static kern_real real[KERN_LP_REALS(LP_ROWS, LP_COLS)];
     static int index[KERN_LP_INTS(LP_ROWS, LP_COLS)];
-    const double tol = SINGLE ? 1e-3 : 1e-8;
-    const int m = p->lp.rows, n = p->lp.cols;
     kern_work work = kern_work_of(real, KERN_LP_REALS(LP_ROWS, LP_COLS), index,
                                   KERN_LP_INTS(LP_ROWS, LP_COLS));
-    int i, j, got;
-    double primal = 0, dual = 0, large = 1;
-    got = kern_lp_solve(&p->lp, p->x, p->y, &work);
-    if (got < 0)
-        return got;
-    if (got == KERN_LP_OPTIMAL || got == KERN_LP_UNBOUNDED) {
-        for (j = 0; j < n; j++) {
-            CHECK(p->x[j] >= 0);
-            large = fmax(large, (double)p->x[j]);
-            if (p->lp.cost)
-                primal += (double)p->x[j] * (double)p->lp.cost[j];
-        }
-        for (i = 0; i < m; i++) {
-            double sum = got == KERN_LP_OPTIMAL ? -(double)p->lp.rhs[i] : 0;
-            for (j = 0; j < n; j++)
-                sum += (double)p->lp.a[j * m + i] * (double)p->x[j];
-            CHECK_NEAR(sum, 0, tol * large);
-        }
-    }
-    if (got == KERN_LP_UNBOUNDED)
-        CHECK(primal < -tol * large * 0.01);
-    if (got == KERN_LP_INFEASIBLE || (got == KERN_LP_OPTIMAL && p->lp.cost)) {
-        large = 0;
-        for (i = 0; i < m; i++) {
-            dual += (double)p->y[i] * (double)p->lp.rhs[i];
-            large = fmax(large, fabs((double)p->y[i]));
-        }
-        for (j = 0; j < n; j++) {
-            double sum = got == KERN_LP_OPTIMAL ? (double)p->lp.cost[j] : 0;
-            for (i = 0; i < m; i++)
-                sum += (got == KERN_LP_OPTIMAL ? -1 : 1) *
-                       (double)p->lp.a[j * m + i] * (double)p->y[i];
-            CHECK(sum >= -tol * fmax(large, got == KERN_LP_OPTIMAL ? 1 : 0));
-        }
-        if (got == KERN_LP_INFEASIBLE)
-            CHECK(dual < -tol * 0.01 * large);
-        else
-            CHECK_NEAR(primal, dual, 10 * tol * (1 + fabs(primal)));
-    }
+    const int got = kern_lp_solve(&p->lp, p->x, p->y, &work);
+    double cost = 0;
+    if (got == KERN_LP_OPTIMAL || got == KERN_LP_UNBOUNDED)
+        cost = check_primal(p, got);
+    if (got == KERN_LP_INFEASIBLE || (got == KERN_LP_OPTIMAL && p->lp.cost))
+        check_dual(p, got, cost);
     return got;
 }
 
@@ -4020,44 +4132,55 @@ static double all_bases(int rows, int cols, const double *table,
     return best;
 }
 
+/* Small whole numbers; some rows follow from others, or are degenerate. */
+static void random_table(int rows, int cols, double *table)
+{
+    int i, j;
+    for (i = 0; i < rows; i++)
+        for (j = 0; j <= cols; j++)
+            table[i * (cols + 1) + j] = chance(0.3) ? 0 : random_int(-4, 4);
+    if (rows > 1 && chance(0.3)) /* a row that says nothing new */
+        for (j = 0; j <= cols; j++)
+            table[(rows - 1) * (cols + 1) + j] =
+                2 * table[j] - (rows > 2 ? table[cols + 1 + j] : 0);
+    if (chance(0.5)) /* degenerate */
+        for (i = 0; i < rows; i++)
+            table[i * (cols + 1) + cols] =
+                chance(0.7) ? 0 : table[i * (cols + 1) + cols];
+}
+
+/* Is there a ray of falling cost? It is cut at a sum of one. */
+static int cost_falls(int rows, int cols, const double *table,
+                      const double *cost)
+{
+    double ray[(LP_ROWS + 1) * (LP_COLS + 1)], down;
+    int i, j, found;
+    for (i = 0; i <= rows; i++)
+        for (j = 0; j <= cols; j++)
+            ray[i * (cols + 1) + j] =
+                i < rows ? (j < cols ? table[i * (cols + 1) + j] : 0) : 1;
+    down = all_bases(rows + 1, cols, ray, cost, &found);
+    return found && down < -1e-9;
+}
+
 static void lp_random(void)
 {
     int trial, counts[3] = {0, 0, 0};
     for (trial = 0; trial < 4000; trial++) {
-        double table[(LP_ROWS + 1) * (LP_COLS + 1)], cost[LP_COLS], best, down;
+        double table[(LP_ROWS + 1) * (LP_COLS + 1)], cost[LP_COLS], best;
         program p;
-        int rows, cols, i, j, found, falls, got, want;
+        int rows, cols, j, found, got, want;
         random_seed(31u + (unsigned long long)trial);
         sprintf(context, "(program %d)", trial);
         rows = random_int(1, 4);
         cols = random_int(1, 8);
-        for (i = 0; i < rows; i++)
-            for (j = 0; j <= cols; j++)
-                table[i * (cols + 1) + j] = chance(0.3) ? 0 : random_int(-4, 4);
-        if (rows > 1 && chance(0.3)) /* a row that says nothing new */
-            for (j = 0; j <= cols; j++)
-                table[(rows - 1) * (cols + 1) + j] =
-                    2 * table[j] - (rows > 2 ? table[cols + 1 + j] : 0);
-        if (chance(0.5)) /* degenerate */
-            for (i = 0; i < rows; i++)
-                table[i * (cols + 1) + cols] =
-                    chance(0.7) ? 0 : table[i * (cols + 1) + cols];
+        random_table(rows, cols, table);
         for (j = 0; j < cols; j++)
             cost[j] = random_int(-3, 5);
         best = all_bases(rows, cols, table, cost, &found);
-        want = found ? KERN_LP_OPTIMAL : KERN_LP_INFEASIBLE;
-        if (found) {
-            /* a ray of falling cost, cut at a sum of one */
-            double ray[(LP_ROWS + 1) * (LP_COLS + 1)];
-            for (i = 0; i <= rows; i++)
-                for (j = 0; j <= cols; j++)
-                    ray[i * (cols + 1) + j] =
-                        i < rows ? (j < cols ? table[i * (cols + 1) + j] : 0)
-                                 : 1;
-            down = all_bases(rows + 1, cols, ray, cost, &falls);
-            if (falls && down < -1e-9)
-                want = KERN_LP_UNBOUNDED;
-        }
+        want = !found                                ? KERN_LP_INFEASIBLE
+               : cost_falls(rows, cols, table, cost) ? KERN_LP_UNBOUNDED
+                                                     : KERN_LP_OPTIMAL;
         program_set(&p, rows, cols, table, cost);
         got = program_solve(&p);
         CHECK_INT(got, want);
@@ -6409,29 +6532,44 @@ static limited ask_limited(enum limited_call call, const world *w, int limit)
     return r;
 }
 
+/* Are all contacts ends of lines, so that kerns only shrink? */
+static int all_lines(const world *w)
+{
+    int i, lines = 1;
+    for (i = 0; i < w->contacts; i++)
+        lines &= w->contact[i].line;
+    return lines;
+}
+
+/* A bracket that ended at the limit does not contradict the whole one. */
+static void check_known_margin(const world *w, const limited *all,
+                               const kern_margin *m)
+{
+    const kern_real inside = R(1 + (SINGLE ? 1e-3 : 1e-9));
+    CHECK_INT(m->level, -1);
+    CHECK_INT(m->saturated, 0);
+    CHECK(m->holds <= m->fails && m->fails <= m->most);
+    CHECK(m->holds <= m->margin && m->margin <= m->holds);
+    CHECK(m->holds >= 0 || all->status == KERN_FALLS || m->holds <= -1);
+    if (all->status == KERN_STANDS && all_lines(w)) {
+        CHECK(m->holds <= all->m.fails * inside);
+        CHECK(m->fails * inside >= all->m.holds);
+    }
+}
+
 /* What is known where the limit was reached does not contradict the answer. */
 static void check_known(enum limited_call call, const world *w,
                         const limited *all, const limited *r)
 {
     const kern_real inside = R(1 + (SINGLE ? 1e-3 : 1e-9));
-    int i, nested = 1;
-    for (i = 0; i < w->contacts; i++)
-        nested &= w->contact[i].line;
+    int i;
     if (all->status < 0)
         return;
     switch (call) {
     case LIMIT_MEASURE:
     case LIMIT_PLAN:
     case LIMIT_TRY:
-        CHECK_INT(r->m.level, -1);
-        CHECK_INT(r->m.saturated, 0);
-        CHECK(r->m.holds <= r->m.fails && r->m.fails <= r->m.most);
-        CHECK(r->m.holds <= r->m.margin && r->m.margin <= r->m.holds);
-        CHECK(r->m.holds >= 0 || all->status == KERN_FALLS || r->m.holds <= -1);
-        if (all->status == KERN_STANDS && nested) {
-            CHECK(r->m.holds <= all->m.fails * inside);
-            CHECK(r->m.fails * inside >= all->m.holds);
-        }
+        check_known_margin(w, all, &r->m);
         break;
     case LIMIT_DEFICIT:
     case LIMIT_LEFT:
@@ -7178,6 +7316,24 @@ static void t18_units_and_places(void)
     context[0] = 0;
 }
 
+/* The load factor `now` of a structure like w, whose own is `want`, below 0
+   where it falls. Returns 1 where the two were compared. */
+static int check_same_load(const world *w, int got, double now, double want)
+{
+    if ((SINGLE && got < 0) || want >= 100)
+        return 0;
+    if (want < 0) {
+        if (got != KERN_FALLS && !open_question(w, 0))
+            CHECK_INT(got, KERN_FALLS);
+        return 0;
+    }
+    if (got != KERN_STANDS && open_question(w, 0))
+        return 1;
+    CHECK_INT(got, KERN_STANDS);
+    CHECK_NEAR(now, want, (SINGLE ? 5e-3 : 2e-6) * (1 + want));
+    return 1;
+}
+
 static void t18_load_factor(void)
 {
     static world w, t;
@@ -7199,20 +7355,9 @@ static void t18_load_factor(void)
             world_changed(&t, &w, &c, order);
             for (side = -1; side <= 1; side += 2) {
                 double now;
-                const double want = factor[(c.mirror ? -side : side) + 1];
                 const int got = load_factor(&t, NULL, side, &now);
-                if (SINGLE && got < 0)
-                    continue;
-                if (want < 0) {
-                    if (got != KERN_FALLS && !open_question(&w, 0))
-                        CHECK_INT(got, KERN_FALLS);
-                } else if (want < 100) {
-                    found++;
-                    if (got != KERN_STANDS && open_question(&w, 0))
-                        continue;
-                    CHECK_INT(got, KERN_STANDS);
-                    CHECK_NEAR(now, want, (SINGLE ? 5e-3 : 2e-6) * (1 + want));
-                }
+                found += check_same_load(&w, got, now,
+                                         factor[(c.mirror ? -side : side) + 1]);
             }
         }
     }
@@ -7285,6 +7430,33 @@ static void world_joined(world *to, const world *a, const world *b, double dx)
     to->given = 1;
 }
 
+/* The margin of two structures side by side; one that is saturated stands at
+   any shrinkage. */
+static double least_margin(const kern_margin *m, const kern_margin *n)
+{
+    if (m->saturated && n->saturated)
+        return fmax((double)m->margin, (double)n->margin);
+    if (m->saturated || n->saturated)
+        return (double)(m->saturated ? n : m)->margin;
+    return fmin((double)m->margin, (double)n->margin);
+}
+
+/* Two structures stand side by side where both stand. Returns 1 where they
+   do. */
+static int check_both(const world *a, int got_a, const world *b, int got_b,
+                      int got)
+{
+    const int stand = got_a == KERN_STANDS && got_b == KERN_STANDS;
+    if (got != (stand ? KERN_STANDS : KERN_FALLS)) {
+        CHECK(decided(got) && decided(got_a) && decided(got_b));
+        if (got >= 0 && got_a >= 0 && got_b >= 0 && !open_question(a, 0) &&
+            !open_question(b, 0))
+            CHECK(!"verdict of two side by side");
+        return 0;
+    }
+    return stand;
+}
+
 static void t18_side_by_side(void)
 {
     static world a, b, both;
@@ -7302,26 +7474,11 @@ static void t18_side_by_side(void)
         got_b = measure(&b, &n);
         world_joined(&both, &a, &b, SINGLE ? 10 : 100);
         got = measure(&both, &o);
-        if (SINGLE && (got < 0 || got_a < 0 || got_b < 0))
-            continue;
-        if (got != (got_a == KERN_STANDS && got_b == KERN_STANDS
-                        ? KERN_STANDS
-                        : KERN_FALLS)) {
-            CHECK(decided(got) && decided(got_a) && decided(got_b));
-            if (got >= 0 && got_a >= 0 && got_b >= 0 && !open_question(&a, 0) &&
-                !open_question(&b, 0))
-                CHECK(!"verdict of two side by side");
-            continue;
-        }
-        if (got != KERN_STANDS)
+        if ((SINGLE && (got < 0 || got_a < 0 || got_b < 0)) ||
+            !check_both(&a, got_a, &b, got_b, got))
             continue;
         stand++;
-        /* what is saturated stands at any shrinkage */
-        want = m.saturated && n.saturated
-                   ? fmax((double)m.margin, (double)n.margin)
-               : m.saturated ? (double)n.margin
-               : n.saturated ? (double)m.margin
-                             : fmin((double)m.margin, (double)n.margin);
+        want = least_margin(&m, &n);
         unit = a.options.relative ? 1 : mean_size(&both);
         if (fabs((double)o.margin - want) >
                 4 * unit * fmax(law_tolerance(&a), law_tolerance(&b)) &&
@@ -8787,17 +8944,50 @@ static void narrow_by_hand(void)
     CHECK_INT(verdict(&w, 0), KERN_BAD_NUMBER);
 }
 
+/* A verdict on w at shrinkage d with the friction that is left there of cones
+   that narrow at a rate. */
+static int verdict_narrowed(const world *w, double rate, double d)
+{
+    static world now;
+    int c;
+    world_copy(&now, w);
+    for (c = 0; c < now.contacts; c++) {
+        const double mu = (double)now.contact[c].mu;
+        const double left = (mu - rate * d) / (1 + mu * rate * d);
+        now.contact[c].mu = R(left > 0 ? left : 0);
+    }
+    return verdict(&now, d);
+}
+
+/* Whether cones without narrowing hold before a margin and fail behind it.
+   Returns how often that was asked. */
+static int check_narrowed(const world *w, double rate, double margin)
+{
+    const double step = (SINGLE ? 6e-3 : 4e-6) * mean_size(w);
+    int side, compared = 0;
+    for (side = -1; side <= 1; side += 2) {
+        const double at = margin + side * step;
+        int got;
+        if (at < 0 || at > twin_most(w))
+            continue;
+        got = verdict_narrowed(w, rate, at);
+        compared++;
+        CHECK(got == (side < 0 ? KERN_STANDS : KERN_FALLS) || !decided(got));
+    }
+    return compared;
+}
+
 /* The faster cones narrow, the smaller the margin; each is that of contacts
    with the friction that is left there. Of 10,000 structures in float some
    dozens are critical along a stretch: there forces within the tolerance of
    float and a motion both are proofs, so it is asked of fewer. */
 static void narrow_random(void)
 {
-    static world w, now;
+    static const double rate[] = {0, 0.03, 0.3, 3, 300};
+    static world w;
     int seed, compared = 0, structures = 0;
     for (seed = 1; seed <= (quick || SINGLE ? 400 : 40000); seed++) {
-        static const double rate[] = {0, 0.03, 0.3, 3, 300};
-        double last = HUGE_VAL;
+        double last = HUGE_VAL, margin;
         size_t i;
         if (!random_world(&w, (unsigned long long)seed, 12)
             || !twin_nested(&w))
@@ -8806,29 +8996,12 @@ static void narrow_random(void)
         w.options.relative = 0;
         for (i = 0; i < sizeof rate / sizeof *rate; i++) {
             const double size = mean_size(&w), k = rate[i] / size;
-            double margin, at;
-            int side;
             if (margin_narrow(&w, k, &margin) != KERN_STANDS)
                 break;
             structures += i == 1;
             CHECK(margin <= last + EDGE * size);
             last = margin;
-            for (side = -1; side <= 1; side += 2) {
-                int c, got;
-                at = margin + side * (SINGLE ? 6e-3 : 4e-6) * size;
-                if (at < 0 || at > twin_most(&w))
-                    continue;
-                world_copy(&now, &w);
-                for (c = 0; c < now.contacts; c++) {
-                    const double mu = (double)now.contact[c].mu;
-                    const double left = (mu - k * at) / (1 + mu * k * at);
-                    now.contact[c].mu = R(left > 0 ? left : 0);
-                }
-                got = verdict(&now, at);
-                compared++;
-                CHECK(got == (side < 0 ? KERN_STANDS : KERN_FALLS)
-                      || !decided(got));
-            }
+            compared += check_narrowed(&w, k, margin);
         }
     }
     context[0] = 0;
@@ -9033,25 +9206,49 @@ static int kern_closes(const world *w, double margin, double size)
     return closes;
 }
 
-/* Whole stones moved and turned, their contacts found again: one-sided
-   differences. Places are a little off, so that no two corners coincide. */
+/* Moves every free stone a little, so that no two corners coincide. */
+static void shake_up(world *w, double size)
+{
+    int i;
+    for (i = 0; i < 3 * w->blocks; i++) {
+        double step = uniform(-1e-4, 1e-4);
+        if (!w->block[i / 3].fixed)
+            displace(w, i % 3, i / 3, size, &step);
+    }
+}
+
+/* Does the margin of w change as its rates say when block b is moved or turned a
+   little? Contacts are found again, so the difference is one-sided. -1 where it
+   rests while others move. */
+static int moves_as_said(const world *w, double margin, int kind, int b,
+                         double step)
+{
+    static world now;
+    const double size = mean_size(w);
+    double said, by;
+    int alike;
+    world_copy(&now, w);
+    said = displace(&now, kind, b, size, &step) * step;
+    by = margin_rates(&now, 0) - margin;
+    alike = fabs(by - said) <= 0.01 * fabs(said) + 1e-9 * size;
+    return now.contacts != w->contacts || (alike && fabs(said) < 1e-9 * size)
+               ? -1
+               : alike;
+}
+
 static void sensitivity_of_poses(void)
 {
-    static world w, now;
+    static world w;
     unsigned long long seed;
     int good[3] = {0, 0, 0}, all[3] = {0, 0, 0}, kind;
     for (seed = 1; seed < 20000 && all[2] < some(1000) && !SINGLE; seed++) {
-        double margin, size, step, rate, change;
+        double margin, size;
         int i;
         if (!random_world(&w, seed, 12) || w.given)
             continue;
         w.options.relative = 0;
         size = mean_size(&w);
-        for (i = 0; i < 3 * w.blocks; i++) {
-            step = uniform(-1e-4, 1e-4);
-            if (!w.block[i / 3].fixed)
-                displace(&w, i % 3, i / 3, size, &step);
-        }
+        shake_up(&w, size);
         if (w.contacts < 0 || !twin_nested(&w))
             continue;
         margin = margin_rates(&w, 1);
@@ -9059,18 +9256,10 @@ static void sensitivity_of_poses(void)
             continue;
         for (i = 0; i < 12; i++) {
             const int b = random_int(0, w.blocks - 1);
-            int close;
-            kind = i % 3;
-            step = i < 6 ? 1e-6 : -1e-6;
-            world_copy(&now, &w);
-            rate = displace(&now, kind, b, size, &step) * step;
-            change = margin_rates(&now, 0) - margin;
-            close = fabs(change - rate) <= 0.01 * fabs(rate) + 1e-9 * size;
-            if (now.contacts != w.contacts
-                || (close && fabs(rate) < 1e-9 * size))
-                continue; /* it rests where the others move */
-            good[kind] += close;
-            all[kind]++;
+            const int good_now =
+                moves_as_said(&w, margin, i % 3, b, i < 6 ? 1e-6 : -1e-6);
+            good[i % 3] += good_now > 0;
+            all[i % 3] += good_now >= 0;
         }
     }
     for (kind = 0; kind < 3; kind++) {
@@ -9507,37 +9696,46 @@ static const char help[] =
     "  --quick    a fifth of the random structures, or fewer\n"
     "  --random   only this comparison, on N structures from number FIRST on\n";
 
-int main(int argc, char **argv)
+/* Runs the tests whose names contain one of some words, or all where there is
+   none. Returns how many. */
+static int run_tests(int words, char **word)
 {
-    const int count = (int)(sizeof tests / sizeof *tests);
-    int i, k, run = 0, names = 1;
-    if (argc > 1 && strcmp(argv[1], "--help") == 0)
-        return fputs(help, stdout) < 0;
-    if (argc > 1 && strcmp(argv[1], "--quick") == 0) {
-        quick = 1;
-        names = 2;
+    size_t i;
+    int run = 0;
+    for (i = 0; i < sizeof tests / sizeof *tests; i++) {
+        int k, wanted = words == 0;
+        for (k = 0; k < words; k++)
+            wanted = wanted || strstr(tests[i].name, word[k]);
+        if (!wanted)
+            continue;
+        run_test(&tests[i]);
+        run++;
     }
-    if (argc > 2 && strcmp(argv[1], "--random") == 0) {
-        run_random(atol(argv[2]), argc > 3 ? atol(argv[3]) : 10000000);
-        run = 1;
-    } else if (argc > names && argv[names][0] == '-') {
-        fputs(help, stderr);
-        return 2;
-    } else
-        for (i = 0; i < count; i++) {
-            int wanted = argc == names;
-            for (k = names; k < argc; k++)
-                wanted = wanted || strstr(tests[i].name, argv[k]);
-            if (!wanted)
-                continue;
-            run_test(&tests[i]);
-            run++;
-        }
-    failed_here = 0;
     if (run == 0) {
         printf("no test has such a name\n");
         failed++;
     }
+    return run;
+}
+
+int main(int argc, char **argv)
+{
+    int run = 1;
+    if (argc > 1 && strcmp(argv[1], "--help") == 0)
+        return fputs(help, stdout) < 0;
+    if (argc > 1 && strcmp(argv[1], "--quick") == 0) {
+        quick = 1;
+        argc--;
+        argv++;
+    }
+    if (argc > 2 && strcmp(argv[1], "--random") == 0) {
+        run_random(atol(argv[2]), argc > 3 ? atol(argv[3]) : 10000000);
+    } else if (argc > 1 && argv[1][0] == '-') {
+        fputs(help, stderr);
+        return 2;
+    } else
+        run = run_tests(argc - 1, argv + 1);
+    failed_here = 0;
     CHECK(undecided <= (SINGLE ? asked / 50 : 0));
     CHECK(proof_error <= 1);
     printf("%d tests: %s checks passed, ", run, grouped(passed));

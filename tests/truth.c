@@ -125,30 +125,45 @@ static int row(double least, double kept, double rejected)
     return in[0] >= kept * all[0] && all[1] - in[1] >= rejected * all[1];
 }
 
-int main(int argc, char **argv)
+/* Which label a word is; 0 where it is none. */
+static int label_of(const char *word)
 {
-    static const double least[] = { 0, .001, .002, .003, .004, .005, .0055, .006, .007,
-                                    .008, .01, .015, .02, .03, .05, .1 };
+    for (int i = 0; i < LABELS; i++)
+        if (strcmp(word, label_name[i]) == 0) return i;
+    return 0;
+}
+
+/* Reads what a folder's labels.csv lists: the name of a structure, and in the
+   column `label` what it does. Returns 0, or -1 where it cannot be read. */
+static int read_all(const char *folder)
+{
     char path[1000], line[2000];
-    const double kept = argc > 3 ? atof(argv[2]) : 0;
-    const double rejected = argc > 3 ? atof(argv[3]) : 0;
-    int column = -1, good = 1;
+    int column = -1;
     FILE *in;
-    if (argc != 2 && argc != 4) return 2;
-    snprintf(path, sizeof path, "%s/labels.csv", argv[1]);
+    snprintf(path, sizeof path, "%s/labels.csv", folder);
     in = fopen(path, "r");
-    if (!in) return 2;
+    if (!in) return -1;
     for (int n = 0; fgets(line, sizeof line, in) && count < MANY; n++) {
         char *name = strtok(line, ",\n");
         int label = 0, k = 1;
         for (char *s; (s = strtok(NULL, ",\n")) != NULL; k++) {
             if (n == 0 && strcmp(s, "label") == 0) column = k;
-            for (int i = 0; k == column && i < LABELS; i++)
-                if (strcmp(s, label_name[i]) == 0) label = i;
+            if (k == column) label = label_of(s);
         }
-        if (n > 0 && name) read_one(argv[1], name, label);
+        if (n > 0 && name) read_one(folder, name, label);
     }
     fclose(in);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    static const double least[] = { 0, .001, .002, .003, .004, .005, .0055, .006, .007,
+                                    .008, .01, .015, .02, .03, .05, .1 };
+    const double kept = argc > 3 ? atof(argv[2]) : 0;
+    const double rejected = argc > 3 ? atof(argv[3]) : 0;
+    int good = 1;
+    if ((argc != 2 && argc != 4) || read_all(argv[1])) return 2;
     printf("%d stand\n reserve     stays     moves   unclear\n"
            "            kept  rejected  rejected\n", count);
     for (int i = 0; i < (int)(sizeof least / sizeof least[0]); i++) {
