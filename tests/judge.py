@@ -144,13 +144,16 @@ def functions(*names):
             text = re.sub(r'/\*.*?\*/|"(\\.|[^"\\\n])*"',
                           lambda m: '\n' * m[0].count('\n'), file.read(),
                           flags=re.S)
-        for f in re.finditer(r'^(?:\w[^;{}=]*\b(\w+)\([^;{}]*\))\n'
-                             r'\{(?: .*\}|\n(?:.*\n)*?\})$', text, re.M):
+        missed = len(re.findall(r'^\{', text, re.M))
+        for f in re.finditer(r'^(?:\w[^;{}=]*\b(\w+)\([^;{}]*\)) *\n'
+                             r'\{(?: .*\}| *\n(?:.*\n)*?\})$', text, re.M):
             lines = f[0].count('\n') + 1
             ways = 1 + len(re.findall(r'\b(?:if|for|while|case)\b|&&|\|\||\?',
                                       f[0]))
             found += 1
+            missed -= 1
             assert lines <= 60 and ways <= 16, (f[1], lines, ways)
+        assert missed == 0, (name, missed)
     assert found > 0, names
 
 
