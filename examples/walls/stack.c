@@ -306,7 +306,7 @@ static int lay_again(struct stack_wall *w, struct scene *after)
     int bad = 0;
     stack_cut(w, 0);
     for (int i = 0; i < laid && !bad; i++) {
-        kern_raising raising;
+        kern_raising raising = KERN_NOT_SHOWN;
         bad = stack_lay(w, &w->place[i]);
         after[i].m = w->m;
         if (kern_raised(&w->plan.task, 0, &raising, &after[i].reserve, NULL)
