@@ -2245,10 +2245,9 @@ struct kern_model {
     int known;                /* nonzero: changes begin from its forces       */
     int *local;               /* of a group: its number in the open part      */
     int plain;                /* nonzero: all groups are one part             */
-    int *fell;                /* of a group: whether a part with it fell      */
-    int falls;                /* the mark of the last part                    */
+    int *fell;                /* of a group: number of the last part with it  */
+    int falls;                /* how many parts fell                          */
     int rigid;                /* nonzero: its groups are joined to bodies     */
-    int wide;                 /* by how much the next part of them is widened */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
 };
@@ -2387,7 +2386,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
 {
     const kern_structure *s = m->s;
     int i, g;
-    m->groups = m->plain = m->wide = m->falls = 0;
+    m->groups = m->plain = m->falls = 0;
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->block[m->groups++] = i;
@@ -5596,52 +5595,17 @@ static kern_status kern_part_note(kern_part *p)
     m->falls++;
     m->rigid = p->bodies < p->groups;
     for (n = 0; n < p->groups; n++)
-        m->fell[p->group[n]] = -m->falls;
-    for (n = 0; n < p->bodies; n++)
-        m->fell[p->lead[n]] = m->falls;
+        m->fell[p->group[n]] = m->falls;
     return kern_part_lay(p);
 }
 
-/* Notes what falls. Where a body falls that led one that fell before, the
-   mechanism is larger than either: it is widened by its neighbours, each time
-   twice as far; and in a small structure by all others. Lays out its linear
-   program. */
-static kern_status kern_part_widen(kern_part *p)
-{
-    kern_model *m = p->m;
-    int e, n, again = 0, last = p->group[p->groups - 1], levels;
-    int groups = p->groups;
-    kern_part_join(p);
-    for (n = 0; n < p->bodies; n++)
-        again |= m->fell[p->lead[n]] > 0;
-    again |= m->groups <= KERN_SMALL / 2 && 2 * p->bodies > m->groups;
-    if (!again)
-        return kern_part_note(p);
-    m->wide = groups * 2 <= m->groups && m->groups > KERN_SMALL
-              ? 2 * m->wide + 1 : m->groups;
-    for (levels = m->wide; kern_part_open(p, m, groups, last); levels--) {
-        if (levels == 0 || groups == m->groups)
-            return kern_part_note(p);
-        for (n = 0; n < p->groups; n++)
-            for (e = m->touch[p->group[n]]; e >= 0; e = m->after[e]) {
-                const int h = m->ends[e ^ 1];
-                if (h < m->groups && m->local[h] == KERN_OUT) {
-                    m->local[h] = 0;
-                    last = h > last ? h : last;
-                    groups++;
-                }
-            }
-    }
-    return KERN_NO_SPACE;
-}
-
-/* Opens the part again that kern_part_widen() noted last. */
+/* Opens the part again that was noted last. */
 static kern_status kern_part_again(kern_part *p, kern_model *m)
 {
     int g, last = 0, groups = 0;
     for (g = 0; g < m->groups; g++) {
         m->local[g] = KERN_OUT;
-        if (m->fell[g] == m->falls || m->fell[g] == -m->falls) {
+        if (m->fell[g] == m->falls) {
             m->local[g] = 0;
             last = g;
             groups++;
@@ -7390,7 +7354,8 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     }
     if (status != KERN_FALLS)
         return status;
-    if (kern_part_widen(path->part) != KERN_OK)
+    kern_part_join(path->part);
+    if (kern_part_note(path->part) != KERN_OK)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
