@@ -4648,61 +4648,6 @@ static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
     b[2] += f * row->n[2] + r * row->turn;
 }
 
-/* The forces with which the two ends of a line, or one point where its kern is
-   closed, exert what is left besides what they do, if it opposes gravity, and
-   can. The force along t is shared as that along n is. */
-static int kern_row_line(const kern_model *m, const kern_row *row,
-                         const kern_real left[3], kern_real tolerance,
-                         kern_force f[2])
-{
-    const kern_force *was = m->force + (row->end >> 1);
-    const kern_vec down = m->s->gravity;
-    const kern_real along = row->n[0] * left[0] + row->n[1] * left[1];
-    const kern_real across = row->n[0] * left[1] - row->n[1] * left[0];
-    const kern_real turn = left[2] - across * row->turn - along * row[1].n[2];
-    const kern_real arm = row[0].n[2] - row[1].n[2];
-    kern_real share;
-    int k;
-    if (!(row->n[0] * down.x + row->n[1] * down.y
-          < -kern_vec_largest(down) / 2))
-        return 0;
-    f[0].normal = kern_abs(turn) + kern_abs(along * arm) <= tolerance
-                  ? along / 2 : turn / arm;
-    f[1].normal = was[1].normal + (along - f[0].normal); /* keeps their sum */
-    f[0].normal += was[0].normal;
-    if (!(f[0].normal >= 0 && f[1].normal >= 0))
-        return 0;
-    share = (across + was[0].tangential + was[1].tangential)
-            / (f[0].normal + f[1].normal);
-    for (k = 0; k < 2; k++)
-        f[k].tangential = share * f[k].normal;
-    return kern_abs(share) <= row->mu;
-}
-
-/* Lets one line exert the change of the load b on group g, if one can. */
-static int kern_pour_line(kern_model *m, const kern_row *row, int n,
-                          const kern_real b[3], kern_real tolerance)
-{
-    kern_real left[3] = {b[0], b[1], b[2]};
-    kern_force f[2];
-    int k, j, lines = 0;
-    for (k = 0; k < n; k++) {
-        const kern_force *was = m->force + (row[k].end >> 1);
-        kern_row_add(row + k, -was->normal, -was->tangential, left);
-    }
-    for (k = 0; k < n; k++) {
-        lines = m->s->contact[row[k].end >> 1].line ? lines % 2 + 1 : 0;
-        if (lines == 2 && kern_row_line(m, row + k - 1, left, tolerance, f)) {
-            for (j = 0; j < 2; j++)
-                kern_pour_write(m, row[k - 1 + j].end >> 1,
-                                m->ends[row[k].end ^ 1], f[j].normal,
-                                f[j].tangential, tolerance);
-            return 1;
-        }
-    }
-    return 0;
-}
-
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
 static kern_status kern_pour_alone(kern_model *m, int g)
 {
@@ -4715,8 +4660,6 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pour_load(m, g, b);
-    if (m->lazy && kern_pour_line(m, row, n, b, tolerance))
-        return KERN_STANDS;
     status = kern_pour_solve(row, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_spring s = kern_row_spring(row + k, u);
@@ -5161,6 +5104,37 @@ static int kern_pass_opposes(const kern_structure *s, const kern_contact *c,
     return (c->b == i ? -along : along) > kern_vec_largest(s->gravity) / 2
            && (s->block[on].fixed
                || kern_pass_depth(s, on) > kern_pass_depth(s, i));
+}
+
+/* The forces with which the two ends of a line, or one point where its kern is
+   closed, exert what is left besides what they do, if it opposes gravity, and
+   can. The force along t is shared as that along n is. */
+static int kern_row_line(const kern_model *m, const kern_row *row,
+                         const kern_real left[3], kern_real tolerance,
+                         kern_force f[2])
+{
+    const kern_force *was = m->force + (row->end >> 1);
+    const kern_vec down = m->s->gravity;
+    const kern_real along = row->n[0] * left[0] + row->n[1] * left[1];
+    const kern_real across = row->n[0] * left[1] - row->n[1] * left[0];
+    const kern_real turn = left[2] - across * row->turn - along * row[1].n[2];
+    const kern_real arm = row[0].n[2] - row[1].n[2];
+    kern_real share;
+    int k;
+    if (!(row->n[0] * down.x + row->n[1] * down.y
+          < -kern_vec_largest(down) / 2))
+        return 0;
+    f[0].normal = kern_abs(turn) + kern_abs(along * arm) <= tolerance
+                  ? along / 2 : turn / arm;
+    f[1].normal = was[1].normal + (along - f[0].normal); /* keeps their sum */
+    f[0].normal += was[0].normal;
+    if (!(f[0].normal >= 0 && f[1].normal >= 0))
+        return 0;
+    share = (across + was[0].tangential + was[1].tangential)
+            / (f[0].normal + f[1].normal);
+    for (k = 0; k < 2; k++)
+        f[k].tangential = share * f[k].normal;
+    return kern_abs(share) <= row->mu;
 }
 
 /* Passes on what block i must. */
