@@ -5183,26 +5183,18 @@ static int kern_pass_block(kern_pass *p, int i)
 }
 
 /* Makes forces on contacts between open blocks and others, the later ones, into
-   forces at the query's shrinkage; the others have been made already. */
+   forces at the query's shrinkage; where all count, on all that have not been
+   made such, and all blocks are open from then on. */
 static void kern_pass_widen(kern_model *m, const kern_query *q)
 {
     const kern_contact *c = m->s->contact;
     int k;
     for (k = 0; k < m->s->contacts && q->shrink < m->balanced; k++)
         if (!kern_is_open(m, kern_contact_later(c + k))
-            && (kern_is_open(m, c[k].a) || kern_is_open(m, c[k].b)))
+            && (m->complete || kern_is_open(m, c[k].a)
+                || kern_is_open(m, c[k].b)))
             k += kern_force_widen(m, k, q->shrink);
-}
-
-/* Opens all blocks that are not. */
-static void kern_pass_all(kern_model *m, const kern_query *q)
-{
-    const kern_contact *c = m->s->contact;
-    int k;
-    for (k = 0; k < m->s->contacts && q->shrink < m->balanced; k++)
-        if (!kern_is_open(m, c[k].a) && !kern_is_open(m, c[k].b))
-            k += kern_force_widen(m, k, q->shrink);
-    for (k = 0; k < m->s->blocks; k++)
+    for (k = 0; k < m->s->blocks && m->complete; k++)
         m->sum[4 * k + 3] = kern_max(m->sum[4 * k + 3], KERN_R(0));
 }
 
@@ -5642,8 +5634,6 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
     }
     if (poured == KERN_POUR_DRY)
         return KERN_UNDECIDED;
-    if (m->complete)
-        kern_pass_all(m, q);
     if (!kern_model_proven(m, kern_prove_change(
             m, q, waiting == 0 && !m->complete)))
         return KERN_UNDECIDED;
@@ -6171,9 +6161,7 @@ static void kern_walk_row(const kern_model *m, const kern_contact *first,
     row->turn = kern_vec_dot(arm, c->n) * one; /* arm x t */
     row->mu = kern_friction(c, m->slope);
     row->wn = row->wt = KERN_R(0);
-    b[0] += force->normal * row->n[0] - force->tangential * row->n[1];
-    b[1] += force->normal * row->n[1] + force->tangential * row->n[0];
-    b[2] += force->normal * row->n[2] + force->tangential * row->turn;
+    kern_row_add(row, force->normal, force->tangential, b);
 }
 
 /* Whether points of a pair that lie in a row from contact i to j carry at
