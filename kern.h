@@ -7096,43 +7096,26 @@ static kern_status kern_path_moved(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Whether a group that moves by u opens all these contacts, or slides on them. */
-static int kern_body_opens(const kern_model *m, const int *end, int n,
-                           const kern_real u[3])
-{
-    kern_row c;
-    int k;
-    for (k = 0; k < n; k++) {
-        kern_pour_row(m, end[k], &c);
-        if (kern_three(c.n, u) < c.mu * kern_abs(kern_row_along(&c, u))
-                                 - KERN_TOL)
-            return 0;
-    }
-    return 1;
-}
-
-/* Where a group that touches others by n ends tips over one of these, in units
-   of what grows, or KERN_INFINITY. */
+/* Where a group that touches others by n ends tips over the last of these, in
+   units of what grows, or KERN_INFINITY. */
 static kern_real kern_body_tips(const kern_model *m, const int *end, int n,
                                 const kern_real *load, const kern_real *rate)
 {
-    kern_real least = KERN_INFINITY;
+    kern_real most = KERN_R(0);
     kern_row c;
-    int k, j;
+    int k;
     for (k = 0; k < n; k++) {
-        kern_real u[3], rises;
+        kern_real u[3], rises, holds;
         kern_pour_row(m, end[k], &c);
         u[0] = c.turn * c.n[1] - c.n[2] * c.n[0];
         u[1] = -c.turn * c.n[0] - c.n[2] * c.n[1];
         u[2] = KERN_R(1);
         rises = kern_three(rate, u);
-        for (j = 0; j < 3 && rises < 0; j++)
-            u[j] = -u[j];
-        if (kern_abs(rises) > 0 && kern_three(load, u) > 0
-            && kern_body_opens(m, end, n, u))
-            least = kern_min(least, kern_three(load, u) / kern_abs(rises));
+        holds = rises > 0 ? kern_three(load, u) : -kern_three(load, u);
+        if (kern_abs(rises) > 0)
+            most = kern_max(most, holds / kern_abs(rises));
     }
-    return least;
+    return most > 0 ? most : KERN_INFINITY;
 }
 
 /* Lists up to KERN_ROWS_MOST ends at group g but those of what touches it
