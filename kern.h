@@ -6311,7 +6311,7 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 #define KERN_INNER_MANY    300     /* the same of what is large               */
 #define KERN_INNER_STALLED 3       /* of them without effect                  */
 #define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
-#define KERN_INNER_TRIES   6       /* halvings of a step; steps for a proof   */
+#define KERN_INNER_TRIES   6       /* steps for a proof                       */
 #define KERN_INNER_BALANCED 2      /* times that forces are balanced          */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
@@ -6538,39 +6538,24 @@ static kern_real kern_inner_step(kern_inner *in)
     return ds;
 }
 
-/* Goes along the steps as far as x, z > 0 let it. Where the matrix is held s
-   does not pass its place. Else, where s moves at all, it goes only so far that
-   A x comes nearer to b, or stays as near as the gap wants it. */
+/* Goes along the steps as far as x, z > 0 let it. */
 static void kern_inner_move(kern_inner *in, kern_real ds)
 {
     kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    const kern_real most = kern_max(KERN_R(0.7) * kern_largest(in->over, n),
-                                    in->gap * kern_largest(in->g, n));
-    const kern_real from = in->s;
-    kern_real of_x = KERN_INNER_SHARE
-                     * kern_inner_share(in->x, in->dx, rays);
-    kern_real of_z = KERN_INNER_SHARE
-                     * kern_inner_share(in->z, in->dz, rays);
-    int i, tries;
-    for (i = 0; i < rays; i++)
+    const int rays = 2 * p->contacts;
+    const kern_real of_x = KERN_INNER_SHARE
+                           * kern_inner_share(in->x, in->dx, rays);
+    const kern_real of_z = KERN_INNER_SHARE
+                           * kern_inner_share(in->z, in->dz, rays);
+    int i;
+    in->s += of_x * ds;
+    for (i = 0; i < rays; i++) {
         in->x[i] += of_x * in->dx[i];
-    for (tries = 0; ; tries++) {
-        in->s = from + of_x * ds;
-        kern_inner_set(in);
-        if (in->held || tries == KERN_INNER_TRIES
-            || kern_abs(of_x * ds) <= in->least
-            || kern_largest(in->over, n) <= most)
-            break;
-        of_x /= 2;
-        of_z /= 2;
-        for (i = 0; i < rays; i++)
-            in->x[i] -= of_x * in->dx[i];
-    }
-    for (i = 0; i < rays; i++)
         in->z[i] += of_z * in->dz[i];
-    for (i = 0; i < n; i++)
+    }
+    for (i = 0; i < 3 * p->groups; i++)
         p->u[i] += of_z * p->step[i];
+    kern_inner_set(in);
     in->gap = kern_dot(in->x, in->z, rays);
 }
 
