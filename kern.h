@@ -7163,19 +7163,6 @@ typedef struct kern_probe {
     int done;                 /* nonzero: the search is over                  */
 } kern_probe;
 
-/* Narrows the bracket from where the interior point has proven that it falls:
-   where kerns shrink only from close to the edge, since beyond it few bases are
-   near to the first. */
-static kern_status kern_plain_bracket(kern_model *m, kern_path *path)
-{
-    if (path->fell <= path->fails && path->stood >= path->holds
-        && (path->kind != KERN_PATH_SHRINK
-            || path->fails - path->holds <= path->tolerance * KERN_WIDEST)
-        && kern_path_evaluate(m, path, path->fails) == KERN_FALLS)
-        return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-    return KERN_UNDECIDED;
-}
-
 /* Begins at the next place, where something is known about it. */
 static kern_status kern_plain_at(kern_model *m, kern_path *path,
                                  kern_probe *probe, int seeded, int closed)
@@ -7261,8 +7248,6 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     status = kern_model_plain(m, path->part, &q);
     if (status != KERN_OK)
         return status;
-    if (!seeded && kern_plain_bracket(m, path) == KERN_STANDS)
-        return KERN_STANDS;
     path->holds = holds;
     path->edge = edge; /* that of the interior point may not be exact */
     if (closed) /* the bracket of the part, in which nothing was found */
