@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xfadaa44581b4b531u },
-    { 1000, 0x6324fe4907f70ef3u },
-    { 5000, 0xad9bbcf897520701u },
+    { 200, 0xbeac16960f099398u },
+    { 1000, 0xa3a4bdeb4aa803ddu },
+    { 5000, 0x09811b1fbfcd9ff3u },
 #else
-    { 200, 0x0daf2df9c92a092au },
-    { 1000, 0x7680d3a1fab400f0u },
-    { 5000, 0xb455ba6fb69144c9u },
+    { 200, 0x3340a0f12db17173u },
+    { 1000, 0x3233a07c6d470b01u },
+    { 5000, 0xbc2019fa6f23861bu },
 #endif
 };
 
