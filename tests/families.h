@@ -200,7 +200,8 @@ static void make_sizes(int blocks)
     int i;
     add_box(-9e4, -1, 9e4, 0, 0);
     for (i = 0; i < blocks; i++) {
-        const double size = uniform(1, 3) * power_of_ten(random_below(5));
+        const double unit = uniform(1, 3); /* factors have no order */
+        const double size = unit * power_of_ten(random_below(5));
         const double least = size < below ? size : below;
         const double high = size * uniform(0.5, 1);
         x += 0.55 * least * uniform(-1, 1);

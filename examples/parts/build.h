@@ -108,10 +108,11 @@ static void build_make(struct build *b, double irregularity,
     struct rigid_pt p[BUILD_CORNERS], hull[2 * BUILD_CORNERS];
     double least = HUGE_VAL, low = HUGE_VAL, high = -HUGE_VAL, angle;
     int n = 4;
-    for (int i = 0; i < 4; i++)
-        p[i] = rigid_vec((i == 1 || i == 2 ? half : -half) +
-                         build_uniform(b, -jog, jog),
-                         (i > 1 ? height : 0) + build_uniform(b, -jog, jog));
+    for (int i = 0; i < 4; i++) { /* not as arguments: these have no order */
+        p[i].y = (i > 1 ? height : 0) + build_uniform(b, -jog, jog);
+        p[i].x = (i == 1 || i == 2 ? half : -half) +
+                 build_uniform(b, -jog, jog);
+    }
     for (int i = 0; i < 4; i++)
         if (build_uniform(b, 0, 1) < irregularity / 100) {
             struct rigid_pt u = p[i], v = p[(i + 1) % 4];
