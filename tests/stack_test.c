@@ -495,22 +495,23 @@ static void test_notches(void)
     stones_free(&stock);
 }
 
-/* The proof: a box on the ground endures more than a post that stands on its
-   end; below what is asked for nothing is said. */
-static void test_proof(void)
+/* A box on the ground endures more than a post that stands on its end; below
+   what is asked for nothing is said. */
+static void test_endured_level(void)
 {
     struct stones stock;
     struct stack_wall w;
     double low, high;
     if (two_boxes(&w, &stock)) return;
-    low = stack_proof(&w, 0);
+    low = stack_endured_level(&w, 0);
     put(&w, 3.2, 0, 3.4, 2.4);
-    high = stack_proof(&w, 0);
+    high = stack_endured_level(&w, 0);
     check(low > 2 * high, "boxes endure more than a post", low, 2 * high);
-    check(high > stack_proof_low, "a post endures something", high,
-          stack_proof_low);
-    near_to("less than was asked for", stack_proof(&w, 2 * low), 0, 0);
-    check(stack_proof(&w, high * 0.99) >= high * 0.99, "as much", high, high);
+    check(high > stack_endured_low, "a post endures something", high,
+          stack_endured_low);
+    near_to("less than was asked for", stack_endured_level(&w, 2 * low), 0, 0);
+    check(stack_endured_level(&w, high * 0.99) >= high * 0.99, "as much", high,
+          high);
     stack_free(&w);
     stones_free(&stock);
 }
@@ -609,7 +610,7 @@ int main(int argc, char **argv)
     test_finish();
     test_sticks();
     test_notches();
-    test_proof();
+    test_endured_level();
     test_filters();
     test_bricks();
     test_same();

@@ -89,7 +89,7 @@ static double build_bottom(const struct build_stone *s)
     double best = 2, angle = 0;
     for (int i = 0; i < s->n; i++) {
         struct rigid_pt e = rigid_sub(s->v[(i + 1) % s->n], s->v[i]);
-        double length = sqrt(rigid_dot(e, e)), up = -e.x / length;
+        double length = rigid_length(e), up = -e.x / length;
         if (length > 0.3 && up < best) {
             best = up;
             angle = atan2(e.y, e.x);
@@ -242,7 +242,7 @@ static double build_run(struct rigid_world *w, double seconds, double calm)
     }
     for (int i = 1; i < w->blocks && most >= 0; i++) {
         struct rigid_pt d = rigid_sub(w->block[i].at, from[i]);
-        most = fmax(most, sqrt(rigid_dot(d, d)));
+        most = fmax(most, rigid_length(d));
     }
     free(from);
     return most;

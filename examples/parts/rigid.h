@@ -133,6 +133,11 @@ static inline double rigid_dot(struct rigid_pt a, struct rigid_pt b)
     return a.x * b.x + a.y * b.y;
 }
 
+static inline double rigid_length(struct rigid_pt a)
+{
+    return sqrt(rigid_dot(a, a));
+}
+
 static inline double rigid_cross(struct rigid_pt a, struct rigid_pt b)
 {
     return a.x * b.y - a.y * b.x;
@@ -165,7 +170,7 @@ static inline struct rigid_pt rigid_unit(double angle)
     for (int i = 0; i < HALVINGS; i++) {
         double length;
         q = rigid_turned(q, q);
-        length = sqrt(rigid_dot(q, q));
+        length = rigid_length(q);
         q = rigid_vec(q.x / length, q.y / length);
     }
     return q;
@@ -341,7 +346,7 @@ static inline int rigid_add_piece(struct rigid_world *w,
     for (int i = 0; i < n; i++) {
         struct rigid_pt here = v[part[i]];
         struct rigid_pt e = rigid_sub(v[part[(i + 1) % n]], here);
-        double length = sqrt(rigid_dot(e, e));
+        double length = rigid_length(e);
         c[i].local = here;
         c[i].local_normal = rigid_vec(e.y / length, -e.x / length);
         p->local.x += here.x / n;
@@ -648,7 +653,7 @@ static inline void rigid_corners(const struct rigid_world *w,
                                  struct rigid_pt q, int id)
 {
     struct rigid_pt d = rigid_sub(q, p);
-    double dist = sqrt(rigid_dot(d, d));
+    double dist = rigid_length(d);
     if (dist > rigid_ahead(w)) return;
     if (!(rigid_dot(d, t->n) > rigid_near(w))) return;
     t->n = rigid_vec(d.x / dist, d.y / dist);
@@ -938,7 +943,7 @@ static inline void rigid_finish(struct rigid_world *w)
         double t = b->turned, tt = t * t, length;
         struct rigid_pt q = { 1 - tt / 2 + tt * tt / 24, t * (1 - tt / 6) };
         q = rigid_turned(b->turn, q);
-        length = sqrt(rigid_dot(q, q));
+        length = rigid_length(q);
         b->turn = rigid_vec(q.x / length, q.y / length);
         b->at.x += b->moved.x;
         b->at.y += b->moved.y;
@@ -1051,7 +1056,7 @@ static inline int rigid_settle(struct rigid_world *w)
 {
     enum { PASSES = 20000 };
     double h = w->step / w->substeps;
-    double small = 1e-8 * h * sqrt(rigid_dot(w->gravity, w->gravity));
+    double small = 1e-8 * h * rigid_length(w->gravity);
     w->pairs = 0;
     rigid_place(w);
     rigid_list(w);

@@ -13,7 +13,6 @@
 #define TABLE_H
 
 #include "../../kern.h"
-#include "draw.h"
 #include "random.h"
 #include "rigid.h"
 #include "text.h"
@@ -260,7 +259,7 @@ static inline int table_load(struct table *t)
     if (text_load(&t->text, t->file)) return -1;
     gx = (double)s->gravity.x;
     gy = (double)s->gravity.y;
-    strength = draw_hypot(gx, gy);
+    strength = rigid_length(rigid_vec(gx, gy));
     if (s->given)
         return table_fail(t, "its contacts are given; stones that move find "
                              "their own");

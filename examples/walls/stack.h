@@ -12,16 +12,18 @@
 
    Features and hierarchy are those that the heuristic planner of V. Thangavelu,
    Y. Liu, M. Saboia and N. Napp (Dry stacking for automated construction with
-   irregular objects, ICRA 2018) is described with, the kern filter that of the
-   paper; the formulas beside the functions say what is meant here.
+   irregular objects, ICRA 2018) is described with; the kern filter is that of
+   Y. Liu, M. Saboia, V. Thangavelu and N. Napp (Approximate Stability Analysis
+   for Drystacked Structures, IROS 2019). The formulas beside the functions say
+   what is meant here.
 
    The planners: `heuristic` has no kern filter, `combined` has. `best` builds
-   several walls, see stack_best(), by a cost that knows what masons want: long
-   faces down, beds, level courses, crossed joints. Each takes the last stones
+   several walls, see stack_best(), by a cost of what masons want: long faces
+   down, beds, level courses, crossed joints. All of them take the last stones
    off again until the finished wall stays, see stack_finish().
 
-   Chapters: options, a wall, its worth, features, candidates, filters, search,
-   output.
+   Chapters: options, a wall, its worth, features, candidates, the simulator,
+   what may be laid, filters, search, output.
 
    Lengths are those of the stock; thresholds are in stones, so they have no
    unit. The same input gives the same wall.
@@ -88,16 +90,17 @@ enum stack_planner { STACK_HEURISTIC, STACK_COMBINED, STACK_BEST,
 static const char *const stack_planner_name[] = { "heuristic", "combined",
                                                   "best" };
 
-/* What `best` wants to be high beside the filling: what its own table says of
-   a finished wall, what the expected drop predicts, or the load factor. */
-enum stack_goal { STACK_PROOF, STACK_DROP, STACK_LOAD, STACK_GOALS };
+/* What `best` wants to be high beside the filling: the level of shaking that a
+   finished wall endures in the simulator, the one that the expected drop
+   predicts, or the load factor. */
+enum stack_goal { STACK_SHAKING, STACK_DROP, STACK_LOAD, STACK_GOALS };
 
 static const char *const stack_goal_name[] = { "shaking", "drop", "load" };
 
 struct stack_wall;
 
-/* What it takes to let a stone go in the simulator, in candidates; and how many
-   stones of the stock may be the next one, if nothing else is asked for. */
+/* The effort of one look in the simulator, in candidates; and how many stones of
+   the stock may be the next one, if nothing else is asked for. */
 enum { STACK_SWAY = 100, STACK_LOOK = 6 };
 
 struct stack_options {
@@ -111,11 +114,10 @@ struct stack_options {
     double joints;          /* friction in head joints; < 0: the same     */
     uint64_t seed;          /* of what `best` leaves to chance            */
     int walls;              /* that `best` builds                         */
-    int effort;             /* no further one after so many candidates and
+    int effort;             /* where it begins no further one: candidates,
                                questions to kern, and STACK_SWAY for each
-                               that was let go; twice as many where twice as
-                               many stones or more than STACK_LOOK may be
-                               the next; 0: no such limit                 */
+                               look in the simulator; in proportion to
+                               `look`, up to twice as much; 0: no limit   */
     enum stack_goal goal;   /* what it wants to be high                   */
     double beat[2];         /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
@@ -126,7 +128,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
-                               { 0 }, 0, 0.4, -1, 1, 48, 140000, STACK_PROOF,
+                               { 0 }, 0, 0.4, -1, 1, 48, 140000, STACK_SHAKING,
                                { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
@@ -159,7 +161,7 @@ struct stack_wall {
     double *sky;            /* height of what is highest, column by column */
     int *owner;             /* block which that is                       */
     int upright;            /* long stones that stand on end             */
-    int lie;                /* no further one may                        */
+    int lie;                /* nonzero: no further stone may stand so    */
     kern_contact *close;    /* room for contacts that are nearly closed  */
     kern_real *load;        /* and for the load factor of every block    */
     int columns;
@@ -816,7 +818,7 @@ STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
     return bad;
 }
 
-/* ---- Candidates: what kern and the simulator predict --------------------- */
+/* ---- Candidates: what kern says of them ---------------------------------- */
 
 /* Levels of shaking that a load factor of one is worth, about: `best` weighs
    both in the same unit. */
@@ -837,7 +839,7 @@ static double stack_load(struct stack_wall *w)
    its expected drop; 0 where that cannot be found. Of 150 walls of an earlier
    planner the mean of the predictions is 5.0, that of the levels in the shaking
    test 5.1; their rank correlation is 0.76. */
-STACK_API double stack_endures(struct stack_wall *w)
+STACK_API double stack_predicted_level(struct stack_wall *w)
 {
     const double at_one = 2, slope = 3.2, least = 0.01;
     const kern_side side[2] = { KERN_LEFT, KERN_RIGHT };
@@ -858,42 +860,49 @@ STACK_API double stack_endures(struct stack_wall *w)
     return at_one - slope * log(drop + least);
 }
 
+/* Measures the wall with one more block, and its load factor if that is wanted.
+   The block is added and taken off again; what the plan knows is as before. */
+static kern_status stack_measure_with(struct stack_wall *w,
+                                      const kern_block *block, int load,
+                                      struct stack_candidate *c)
+{
+    const struct kern_known known = w->plan.task.known;
+    const size_t motions = (size_t)w->plan.task.s.blocks * sizeof(kern_motion);
+    const size_t forces = (size_t)w->plan.task.s.contacts * sizeof(kern_force);
+    kern_status status = KERN_OVERLAP;
+    memcpy(w->motion, known.motion, motions);
+    memcpy(w->force, known.force, forces);
+    if (stack_add(w, block) >= 0) {
+        status = kern_measure(&w->plan.task, &c->m, NULL);
+        if (load && status == KERN_STANDS)
+            c->stable = stack_levels_a_load * stack_load(w);
+        kern_plan_remove(&w->plan, w->laid + 1);
+    }
+    memcpy(known.motion, w->motion, motions);
+    memcpy(known.force, w->force, forces);
+    w->plan.task.known = known;
+    return status;
+}
+
 /* Asks the plan what the wall would be with a candidate: for `best` whether it
-   stands, and where that is the goal its load factor, which the stone is added
-   for; for the others its margin. Returns 1 where it stands. */
+   stands, and where that is the goal its load factor; for the others its margin.
+   Returns 1 where it stands. */
 static int stack_ask(struct stack_wall *w, struct stack_candidate *c)
 {
     struct stone s = stack_placed(w, &c->place);
-    const int loads = w->options.planner == STACK_BEST &&
-                      w->options.goal == STACK_LOAD;
-    const int special = loads || w->options.joints >= 0;
-    const struct kern_known known = w->plan.task.known;
+    const int best = w->options.planner == STACK_BEST;
+    const int load = best && w->options.goal == STACK_LOAD;
     kern_block block;
     clock_t start = clock();
     kern_status status = kern_block_init(&block, s.v, s.n, 1, NULL);
     w->asked++;
     c->known = 1;
     c->stable = 0;
-    if (status == KERN_OK && special) {
-        memcpy(w->motion, known.motion,
-               (size_t)w->plan.task.s.blocks * sizeof(kern_motion));
-        memcpy(w->force, known.force,
-               (size_t)w->plan.task.s.contacts * sizeof(kern_force));
-        status = stack_add(w, &block) < 0 ? KERN_OVERLAP
-               : kern_measure(&w->plan.task, &c->m, NULL);
-        if (loads && status == KERN_STANDS)
-            c->stable = stack_levels_a_load * stack_load(w);
-        if (w->plan.task.s.blocks > w->laid + 1)
-            kern_plan_remove(&w->plan, w->laid + 1);
-        memcpy(known.motion, w->motion,
-               (size_t)w->plan.task.s.blocks * sizeof(kern_motion));
-        memcpy(known.force, w->force,
-               (size_t)w->plan.task.s.contacts * sizeof(kern_force));
-        w->plan.task.known = known;
-    } else if (status == KERN_OK && w->options.planner == STACK_BEST)
-        status = kern_plan_bears(&w->plan, &block, 0, NULL);
+    if (status == KERN_OK && (load || w->options.joints >= 0))
+        status = stack_measure_with(w, &block, load, c);
     else if (status == KERN_OK)
-        status = kern_plan_try(&w->plan, &block, &c->m, NULL);
+        status = best ? kern_plan_bears(&w->plan, &block, 0, NULL)
+                      : kern_plan_try(&w->plan, &block, &c->m, NULL);
     w->asking += (double)(clock() - start) / CLOCKS_PER_SEC;
     return status == KERN_STANDS;
 }
@@ -969,9 +978,9 @@ static int stack_world(struct rigid_world *r, const struct stack_wall *w,
 static double stack_gone(const struct rigid_block *b, const struct stone *s,
                          double unit)
 {
-    return fmax(draw_hypot(b->at.x - s->centre.x / unit,
-                           b->at.y - s->centre.y / unit),
-                0.573 * fabs(b->angle));
+    const struct rigid_pt from = rigid_vec(s->centre.x / unit,
+                                           s->centre.y / unit);
+    return fmax(rigid_length(rigid_sub(b->at, from)), 0.573 * fabs(b->angle));
 }
 
 /* The longest way of a stone when the wall, with one more stone if `last` is
@@ -999,8 +1008,7 @@ STACK_API double stack_sway(const struct stack_wall *w,
             const struct rigid_block *b = &r.block[k];
             const struct stone *s = k <= w->laid ? &w->stone[k - 1] : last;
             sway = fmax(sway, stack_gone(b, s, unit));
-            fast = fmax(fast, draw_hypot(b->v.x, b->v.y)
-                              + b->reach * fabs(b->spin));
+            fast = fmax(fast, rigid_length(b->v) + b->reach * fabs(b->spin));
         }
     }
     rigid_free(&r);
@@ -1048,14 +1056,14 @@ STACK_API int stack_moves(const struct stack_wall *w, int stones)
     return moves;
 }
 
-/* The least and the most that stack_proof() tells apart, levels. */
-static const double stack_proof_low = 1, stack_proof_high = 30;
+/* The least and the most that stack_endured_level() tells apart, levels. */
+static const double stack_endured_low = 1, stack_endured_high = 30;
 
 /* Do the stones keep their places, within a quarter of a size in the mean, when
    the ground runs along the figure of eight of table.h at some level? It begins
    at another moment than the shaking test, and stones lie otherwise. */
-static int stack_endures_level(const struct stack_wall *w, double level,
-                               uint64_t seed)
+static int stack_endures(const struct stack_wall *w, double level,
+                         uint64_t seed)
 {
     const double unit = w->stock->size, allowed = 0.25;
     struct rigid_world r;
@@ -1085,17 +1093,22 @@ static int stack_endures_level(const struct stack_wall *w, double level,
     return !bad && mean <= allowed;
 }
 
-/* A proof by shaking: the highest level, to 5 per cent, that the wall endures
-   twice; 0 where that is below `least`. */
-STACK_API double stack_proof(const struct stack_wall *w, double least)
+/* In two runs? */
+static int stack_endures_twice(const struct stack_wall *w, double level)
 {
-    double level = fmax(least, stack_proof_low), step = 2;
-    if (!stack_endures_level(w, level, 1) || !stack_endures_level(w, level, 2))
-        return least > stack_proof_low ? 0 : stack_proof_low;
+    return stack_endures(w, level, 1) && stack_endures(w, level, 2);
+}
+
+/* The highest level of shaking, to 5 per cent, that the wall endures twice; 0
+   where that is below `least`. */
+STACK_API double stack_endured_level(const struct stack_wall *w, double least)
+{
+    double level = fmax(least, stack_endured_low), step = 2;
+    if (!stack_endures_twice(w, level))
+        return least > stack_endured_low ? 0 : stack_endured_low;
     while (step > 1.03) {
         const double next = level * step;
-        if (next <= stack_proof_high && stack_endures_level(w, next, 1) &&
-            stack_endures_level(w, next, 2))
+        if (next <= stack_endured_high && stack_endures_twice(w, next))
             level = next;
         else step = sqrt(step);
     }
@@ -1188,7 +1201,7 @@ static void stack_strike(struct stack_list *list, int i)
 
 /* Asks about all that is left and takes away what falls. Returns how many
    fell. */
-static int stack_prove(struct stack_wall *w, struct stack_list *list)
+static int stack_drop_falling(struct stack_wall *w, struct stack_list *list)
 {
     int fell = 0;
     for (int i = 0; i < list->count; i++) {
@@ -1212,7 +1225,7 @@ static int stack_filter(struct stack_wall *w, struct stack_list *list)
     while (k <= STACK_FILTERS) {
         if (k == 0)
             for (int i = 0; i < list->count; i++) list->one[i].out = 0;
-        if ((k == levels || k == STACK_FILTERS) && stack_prove(w, list) > 0) {
+        if ((k == levels || k == STACK_FILTERS) && stack_drop_falling(w, list) > 0) {
             k = 0;
             continue;
         }
@@ -1318,7 +1331,7 @@ static int stack_restore(struct stack_wall *w, const struct stack_place *place,
     return bad;
 }
 
-/* Why a wall ended. */
+/* Is every stone laid that is wanted? Notes this as why the wall ended. */
 static int stack_ends(struct stack_wall *w)
 {
     int left = w->stock->stones - w->laid;
@@ -1341,7 +1354,7 @@ static void stack_give_up(struct stack_wall *w)
 /* Where so many candidates that stand are not raised or move, none is laid. */
 enum { STACK_TRIES = 128 };
 
-/* The same, of what is also raised and stays in the simulator. */
+/* What the filters choose of the candidates that stack_holds(); -1: none. */
 STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
 {
     for (int i = 0; i < STACK_TRIES; i++) {
@@ -1472,8 +1485,8 @@ static int stack_compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* What no weight makes good: a stone on its point or on its end, and a joint
-   that runs on. */
+/* A fixed cost for each fault, whatever the weights: a stone without a bed, a
+   long one on end, a joint that runs on. */
 static double stack_fault(const struct stack_candidate *c)
 {
     const double fault = 0.5, bond = 0.15;
@@ -1563,31 +1576,17 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
     return bad;
 }
 
-/* A filling is worth half where it is more than half in stack_worth() by this:
-   a wall is no better for being low. */
+/* So much more filling than in stack_worth() is worth the same to `best`: else
+   it would build walls that are low. */
 static const double stack_more = 0.04;
 
-/* What `best` wants to be high. A wall without a limit is worth less than any
-   that has one, and one that lacks stones that were asked for less still. What
-   is to be exceeded counts little more once it is. No proof is made where that
-   could not be more than `most`. */
-static double stack_value(struct stack_wall *w, double most)
+/* The limit multiplier times what the filling is worth. A wall without a limit is
+   worth less than any that has one. What is to be exceeded counts little more
+   once it is. */
+static double stack_value_of_load(struct stack_wall *w)
 {
     const double enough = 1.05, *beat = w->options.beat;
     double fill = stack_fill(w);
-    struct masonry m;
-    if (stack_asked(w) && w->laid < w->options.most)
-        return w->laid - w->options.most;
-    if (w->options.goal != STACK_LOAD) {
-        if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
-        const double worth = stack_worth(fill - stack_more)
-                           * fmin(1, 0.7 + 3 * (m.joint - 1))
-                           * (1 - m.upright) * (1 - m.bedless);
-        if (w->options.goal == STACK_DROP)
-            return worth * fmax(0, stack_endures(w));
-        return worth * stack_proof_high > most
-               ? worth * stack_proof(w, most / worth) : 0;
-    }
     double limit = stack_limit(&w->plan.task, w->plan.contact);
     if (limit < 0) limit = 1e-3 * w->m.margin / w->stock->size;
     if (beat[0] > 0 && fill > beat[0] && limit > beat[1])
@@ -1597,6 +1596,32 @@ static double stack_value(struct stack_wall *w, double most)
         limit = fmin(limit, enough * beat[1]);
     }
     return limit * stack_worth(fill);
+}
+
+/* What of a wall is as masons want it, 0 to 1: filled, its joints crossed, its
+   long stones lying, every stone on a bed. */
+static double stack_value_of_masonry(const struct stack_wall *w)
+{
+    struct masonry m;
+    if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
+    return stack_worth(stack_fill(w) - stack_more)
+         * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless);
+}
+
+/* What `best` wants to be high. A wall that lacks stones that were asked for is
+   worth less than any that has them. It is not shaken where its value could not
+   be more than `most`. */
+static double stack_value(struct stack_wall *w, double most)
+{
+    double worth;
+    if (stack_asked(w) && w->laid < w->options.most)
+        return w->laid - w->options.most;
+    if (w->options.goal == STACK_LOAD) return stack_value_of_load(w);
+    worth = stack_value_of_masonry(w);
+    if (w->options.goal == STACK_DROP)
+        return worth * fmax(0, stack_predicted_level(w));
+    return worth * stack_endured_high > most
+           ? worth * stack_endured_level(w, most / worth) : 0;
 }
 
 static double stack_between(uint64_t *chance, double low, double high)
@@ -1623,7 +1648,7 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
     return g;
 }
 
-/* Weights like others. */
+/* Weights like others, each by a factor of 1.5 at the most. */
 static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
 {
     double *one[] = { &g.height, &g.stable, &g.slope, &g.bond, &g.edges,
@@ -1635,7 +1660,7 @@ static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
 }
 
 /* Was the effort spent? A wall has more candidates where more stones may be the
-   next one, so that as many walls take more. */
+   next one: the limit grows with these. */
 static int stack_spent(const struct stack_wall *w)
 {
     const struct stack_options *o = &w->options;

@@ -306,7 +306,7 @@ STONES_API void stone_make(uint64_t *state, double level, struct stone *s)
                                        : hull[n - 1];
             struct rigid_pt chord = rigid_sub(hull[(i + 1) % n], before);
             double out = rigid_cross(chord, rigid_sub(hull[i], before));
-            if (-out >= 0.012 * sqrt(rigid_dot(chord, chord)))
+            if (-out >= 0.012 * rigid_length(chord))
                 v[k++] = stones_vec(hull[i].x, hull[i].y);
         }
         s->area = 0;

@@ -1,6 +1,7 @@
-/* walls - the paper's Figs. 8 and 9: walls that the planners of stack.h build
-   from the same stocks, and their quality over the irregularity of the stones.
-   Writes into a folder:
+/* walls - Figs. 8 and 9 of Y. Liu, M. Saboia, V. Thangavelu and N. Napp
+   (Approximate Stability Analysis for Drystacked Structures, IROS 2019): walls
+   that the planners of stack.h build from the same stocks, and their quality
+   over the irregularity of the stones. Writes into a folder:
 
        walls/                   every wall, for the program kern
        walls.csv                one line a wall
@@ -95,6 +96,12 @@ struct walls {
     struct walls_one *one;
 };
 
+/* The irregularity of a level, in per cent. */
+static int walls_percent(int level)
+{
+    return 10 + 10 * level;
+}
+
 static struct walls_one *walls_at(const struct walls *f, int level, int set,
                                   int planner)
 {
@@ -147,7 +154,8 @@ static int walls_build(const struct walls *f, const struct stones *stock,
     one->asked = w->asked;
     one->asking = w->asking;
     snprintf(path, sizeof path, "%s/walls/i%d-%02d-%s.kern", f->folder,
-             10 + 10 * level, f->first + set, stack_planner_name[planner]);
+             walls_percent(level), f->first + set,
+             stack_planner_name[planner]);
     if (masonry_of(&w->plan.task.s, stock->size, &one->masonry))
         return fail("not enough memory for", "its figures");
     if (stack_write(w, path)) return fail("cannot write", path);
@@ -160,7 +168,7 @@ static void walls_list(const struct walls *f, int level, int set, int planner)
 {
     const struct walls_one *o = walls_at(f, level, set, planner);
     fprintf(f->list, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,%.4f,"
-            "%.4f,%.4f,%.3g,%d,%d,%.0f", 10 + 10 * level, f->first + set,
+            "%.4f,%.4f,%.3g,%d,%d,%.0f", walls_percent(level), f->first + set,
             stack_planner_name[planner], o->laid, o->fill,
             o->stability[WALLS_LEVEL], o->stability[WALLS_MARGIN],
             o->stability[WALLS_COLLAPSE], walls_quality(o, WALLS_COLLAPSE),
@@ -261,7 +269,7 @@ static void walls_head(FILE *out)
                   "middle", stack_planner_name[p],
                   strlen(stack_planner_name[p]));
     for (int l = 0; l < WALLS_LEVELS; l++) {
-        snprintf(text, sizeof text, "%d %%", 10 + 10 * l);
+        snprintf(text, sizeof text, "%d %%", walls_percent(l));
         draw_text(out, 22, walls_top + (l + 0.5) * walls_high, 13, "middle",
                   text, strlen(text));
     }
@@ -278,8 +286,8 @@ static int walls_make(const struct walls *f)
         for (int l = 0; l < WALLS_LEVELS && !bad; l++) {
             struct stones stock;
             fprintf(stderr, "walls: set %d of %d, irregularity %d\n",
-                    set + 1, f->sets, 10 + 10 * l);
-            bad = stones_make(&stock, 10 + 10 * l, WALLS_STONES,
+                    set + 1, f->sets, walls_percent(l));
+            bad = stones_make(&stock, walls_percent(l), WALLS_STONES,
                               (uint64_t)(f->first + set));
             for (int p = 0; p < STACK_PLANNERS && !bad; p++) {
                 struct stack_wall w;
@@ -361,7 +369,8 @@ static void walls_differences(const struct walls *f, FILE *out, int more,
     fprintf(out, "\n%s less %s, mean of the paired differences and its 95 %% "
             "interval:\n\n| of |", stack_planner_name[more],
             stack_planner_name[less]);
-    for (int l = 0; l < WALLS_LEVELS; l++) fprintf(out, " %d |", 10 + 10 * l);
+    for (int l = 0; l < WALLS_LEVELS; l++)
+        fprintf(out, " %d |", walls_percent(l));
     fprintf(out, "\n|---|---|---|---|---|---|\n| level of collapse |");
     walls_difference(f, out, more, less, WALLS_COLLAPSE, 0);
     for (int k = 0; k < WALLS_STABILITIES; k++) {
@@ -399,7 +408,7 @@ static void walls_means(const struct walls *f, FILE *out)
                 for (int k = 0; k < WALLS_FIGURES; k++)
                     sum[k] += x[k] / f->sets;
             }
-            fprintf(out, "| %d | %s | %.1f |", 10 + 10 * l,
+            fprintf(out, "| %d | %s | %.1f |", walls_percent(l),
                     stack_planner_name[p], sum[0]);
             for (int k = 1; k < WALLS_FIGURES; k++)
                 fprintf(out, " %.*f |", k == 2 || k == 10 ? 1 : 3, sum[k]);
@@ -440,7 +449,7 @@ static int walls_tables(const struct walls *f)
             "margin_mean,margin_deviation,margin_interval\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int p = 0; p < STACK_PLANNERS; p++) {
-            fprintf(csv, "%d,%s,%d", 10 + 10 * l, stack_planner_name[p],
+            fprintf(csv, "%d,%s,%d", walls_percent(l), stack_planner_name[p],
                     f->sets);
             for (int k = WALLS_COLLAPSE; k <= WALLS_MARGIN; k++) {
                 double mean, sd;
@@ -471,7 +480,7 @@ static void walls_curve(const struct walls *f, const struct plot *p,
     for (int l = 0; l < WALLS_LEVELS; l++) {
         double sd;
         walls_sum_up(f, l, planner, -1, stability, 1, &mean[l], &sd);
-        x[l] = 10 + 10 * l + 0.5 * planner; /* bars side by side */
+        x[l] = walls_percent(l) + 0.5 * planner; /* bars side by side */
         low[l] = fmax(mean[l] - sd, p->y0);
         high[l] = fmin(mean[l] + sd, p->y1);
         if (planner != STACK_HEURISTIC)
