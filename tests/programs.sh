@@ -258,6 +258,21 @@ spread() { # a study over two jobs prints the lines of one process
             --svg w-{}.svg >w2 && timeless w1 w2 3
 }
 
+alike() { # gcc and clang make the same stones, structures and walls
+    local cc
+    for cc in gcc clang; do
+        # shellcheck disable=SC2086
+        mkdir -p "$out/$cc/structures" &&
+            $cc $plain -o "$out/figures-$cc" examples/shaking/figures.c -lm &&
+            $cc $plain -o "$out/stack-$cc" examples/walls/stack.c -lm &&
+            "$out/figures-$cc" --quick --json "$out/$cc" >"$out/$cc.json" &&
+            "$out/stack-$cc" --irregularity 30 --stones 12 --walls 3 \
+                --no-shaking --out "$out/$cc/w.kern" --svg "$out/$cc/w.svg" \
+                >"$out/$cc/w.table" || return 1
+    done
+    timeless "$out/gcc.json" "$out/clang.json" 6 && diff -r "$out"/{gcc,clang}
+}
+
 stacking() { # stones, features, walls that stand at every step; bad input
     local kern stack test bad i=0
     kern=$(program kern examples/kern.c) &&
