@@ -2334,42 +2334,55 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Whether block i comes before j along a direction; at one height by index. */
-static int kern_model_before(const kern_model *m, kern_vec along, int i, int j)
-{
-    const kern_real at = kern_vec_dot(m->s->block[i].centre, along);
-    const kern_real other = kern_vec_dot(m->s->block[j].centre, along);
-    return at < other || (at <= other && i < j);
-}
-
-/* Orders the blocks of all groups along a direction. Shell sort, since it needs
-   neither memory nor recursion. */
+/* Orders the blocks of all groups along a direction, at one height by index.
+   Shell sort, since it needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m, kern_vec along, int *list)
 {
+    const kern_block *block = m->s->block;
     int gap, i, j;
     for (gap = 1; gap < m->groups / 64; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
         for (i = gap; i < m->groups; i++) {
             const int b = list[i];
-            for (j = i; j >= gap && kern_model_before(m, along, b,
-                                                      list[j - gap]); j -= gap)
-                list[j] = list[j - gap];
+            const kern_real at = kern_vec_dot(block[b].centre, along);
+            for (j = i; j >= gap; j -= gap) {
+                const int c = list[j - gap];
+                const kern_real other = kern_vec_dot(block[c].centre, along);
+                if (other < at || (other <= at && c < b))
+                    break;
+                list[j] = c;
+            }
             list[j] = b;
         }
 }
 
-/* Lists the contacts of every group, in their order. */
-static void kern_model_touch(kern_model *m)
+/* Gives every block that is free and has not been taken away a group, and lists
+   the contacts of every group, in their order. */
+static void kern_model_group(kern_model *m, const kern_query *q)
 {
-    const int none = m->groups;
-    int g, i;
-    for (g = 0; g < none; g++)
+    const kern_structure *s = m->s;
+    int i, g, none = 0;
+    for (i = s->blocks - 1; i >= 0; i--)
+        if (!s->block[i].fixed && !kern_is_gone(q, i, i))
+            m->block[none++] = i;
+    m->groups = none;
+    m->plain = m->falls = 0;
+    kern_model_order(m, s->gravity, m->block);
+    for (i = 0; i < s->blocks; i++)
+        m->group[i] = none;
+    for (g = 0; g < none; g++) {
+        m->group[m->block[g]] = g;
+        m->fell[g] = 0;
         m->touch[g] = KERN_OUT;
-    for (i = m->s->contacts - 1; i >= 0; i--) {
-        const int head = m->ends[2 * i], tail = m->ends[2 * i + 1];
-        if (head == tail)
-            continue;
+    }
+    for (i = s->contacts - 1; i >= 0; i--) {
+        const kern_contact *c = s->contact + i;
+        const int gone = kern_is_out(q, c);
+        const int tail = gone ? none : m->group[c->a];
+        const int head = gone ? none : m->group[c->b];
+        m->ends[2 * i] = head;
+        m->ends[2 * i + 1] = tail;
         if (tail < none) {
             m->after[2 * i + 1] = m->touch[tail];
             m->touch[tail] = 2 * i + 1;
@@ -2379,31 +2392,6 @@ static void kern_model_touch(kern_model *m)
             m->touch[head] = 2 * i;
         }
     }
-}
-
-/* Gives every block that is free and has not been taken away a group. */
-static void kern_model_group(kern_model *m, const kern_query *q)
-{
-    const kern_structure *s = m->s;
-    int i, g;
-    m->groups = m->plain = m->falls = 0;
-    for (i = s->blocks - 1; i >= 0; i--)
-        if (!s->block[i].fixed && !kern_is_gone(q, i, i))
-            m->block[m->groups++] = i;
-    kern_model_order(m, s->gravity, m->block);
-    for (i = 0; i < s->blocks; i++)
-        m->group[i] = m->groups;
-    for (g = 0; g < m->groups; g++) {
-        m->group[m->block[g]] = g;
-        m->fell[g] = 0;
-    }
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        const int gone = kern_is_out(q, c);
-        m->ends[2 * i] = gone ? m->groups : m->group[c->b];
-        m->ends[2 * i + 1] = gone ? m->groups : m->group[c->a];
-    }
-    kern_model_touch(m);
 }
 
 /* Opens the model of a task that has been checked. It has no groups yet: a change
@@ -2615,7 +2603,7 @@ static void kern_model_keep(kern_model *m, const kern_query *q, int waiting)
     m->weight = KERN_R(1);
     m->lazy = q;
     for (g = 0; g < m->groups; g++) {
-        kern_model_unit(m, q, g);
+        m->unit[g] = 1 / m->mean;
         m->next[g] = KERN_OUT;
         m->local[g] = KERN_OUT;
         m->dirty[g] = 0;
@@ -2903,8 +2891,7 @@ static kern_status kern_known_clean(kern_model *m, kern_path *path,
     if (!noise)
         return KERN_STANDS;
     if (plain)
-        kern_model_touch(m);
-    m->plain = 0;
+        kern_model_group(m, &q);
     kern_model_set(m, &q);
     path->alone = 1;
     if (kern_part_moved(path->part, m) && kern_part_note(path->part) == KERN_OK)
@@ -4515,7 +4502,9 @@ static void kern_pour_free(const kern_real h[6], const kern_real b[3],
 }
 
 typedef struct kern_row { /* a contact that carries the group */
-    kern_real n[3], turn, mu, wn, wt; /* t is (-n[1], n[0], turn)             */
+    kern_real n[3], turn, mu; /* t is (-n[1], n[0], turn)                     */
+    kern_real wn, wt;         /* where its motion begins                      */
+    kern_real vn, vt;         /* its motion                                   */
     int end, mask;
 } kern_row;
 
@@ -4524,6 +4513,16 @@ static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 
 static inline kern_real kern_row_along(const kern_row *c, const kern_real *u)
 { return -c->n[1] * u[0] + c->n[0] * u[1] + c->turn * u[2]; }
+
+/* Moves the group by u. */
+static inline void kern_row_move(kern_row *row, int n, const kern_real u[3])
+{
+    int k;
+    for (k = 0; k < n; k++, row++) {
+        row->vn = row->wn + kern_three(row->n, u);
+        row->vt = row->wt + kern_row_along(row, u);
+    }
+}
 
 /* The contact with end e at the group. */
 static inline void kern_pour_row(const kern_model *m, int e, kern_row *row)
@@ -4534,14 +4533,6 @@ static inline void kern_pour_row(const kern_model *m, int e, kern_row *row)
     row->mu = kern_model_mu(m, e >> 1);
     row->end = e;
     kern_model_prior(m, e >> 1, &row->wn, &row->wt);
-}
-
-/* Its force where the group moves by u. */
-static inline kern_spring kern_row_spring(const kern_row *row,
-                                          const kern_real u[3])
-{
-    return kern_spring_of(row->wn + kern_three(row->n, u),
-                          row->wt + kern_row_along(row, u), row->mu);
 }
 
 /* Lists the contacts that carry group g; returns how many, or one more than
@@ -4560,10 +4551,9 @@ static int kern_pour_rows(const kern_model *m, int g,
     return n;
 }
 
-/* What the rays in the masks exert under u, less b; and their matrix. */
-static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
-                          const kern_real b[3], kern_real left[3],
-                          kern_real h[6])
+/* What the rays in the masks exert, less b; and their matrix. */
+static void kern_pour_sum(const kern_row *row, int n, const kern_real b[3],
+                          kern_real left[3], kern_real h[6])
 {
     int k, j;
     for (j = 0; j < 6; j++)
@@ -4576,15 +4566,13 @@ static void kern_pour_sum(const kern_row *row, int n, const kern_real u[3],
         const kern_real nn = plus + minus, nt = c->mu * (plus - minus);
         const kern_real tt = c->mu * c->mu * nn;
         const kern_real t[3] = {-c->n[1], c->n[0], c->turn};
-        kern_real wn, wt, v[3], w[3];
+        kern_real v[3], w[3];
         if (c->mask == 0)
             continue;
-        wn = c->wn + kern_three(c->n, u);
-        wt = c->wt + kern_row_along(c, u);
         for (j = 0; j < 3; j++) {
             v[j] = nn * c->n[j] + nt * t[j];
             w[j] = nt * c->n[j] + tt * t[j];
-            left[j] -= v[j] * wn + w[j] * wt;
+            left[j] -= v[j] * c->vn + w[j] * c->vt;
         }
         h[0] += v[0] * c->n[0] + w[0] * t[0];
         h[1] += v[1] * c->n[0] + w[1] * t[0];
@@ -4604,25 +4592,27 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
     kern_real left[3], h[6], step[3], most;
     int k, j, round, changed = 1, good = 0;
     u[0] = u[1] = u[2] = KERN_R(0);
-    for (k = 0; k < n; k++)
+    for (k = 0; k < n; k++) {
+        row[k].vn = row[k].wn;
+        row[k].vt = row[k].wt;
         row[k].mask = 3;
+    }
     for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
-        kern_pour_sum(row, n, u, b, left, h);
+        kern_pour_sum(row, n, b, left, h);
         good = kern_pour_three(h, left, step);
         for (j = 0; j < 3; j++)
             u[j] += step[j];
+        kern_row_move(row, n, u);
         changed = 0;
         for (k = 0; k < n; k++) {
-            const kern_real wn = row[k].wn + kern_three(row[k].n, u);
-            const kern_real wt = row[k].mu
-                                 * (row[k].wt + kern_row_along(row + k, u));
+            const kern_real wn = row[k].vn, wt = row[k].mu * row[k].vt;
             const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
             changed |= mask != row[k].mask;
             row[k].mask = mask;
         }
     }
     for (round = 0; round < 3 && !(good && !changed); round++) {
-        kern_pour_sum(row, n, u, b, left, h);
+        kern_pour_sum(row, n, b, left, h);
         most = kern_largest(u, 3);
         if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
             break;
@@ -4635,6 +4625,7 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
         kern_pour_three(h, left, step);
         for (j = 0; j < 3; j++)
             u[j] += step[j];
+        kern_row_move(row, n, u);
     }
     return KERN_STANDS;
 }
@@ -4662,7 +4653,7 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     kern_pour_load(m, g, b);
     status = kern_pour_solve(row, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_spring s = kern_row_spring(row + k, u);
+        const kern_spring s = kern_spring_of(row[k].vn, row[k].vt, row[k].mu);
         kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f, s.r,
                         tolerance);
     }
@@ -4808,16 +4799,23 @@ static int kern_pour_parts(kern_part *p)
     return power > 0;
 }
 
-/* Least forces of the open part, written if they balance it; if `warm` from the
-   motions that gave such before. KERN_FALLS where no forces would, all else
-   held. */
-static kern_status kern_pour_part(kern_part *p, int warm, int *budget)
+/* Opens the part of a unit, and writes its least forces if they balance it; if
+   `warm` from the motions that gave such before. KERN_FALLS where no forces
+   would, all else held. */
+static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
+                                  int last, int warm, int *budget)
 {
-    const kern_model *m = p->m;
-    kern_motion *u = (kern_motion *)(void *)p->u;
+    kern_motion *u;
     kern_real load = KERN_R(0), least = KERN_INFINITY;
     kern_status status;
+    kern_take take;
     int n;
+    if (!kern_part_open(p, m, groups, last))
+        return KERN_NO_SPACE;
+    take = p->rest;
+    if (!kern_least_lay(p, &take) || p->cost > *budget)
+        return KERN_NO_SPACE;
+    u = (kern_motion *)(void *)p->u;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
@@ -4870,14 +4868,11 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
     const int begun = last;
     int groups = kern_pour_mark(m, last, 0), levels;
     for (levels = 1; ; levels *= 2) {
-        kern_status status = KERN_NO_SPACE;
-        kern_take take;
-        int added, open = kern_part_open(p, m, groups, last);
-        take = p->rest;
-        if (open && kern_least_lay(p, &take) && p->cost <= *budget)
-            status = failed && groups == 1
-                     ? p->own < p->contacts ? KERN_UNDECIDED : KERN_FALLS
-                     : kern_pour_part(p, groups > 1 && levels == 1, budget);
+        kern_status status = KERN_UNDECIDED;
+        int added;
+        if (groups > 1 || !failed)
+            status = kern_pour_part(p, m, groups, last,
+                                    groups > 1 && levels == 1, budget);
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
         kern_pour_unmark(m, last);
@@ -5176,7 +5171,7 @@ static int kern_pass_block(kern_pass *p, int i)
     if (kern_pour_solve(row, n, b, tolerance, u) != KERN_STANDS)
         return 0;
     for (k = 0; k < n; k++) {
-        const kern_spring is = kern_row_spring(row + k, u);
+        const kern_spring is = kern_spring_of(row[k].vn, row[k].vt, row[k].mu);
         kern_pass_write(p, i, row + k, is.f, is.r, tolerance);
     }
     return 1;
@@ -5606,6 +5601,18 @@ static kern_real kern_prove_change(kern_model *m, const kern_query *q, int wide)
     return kern_prove_rows(s, q, m->sum, total);
 }
 
+/* The verdict by least forces of all groups, where they were not poured:
+   KERN_STANDS or KERN_UNDECIDED. At the edge of a load they would take many
+   steps. */
+static kern_status kern_model_hold(kern_model *m, kern_part *p,
+                                   const kern_query *q)
+{
+    if (q->factor > 0 || kern_pour_spares(m))
+        return KERN_UNDECIDED;
+    p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
+    return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
+}
+
 /* The verdict by a change of forces that balance all but the last block: it is
    passed down, and proven where they changed. KERN_FALLS with an open part of
    what moves; KERN_UNDECIDED also where no forces are known. */
@@ -5633,24 +5640,12 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
         return KERN_FALLS;
     }
     if (poured == KERN_POUR_DRY)
-        return KERN_UNDECIDED;
+        return kern_model_hold(m, p, q);
     if (!kern_model_proven(m, kern_prove_change(
             m, q, waiting == 0 && !m->complete)))
         return KERN_UNDECIDED;
     p->found = KERN_STANDS;
     return KERN_STANDS;
-}
-
-/* The verdict by least forces of all groups, where they were not poured:
-   KERN_STANDS or KERN_UNDECIDED. At the edge of a load they would take many
-   steps. */
-static kern_status kern_model_hold(kern_model *m, kern_part *p,
-                                   const kern_query *q)
-{
-    if (q->factor > 0 || kern_pour_spares(m))
-        return KERN_UNDECIDED;
-    p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
-    return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
 }
 
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
@@ -6725,8 +6720,7 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     kern_part *p = path->part;
     int rays;
     if (m->plain)
-        kern_model_touch(m);
-    m->plain = 0;
+        kern_model_group(m, &q);
     kern_model_set(m, &q);
     if (!kern_least_open(p, m) || p->contacts == 0)
         return 0;
@@ -7342,7 +7336,7 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
 {
     if (status == KERN_STANDS
         && path->edge > probe->start + path->tolerance) {
-        status = kern_path_part(m, path, probe->guess);
+        status = kern_path_part(m, path, probe->guess || m->prior);
         if (status == KERN_STANDS && !path->closed && probe->holds > probe->start
             && !(path->holds > probe->holds)) /* nothing new to pour */
             status = kern_path_part(m, path, 1);
