@@ -207,6 +207,11 @@ static kern_real shrinkage(const struct analysis *a)
     return a->set->at < 0 ? 0 : a->set->at;
 }
 
+static double gravity_of(const struct analysis *a)
+{
+    return hypot(a->task.s.gravity.x, a->task.s.gravity.y);
+}
+
 /* ---- Analysis ------------------------------------------------------------ */
 
 /* All pairs that overlap, as far as the message has room, and the remedy. */
@@ -393,8 +398,7 @@ static void find_loads(struct analysis *a)
 {
     for (int side = LEFT; side <= RIGHT; side++) {
         a->load[side] = a->tilt[side] = (double)NAN;
-        if (a->shown != KERN_STANDS) continue;
-        if (!(hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0)) continue;
+        if (a->shown != KERN_STANDS || !(gravity_of(a) > 0)) continue;
         kern_real value = 0;
         kern_side sign = side == LEFT ? KERN_LEFT : KERN_RIGHT;
         kern_status status;
@@ -411,7 +415,7 @@ static void find_profile(struct analysis *a)
     static const kern_side side[PROFILES] = {
         KERN_SHRINK, KERN_LEFT, KERN_RIGHT
     };
-    int falls = hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0;
+    int falls = gravity_of(a) > 0;
     a->profiled = KERN_OK;
     for (int k = 0; k < (falls ? PROFILES : 1); k++) {
         kern_status status;
@@ -473,7 +477,7 @@ static int decide(struct analysis *a, const kern_options *options)
 static int find_raised(struct analysis *a)
 {
     kern_real reserve = 0;
-    int pushed = hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0;
+    int pushed = gravity_of(a) > 0;
     a->raised = kern_raised(&a->task, shrinkage(a), &a->raising,
                             pushed ? &reserve : NULL, NULL);
     a->reserve = value_or_nan(pushed ? a->raised : KERN_UNDECIDED, reserve);
@@ -672,8 +676,7 @@ enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 
 static unsigned open_questions(const struct analysis *a)
 {
-    int loaded = a->shown == KERN_STANDS
-                 && hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0;
+    int loaded = a->shown == KERN_STANDS && gravity_of(a) > 0;
     int open[OPENS_MOST] = {
         a->measured < 0 || a->m.level < 0, a->measured < 0,
         a->measured == KERN_FALLS && isnan(a->deficit),
@@ -839,7 +842,7 @@ static void print_move(const struct analysis *a, const kern_motion *motion,
 {
     kern_motion v = motion[i];
     const kern_block *b = &a->task.s.block[i];
-    double g = hypot(a->task.s.gravity.x, a->task.s.gravity.y);
+    double g = gravity_of(a);
     double downx = g > 0 ? a->task.s.gravity.x / g : 0;
     double downy = g > 0 ? a->task.s.gravity.y / g : -1;
     double right = -v.vx * downy + v.vy * downx;
@@ -912,8 +915,7 @@ static void report_loads(const struct analysis *a)
 {
     static const double degrees = 57.295779513082321;
     char left[32], right[32];
-    if (a->shown != KERN_STANDS) return;
-    if (!(hypot(a->task.s.gravity.x, a->task.s.gravity.y) > 0)) return;
+    if (a->shown != KERN_STANDS || !(gravity_of(a) > 0)) return;
     printf("  load        %s left, %s right: horizontal load factor, in g\n",
            factor_text(a->load[LEFT], 1, "", left),
            factor_text(a->load[RIGHT], 1, "", right));

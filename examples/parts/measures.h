@@ -15,6 +15,7 @@
 #include "room.h"
 #include "text.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -56,7 +57,7 @@ MEASURES_API int measures_contacts(struct measures_of *m)
         found = kern_contacts(m->text.block, m->text.blocks, &m->task.options,
                               m->contact, room, &m->work);
         room *= 2;
-    } while (found == KERN_NO_SPACE);
+    } while (found == KERN_NO_SPACE && room < INT_MAX / 4);
     m->task.s.contact = m->contact;
     m->task.s.contacts = found;
     return found < 0 ? -1 : 0;
