@@ -3994,24 +3994,32 @@ static int kern_least_lay(kern_part *p, kern_take *take)
     return kern_take_fits(take);
 }
 
+/* Adds to w how v moves the part's contact k along n and t. */
+static inline void kern_part_way(const kern_part *p, int k, const kern_real *v,
+                                 kern_real *w)
+{
+    const kern_real *h = v + 3 * p->ends[2 * k];
+    const kern_real *t = v + 3 * p->ends[2 * k + 1];
+    const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
+    const kern_vec n = p->m->s->contact[p->contact[k]].n;
+    const kern_real x = h[0] - t[0], y = h[1] - t[1];
+    w[0] = w[0] + n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
+    w[1] = w[1] + n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
+}
+
 /* How v moves the contacts along n and t: to p->way from `to` on. */
 static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
                             int to)
 {
     int k;
     for (k = 0; k < contacts; k++) {
-        const kern_real *h = v + 3 * p->ends[2 * k];
-        const kern_real *t = v + 3 * p->ends[2 * k + 1];
-        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
-        const kern_vec n = p->m->s->contact[p->contact[k]].n;
-        const kern_real x = h[0] - t[0], y = h[1] - t[1];
-        kern_real *way = p->way + 4 * (size_t)k + to, wn = 0, wt = 0;
+        kern_real *way = p->way + 4 * (size_t)k + to;
+        way[0] = way[1] = KERN_R(0);
         if (to == 0 && p->price)
-            wn = -p->price[k];
+            way[0] = -p->price[k];
         else if (to == 0)
-            kern_model_prior(p->m, p->contact[k], &wn, &wt);
-        way[0] = wn + n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
-        way[1] = wt + n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
+            kern_model_prior(p->m, p->contact[k], way, way + 1);
+        kern_part_way(p, k, v, way);
     }
 }
 
@@ -4630,6 +4638,19 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
     return KERN_STANDS;
 }
 
+/* The row of contact c, of which `sign` acts, by the arm of its force in its
+   unit. */
+static void kern_row_set(kern_row *row, const kern_contact *c, kern_real sign,
+                         kern_vec arm, kern_real slope)
+{
+    row->n[0] = sign * c->n.x;
+    row->n[1] = sign * c->n.y;
+    row->n[2] = sign * kern_vec_cross(arm, c->n);
+    row->turn = sign * kern_vec_dot(arm, c->n); /* arm x t */
+    row->mu = kern_friction(c, slope);
+    row->wn = row->wt = KERN_R(0);
+}
+
 /* Adds what the row exerts by f along n and r along t. */
 static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
                           kern_real b[3])
@@ -5038,17 +5059,11 @@ static void kern_pass_row(const kern_structure *s, const kern_query *q, int k,
 {
     const kern_contact *c = s->contact + k;
     const int end = c->b != i;
-    const kern_real sign = end ? KERN_R(-1) : KERN_R(1);
     kern_vec arm[2];
     kern_arms(s, c, q, arm);
-    arm[0] = kern_vec_scale(arm[!end], sign / q->mean);
-    row->n[0] = sign * c->n.x;
-    row->n[1] = sign * c->n.y;
-    row->n[2] = kern_vec_cross(arm[0], c->n);
-    row->turn = kern_vec_dot(arm[0], c->n); /* arm x t */
-    row->mu = kern_friction(c, kern_slope(q));
+    kern_row_set(row, c, end ? KERN_R(-1) : KERN_R(1),
+                 kern_vec_scale(arm[!end], 1 / q->mean), kern_slope(q));
     row->end = 2 * k + end;
-    row->wn = row->wt = KERN_R(0);
 }
 
 /* What contacts must exert on a block; returns its magnitude. */
@@ -6146,16 +6161,10 @@ static void kern_walk_row(const kern_model *m, const kern_contact *first,
                           const kern_contact *c, kern_real place,
                           const kern_force *force, kern_row *row, kern_real *b)
 {
-    const kern_real sign = c->a == first->a ? KERN_R(1) : KERN_R(-1);
-    const kern_real one = sign / m->mean;
     const kern_vec arm = kern_vec_sub(kern_contact_at(c, place, m->relative),
                                       first->p);
-    row->n[0] = sign * c->n.x;
-    row->n[1] = sign * c->n.y;
-    row->n[2] = kern_vec_cross(arm, c->n) * one;
-    row->turn = kern_vec_dot(arm, c->n) * one; /* arm x t */
-    row->mu = kern_friction(c, m->slope);
-    row->wn = row->wt = KERN_R(0);
+    kern_row_set(row, c, c->a == first->a ? KERN_R(1) : KERN_R(-1),
+                 kern_vec_scale(arm, 1 / m->mean), m->slope);
     kern_row_add(row, force->normal, force->tangential, b);
 }
 
@@ -6353,17 +6362,11 @@ static void kern_inner_ways(const kern_part *p, const kern_real *v,
 {
     int k;
     for (k = 0; k < p->contacts; k++) {
-        const kern_real *h = v + 3 * p->ends[2 * k];
-        const kern_real *t = v + 3 * p->ends[2 * k + 1];
-        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
-        const kern_contact *c = p->m->s->contact + p->contact[k];
-        const kern_real x = h[0] - t[0], y = h[1] - t[1];
-        const kern_real wn = c->n.x * x + c->n.y * y + arm[0] * h[2]
-                             + arm[2] * t[2];
-        const kern_real wt = c->mu * (c->n.x * y - c->n.y * x + arm[1] * h[2]
-                                      + arm[3] * t[2]);
-        out[2 * k] = wn + wt;
-        out[2 * k + 1] = wn - wt;
+        kern_real w[2] = {0, 0};
+        kern_part_way(p, k, v, w);
+        w[1] *= p->m->s->contact[p->contact[k]].mu;
+        out[2 * k] = w[0] + w[1];
+        out[2 * k + 1] = w[0] - w[1];
     }
 }
 
