@@ -6332,7 +6332,7 @@ typedef struct kern_inner {
     kern_part *p;             /* all groups; its u is y                       */
     const kern_path *path;
     kern_real s;              /* the place                                    */
-    kern_real low, high;      /* it stays between these                       */
+    kern_real low;            /* it stays between this and the path's end     */
     kern_real ahead;          /* where the prediction sees the edge           */
     kern_real at;             /* the place of the matrix where that is held,
                                  else s                                       */
@@ -6525,7 +6525,7 @@ static kern_real kern_inner_step(kern_inner *in)
     if (in->held) /* s does not pass the place */
         ds = kern_min(ds, in->at - in->s);
     else
-        ds = kern_max(kern_min(ds, in->high - in->s), in->low - in->s);
+        ds = kern_max(kern_min(ds, in->path->end - in->s), in->low - in->s);
     for (i = 0; i < n; i++)
         p->step[i] += ds * in->gain[i];
     kern_inner_ways(p, p->step, turn);
@@ -6936,10 +6936,9 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
 static int kern_inner_sharp(const kern_inner *in)
 { return in && (in->sharp || in->p->groups > KERN_INNER_EXACT); }
 
-/* Follows the path to the first place where the whole falls, or until it is
-   proven to stand at `last`, as far as it can be followed. Returns nonzero where
-   it is seen to stand to the end. */
-static int kern_inner_follow(kern_inner *in, kern_real last)
+/* Follows the path to the first place where the whole falls, as far as it can
+   be followed. Returns nonzero where it is seen to stand to the end. */
+static int kern_inner_follow(kern_inner *in)
 {
     int round, beyond = 0, stalled = 0;
     for (round = 0; round < KERN_INNER_ROUNDS && !(in->gap <= in->least)
@@ -6947,10 +6946,8 @@ static int kern_inner_follow(kern_inner *in, kern_real last)
          round++) {
         if (!kern_inner_advance(in))
             return 0;
-        if (in->s >= last && in->gap <= KERN_INNER_CLEAR)
-            return 0;
-        beyond = in->gap <= KERN_INNER_CLEAR && in->high >= in->path->end
-                 && in->ahead > in->high - in->least;
+        beyond = in->gap <= KERN_INNER_CLEAR
+                 && in->ahead > in->path->end - in->least;
         stalled = in->slow ? stalled + 1 : 0;
     }
     return beyond;
@@ -6958,15 +6955,13 @@ static int kern_inner_follow(kern_inner *in, kern_real last)
 
 /* Evaluates where the path has been followed to, and beyond. */
 static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
-                                   kern_path *path, kern_real last)
+                                   kern_path *path)
 {
-    const kern_real edge = path->edge;
-    const kern_real under = last < path->end ? KERN_R(0) : in->least / 32;
     kern_status status;
     int round;
     for (round = 0; round < KERN_INNER_TRIES && in->gap <= KERN_INNER_CLEAR;
          round++) {
-        const kern_real at = kern_min(in->s, in->ahead - under);
+        const kern_real at = kern_min(in->s, in->ahead - in->least / 32);
         if (at >= path->start && kern_inner_restore(in, at)) {
             kern_path_note(m, path, KERN_STANDS, at);
             path->holds = at;
@@ -6975,17 +6970,15 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
         if (!kern_inner_advance(in))
             break;
     }
-    if (path->holds >= last)
+    if (path->holds >= path->end)
         return KERN_STANDS;
-    if (!(in->ahead >= path->holds && in->ahead <= in->high))
+    if (!(in->ahead >= path->holds && in->ahead <= path->end))
         return KERN_UNDECIDED;
     path->edge = in->ahead;
     status = kern_path_evaluate(m, path,
-                                kern_min(in->ahead + in->least, last));
-    if (status == KERN_STANDS && path->holds < last)
-        status = kern_path_evaluate(m, path, last);
-    if (status == KERN_STANDS)
-        path->edge = edge;
+                                kern_min(in->ahead + in->least, path->end));
+    if (status == KERN_STANDS && path->holds < path->end)
+        status = kern_path_evaluate(m, path, path->end);
     return status;
 }
 
@@ -7013,31 +7006,24 @@ static void kern_inner_level(kern_model *m, kern_path *path)
 }
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. `last` is the end of the path, or a place from which
-   to path->fails nothing need be evaluated. The path is followed to a gap of
-   `coarse` times what is wanted in the end. */
+   where it is not found. The path is followed to a gap of `coarse` times what
+   is wanted in the end. */
 static kern_status kern_inner_search(kern_model *m, kern_path *path,
-                                     kern_real last, kern_real coarse)
+                                     kern_real coarse)
 {
-    const kern_real high = last < path->end ? path->fails : path->end;
     kern_inner in;
     kern_status status;
     if (m->narrow > 0 || !kern_inner_open(&in, m, path))
         return KERN_UNDECIDED;
     path->inner = &in;
-    path->fails = in.high = high;
+    path->fails = path->end;
     in.least *= coarse;
-    if (last < path->end) /* it need not go to the edge */
-        in.high = last + in.least / 2;
-    status = kern_inner_follow(&in, last)
-             ? kern_path_evaluate(m, path, last)
-             : kern_inner_ends(&in, m, path, last);
-    if (status == KERN_STANDS) {
-        path->never = high >= path->end;
-        if (path->never)
-            path->fails = high;
-        path->edge = path->never ? high : kern_max(path->edge, last);
-    } else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
+    status = kern_inner_follow(&in)
+             ? kern_path_evaluate(m, path, path->end)
+             : kern_inner_ends(&in, m, path);
+    if (status == KERN_STANDS)
+        status = kern_path_saturate(path);
+    else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
         if (!kern_inner_closed(m, path))
             status = KERN_UNDECIDED;
@@ -7162,15 +7148,13 @@ typedef struct kern_probe {
 
 /* Begins at the next place, where something is known about it. */
 static kern_status kern_plain_at(kern_model *m, kern_path *path,
-                                 kern_probe *probe, int seeded, int closed)
+                                 kern_probe *probe, int seeded)
 {
     const kern_real holds = path->holds;
     kern_status status = kern_path_evaluate(m, path, probe->at);
     probe->done = 1;
     if (status == KERN_STANDS && seeded && kern_seed_falls(m, path))
         return kern_seed_ends(m, path);
-    if (status == KERN_STANDS && closed)
-        return status;
     if (status == KERN_STANDS && seeded)
         return kern_path_climb(m, path, probe->step);
     if (status == KERN_STANDS || status == KERN_FALLS)
@@ -7198,12 +7182,11 @@ static kern_status kern_plain_climb(kern_model *m, kern_path *path,
 /* Begins at the next place where something is known, or a part of what is small
    fell; else, or if it is not decided there, it climbs. */
 static kern_status kern_plain_search(kern_model *m, kern_path *path,
-                                     kern_probe *probe, int seeded, int closed)
+                                     kern_probe *probe, int seeded)
 {
     const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
     if (probe->at > path->holds && (small || seeded)) {
-        const kern_status status = kern_plain_at(m, path, probe, seeded,
-                                                 closed);
+        const kern_status status = kern_plain_at(m, path, probe, seeded);
         if (probe->done)
             return status;
     }
@@ -7212,16 +7195,14 @@ static kern_status kern_plain_search(kern_model *m, kern_path *path,
 
 /* The interior point; of what is large and degenerate a second time, on another
    way to the edge. */
-static kern_status kern_plain_inner(kern_model *m, kern_path *path,
-                                    kern_real last)
+static kern_status kern_plain_inner(kern_model *m, kern_path *path)
 {
-    const kern_real holds = path->holds, fails = path->fails;
-    const kern_status status = kern_inner_search(m, path, last, KERN_R(1));
+    const kern_real holds = path->holds;
+    const kern_status status = kern_inner_search(m, path, KERN_R(1));
     if (status == KERN_STANDS || m->groups <= KERN_INNER_WIDE)
         return status;
     path->holds = holds;
-    path->fails = fails;
-    return kern_inner_search(m, path, last, KERN_INNER_COARSE);
+    return kern_inner_search(m, path, KERN_INNER_COARSE);
 }
 
 /* As kern_path_search(), by the interior point, or else, and of what is small
@@ -7229,17 +7210,15 @@ static kern_status kern_plain_inner(kern_model *m, kern_path *path,
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
                                    kern_probe *probe)
 {
-    const kern_real holds = path->holds;
-    const kern_real edge = path->edge, fails = path->fails;
+    const kern_real holds = path->holds, edge = path->edge;
     const kern_query q = kern_path_at(path, holds);
     const int seeded = !probe->fell && path->seed
                        && path->seed->fails > probe->at;
-    const int closed = probe->fell && path->closed;
     kern_status status = KERN_UNDECIDED;
     if (!seeded /* else one verdict from the known forces may do */
         && !kern_model_small(m, kern_model_chain(m) ? KERN_SMALL
                                                     : 2 * KERN_SMALL))
-        status = kern_plain_inner(m, path, closed ? probe->at : path->end);
+        status = kern_plain_inner(m, path);
     if (status == KERN_STANDS)
         return status;
     status = kern_model_plain(m, path->part, &q);
@@ -7247,9 +7226,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
         return status;
     path->holds = holds;
     path->edge = edge; /* that of the interior point may not be exact */
-    if (closed) /* the bracket of the part, in which nothing was found */
-        path->fails = fails;
-    return kern_plain_search(m, path, probe, seeded, closed);
+    return kern_plain_search(m, path, probe, seeded);
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
@@ -7427,7 +7404,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     if (probe.done)
         return KERN_STANDS;
     path->holds = probe.holds;
-    path->closed &= !probe.guess;
     return kern_path_plain(m, path, &probe);
 }
 
