@@ -5712,16 +5712,11 @@ static kern_status kern_model_plain(kern_model *m, kern_part *p,
     return status;
 }
 
-/* Whether the open part falls, what rests on one body alone joined to it, or
-   else every group by itself. */
+/* Whether the open part falls, what rests on one body alone joined to it. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
-    const int groups = p->groups, last = p->group[groups - 1];
     kern_part_join(p);
-    if (kern_part_lay(p) == KERN_OK && kern_part_evaluate(p, q) == KERN_FALLS)
-        return 1;
-    return p->bodies < groups && kern_part_open(p, p->m, groups, last)
-           && kern_part_lay(p) == KERN_OK
+    return kern_part_lay(p) == KERN_OK
            && kern_part_evaluate(p, q) == KERN_FALLS;
 }
 
