@@ -6095,20 +6095,6 @@ static kern_travels kern_travels_of(const kern_structure *s,
     return t;
 }
 
-/* Evaluates at a place beyond `at`; where that is too near to critical to tell,
-   a little aside. */
-static kern_status kern_path_beyond(kern_model *m, kern_path *path,
-                                    kern_real at, kern_real next)
-{
-    kern_status status = kern_path_evaluate(m, path, next);
-    int tries;
-    for (tries = 1; status == KERN_UNDECIDED && tries < 4; tries++)
-        status = kern_path_evaluate(m, path,
-            kern_max(next - path->tolerance * KERN_R(tries) / 4,
-                     at + (next - at) / 2));
-    return status;
-}
-
 /* It stands to the end of the path. */
 static kern_status kern_path_saturate(kern_path *path)
 {
@@ -6129,7 +6115,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
         const kern_real next = kern_min(end, at + step);
         const int before = m->work->pivots;
-        const kern_status status = kern_path_beyond(m, path, at, next);
+        const kern_status status = kern_path_evaluate(m, path, next);
         int pivots;
         if (status == KERN_FALLS)
             return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
@@ -6211,7 +6197,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
         const kern_real next = kern_min(end, at + KERN_R(stride) * step);
         const kern_real holds = path->holds;
-        const kern_status status = kern_path_beyond(m, path, at, next);
+        const kern_status status = kern_path_evaluate(m, path, next);
         if (status < KERN_UNDECIDED)
             return status;
         for (k = stride - 1; k > 0 && status == KERN_STANDS; k--)
