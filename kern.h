@@ -7134,8 +7134,6 @@ static kern_status kern_plain_at(kern_model *m, kern_path *path,
     const kern_real holds = path->holds;
     kern_status status = kern_path_evaluate(m, path, probe->at);
     probe->done = 1;
-    if (status == KERN_STANDS && seeded && kern_seed_falls(m, path))
-        return kern_seed_ends(m, path);
     if (status == KERN_STANDS && seeded)
         return kern_path_climb(m, path, probe->step);
     if (status == KERN_STANDS || status == KERN_FALLS)
