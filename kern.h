@@ -1733,9 +1733,10 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
 /* The travels of the kerns of all contacts from one on. */
 static kern_travels kern_travels_of(const kern_structure *s,
                                     const kern_query *q, int from);
-/* Goes in even steps until it falls, and narrows the bracket there. */
+/* Goes in steps until it falls, and narrows the bracket there; in even steps
+   where verdicts may change more than once. */
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step);
+                                  kern_real step, int even);
 /* The verdict on the whole at a place, by the interior point; in *edge, where
    it falls, where that ends. */
 static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
@@ -2805,7 +2806,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     if (!nested && status == KERN_STANDS) {
         if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-        status = kern_path_walk(m, path, out->most / KERN_SCAN);
+        status = kern_path_walk(m, path, out->most / KERN_SCAN, 1);
     }
     if (path->never && path->end < out->most) /* where the scan said it falls */
         return KERN_UNDECIDED;
@@ -3160,7 +3161,7 @@ static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
     kern_real first = tilt ? KERN_R(0.2) /* 45 degrees, as a factor of 1 */
                            : KERN_R(1);
     if (tilt && kern_model_loaded(m))
-        return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS);
+        return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS, 1);
     if (!m->plain)
         first = kern_push_first(m, path, first);
     return kern_path_search(m, path, first, tilt ? KERN_R(0.0125)
@@ -3293,7 +3294,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
     const kern_status status =
         !shrinks || kern_travels_of(m->s, &path->q, 0).nested
         ? kern_path_search(m, path, step, step)
-        : kern_path_walk(m, path, path->end / KERN_SCAN);
+        : kern_path_walk(m, path, path->end / KERN_SCAN, 1);
     *at = path->edge;
     return status == KERN_STANDS && !path->never ? kern_fall_beyond(m, path)
                                                  : status;
@@ -5746,7 +5747,6 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
 #define KERN_PART_ROUNDS   6       /* evaluations of a part at a time         */
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations to find one                 */
-#define KERN_MANY          8       /* pivots between them                     */
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
 #define KERN_BRACKET_SHARE KERN_R(0.0625) /* of a bracket, of a first step     */
 
@@ -6103,39 +6103,6 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Goes from a place that stands toward the end, until it falls; then finds the
-   edge. Steps grow as long as they need few pivots: far beyond the edge the
-   simplex has much to do that is of no use. */
-static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real step)
-{
-    const kern_real end = path->end, least = step / 4;
-    kern_real at = path->holds;
-    int round;
-    for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        const kern_real next = kern_min(end, at + step);
-        const int before = m->work->pivots;
-        const kern_status status = kern_path_evaluate(m, path, next);
-        int pivots;
-        if (status == KERN_FALLS)
-            return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (status != KERN_STANDS)
-            return status;
-        if (next >= end)
-            return kern_path_saturate(path);
-        at = next;
-        pivots = m->work->pivots - before;
-        if (3 * pivots < KERN_MANY)
-            step *= KERN_R(1.6);
-        else if (pivots < KERN_MANY)
-            step *= KERN_R(1.25);
-        else if (pivots > 2 * KERN_MANY)
-            step *= KERN_R(0.7);
-        step = kern_max(step, kern_max(least, at / 16));
-    }
-    return KERN_UNDECIDED;
-}
-
 /* Row of point c about the first point of its pair, the unit of torques being
    the mean size; adds what its force exerts to b. */
 static void kern_walk_row(const kern_model *m, const kern_contact *first,
@@ -6186,10 +6153,11 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
     return 1;
 }
 
-/* The same in even steps, where verdicts may change more than once. Steps at
-   which forces found farther on hold it too are left out. */
+/* Goes from a place that stands toward the end, until it falls; then finds the
+   edge. Steps grow. Even ones, where verdicts may change more than once, are left
+   out where forces found farther on hold it too. */
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step)
+                                  kern_real step, int even)
 {
     const kern_real end = path->end;
     kern_real at = path->holds, fell = KERN_INFINITY;
@@ -6220,7 +6188,9 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
         if (next >= end)
             return kern_path_saturate(path);
         at = next;
-        if (path->kind == KERN_PATH_SHRINK)
+        if (!even)
+            step *= KERN_R(1.5);
+        else if (path->kind == KERN_PATH_SHRINK)
             stride *= 2;
         while (stride > 1 && !(at + KERN_R(stride) * step < fell))
             stride /= 2;
@@ -7127,23 +7097,6 @@ typedef struct kern_probe {
     int done;                 /* nonzero: the search is over                  */
 } kern_probe;
 
-/* Begins at the next place, where something is known about it. */
-static kern_status kern_plain_at(kern_model *m, kern_path *path,
-                                 kern_probe *probe, int seeded)
-{
-    const kern_real holds = path->holds;
-    kern_status status = kern_path_evaluate(m, path, probe->at);
-    probe->done = 1;
-    if (status == KERN_STANDS && seeded)
-        return kern_path_climb(m, path, probe->step);
-    if (status == KERN_STANDS || status == KERN_FALLS)
-        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-    probe->done = status == KERN_STANDS && path->holds > holds;
-    if (!probe->done)
-        path->holds = holds;
-    return status;
-}
-
 /* Climbs from path->holds, or from the next place where that is the start; if
    it does not stand there, from the start. */
 static kern_status kern_plain_climb(kern_model *m, kern_path *path,
@@ -7154,21 +7107,27 @@ static kern_status kern_plain_climb(kern_model *m, kern_path *path,
     kern_status status = kern_path_evaluate(m, path, at);
     if ((status == KERN_FALLS || status == KERN_UNDECIDED) && at > path->start)
         status = kern_path_evaluate(m, path, path->start);
-    return status == KERN_STANDS ? kern_path_climb(m, path, probe->step)
+    return status == KERN_STANDS ? kern_path_walk(m, path, probe->step, 0)
                                  : status;
 }
 
 /* Begins at the next place where something is known, or a part of what is small
    fell; else, or if it is not decided there, it climbs. */
 static kern_status kern_plain_search(kern_model *m, kern_path *path,
-                                     kern_probe *probe, int seeded)
+                                     const kern_probe *probe, int seeded)
 {
     const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
-    if (probe->at > path->holds && (small || seeded)) {
-        const kern_status status = kern_plain_at(m, path, probe, seeded);
-        if (probe->done)
-            return status;
-    }
+    const kern_real holds = path->holds;
+    kern_status status = KERN_UNDECIDED;
+    if (probe->at > holds && (small || seeded))
+        status = kern_path_evaluate(m, path, probe->at);
+    if (status == KERN_STANDS && seeded)
+        return kern_path_walk(m, path, probe->step, 0);
+    if (status == KERN_STANDS || status == KERN_FALLS)
+        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+    if (status == KERN_STANDS && path->holds > holds)
+        return status;
+    path->holds = holds;
     return kern_plain_climb(m, path, probe);
 }
 
@@ -7187,7 +7146,7 @@ static kern_status kern_plain_inner(kern_model *m, kern_path *path)
 /* As kern_path_search(), by the interior point, or else, and of what is small
    at once, by the linear program of the whole. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_probe *probe)
+                                   const kern_probe *probe)
 {
     const kern_real holds = path->holds, edge = path->edge;
     const kern_query q = kern_path_at(path, holds);
