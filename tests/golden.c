@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xbeac16960f099398u },
-    { 1000, 0xa3a4bdeb4aa803ddu },
-    { 5000, 0x09811b1fbfcd9ff3u },
+    { 200, 0x1c681fdb4464ef35u },
+    { 1000, 0xde63a02da542f2bdu },
+    { 5000, 0xd6607f267b52798bu },
 #else
-    { 200, 0x3340a0f12db17173u },
-    { 1000, 0x3233a07c6d470b01u },
-    { 5000, 0xbc2019fa6f23861bu },
+    { 200, 0xa26fda95d4859b49u },
+    { 1000, 0x0218ffa1ad7a812du },
+    { 5000, 0xd82a6e367bd202bdu },
 #endif
 };
 
