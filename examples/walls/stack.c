@@ -442,25 +442,26 @@ static void print_row(const char *name, const struct row *r)
 static double fill_of(const struct measures_of *m, double width, double height)
 {
     enum { PLACES = 400 };
-    double low = HUGE_VAL, high = -HUGE_VAL, most = 0;
+    double low = HUGE_VAL, high = -HUGE_VAL, most = 0, sum[PLACES + 1] = { 0 };
     for (int i = 0; i < m->task.s.blocks; i++) {
         const kern_block *b = &m->task.s.block[i];
         if (b->fixed) continue;
         low = fmin(low, b->box.low.x);
         high = fmax(high, b->box.high.x);
     }
-    for (int k = 0; k <= PLACES; k++) {
-        double x = low + (high - low - width) * k / PLACES, sum = 0;
-        for (int i = 0; i < m->task.s.blocks; i++) {
-            const kern_block *b = &m->task.s.block[i];
-            struct stone s;
-            if (b->fixed || stone_of(&s, b->vertex, b->vertices)) continue;
-            stone_move(&s, stones_vec(b->centre.x - x, b->centre.y));
-            sum += stone_area_in(&s, width, height);
+    for (int i = 0; i < m->task.s.blocks; i++) {
+        const kern_block *b = &m->task.s.block[i];
+        struct stone s;
+        if (b->fixed || stone_of(&s, b->vertex, b->vertices)) continue;
+        for (int k = 0; k <= PLACES; k++) {
+            const double x = low + (high - low - width) * k / PLACES;
+            struct stone there = s;
+            stone_move(&there, stones_vec(b->centre.x - x, b->centre.y));
+            sum[k] += stone_area_in(&there, width, height);
         }
-        most = fmax(most, sum / (width * height));
     }
-    return most;
+    for (int k = 0; k <= PLACES; k++) most = fmax(most, sum[k]);
+    return most / (width * height);
 }
 
 static int print_other(const struct settings *o, const char *path, double size)
