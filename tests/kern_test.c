@@ -3989,51 +3989,44 @@ static void lp_of_no_cost(void)
     CHECK_NEAR(p.y[0], -2. / 35, 4 * EPS);
 }
 
+/* Rows of coefficients, each with its right-hand side, and the least cost. */
 static void lp_kinds(void)
 {
-    /* x + y = 2, x - y = 0 */
-    static const double one[] = {1, 1, 2, 1, -1, 0};
-    static const double redundant[] = {1, 1, 2, 2, 2, 4, 1, -1, 0, 3, 1, 4};
-    static const double never[] = {1, 1, 2, 1, 1, 3};
-    static const double negative[] = {1, 1, -1};
-    static const double vertex[] = {1, 1, 1, 0, 1, 1, 1, 0,
-                                    1, 1, 1, 1, 0, 0, 1};
-    static const double ray[] = {1, -1, 1};
-    static const double cost_up[] = {1, 1}, cost_down[] = {-1, -1};
-    static const double cost3[] = {1, 2, 3, -1};
-    static const double zeros[] = {0, 0, 0, 0, 0, 0};
+    static const struct {
+        int rows, cols, with_cost, want;
+        double table[15], cost[4], least;
+    } kind[] = {
+        {2, 2, 0, KERN_LP_OPTIMAL, {1, 1, 2, 1, -1, 0}, {0}, 0},
+        {4, 2, 1, KERN_LP_OPTIMAL, {1, 1, 2, 2, 2, 4, 1, -1, 0, 3, 1, 4},
+         {1, 1}, 2}, /* redundant rows */
+        {2, 2, 0, KERN_LP_INFEASIBLE, {1, 1, 2, 1, 1, 3}, {0}, 0},
+        {1, 2, 1, KERN_LP_INFEASIBLE, {1, 1, -1}, {1, 1}, 0},
+        {3, 4, 1, KERN_LP_OPTIMAL, /* a degenerate vertex */
+         {1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 1, 0, 0, 1}, {1, 2, 3, -1}, 1},
+        {1, 2, 1, KERN_LP_OPTIMAL, {1, -1, 1}, {1, 1}, 1}, /* a ray */
+        {1, 2, 1, KERN_LP_UNBOUNDED, {1, -1, 1}, {-1, -1}, 0},
+        {1, 2, 0, KERN_LP_OPTIMAL, {1, -1, 1}, {0}, 0},
+        {2, 2, 1, KERN_LP_OPTIMAL, {0}, {1, 1}, 0},
+        {2, 2, 1, KERN_LP_UNBOUNDED, {0}, {-1, -1}, 0},
+    };
+    static const double nothing[] = {0}, something[] = {2};
     program p;
+    size_t i;
     int got;
-    program_set(&p, 2, 2, one, NULL);
-    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
-    CHECK_NEAR(p.x[0], 1, 1e3 * EPS);
-    CHECK_NEAR(p.x[1], 1, 1e3 * EPS);
-    program_set(&p, 4, 2, redundant, cost_up);
-    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
-    CHECK_NEAR(program_cost(&p), 2, 1e3 * EPS);
-    program_set(&p, 2, 2, never, NULL);
-    CHECK_INT(program_solve(&p), KERN_LP_INFEASIBLE);
-    program_set(&p, 1, 2, negative, cost_up);
-    CHECK_INT(program_solve(&p), KERN_LP_INFEASIBLE);
-    program_set(&p, 3, 4, vertex, cost3);
-    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
-    program_set(&p, 1, 2, ray, cost_up);
-    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
-    CHECK_NEAR(program_cost(&p), 1, 1e3 * EPS);
-    program_set(&p, 1, 2, ray, cost_down);
-    CHECK_INT(program_solve(&p), KERN_LP_UNBOUNDED);
-    program_set(&p, 1, 2, ray, NULL);
-    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
-    program_set(&p, 2, 2, zeros, cost_up);
-    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
-    CHECK_NEAR(program_cost(&p), 0, 0);
-    program_set(&p, 2, 2, zeros, cost_down);
-    CHECK_INT(program_solve(&p), KERN_LP_UNBOUNDED);
+    for (i = 0; i < sizeof kind / sizeof *kind; i++) {
+        sprintf(context, "(program %d)", (int)i);
+        program_set(&p, kind[i].rows, kind[i].cols, kind[i].table,
+                    kind[i].with_cost ? kind[i].cost : NULL);
+        CHECK_INT(program_solve(&p), kind[i].want);
+        if (kind[i].want == KERN_LP_OPTIMAL && kind[i].with_cost)
+            CHECK_NEAR(program_cost(&p), kind[i].least, 1e3 * EPS);
+    }
+    context[0] = 0;
     /* no columns: solved where the right-hand side is zero, or not taken */
-    program_set(&p, 1, 0, zeros, NULL);
+    program_set(&p, 1, 0, nothing, NULL);
     got = program_solve(&p);
     CHECK(got == KERN_LP_OPTIMAL || got == KERN_BAD_COUNT);
-    program_set(&p, 1, 0, never + 2, NULL);
+    program_set(&p, 1, 0, something, NULL);
     got = program_solve(&p);
     CHECK(got == KERN_LP_INFEASIBLE || got == KERN_BAD_COUNT);
 }
