@@ -71,11 +71,9 @@
            printf("level %d, margin %g m\n", m.level, m.margin);
 
    Compare a verdict with == KERN_STANDS: both verdicts are true as a condition.
-   A negative count of contacts is the status of the search, and every call that
-   takes the task returns it. The forces of kern_measure() are those at
-   m.holds, with every contact shrunk; those of the structure as it stands come
-   from kern_verdict(&task, 0, &proof). examples/one_block.c is the same program
-   with all checks, examples/kern.c the program for the command line.
+   The forces of the structure as it stands come from kern_verdict(&task, 0,
+   &proof). examples/one_block.c is the same program with all checks,
+   examples/kern.c the program for the command line.
    "multiple definition of kern_...": KERN_IMPLEMENTATION is in more than one
    file; "undefined reference": in none, or in one of the other precision.
 
@@ -261,9 +259,8 @@
    profile     how much worse it gets after that: every stone's own margin or
                load factor, their mean, the mean of the weaker half, and the
                expected drop
-   raised      whether the load raises the forces that hold it; reserve: up to
-               what share of gravity pushing sideways, with contacts shrunk by
-               that share of the mean size, this can still be shown
+   raised      whether the load raises the forces that hold it, and with what
+               reserve: see kern_raised()
    sensitivity which way a stone should move or turn, and how exactly it must
                lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
@@ -313,10 +310,8 @@
                                      stays    moves     unclear
                                       kept   rejected   rejected
        raised                         0.99     0.48       0.19
-       reserve at least 0.003         0.98     0.79       0.52
        reserve at least 0.005         0.96     0.89       0.66
        reserve at least 0.0055        0.96     0.91       0.70
-       reserve at least 0.007         0.95     0.92       0.75
        reserve at least 0.02          0.85     0.97       0.88
        load factor above 0.02         0.92     0.67       0.59
        margin above 0.03 mean sizes   0.94     0.57       0.49
@@ -827,7 +822,9 @@ typedef struct kern_lp {
    contacts up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL,
    KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, and
    where the number of contacts is below -1 that status of kern_contacts(), with
-   the fault as it left it. Numbers that could not be squared or multiplied
+   the fault as it left it. With KERN_LIMIT the number that a search was asked
+   for is the largest that is proven to stand by then, below 0 if none is.
+   Numbers that could not be squared or multiplied
    safely are refused, with the block in the fault: a centre, a place or a
    travel above 1e100 m (KERN_BAD_NUMBER), a mass as in kern_block_init()
    (KERN_BAD_MASS), an area below that or above 1e200 m^2 (KERN_NO_AREA,
@@ -1077,10 +1074,9 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    lone point has no length and is never left out. KERN_STANDS: *length,
    KERN_INFINITY where it needs no contact that has a length; proof->force holds
    the structure by those contacts, proof->motion moves it without the shortest
-   of them. KERN_FALLS: it falls with all contacts. KERN_LIMIT: *length is the
-   largest by which it is proven to stand, -1 if it is not yet. What is
-   undecided without a contact needs it. Time: C, and one verdict for each time
-   that the search halves the interval of lengths, on a logarithmic scale. */
+   of them. KERN_FALLS: it falls with all contacts. What is undecided without a
+   contact needs it. Time: C, and one verdict for each time that the search
+   halves the interval of lengths, on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
@@ -1088,8 +1084,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
    kerns shrunk by `shrink`. KERN_STANDS: *factor, KERN_INFINITY where it stands
    at 1,000,000; proof as in kern_measure(), for the loads at the factor.
    KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or neither KERN_LEFT
-   nor KERN_RIGHT. KERN_LIMIT: *factor is the largest that is proven to stand,
-   -1 if none is. */
+   nor KERN_RIGHT. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
@@ -1104,8 +1099,7 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
 
 /* The first angle [rad] at which it falls when gravity turns toward a side.
    With loads, gaps between angles that stand are seen if wider than 1/100.
-   KERN_FALLS: it falls at 0. KERN_BAD_OPTION as above. KERN_LIMIT: *angle is
-   the largest that is proven to stand, negative if none is. */
+   KERN_FALLS: it falls at 0. KERN_BAD_OPTION as above. */
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
@@ -1267,11 +1261,14 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* Conditions that hold whatever the caller hands in; off, unless a test build
-   defines it. With KERN_AUDIT, the most rows it looks at, the engine checks its
-   whole state after every pivot. */
+/* Conditions that hold whatever the caller hands in, and what looks at the whole
+   state of the engine after every pivot (tests/audit.h); off, unless a test
+   build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
+#endif
+#ifndef KERN_AUDIT
+#define KERN_AUDIT(simplex) ((void)0)
 #endif
 
 #define KERN_R(x) ((kern_real)(x))
@@ -2645,7 +2642,6 @@ typedef struct kern_simplex {
     int room;               /* for entries of all, in groups                  */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
-    int stale;              /* the matrix has changed since                   */
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
@@ -3261,11 +3257,11 @@ static void kern_fall_add(kern_fall *fall, int i, kern_real at)
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
-    kern_status status = kern_path_evaluate(m, path, beyond);
+    kern_status status = KERN_UNDECIDED;
     int tries;
-    for (tries = 0; status == KERN_UNDECIDED && tries < 8; tries++) {
-        beyond += path->tolerance;
+    for (tries = 0; status == KERN_UNDECIDED && tries < 9; tries++) {
         status = kern_path_evaluate(m, path, beyond);
+        beyond += path->tolerance;
     }
     return status;
 }
@@ -3562,8 +3558,7 @@ static kern_real kern_contact_gain(const kern_structure *s,
     const kern_contact *c = s->contact + i;
     const kern_vec t = kern_vec_turn(c->n);
     const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
-    const kern_vec force = kern_vec_make(f * c->n.x + r * t.x,
-                                         f * c->n.y + r * t.y);
+    const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
     kern_real rate, shift, spin;
@@ -3596,10 +3591,9 @@ static void kern_block_gain(const kern_structure *s, int i,
     out->load.fx = motion[i].vx * one;
     out->load.fy = motion[i].vy * one;
     out->load.torque = motion[i].spin * one;
-    out->centre = kern_vec_make(out->load.torque * w.fy,
-                                -out->load.torque * w.fx);
+    out->place = out->centre = kern_vec_make(out->load.torque * w.fy,
+                                             -out->load.torque * w.fx);
     out->mass = s->gravity.x * out->load.fx + s->gravity.y * out->load.fy;
-    out->place = out->centre;
     out->turn = KERN_R(0);
 }
 
@@ -3659,14 +3653,13 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
                                                      + KERN_TRAVEL * size);
         const kern_real part = c->line ? KERN_R(0.5) : owns;
         const kern_real turn = c->line ? KERN_R(0.5) : 1 - owns;
-        const kern_vec way = kern_vec_make(
-            owns * along * t.x + part * across * c->n.x,
-            owns * along * t.y + part * across * c->n.y);
+        const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
+                                           part * across, c->n);
         kern_block_rate *to = out + (end ? c->b : c->a);
-        if (!b->vertex)
-            continue;
-        to->place = kern_vec_add(to->place, way);
-        to->turn += kern_vec_cross(r, way) + turn * rate[i].turn;
+        if (b->vertex) {
+            to->place = kern_vec_add(to->place, way);
+            to->turn += kern_vec_cross(r, way) + turn * rate[i].turn;
+        }
     }
 }
 
@@ -5338,7 +5331,6 @@ static void kern_part_set(kern_part *p, const kern_query *q)
             f[3] = arm[2] + mu * arm[3];
         }
     }
-    p->simplex.stale = 1;
 }
 
 /* How y moves group n of the part. */
@@ -7905,17 +7897,6 @@ static void kern_parts_set(kern_parts *parts, const kern_block *block)
     parts->straight = straight;
 }
 
-/* The first vertex from i on whose part is near the box; not below the number
-   of vertices if there is none. */
-static int kern_parts_near(const kern_parts *parts, int i, const kern_box *box,
-                           kern_real gap)
-{
-    while (i < parts->block->vertices &&
-           !kern_box_near(&parts->box[i / parts->each], box, gap))
-        i += parts->each - i % parts->each;
-    return i;
-}
-
 /* ---- edges ---- */
 
 /* The way from one corner to another, counter-clockwise: an edge or a chord. */
@@ -7956,9 +7937,11 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
                           const kern_box *box, kern_real gap)
 {
     const kern_block *block = parts->block;
-    int i = e->at, corner;
-    while ((i = kern_parts_near(parts, i + 1, box, gap)) < block->vertices)
-        if (!parts->straight || kern_polygon_turn(block, i) != 0) {
+    int i, corner;
+    for (i = e->at + 1; i < block->vertices; i++)
+        if (!kern_box_near(&parts->box[i / parts->each], box, gap)) {
+            i += parts->each - i % parts->each - 1;
+        } else if (!parts->straight || kern_polygon_turn(block, i) != 0) {
             corner = kern_parts_corner(parts, i);
             kern_box_set(&e->box, block->vertex[i], block->vertex[corner]);
             if (kern_box_near(&e->box, box, gap)) {
@@ -8528,29 +8511,26 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
    dropped where its normal is far from that of the chord: it is that of the
    step's own edge. */
 
-/* Does direction d lead to the inner side of the chord, by more than a chord of
-   some steps may be off? */
-static int kern_chord_inward(const kern_edge *e, kern_vec d)
-{ return kern_vec_cross(d, e->d) < -KERN_STEP_SINE * kern_vec_length(d); }
-
 /* A point at *p on chord e is the nearer end of chord f of the block. 0: that
    end does not stand there, since one of the ways from it leads to the inner
-   side, as between two stones whose corners meet. */
+   side, as between two stones whose corners meet: by more than a chord of some
+   steps may be off. */
 static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
                              const kern_block *block, kern_real step,
                              kern_vec *p)
 {
     const int back = 2 * kern_edge_along(f, *p) <= f->length;
     const int corner = back ? f->start : f->end;
+    const kern_vec chord = kern_vec_scale(f->d, back ? KERN_R(1) : KERN_R(-1));
     kern_vec way;
     int i = corner;
     *p = back ? f->p : f->q;
     do {
         i = kern_polygon_next(block, i, back == (block->area > 0));
-        way = kern_vec_sub(block->vertex[i], block->vertex[corner]);
+        way = kern_vec_sub(block->vertex[i], *p);
     } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * step);
-    return !kern_chord_inward(e, way) &&
-           !kern_chord_inward(e, kern_vec_sub(back ? f->q : f->p, *p));
+    return kern_vec_cross(chord, e->d) >= -KERN_STEP_SINE &&
+           kern_vec_cross(way, e->d) >= -KERN_STEP_SINE * kern_vec_length(way);
 }
 
 /* Adds a contact of edges i of a and k of b, on their chords: midway between
@@ -8588,9 +8568,9 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
     } else {
         return;
     }
-    half *= kern_vec_dot(kern_vec_outward(t), n);
-    if (kern_vec_dot(kern_vec_outward(t), n) > KERN_GOES_ON)
-        kern_pair_put(pair, q, kern_vec_outward(t), half);
+    t = kern_vec_outward(t);
+    if (kern_vec_dot(t, n) > KERN_GOES_ON)
+        kern_pair_put(pair, q, t, half * kern_vec_dot(t, n));
 }
 
 /* ---- lines and points ---- */
@@ -9144,8 +9124,7 @@ static kern_status kern_search_last(kern_search *s)
 /* Checks what is handed in, `out` with so much room as well. */
 static kern_status kern_search_open(kern_search *s, const kern_block *block,
                                     int blocks, const kern_options *options,
-                                    kern_contact *out, int room,
-                                    kern_work *work)
+                                    void *out, int room, kern_work *work)
 {
     kern_status status;
     if (!work)
@@ -9167,62 +9146,49 @@ static kern_status kern_search_open(kern_search *s, const kern_block *block,
     s->block = block;
     s->blocks = blocks;
     s->options = options;
-    s->pair.out = out;
+    s->pair.out = (kern_contact *)out;
+    s->overlap = (kern_overlap *)out;
     s->pair.room = room;
-    s->pair.count = 0;
-    s->overlap = NULL;
-    s->listing = s->overlaps = 0;
+    s->pair.count = s->overlaps = s->listing = 0;
     return KERN_OK;
 }
 
-/* Contacts of all blocks, or those of the last one alone. */
-static int kern_search_contacts(const kern_block *block, int blocks, int last,
-                                const kern_options *options, kern_contact *out,
-                                int room, kern_work *work)
+/* Contacts of all blocks, or of the last one alone, or a list of overlaps. */
+static int kern_search_run(const kern_block *block, int blocks, int last,
+                           int listing, const kern_options *options, void *out,
+                           int room, kern_work *work)
 {
     kern_search s;
     kern_status status =
         kern_search_open(&s, block, blocks, options, out, room, work);
+    s.listing = listing;
     s.from = last ? blocks - 1 : 0;
     if (status >= 0)
         status = kern_search_survey(&s);
     if (status >= 0)
         status = last ? kern_search_last(&s) : kern_search_sweep(&s, work);
-    return status < 0 ? (int)status : kern_search_close(&s);
+    if (status < 0)
+        return (int)status;
+    return listing ? s.overlaps : kern_search_close(&s);
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work)
-{ return kern_search_contacts(block, blocks, 0, options, out, room, work); }
+{ return kern_search_run(block, blocks, 0, 0, options, out, room, work); }
 
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work)
 {
     return b < 0 ? (int)KERN_BAD_COUNT
-        : kern_search_contacts(block, b + 1, 1, options, out, room, work);
+        : kern_search_run(block, b + 1, 1, 0, options, out, room, work);
 }
 
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work)
-{
-    kern_search s;
-    kern_status status =
-        kern_search_open(&s, block, blocks, options, NULL, 0, work);
-    if (status >= 0 && (room < 0 || (room > 0 && !out)))
-        status = room < 0 ? KERN_BAD_COUNT : KERN_BAD_POINTER;
-    s.from = 0;
-    s.listing = 1;
-    s.overlap = out;
-    s.pair.room = room;
-    if (status >= 0)
-        status = kern_search_survey(&s);
-    if (status >= 0)
-        status = kern_search_sweep(&s, work);
-    return status < 0 ? (int)status : s.overlaps;
-}
+{ return kern_search_run(block, blocks, 0, 1, options, out, room, work); }
 
 /* ---- contacts that are given ---- */
 
@@ -9727,28 +9693,32 @@ static kern_real kern_largest(const kern_real *v, int n)
     return size;
 }
 
-static int kern_lp_head(const kern_program *lp, int j)
-{ return lp->ends[j & ~1]; }
-
-static int kern_lp_tail(const kern_program *lp, int j)
-{ return lp->ends[j | 1]; }
+/* y.A_j of columns j and j + 1, which in a network have the same ends. */
+static void kern_lp_pair(const kern_program *lp, int j, const kern_real *y,
+                         kern_real d[2])
+{
+    int k, i;
+    if (lp->ends) {
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real *h = y + 3 * lp->ends[j], *t = y + 3 * lp->ends[j + 1];
+        const kern_real u = h[0] - t[0], v = h[1] - t[1];
+        d[0] = c[0] * u + c[1] * v + c[2] * h[2] + c[3] * t[2];
+        d[1] = c[4] * u + c[5] * v + c[6] * h[2] + c[7] * t[2];
+        return;
+    }
+    for (k = 0; k < 2; k++) {
+        const kern_real *c = lp->a + (size_t)(j + k) * (size_t)lp->rows;
+        d[k] = KERN_R(0);
+        for (i = 0; i < lp->rows && j + k < lp->cols; i++)
+            d[k] += c[i] * y[i];
+    }
+}
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y)
 {
-    kern_real sum = KERN_R(0);
-    int i;
-    if (lp->ends) {
-        const kern_real *c = lp->a + 4 * (size_t)j;
-        const kern_real *h = y + 3 * kern_lp_head(lp, j);
-        const kern_real *t = y + 3 * kern_lp_tail(lp, j);
-        sum = c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
-              + c[3] * t[2];
-    } else {
-        const kern_real *c = lp->a + (size_t)j * (size_t)lp->rows;
-        for (i = 0; i < lp->rows; i++)
-            sum += c[i] * y[i];
-    }
-    return sum;
+    kern_real d[2];
+    kern_lp_pair(lp, j & ~1, y, d);
+    return d[j & 1];
 }
 
 /* v -= s * column j */
@@ -9758,8 +9728,7 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
     int i;
     if (lp->ends) {
         const kern_real *c = lp->a + 4 * (size_t)j;
-        kern_real *h = v + 3 * kern_lp_head(lp, j);
-        kern_real *t = v + 3 * kern_lp_tail(lp, j);
+        kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
         h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
         t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
     } else {
@@ -9773,8 +9742,8 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
    network. */
 static int kern_lp_first(const kern_program *lp, int j)
 {
-    const int head = lp->ends ? kern_lp_head(lp, j) : 0;
-    const int tail = lp->ends ? kern_lp_tail(lp, j) : 0;
+    const int head = lp->ends ? lp->ends[j & ~1] : 0;
+    const int tail = lp->ends ? lp->ends[j | 1] : 0;
     return head < tail ? head : tail;
 }
 
@@ -9854,31 +9823,21 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     sx->place[q] = p;
 }
 
-/* Of the rows [from, to) that still have their logical, the one in which
-   sx->alpha is largest; KERN_OUT if it is less than `least` there. */
-static int kern_basis_row(const kern_simplex *sx, int from, int to,
-                          kern_real least)
+/* Lets column j enter where it is largest, of the rows [from, to) that still have
+   their logical. 0: it is less than `least` there, or there is no room. */
+static int kern_factor_enter(kern_simplex *sx, int j, int from, int to,
+                             kern_real least)
 {
     int p, best = KERN_OUT;
+    kern_basis_column(sx, j);
     for (p = from; p < to; p++)
         if (sx->base[p] >= sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
             least = kern_abs(sx->alpha[p]);
             best = p;
         }
-    return best;
-}
-
-/* Lets column j enter where sx->alpha is largest in the rows [from, to). 0: it is
-   less than `least` there, or there is no room. */
-static int kern_factor_enter(kern_simplex *sx, int j, int from, int to,
-                             kern_real least)
-{
-    int p;
-    kern_basis_column(sx, j);
-    p = kern_basis_row(sx, from, to, least);
-    if (p == KERN_OUT || kern_basis_full(sx))
+    if (best == KERN_OUT || kern_basis_full(sx))
         return 0;
-    kern_basis_enter(sx, j, p);
+    kern_basis_enter(sx, j, best);
     return 1;
 }
 
@@ -9972,9 +9931,9 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_REFACTOR_TOL;
 }
 
-/* Begins anew from the basic columns, or from the crash basis: after a change of
-   the matrix, and when pivots have made the factors longer or less accurate than
-   they need to be. */
+/* Begins anew from the basic columns, or from the crash basis: for every program,
+   and when pivots have made the factors longer or less accurate than they need
+   to be. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const int rows = sx->lp->rows;
@@ -9987,7 +9946,6 @@ static void kern_basis_refactorise(kern_simplex *sx)
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
     sx->started = 1;
-    sx->stale = 0;
     kern_basis_values(sx);
 }
 
@@ -10048,8 +10006,8 @@ static kern_real kern_prices(kern_simplex *sx)
 static kern_real kern_lp_meets(const kern_program *lp, int j,
                                const kern_real *y)
 {
-    return kern_max(kern_largest(y + 3 * kern_lp_head(lp, j), 3),
-                    kern_largest(y + 3 * kern_lp_tail(lp, j), 3));
+    return kern_max(kern_largest(y + 3 * lp->ends[j & ~1], 3),
+                    kern_largest(y + 3 * lp->ends[j | 1], 3));
 }
 
 /* One step of refinement for y = sx->row: a certificate -y must be zero on the
@@ -10089,67 +10047,36 @@ static void kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
         y[i] = -sx->row[i];
 }
 
-/* y.A_j of columns j and j + 1, which in a network have the same ends. */
-static void kern_lp_pair(const kern_program *lp, int j, const kern_real *y,
-                         kern_real d[2])
-{
-    if (lp->ends) {
-        const kern_real *c = lp->a + 4 * (size_t)j;
-        const kern_real *h = y + 3 * lp->ends[j], *t = y + 3 * lp->ends[j + 1];
-        const kern_real u = h[0] - t[0], v = h[1] - t[1];
-        d[0] = c[0] * u + c[1] * v + c[2] * h[2] + c[3] * t[2];
-        d[1] = c[4] * u + c[5] * v + c[6] * h[2] + c[7] * t[2];
-    } else {
-        d[0] = kern_lp_dot(lp, j, y);
-        d[1] = j + 1 < lp->cols ? kern_lp_dot(lp, j + 1, y) : -KERN_INFINITY;
-    }
-}
-
-/* The column outside of the basis whose gain y.A_j - cost_j is largest above
-   *gain, or the first one above it; y is sx->row. Basic columns have none. */
-static int kern_price(const kern_simplex *sx, const kern_real *cost, int first,
-                      kern_real *gain)
+/* The column outside of the basis that lowers what prices y = sx->row stand for
+   fastest, or the first that does: by *gain = y.A_j - cost_j. One that would
+   have to carry more than lp->most to undo the violations is no help: the bound
+   on the forces of a jam. */
+static int kern_entering(const kern_simplex *sx, kern_real sum, int first,
+                         kern_real *gain)
 {
     const kern_program *lp = sx->lp;
-    kern_real most = *gain;
+    const kern_real *cost = sx->violated ? NULL : lp->cost;
+    const kern_real size = kern_largest(sx->row, lp->rows);
+    kern_real d[2], most = KERN_PIVOT_TOL * size;
     int j, k, best = KERN_OUT;
+    if (!sx->violated && !cost)
+        return KERN_OUT;
+    if (cost || lp->most > 0)
+        most = kern_max(cost ? KERN_FEAS_TOL * kern_largest(cost, lp->cols)
+                             : sum / lp->most, KERN_ROUNDING * size);
     for (j = 0; j < lp->cols; j += 2) {
-        kern_real d[2];
         kern_lp_pair(lp, j, sx->row, d);
-        if (cost) {
-            d[0] -= cost[j];
-            d[1] -= j + 1 < lp->cols ? cost[j + 1] : 0;
-        }
-        if (!(d[0] > most || d[1] > most))
-            continue;
-        for (k = 0; k < 2; k++)
+        for (k = 0; k < 2 && j + k < lp->cols; k++) {
+            d[k] -= cost ? cost[j + k] : KERN_R(0);
             if (d[k] > most && sx->place[j + k] == KERN_OUT) {
                 best = j + k;
                 *gain = most = d[k];
                 if (first)
                     return best;
             }
+        }
     }
     return best;
-}
-
-/* The column that lowers what prices stand for fastest, or the first that does.
-   One that would have to carry more than lp->most to undo the violations is no
-   help: the bound on the forces of a jam. */
-static int kern_entering(const kern_simplex *sx, kern_real sum, int first,
-                         kern_real *gain)
-{
-    const kern_program *lp = sx->lp;
-    const kern_real size = kern_largest(sx->row, lp->rows);
-    if (!sx->violated && !lp->cost)
-        return KERN_OUT;
-    if (!sx->violated)
-        *gain = kern_max(KERN_FEAS_TOL * kern_largest(lp->cost, lp->cols),
-                         KERN_ROUNDING * size);
-    else
-        *gain = lp->most > 0 ? kern_max(sum / lp->most, KERN_ROUNDING * size)
-                             : KERN_PIVOT_TOL * size;
-    return kern_price(sx, sx->violated ? NULL : lp->cost, first, gain);
 }
 
 /* How much the slope of the sum rises when the basic variable of row p, which
@@ -10221,55 +10148,6 @@ static int kern_leaving(const kern_simplex *sx, kern_real gain, int first,
     return best;
 }
 
-#ifdef KERN_AUDIT
-/* Bases of float, and of jams, may be nearly singular. */
-#define KERN_AUDIT_TOL KERN_PICK(1e-2, 1e30)
-/* Entries of the matrix beyond which a basis keeps no digits. */
-#define KERN_AUDIT_LARGE KERN_R(1e6)
-
-/* Header and places are inverse to each other, logicals in their rows. */
-static void kern_audit_places(const kern_simplex *sx)
-{
-    const int cols = sx->lp->cols;
-    int p, j;
-    for (j = 0; j < cols; j++)
-        KERN_ASSERT(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
-    for (p = 0; p < sx->lp->rows; p++)
-        KERN_ASSERT(sx->base[p] >= cols ? sx->base[p] == cols + p
-                                        : sx->place[sx->base[p]] == p);
-}
-
-/* And for a network, where rounding is bounded, whether B x = b, and B^-1 B = I
-   for a vector of ones of mixed signs. */
-static void kern_simplex_audit(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    const int m = lp->rows;
-    kern_real v[KERN_AUDIT];
-    int p;
-    if (m + 6 > KERN_AUDIT)
-        return;
-    kern_audit_places(sx);
-    if (!lp->ends || kern_largest(lp->a, 4 * lp->cols) > KERN_AUDIT_LARGE)
-        return;
-    for (p = 0; p < m; p++)
-        v[p] = KERN_R(0);
-    for (p = 0; p < m; p++) {
-        const kern_real want = p % 3 ? KERN_R(1) : KERN_R(-1);
-        if (sx->base[p] < lp->cols)
-            kern_lp_subtract(lp, sx->base[p], -want, v);
-        else
-            v[p] += want;
-    }
-    kern_basis_solve(sx, v);
-    for (p = 0; p < m; p++)
-        KERN_ASSERT(kern_abs(v[p] - (p % 3 ? KERN_R(1) : KERN_R(-1)))
-                    <= KERN_AUDIT_TOL);
-    KERN_ASSERT(kern_basis_residual(sx) <= KERN_AUDIT_TOL
-                || !(kern_largest(sx->value, m) > 0));
-}
-#endif
-
 /* Counts a pivot: a column, prices, and what both cost of factors. */
 static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 {
@@ -10295,9 +10173,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
     sx->value[p] = step;
     sx->refined = 0;
     work->pivots++;
-#ifdef KERN_AUDIT
-    kern_simplex_audit(sx);
-#endif
+    KERN_AUDIT(sx);
     if (kern_basis_full(sx) || sx->factors >= sx->factored + KERN_REFACTOR)
         kern_basis_refactorise(sx);
     return KERN_OK;
@@ -10323,21 +10199,20 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
         if (sx->refined && sx->violated)
             kern_prices_refine(sx, KERN_R(0), 0);
         q = kern_entering(sx, sum, first, &gain);
-        if (q == KERN_OUT && sx->refined)
-            return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (q != KERN_OUT) {
             kern_basis_column(sx, q);
             p = kern_leaving(sx, gain, first, &step);
         }
-        if (p == KERN_OUT && sx->refined) {
-            sx->ray = q;
-            return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
-        }
-        if (p == KERN_OUT) {
+        if (p == KERN_OUT && !sx->refined) {
             if (!kern_basis_values(sx))
                 kern_basis_refactorise(sx);
             continue;
         }
+        sx->ray = q;
+        if (q == KERN_OUT)
+            return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
+        if (p == KERN_OUT)
+            return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
         status = kern_simplex_pivot(sx, work, q, p, step);
         if (status != KERN_OK)
             return status;
@@ -10356,7 +10231,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows, n = (m + 2) / 3;
     sx->lp = lp;
-    sx->started = sx->stale = sx->violated = 0;
+    sx->started = sx->violated = 0;
     sx->groups = n;
     sx->room = room;
     sx->most = 2 * m + 8;
@@ -10420,10 +10295,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     }
 #endif
     (void)own;
-    if (!sx->started || sx->stale)
-        kern_basis_refactorise(sx);
-    else
-        kern_basis_values(sx);
+    kern_basis_refactorise(sx);
     kern_pivot_spend(sx, work);
     status = kern_spent(work, lp->limit, KERN_OK);
     if (status == KERN_OK)
@@ -10452,100 +10324,86 @@ static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
             v[i] = KERN_R(0);
 }
 
+/* What the sum of u v over n numbers, those of v so far apart, leaves of `from`;
+   in `terms` the sum of all without signs. */
+static kern_real kern_lp_left(kern_real from, const kern_real *u,
+                              const kern_real *v, int apart, int n,
+                              kern_real *terms)
+{
+    int i;
+    *terms = kern_abs(from);
+    for (i = 0; i < n; i++, v += apart) {
+        from -= u[i] * *v;
+        *terms += kern_abs(u[i] * *v);
+    }
+    return from;
+}
+
 /* A x = rhs (a ray: A x = 0), each row to KERN_TOL of its own terms? */
 static int kern_lp_rows(const kern_program *lp, const kern_real *x, int ray)
 {
-    int i, j;
-    for (i = 0; i < lp->rows; i++) {
-        kern_real left = ray ? KERN_R(0) : lp->rhs[i], terms = kern_abs(left);
-        for (j = 0; j < lp->cols; j++) {
-            const kern_real part = x[j]
-                * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
-            left -= part;
-            terms += kern_abs(part);
-        }
-        if (!(kern_abs(left) <= KERN_TOL * terms) || !kern_is_finite(terms))
+    kern_real left, terms = KERN_R(0);
+    int i;
+    for (i = 0; i < lp->rows && kern_is_finite(terms); i++) {
+        left = kern_lp_left(ray ? KERN_R(0) : lp->rhs[i], x, lp->a + i,
+                            lp->rows, lp->cols, &terms);
+        if (!(kern_abs(left) <= KERN_TOL * terms))
             return 0;
     }
-    return 1;
+    return kern_is_finite(terms);
 }
 
-/* No column gains by y, each to KERN_TOL of its own terms? */
+/* cost - y.A >= 0, each column to KERN_TOL of its own terms? */
 static int kern_lp_columns(const kern_program *lp, const kern_real *y,
                            const kern_real *cost)
 {
-    int i, j;
-    for (j = 0; j < lp->cols; j++) {
-        kern_real d = cost ? cost[j] : KERN_R(0), terms = kern_abs(d);
-        for (i = 0; i < lp->rows; i++) {
-            const kern_real part = y[i]
-                * lp->a[(size_t)j * (size_t)lp->rows + (size_t)i];
-            d += cost ? -part : part;
-            terms += kern_abs(part);
-        }
-        if (!(d >= -KERN_TOL * terms) || !kern_is_finite(terms))
+    kern_real left, terms = KERN_R(0);
+    int j;
+    for (j = 0; j < lp->cols && kern_is_finite(terms); j++) {
+        left = kern_lp_left(cost ? cost[j] : KERN_R(0), y,
+                            lp->a + (size_t)j * (size_t)lp->rows, 1, lp->rows,
+                            &terms);
+        if (!((cost ? left : -left) >= -KERN_TOL * terms))
             return 0;
     }
-    return 1;
-}
-
-/* Adds up u . v; in `terms` without signs. */
-static kern_real kern_lp_sum(const kern_real *u, const kern_real *v, int n,
-                             kern_real *terms)
-{
-    kern_real sum = KERN_R(0);
-    int i;
-    *terms = KERN_R(0);
-    for (i = 0; i < n; i++) {
-        sum += u[i] * v[i];
-        *terms += kern_abs(u[i] * v[i]);
-    }
-    return sum;
-}
-
-/* Do the prices y pay for every column, and for the whole that value? */
-static int kern_lp_pays(const kern_program *lp, const kern_real *y,
-                        kern_real value, kern_real spent)
-{
-    kern_real paid, gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid);
-    return kern_lp_columns(lp, y, lp->cost)
-           && kern_abs(value - gain) <= KERN_TOL * (spent + paid)
-           && kern_is_finite(spent + paid);
+    return kern_is_finite(terms);
 }
 
 /* Whether x, or y, proves the status, by products with the matrix alone. Every
    row and every column is measured by its own terms, so units do not matter.
-   What is not a number proves nothing. Where nothing else is in a row the last
-   digits of x are all there is: if need be they are taken out. */
+   What is not a number proves nothing. */
+static int kern_lp_holds(const kern_program *lp, const kern_real *x,
+                         const kern_real *y, kern_status status)
+{
+    const int ray = status == KERN_LP_UNBOUNDED;
+    kern_real paid, spent, value;
+    const kern_real gain = -kern_lp_left(KERN_R(0), y, lp->rhs, 1, lp->rows,
+                                         &paid);
+    if (status == KERN_LP_INFEASIBLE)
+        return kern_lp_columns(lp, y, NULL) && gain < -KERN_TOL * paid
+               && kern_is_finite(paid);
+    if (!kern_lp_rows(lp, x, ray))
+        return 0;
+    if (!lp->cost)
+        return 1;
+    value = -kern_lp_left(KERN_R(0), lp->cost, x, 1, lp->cols, &spent);
+    if (ray)
+        return value < -KERN_TOL * spent && kern_is_finite(spent);
+    return kern_lp_columns(lp, y, lp->cost) && kern_is_finite(spent + paid)
+           && kern_abs(value - gain) <= KERN_TOL * (spent + paid);
+}
+
+/* The same; where nothing else is in a row the last digits of x or y are all
+   there is: if need be they are taken out. */
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
-    const int ray = status == KERN_LP_UNBOUNDED;
-    kern_real gain, value, paid, spent;
-    if (status == KERN_LP_INFEASIBLE) {
-        if (!kern_lp_columns(lp, y, NULL)) {
-            kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
-            if (!kern_lp_columns(lp, y, NULL))
-                return 0;
-        }
-        gain = kern_lp_sum(y, lp->rhs, lp->rows, &paid);
-        return gain < -KERN_TOL * paid && kern_is_finite(paid);
-    }
     kern_lp_clean(x, lp->cols, KERN_R(0), 1);
-    if (!kern_lp_rows(lp, x, ray)) {
-        kern_lp_clean(x, lp->cols, KERN_ROUNDING, 1);
-        if (!kern_lp_rows(lp, x, ray))
-            return 0;
-    }
-    if (!lp->cost)
+    if (kern_lp_holds(lp, x, y, status))
         return 1;
-    value = kern_lp_sum(lp->cost, x, lp->cols, &spent);
-    if (ray)
-        return value < -KERN_TOL * spent && kern_is_finite(spent);
-    if (kern_lp_pays(lp, y, value, spent))
-        return 1;
+    kern_lp_clean(x, lp->cols, KERN_ROUNDING, 1);
     kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
-    return kern_lp_pays(lp, y, value, spent);
+    return kern_lp_holds(lp, x, y, status);
 }
 
 /* What is wrong with a program, if anything. */

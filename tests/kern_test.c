@@ -2499,6 +2499,20 @@ static void contact_in_a_mouth(void)
     CHECK_INT(world_touch(&w), KERN_OVERLAP);
 }
 
+/* A bowl whose thin floor lies in the ground, which is accepted: the reflex vertex
+   inside stands on nothing. */
+static void contact_of_a_bowl(void)
+{
+    static const double bowl[] = {-1, -0.1, 1, -0.1, 1, 1, 0, 0, -1, 1};
+    static world w;
+    world_reset(&w);
+    world_box(&w, 0, -2, -1, 2, 0);
+    world_polygon(&w, 1, bowl, 5);
+    w.options.gap = R(0.01);
+    w.options.overlap = R(0.2);
+    CHECK_INT(world_touch(&w), 2);
+}
+
 /* Contacts given by the user: blocks, normal, two points, friction, the angle
    tolerance (0: the default) and what kern_contact_make() returns. */
 static const struct {
@@ -9508,6 +9522,7 @@ static const test tests[] = {
     TEST(contact_narrow_seat),
     TEST(contact_overlap),
     TEST(contact_in_a_mouth),
+    TEST(contact_of_a_bowl),
     TEST(contact_stale),
     TEST(count_that_is_a_status),
     TEST(contact_given),

@@ -22,8 +22,7 @@ sanitized() { # sanitized FLAGS...
 }
 
 audited() { # audited FLAGS...: asserts, and the engine's state after each pivot
-    quick gcc -O2 -include assert.h '-DKERN_ASSERT(x)=assert(x)' \
-        -DKERN_AUDIT=2000 "$@"
+    quick gcc -O2 -include tests/audit.h "$@"
 }
 
 random() { # random N: audited, and N more structures against the twin

@@ -1,0 +1,70 @@
+/* audit.h - kern.h with its asserts, and with the whole state of the simplex
+   method checked after every pivot.
+
+   Include it before everything else, as tests/unit.sh does:
+
+       cc -O2 -include tests/audit.h -o kern_test tests/kern_test.c -lm */
+
+#ifndef AUDIT_H
+#define AUDIT_H
+
+#include <assert.h>
+
+struct kern_simplex;
+static void audit(struct kern_simplex *sx);
+
+#define KERN_STATIC
+#define KERN_IMPLEMENTATION
+#define KERN_ASSERT(condition) assert(condition)
+#define KERN_AUDIT(simplex) audit(simplex)
+#include "../kern.h"
+
+/* Bases of float, and of jams, may be nearly singular. */
+#define AUDIT_TOL KERN_PICK(1e-2, 1e30)
+/* Entries of the matrix beyond which a basis keeps no digits. */
+#define AUDIT_LARGE KERN_R(1e6)
+/* Rows of larger programs are not looked at. */
+enum { AUDIT_ROWS = 2000 };
+
+/* Header and places are inverse to each other, logicals in their rows. */
+static void audit_places(const kern_simplex *sx)
+{
+    const int cols = sx->lp->cols;
+    int p, j;
+    for (j = 0; j < cols; j++)
+        assert(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
+    for (p = 0; p < sx->lp->rows; p++)
+        assert(sx->base[p] >= cols ? sx->base[p] == cols + p
+                                   : sx->place[sx->base[p]] == p);
+}
+
+/* And for a network, where rounding is bounded, whether B x = b, and B^-1 B = I
+   for a vector of ones of mixed signs. */
+static void audit(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    const int m = lp->rows;
+    kern_real v[AUDIT_ROWS + 6];
+    int p;
+    if (m > AUDIT_ROWS)
+        return;
+    audit_places(sx);
+    if (!lp->ends || kern_largest(lp->a, 4 * lp->cols) > AUDIT_LARGE)
+        return;
+    for (p = 0; p < m; p++)
+        v[p] = 0;
+    for (p = 0; p < m; p++) {
+        const kern_real want = p % 3 ? KERN_R(1) : KERN_R(-1);
+        if (sx->base[p] < lp->cols)
+            kern_lp_subtract(lp, sx->base[p], -want, v);
+        else
+            v[p] += want;
+    }
+    kern_basis_solve(sx, v);
+    for (p = 0; p < m; p++)
+        assert(kern_abs(v[p] - (p % 3 ? KERN_R(1) : KERN_R(-1))) <= AUDIT_TOL);
+    assert(kern_basis_residual(sx) <= AUDIT_TOL
+           || !(kern_largest(sx->value, m) > 0));
+}
+
+#endif
