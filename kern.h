@@ -2246,6 +2246,8 @@ struct kern_model {
     int *fell;                /* of a group: number of the last part with it  */
     int falls;                /* how many parts fell                          */
     int rigid;                /* nonzero: its groups are joined to bodies     */
+    int leans;                /* nonzero: all forces have one direction ...   */
+    kern_vec lean;            /* ... this: see kern_model_slides()            */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
 };
@@ -2417,7 +2419,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->balanced = KERN_R(0);
     m->narrow = q->narrow;
     m->slope = KERN_R(0);
-    m->groups = m->plain = 0;
+    m->groups = m->plain = m->leans = 0;
     m->known = task->known.force != NULL;
     return KERN_OK;
 }
@@ -2679,6 +2681,7 @@ struct kern_part {
     kern_real *way;           /* four a contact: u and step along n and t     */
     kern_real *factor;
     const kern_real *price;   /* one a contact: see >>raised; or NULL         */
+    int special;              /* nonzero: forces have prices, or lean         */
     int cost;                 /* of a step, in products                       */
     int rounds;               /* that the last forces took                    */
     /* the linear program */
@@ -3841,6 +3844,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     20      /* groups of a unit                        */
+#define KERN_UNIT_LEANS    80      /* the same where forces lean              */
+#define KERN_LEANS         KERN_R(0.95) /* share of friction, where they do   */
 #define KERN_SMALL         16      /* groups of a small structure             */
 #define KERN_REGROWN       16      /* times that a unit of three is joined    */
 #define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
@@ -3915,6 +3920,17 @@ static inline void kern_model_prior(const kern_model *m, int i,
         *wt = m->prior[i].tangential * one / (mu * mu);
 }
 
+/* Contact i's force along t beside that along n where forces are as parallel
+   to m->lean as friction lets them be. */
+static kern_real kern_model_lean(const kern_model *m, int i)
+{
+    const kern_vec n = m->s->contact[i].n;
+    const kern_real along = kern_vec_dot(m->lean, n);
+    const kern_real most = kern_model_mu(m, i) * kern_abs(along);
+    const kern_real side = kern_vec_cross(n, m->lean);
+    return most > 0 ? kern_min(kern_max(side, -most), most) / along : 0;
+}
+
 /* A contact is as stiff as it is long, a point as one of a tenth. */
 static inline kern_real kern_stiffness(const kern_contact *c, kern_real mean)
 { return KERN_R(0.1) + (c->line ? kern_abs(c->travel) / mean : KERN_R(0)); }
@@ -3944,14 +3960,30 @@ static inline void kern_model_carry(const kern_model *m, int i, int end,
     v[2] -= f * n[2] + r * t[2];
 }
 
+/* Of a part with prices, or whose forces lean. */
+static kern_spring kern_spring_special(const kern_part *p, int i,
+                                       kern_real wn, kern_real wt)
+{
+    const kern_model *m = p->m;
+    const kern_contact *c = m->s->contact + i;
+    const kern_real lean = kern_model_lean(m, i);
+    kern_spring s;
+    if (p->price)
+        return kern_spring_press(wn, wt, kern_model_mu(m, i),
+                                 kern_stiffness(c, m->mean));
+    s = kern_spring_of(wn + lean * wt, 0, 0);
+    s.r = lean * s.f;
+    s.nt = lean * s.nn;
+    s.tt = lean * s.nt;
+    return s;
+}
+
 static inline kern_spring kern_part_spring(const kern_part *p, int k,
                                            kern_real wn, kern_real wt)
 {
-    const kern_contact *c = p->m->s->contact + p->contact[k];
-    const kern_real mu = kern_friction(c, p->m->slope);
-    return p->price
-           ? kern_spring_press(wn, wt, mu, kern_stiffness(c, p->m->mean))
-           : kern_spring_of(wn, wt, mu);
+    const int i = p->contact[k];
+    return p->special ? kern_spring_special(p, i, wn, wt)
+                      : kern_spring_of(wn, wt, kern_model_mu(p->m, i));
 }
 
 /* Lays out what the least forces of the part need; 0 if there is no room. */
@@ -3960,6 +3992,7 @@ static int kern_least_lay(kern_part *p, kern_take *take)
     const int n = 3 * p->groups + 3;
     int g, k, end = 0;
     p->price = NULL;
+    p->special = p->m->leans;
     p->first = kern_take_ints(take, p->groups);
     p->offset = kern_take_ints(take, p->groups);
     p->u = kern_take_reals(take, n);
@@ -4654,6 +4687,22 @@ static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
     b[2] += f * row->n[2] + r * row->turn;
 }
 
+/* Makes forces of the rows lean: n + lean t instead of n, and no friction. Of
+   these wt is the lean then. */
+static void kern_rows_lean(const kern_model *m, kern_row *row, int n)
+{
+    int k;
+    for (k = 0; k < n; k++) {
+        kern_row *c = row + k;
+        const kern_real lean = kern_model_lean(m, c->end >> 1), x = c->n[0];
+        c->n[0] -= lean * c->n[1];
+        c->n[1] += lean * x;
+        c->n[2] += lean * c->turn;
+        c->wt = lean;
+        c->mu = KERN_R(0);
+    }
+}
+
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
 static kern_status kern_pour_alone(kern_model *m, int g)
 {
@@ -4666,11 +4715,13 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pour_load(m, g, b);
+    if (m->leans)
+        kern_rows_lean(m, row, n);
     status = kern_pour_solve(row, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_spring s = kern_spring_of(row[k].vn, row[k].vt, row[k].mu);
-        kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f, s.r,
-                        tolerance);
+        kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f,
+                        m->leans ? row[k].wt * s.f : s.r, tolerance);
     }
     return status;
 }
@@ -4808,7 +4859,8 @@ static int kern_pour_parts(kern_part *p)
     kern_least_ways(p, p->u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k + 2;
-        if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
+        if (m->leans
+            || w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
             return 0;
     }
     return power > 0;
@@ -4872,7 +4924,7 @@ static int kern_unit_ends(const kern_model *m, int groups)
     const int most = !kern_model_small(m, 2 * KERN_SMALL) ? KERN_UNIT_MOST
                      : m->groups <= KERN_SMALL && kern_model_chain(m)
                      ? m->s->contacts / m->groups : m->groups / 2;
-    return groups > most || m->regrown < 0;
+    return groups > (m->leans ? KERN_UNIT_LEANS : most) || m->regrown < 0;
 }
 
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
@@ -5656,6 +5708,31 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
     return KERN_STANDS;
 }
 
+/* Whether most contacts are close to sliding where forces are parallel to what
+   pushes the blocks aside: then hardly any others hold it. */
+static int kern_model_slides(kern_model *m, const kern_query *q)
+{
+    const kern_vec down = m->s->gravity;
+    int i, votes = 0;
+    m->lean = q->gravity;
+    if (!q->pattern)
+        m->lean = kern_vec_step(m->lean, q->factor * KERN_R(q->side),
+                                kern_vec_turn(down));
+    if (!(kern_abs(kern_vec_cross(m->lean, down)) > 0))
+        return 0;
+    for (i = 0; i < m->s->contacts; i++) {
+        const kern_vec n = m->s->contact[i].n;
+        const kern_real along = kern_abs(kern_vec_dot(m->lean, n));
+        const kern_real side = kern_abs(kern_vec_cross(n, m->lean));
+        const kern_real most = kern_model_mu(m, i) * along;
+        if (side > most && side < along)
+            votes -= 8;
+        else if (side <= most && side > KERN_LEANS * most)
+            votes++;
+    }
+    return votes > 0;
+}
+
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
    open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pour(kern_model *m, kern_part *p,
@@ -5672,8 +5749,10 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     if (status != KERN_UNDECIDED)
         return status;
     kern_model_set(m, q);
+    m->leans = proven && kern_model_slides(m, q);
     kern_pour_begin(m);
     poured = kern_pour(m, p);
+    m->leans = 0;
     if (poured == KERN_POUR_FALLS)
         return KERN_FALLS;
     if (poured != KERN_POURED)
@@ -5880,15 +5959,28 @@ static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* Where the mechanism p->y that falls at s stops to fall: Newton's method. */
+/* The place at which gravity is turned from where it is at s by an angle of
+   tangent t. */
+static kern_real kern_path_turned(kern_real s, kern_real t)
+{
+    t = t / (1 + KERN_SQRT(1 + t * t));
+    t = t / (1 + KERN_SQRT(1 + t * t));
+    return (s + t) / (1 - s * t);
+}
+
+/* Where the mechanism p->y that falls at s stops to fall: Newton's method, which
+   is exact but for bends, and for loads that do not turn. */
 static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
     const kern_real power = kern_dot(p->y, p->rhs, 3 * p->bodies);
-    return path->kind == KERN_PATH_SHRINK
-           ? kern_shrink_edge(p, path->holds, s, power)
-           : s - power / kern_load_rate(path, q, s);
+    kern_real share;
+    if (path->kind == KERN_PATH_SHRINK)
+        return kern_shrink_edge(p, path->holds, s, power);
+    share = power / kern_load_rate(path, q, s);
+    return path->kind == KERN_PATH_LOAD
+           ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
 }
 
 /* Asks at s. Where it falls Newton's method says where that ends. */
@@ -5946,7 +6038,7 @@ static int kern_bracket_ends(const kern_bracket *b, const kern_path *path)
 static kern_real kern_bracket_next(kern_bracket *b, const kern_path *path)
 {
     const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-    const kern_real error = path->kind == KERN_PATH_LOAD || path->inner
+    const kern_real error = path->kind != KERN_PATH_SHRINK || path->inner
                             ? KERN_R(0) : (hi - r) / path->unit * (hi - r) / 2;
     kern_real at;
     if (b->close)
@@ -7058,7 +7150,7 @@ static kern_real kern_push_first(kern_model *m, const kern_path *path,
 {
     const kern_query q = kern_path_at(path, path->holds);
     kern_real *rates = m->sum, least = KERN_INFINITY;
-    int end[KERN_ROWS_MOST], g, k;
+    int end[KERN_ROWS_MOST], g;
     for (g = 0; g < m->groups; g++)
         kern_group_rate(path, m, &q, path->holds, g, rates + 3 * g);
     for (g = 0; g < m->groups; g++) {
@@ -7070,10 +7162,8 @@ static kern_real kern_push_first(kern_model *m, const kern_path *path,
             kern_model_shift(m, g, rate, on, rates + 3 * on);
         }
     }
-    for (k = 0; k < 2 && path->kind == KERN_PATH_TILT; k++) {
-        const kern_real t = k ? least : 4 * least; /* of the whole angle */
-        least = t / (1 + KERN_SQRT(1 + t * t));
-    }
+    if (path->kind == KERN_PATH_TILT)
+        least = kern_path_turned(path->holds, 4 * least);
     return least < first ? least + path->tolerance * KERN_R(0.45) : first;
 }
 
@@ -7458,6 +7548,7 @@ static int kern_raise_open(kern_raise *r)
     for (i = 0; i < p->contacts; i++)
         r->price[i] = KERN_R(0);
     p->price = r->price;
+    p->special = 1;
     return 1;
 }
 
