@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x1c681fdb4464ef35u },
-    { 1000, 0xde63a02da542f2bdu },
-    { 5000, 0xd6607f267b52798bu },
+    { 200, 0x24aa4932f2775504u },
+    { 1000, 0xd591547285fe3c13u },
+    { 5000, 0x2cc9b7d47f1f489cu },
 #else
-    { 200, 0xa26fda95d4859b49u },
-    { 1000, 0x0218ffa1ad7a812du },
-    { 5000, 0xd82a6e367bd202bdu },
+    { 200, 0x455fb3e943ed773au },
+    { 1000, 0x25ab8c79a2e158eau },
+    { 5000, 0x3616a608dc905fe9u },
 #endif
 };
 
