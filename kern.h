@@ -6297,7 +6297,7 @@ static void kern_seed_lay(kern_model *m, const kern_seed *seed)
 static int kern_seed_falls(kern_model *m, const kern_path *path)
 {
     const kern_query q = kern_path_at(path, path->seed->fails);
-    if (path->seed->fails - path->seed->holds > path->tolerance)
+    if (path->seed->fails - path->seed->holds > 2 * path->tolerance)
         return 0;
     kern_seed_lay(m, path->seed);
     return kern_model_proven(m, kern_prove_motion(m->s, &q, m->motion));
