@@ -4413,8 +4413,8 @@ static void kern_least_write(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
-    kern_model_unload(m);
     kern_least_ways(p, p->u, p->contacts, 0);
+    kern_model_unload(m); /* they may be what is known */
     for (k = 0; k < p->contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
@@ -5661,15 +5661,29 @@ static kern_real kern_prove_change(kern_model *m, const kern_query *q, int wide)
     return kern_prove_rows(s, q, m->sum, total);
 }
 
-/* The verdict by least forces of all groups, where they were not poured:
-   KERN_STANDS or KERN_UNDECIDED. At the edge of a load they would take many
-   steps. */
+/* Poured forces, in the caller's unit. */
+static void kern_pour_scale(kern_model *m)
+{
+    int i;
+    for (i = 0; i < m->s->contacts; i++) {
+        m->force[i].normal *= m->weight;
+        m->force[i].tangential *= m->weight;
+    }
+}
+
+/* The verdict by the least change that makes what was poured balance all groups,
+   where it does not: KERN_STANDS or KERN_UNDECIDED. At the edge of a load it would
+   take many steps. */
 static kern_status kern_model_hold(kern_model *m, kern_part *p,
                                    const kern_query *q)
 {
+    const kern_force *known = m->prior;
     if (q->factor > 0 || kern_pour_spares(m))
         return KERN_UNDECIDED;
+    kern_pour_scale(m);
+    m->prior = m->force;
     p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
+    m->prior = known;
     return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
 }
 
@@ -5764,10 +5778,7 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     p->found = KERN_STANDS;
     if (!proven)
         return KERN_STANDS;
-    for (i = 0; i < m->s->contacts; i++) {
-        m->force[i].normal *= m->weight;
-        m->force[i].tangential *= m->weight;
-    }
+    kern_pour_scale(m);
     return kern_model_proven(m, kern_prove_forces(m->s, q, m->force, m->sum))
            ? KERN_STANDS : KERN_UNDECIDED;
 }
