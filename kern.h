@@ -2245,6 +2245,7 @@ struct kern_model {
     int plain;                /* nonzero: all groups are one part             */
     int *fell;                /* of a group: number of the last part with it  */
     int falls;                /* how many parts fell                          */
+    int weighed;              /* nonzero: the loads are the next query's too  */
     int rigid;                /* nonzero: its groups are joined to bodies     */
     int leans;                /* nonzero: all forces have one direction ...   */
     kern_vec lean;            /* ... this: see kern_model_slides()            */
@@ -2419,7 +2420,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->balanced = KERN_R(0);
     m->narrow = q->narrow;
     m->slope = KERN_R(0);
-    m->groups = m->plain = m->leans = 0;
+    m->groups = m->plain = m->leans = m->weighed = 0;
     m->known = task->known.force != NULL;
     return KERN_OK;
 }
@@ -2475,6 +2476,8 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     int g;
     m->slope = kern_slope(q);
     m->lazy = NULL;
+    if (m->weighed)
+        return;
     m->weight = KERN_R(1);
     m->unit[m->groups] = KERN_R(0);
     for (g = 0; g < m->groups; g++) {
@@ -2712,7 +2715,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 /* Edges that differ by less, in the same unit, are one. */
 #define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
 #define KERN_EDGE_ROUNDS   200     /* evaluations to narrow a bracket         */
-#define KERN_FIRST         KERN_R(0.12) /* first step, in mean block sizes    */
+#define KERN_FIRST         KERN_R(0.24) /* first step, in mean block sizes    */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
@@ -7261,12 +7264,16 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
-   shows neither. */
+   shows neither. `weighed`: the path was poured before. */
 static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
-                                  int proven)
+                                  int proven, int weighed)
 {
     const kern_query q = kern_path_at(path, s);
-    kern_status status = kern_model_pour(m, path->part, &q, proven);
+    kern_status status;
+    m->weighed = weighed && path->kind == KERN_PATH_SHRINK && path->start >= 0
+                 && !m->prior;
+    status = kern_model_pour(m, path->part, &q, proven);
+    m->weighed = 0;
     if (status == KERN_STANDS) {
         if (proven)
             kern_path_note(m, path, status, s);
@@ -7420,7 +7427,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                     && status == KERN_STANDS; round++) {
         const int last = probe.fell ? path->closed
                                     : probe.seeded || probe.at >= path->end;
-        status = kern_path_pour(m, path, probe.at, last);
+        status = kern_path_pour(m, path, probe.at, last, round);
         if (status == KERN_STANDS)
             status = kern_probe_stood(&probe, m, path, last);
         else if (status == KERN_FALLS)
