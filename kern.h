@@ -6368,7 +6368,7 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 #define KERN_INNER_BALANCED 2      /* times that forces are balanced          */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
-#define KERN_INNER_COARSE  KERN_R(16)     /* of a second search: its gap      */
+#define KERN_INNER_STRIDE  KERN_R(0.1)    /* of a second search, in sizes     */
 #define KERN_INNER_SOFT    KERN_R(0.01)   /* width over which kerns close     */
 /* Gaps: of lost digits; at which a prediction counts; from which a verdict
    begins; beside the power of a motion, that shows its edge. */
@@ -6382,6 +6382,7 @@ typedef struct kern_inner {
     const kern_path *path;
     kern_real s;              /* the place                                    */
     kern_real low;            /* it stays between this and the path's end     */
+    kern_real stride;         /* it goes no farther in a step                 */
     kern_real ahead;          /* where the prediction sees the edge           */
     kern_real at;             /* the place of the matrix where that is held,
                                  else s                                       */
@@ -6574,7 +6575,8 @@ static kern_real kern_inner_step(kern_inner *in)
     if (in->held) /* s does not pass the place */
         ds = kern_min(ds, in->at - in->s);
     else
-        ds = kern_max(kern_min(ds, in->path->end - in->s), in->low - in->s);
+        ds = kern_max(kern_min(ds, kern_min(in->path->end - in->s, in->stride)),
+                      in->low - in->s);
     for (i = 0; i < n; i++)
         p->step[i] += ds * in->gain[i];
     kern_inner_ways(p, p->step, turn);
@@ -7055,10 +7057,9 @@ static void kern_inner_level(kern_model *m, kern_path *path)
 }
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. The path is followed to a gap of `coarse` times what
-   is wanted in the end. */
+   where it is not found. */
 static kern_status kern_inner_search(kern_model *m, kern_path *path,
-                                     kern_real coarse)
+                                     kern_real stride)
 {
     kern_inner in;
     kern_status status;
@@ -7066,7 +7067,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
         return KERN_UNDECIDED;
     path->inner = &in;
     path->fails = path->end;
-    in.least *= coarse;
+    in.stride = stride;
     status = kern_inner_follow(&in)
              ? kern_path_evaluate(m, path, path->end)
              : kern_inner_ends(&in, m, path);
@@ -7227,16 +7228,17 @@ static kern_status kern_plain_search(kern_model *m, kern_path *path,
     return kern_plain_climb(m, path, probe);
 }
 
-/* The interior point; of what is large and degenerate a second time, on another
-   way to the edge. */
+/* The interior point; where kerns shrink, and the simplex method has much to do,
+   a second time in small steps. */
 static kern_status kern_plain_inner(kern_model *m, kern_path *path)
 {
     const kern_real holds = path->holds;
-    const kern_status status = kern_inner_search(m, path, KERN_R(1));
-    if (status == KERN_STANDS || m->groups <= KERN_INNER_WIDE)
+    const kern_status status = kern_inner_search(m, path, KERN_INFINITY);
+    if (status == KERN_STANDS || path->kind != KERN_PATH_SHRINK
+        || m->groups <= KERN_PLAIN_SMALL)
         return status;
     path->holds = holds;
-    return kern_inner_search(m, path, KERN_INNER_COARSE);
+    return kern_inner_search(m, path, KERN_INNER_STRIDE * path->unit);
 }
 
 /* As kern_path_search(), by the interior point, or else, and of what is small
