@@ -3989,6 +3989,23 @@ static inline kern_spring kern_part_spring(const kern_part *p, int k,
                       : kern_spring_of(wn, wt, kern_model_mu(p->m, i));
 }
 
+static void kern_least_clear(kern_part *p)
+{
+    int g, i;
+    for (g = 0; g < p->groups; g++)
+        for (i = 0; i < 9 * (g - p->first[g] + 1); i++)
+            p->factor[p->offset[g] + i] = KERN_R(0);
+}
+
+/* The rows of the later group of contact k reach to the columns of the other. */
+static void kern_least_reach(kern_part *p, int k)
+{
+    const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
+    const int low = h < t ? h : t, high = h < t ? t : h;
+    if (high < p->groups && low < p->first[high])
+        p->first[high] = low;
+}
+
 /* Lays out what the least forces of the part need; 0 if there is no room. */
 static int kern_least_lay(kern_part *p, kern_take *take)
 {
@@ -4007,12 +4024,8 @@ static int kern_least_lay(kern_part *p, kern_take *take)
         return 0;
     for (g = 0; g < p->groups; g++)
         p->first[g] = g;
-    for (k = 0; k < p->own; k++) {
-        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-        const int low = h < t ? h : t, high = h < t ? t : h;
-        if (high < p->groups && low < p->first[high])
-            p->first[high] = low;
-    }
+    for (k = 0; k < p->own; k++)
+        kern_least_reach(p, k);
     p->cost = 100 * p->contacts;
     for (g = 0; g < p->groups; g++) {
         const int width = g - p->first[g] + 1;
@@ -4060,6 +4073,8 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
     kern_real value = KERN_R(0);
     int i, k, end;
     *most = KERN_R(0);
+    for (i = 0; i < p->groups; i++)
+        p->first[i] = i;
     for (i = 0; i < 3 * p->groups; i++) {
         p->left[i] = p->b[i];
         value += p->b[i] * p->u[i];
@@ -4069,6 +4084,7 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
         if (!(s.f > 0))
             continue;
+        kern_least_reach(p, k);
         *most = kern_max(*most, s.f);
         value -= (s.f * w[0] + s.r * w[1]) / 2;
         for (end = 0; end < 2; end++)
@@ -4077,15 +4093,6 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
                                  p->left + 3 * p->ends[2 * k + end]);
     }
     return value;
-}
-
-static void kern_least_clear(kern_part *p)
-{
-    const int last = p->groups - 1;
-    const int size = p->offset[last] + 9 * (last - p->first[last] + 1);
-    int i;
-    for (i = 0; i < size; i++)
-        p->factor[i] = KERN_R(0);
 }
 
 /* Adds the 3 x 3 block a n' + b t' to the rows of group g in the columns of h.
@@ -4129,11 +4136,14 @@ static void kern_least_spring(kern_part *p, int k, const kern_spring *s)
     }
 }
 
-/* A_S A_S' with a little more on its diagonal; S are all rays if `all`. */
+/* A_S A_S' with a little more on its diagonal; S are all rays if `all`. Its rows
+   begin where the first of these reaches: kern_least_left() has seen to S. */
 static void kern_least_matrix(kern_part *p, int all)
 {
     kern_real trace = KERN_R(0);
     int i, k, g;
+    for (k = 0; k < p->own && all; k++)
+        kern_least_reach(p, k);
     kern_least_clear(p);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
