@@ -4095,45 +4095,58 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
     return value;
 }
 
-/* Adds the 3 x 3 block a n' + b t' to the rows of group g in the columns of h.
-   Above the diagonal nothing reads it. */
-static inline void kern_least_add(kern_part *p, int g, int h,
-                                  kern_real v[4][3], kern_real w[4][3])
+/* Adds a 3 x 3 block to the rows of group g in the columns of h: k = (xx, xy, yy)
+   times a sign, what turning h does to the forces on g, what moving h does to
+   the torque on g, and what turning does to that. Above the diagonal nothing
+   reads it. */
+static inline void kern_least_add(kern_part *p, int g, int h, kern_real sign,
+                                  const kern_real k[3], const kern_real *turned,
+                                  const kern_real *moved, kern_real turn)
 {
+    const int wide = 3 * (g - p->first[g] + 1);
     kern_real *to = p->factor + p->offset[g] + 3 * (h - p->first[g]);
-    int i;
-    for (i = 0; i < 3; i++, to += 3 * (g - p->first[g] + 1)) {
-        to[0] += v[2][i] * w[0][0] + v[3][i] * w[1][0];
-        to[1] += v[2][i] * w[0][1] + v[3][i] * w[1][1];
-        to[2] += v[2][i] * w[0][2] + v[3][i] * w[1][2];
-    }
+    to[0] += sign * k[0];
+    to[1] += sign * k[1];
+    to[2] += turned[0];
+    to += wide;
+    to[0] += sign * k[1];
+    to[1] += sign * k[2];
+    to[2] += turned[1];
+    to += wide;
+    to[0] += moved[0];
+    to[1] += moved[1];
+    to[2] += turn;
 }
 
-/* Adds what the spring of contact k makes of the motions of its groups. Of an
-   end these are n, t, and what the spring makes of them. */
+/* Adds what the spring of contact k makes of the motions of its groups: of x and
+   y, and of the turn of an end the force, and that times the sign of the end. */
 static void kern_least_spring(kern_part *p, int k, const kern_spring *s)
 {
     const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-    kern_real v[2][4][3];
-    int end, r;
-    for (end = 0; end < 2; end++) {
-        kern_model_rows(p->m, p->contact[k], end, v[end][0], v[end][1]);
-        for (r = 0; r < 3; r++) {
-            const kern_real n = v[end][0][r], u = v[end][1][r];
-            v[end][2][r] = s->nn * n + s->nt * u;
-            v[end][3][r] = s->nt * n + s->tt * u;
-        }
-    }
+    const kern_vec n = p->m->s->contact[p->contact[k]].n;
+    const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
+    const kern_real nn = n.x * n.x, tt = n.y * n.y, nt = n.x * n.y;
+    const kern_real xy[3] = {s->nn * nn - 2 * s->nt * nt + s->tt * tt,
+                             (s->nn - s->tt) * nt + s->nt * (nn - tt),
+                             s->nn * tt + 2 * s->nt * nt + s->tt * nn};
+    const kern_real f0 = s->nn * arm[0] + s->nt * arm[1];
+    const kern_real r0 = s->nt * arm[0] + s->tt * arm[1];
+    const kern_real f1 = s->nn * arm[2] + s->nt * arm[3];
+    const kern_real r1 = s->nt * arm[2] + s->tt * arm[3];
+    const kern_real on[2] = {f0 * n.x - r0 * n.y, f0 * n.y + r0 * n.x};
+    const kern_real of[2] = {f1 * n.x - r1 * n.y, f1 * n.y + r1 * n.x};
+    const kern_real back[2] = {-on[0], -on[1]}, away[2] = {-of[0], -of[1]};
+    const kern_real both = f1 * arm[0] + r1 * arm[1];
     if (h < p->groups)
-        kern_least_add(p, h, h, v[0], v[0]);
+        kern_least_add(p, h, h, KERN_R(1), xy, on, on,
+                       f0 * arm[0] + r0 * arm[1]);
     if (t < p->groups)
-        kern_least_add(p, t, t, v[1], v[1]);
-    if (h < p->groups && t < p->groups) {
-        if (h > t)
-            kern_least_add(p, h, t, v[0], v[1]);
-        else
-            kern_least_add(p, t, h, v[1], v[0]);
-    }
+        kern_least_add(p, t, t, KERN_R(1), xy, away, away,
+                       f1 * arm[2] + r1 * arm[3]);
+    if (h < p->groups && t < p->groups && h > t)
+        kern_least_add(p, h, t, KERN_R(-1), xy, of, back, both);
+    else if (h < p->groups && t < p->groups)
+        kern_least_add(p, t, h, KERN_R(-1), xy, back, of, both);
 }
 
 /* A_S A_S' with a little more on its diagonal; S are all rays if `all`. Its rows
