@@ -2715,7 +2715,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 /* Edges that differ by less, in the same unit, are one. */
 #define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
 #define KERN_EDGE_ROUNDS   200     /* evaluations to narrow a bracket         */
-#define KERN_FIRST         KERN_R(0.24) /* first step, in mean block sizes    */
+#define KERN_FIRST         KERN_R(0.12) /* first step, in mean block sizes    */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
