@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x24aa4932f2775504u },
-    { 1000, 0xd591547285fe3c13u },
-    { 5000, 0x2cc9b7d47f1f489cu },
+    { 200, 0x8ee29fa956d71350u },
+    { 1000, 0x4a2c9dc9d8a2838eu },
+    { 5000, 0x60241de85238b8bbu },
 #else
-    { 200, 0x455fb3e943ed773au },
-    { 1000, 0x25ab8c79a2e158eau },
-    { 5000, 0x3616a608dc905fe9u },
+    { 200, 0x0e78c1e6cea4a850u },
+    { 1000, 0x567633f344510ea6u },
+    { 5000, 0x4bf0acf68b3bfea9u },
 #endif
 };
 
