@@ -3846,11 +3846,12 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_HOLD_ROUNDS   8       /* the same where they were not poured     */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
-#define KERN_UNIT_MOST     20      /* groups of a unit                        */
+#define KERN_UNIT_MOST     20      /* groups of a unit ...                    */
 #define KERN_UNIT_LEANS    80      /* the same where forces lean              */
 #define KERN_LEANS         KERN_R(0.95) /* share of friction, where they do   */
 #define KERN_SMALL         16      /* groups of a small structure             */
-#define KERN_REGROWN       16      /* times that a unit of three is joined    */
+#define KERN_REGROWN       16      /* times that a unit of three is joined .. */
+#define KERN_UNIT_SHARE    32      /* .. and one more for so many groups      */
 #define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
 #define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
@@ -4947,7 +4948,8 @@ static int kern_model_small(const kern_model *m, int most)
    take, or in a short chain those of more than two or three. */
 static int kern_unit_ends(const kern_model *m, int groups)
 {
-    const int most = !kern_model_small(m, 2 * KERN_SMALL) ? KERN_UNIT_MOST
+    const int most = !kern_model_small(m, 2 * KERN_SMALL)
+                     ? KERN_UNIT_MOST + m->groups / KERN_UNIT_SHARE
                      : m->groups <= KERN_SMALL && kern_model_chain(m)
                      ? m->s->contacts / m->groups : m->groups / 2;
     return groups > (m->leans ? KERN_UNIT_LEANS : most) || m->regrown < 0;
@@ -5038,8 +5040,9 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     int at;
     for (at = 0; at < 3 * m->s->blocks; at++)
         u[at] = KERN_R(0);
-    m->regrown = m->known || !kern_model_chain(m) ? KERN_REGROWN
-                                                  : KERN_REGROWN_CHAIN;
+    m->regrown = m->known || !kern_model_chain(m)
+                 ? KERN_REGROWN + m->groups / KERN_UNIT_SHARE
+                 : KERN_REGROWN_CHAIN;
     for (at = 0; at < m->groups; ) {
         kern_poured found;
         if (!(m->dirty[at] & 1)) {
@@ -6049,13 +6052,14 @@ typedef struct kern_bracket {
     int inside;               /* nonzero: the edge lies in the bracket        */
     int close, closed;        /* fails lies close to the edge; both ends do   */
     int known;                /* nonzero: the edge is exact                   */
+    int halve;                /* nonzero: the next place is in the middle     */
 } kern_bracket;
 
 static void kern_bracket_look(kern_bracket *b, const kern_path *path)
 {
     const kern_real under = path->edge - path->holds;
     const kern_real beyond = path->fails - path->edge;
-    b->inside = under >= 0 && beyond >= 0;
+    b->inside = under >= 0 && beyond >= 0 && !b->halve;
     b->close = b->inside && beyond <= b->aside * KERN_R(1.05);
     b->closed = b->close && under <= b->under * KERN_R(1.05)
                 && (under >= b->under / 2 || path->holds <= path->start
@@ -6140,13 +6144,18 @@ static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
     const int pivots = m->work->pivots;
     const int single = path->part->simplex.violated == 1;
     const kern_status status = kern_path_evaluate(m, path, at);
+    const int halved = b->halve;
+    b->halve = 0;
     if (status == KERN_FALLS && at < lo) {
         path->fails = hi; /* both proofs hold, within their tolerances */
         path->edge = r;
         b->under *= 2;
-    } else if (status == KERN_FALLS)
-        b->share = KERN_BRACKET_SHARE;
-    else if (status == KERN_UNDECIDED)
+    } else if (status == KERN_FALLS) {
+        b->share = path->inner ? KERN_R(0.5) : KERN_BRACKET_SHARE;
+        b->halve = path->inner && at - path->edge > b->aside * KERN_R(1.05)
+                   && (path->edge <= lo
+                       || (!halved && at - lo > (hi - lo) / 2));
+    } else if (status == KERN_UNDECIDED)
         *goes = kern_bracket_widen(b, path);
     else if (status == KERN_STANDS)
         b->known = b->close && single && pivots == m->work->pivots;
@@ -6160,15 +6169,17 @@ static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
    2. evaluate at it less w, so that both ends are proven beyond doubt;
    3. if both used one basis and one variable changed its sign, it is exact;
    4. else evaluate at the place itself, where yet another mechanism may fall.
-   Where it stands beyond the prediction, the steps grow. */
+   Where it stands beyond the prediction, the steps grow. The interior point finds
+   one of many mechanisms, and steps of Newton's method may become many: where
+   they do not halve the bracket, it is halved. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path,
                                   int rounds)
 {
     kern_bracket b;
     int round, goes = 1;
     b.aside = b.under = path->tolerance * KERN_R(0.45);
-    b.known = b.close = path->closed = 0;
-    b.share = KERN_BRACKET_SHARE;
+    b.known = b.close = b.halve = path->closed = 0;
+    b.share = path->inner ? KERN_R(0.5) : KERN_BRACKET_SHARE;
     for (round = 0; (round < rounds || (b.close && round < KERN_EDGE_ROUNDS))
                     && goes; round++) {
         kern_status status;
@@ -6381,6 +6392,7 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
 #define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 #define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
+#define KERN_INNER_WARM    12      /* the same from what was found before     */
 #define KERN_INNER_EXACT   128     /* groups: more, and a bracket is enough   */
 #define KERN_INNER_WIDE    256     /* groups of what is said to be large      */
 #define KERN_INNER_STEPS   40      /* of a search                             */
@@ -6394,10 +6406,12 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 #define KERN_INNER_STRIDE  KERN_R(0.1)    /* of a second search, in sizes     */
 #define KERN_INNER_SOFT    KERN_R(0.01)   /* width over which kerns close     */
 /* Gaps: of lost digits; at which a prediction counts; from which a verdict
-   begins; beside the power of a motion, that shows its edge. */
+   begins, and beside how far that is from the last; beside the power of a
+   motion, that shows its edge. */
 #define KERN_INNER_LOST    KERN_R(1e6)
 #define KERN_INNER_CLEAR   KERN_R(1e-2)
 #define KERN_INNER_LIFT    KERN_R(1e-3)
+#define KERN_INNER_AWAY    KERN_R(0.1)
 #define KERN_INNER_SHARP   KERN_R(1e-4)
 
 typedef struct kern_inner {
@@ -6882,14 +6896,15 @@ static int kern_inner_restore(kern_inner *in, kern_real place)
 /* Holds the matrix at a place from now on. Where the path's g is less than what
    x misses there, that becomes g, and at - s the share of it that is still
    missing. What has lost its digits begins anew. */
-static void kern_inner_hold(kern_inner *in, kern_real place)
+static void kern_inner_hold(kern_inner *in, kern_real place, int anew)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups;
-    kern_real way = kern_max(kern_abs(place - in->at), in->least);
+    const kern_real away = kern_abs(place - in->at);
+    kern_real way = kern_max(away, in->least);
     int i;
     in->soft = KERN_R(0);
-    if (!(in->gap <= KERN_INNER_LOST)) {
+    if (anew || !(in->gap <= KERN_INNER_LOST)) {
         in->held = 0;
         in->s = place;
         kern_inner_begin(in);
@@ -6902,8 +6917,8 @@ static void kern_inner_hold(kern_inner *in, kern_real place)
     in->end = -KERN_INFINITY;
     in->along = kern_largest(in->over, n) < kern_largest(in->g, n) * way;
     /* it must be able to go back from the edge, where x and z are near to 0 */
-    kern_inner_centre(in, kern_max(in->gap, in->along ? 10 * in->least
-                                                      : KERN_INNER_LIFT));
+    kern_inner_centre(in, kern_max(in->gap, !in->along ? KERN_INNER_LIFT
+        : kern_max(10 * in->least, KERN_INNER_AWAY * away / in->path->unit)));
     kern_inner_set(in);
     if (in->along)
         return;
@@ -6976,23 +6991,16 @@ static kern_status kern_inner_seen(kern_inner *in, kern_real place,
     return KERN_UNDECIDED;
 }
 
-/* The verdict at a place. A motion proves that it falls as long as it parts
-   from all contacts by more than rounding, which is before it is sharp enough
-   for Newton's method. */
-static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
-                                       kern_real *edge)
+/* The verdict at a place, in so many steps. A motion proves that it falls as long
+   as it parts from all contacts by more than rounding, which is before it is
+   sharp enough for Newton's method. */
+static kern_status kern_inner_steps(kern_inner *in, kern_real place, int rounds)
 {
-    kern_part *p = in->p;
-    kern_status status;
+    const kern_part *p = in->p;
+    kern_status status = KERN_UNDECIDED;
     int round, late = 0;
-    if (in->failed == KERN_INNER_FAILED || in->steps > in->most)
-        return KERN_UNDECIDED;
-    status = kern_inner_seen(in, place, *edge);
-    if (status != KERN_UNDECIDED)
-        return status;
-    kern_inner_hold(in, place);
-    p->m->work->solves++;
-    for (round = 0; round < KERN_INNER_ROUNDS && late < KERN_INNER_STALLED
+    kern_inner_hold(in, place, rounds == KERN_INNER_ROUNDS);
+    for (round = 0; round < rounds && late < KERN_INNER_STALLED
                     && kern_inner_advance(in); round++) {
         const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
         status = kern_inner_prove(in, status, power);
@@ -7003,6 +7011,24 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
             break;
         late += in->slow || in->gap <= KERN_INNER_SHARP * in->least;
     }
+    return status;
+}
+
+/* The verdict at a place: by what was found before, and where that leads to
+   none, from the beginning. */
+static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
+                                       kern_real *edge)
+{
+    kern_status status;
+    if (in->failed == KERN_INNER_FAILED || in->steps > in->most)
+        return KERN_UNDECIDED;
+    status = kern_inner_seen(in, place, *edge);
+    if (status != KERN_UNDECIDED)
+        return status;
+    in->p->m->work->solves++;
+    status = kern_inner_steps(in, place, KERN_INNER_WARM);
+    if (status == KERN_UNDECIDED)
+        status = kern_inner_steps(in, place, KERN_INNER_ROUNDS);
     kern_inner_note(in, status, edge);
     return status;
 }
