@@ -2142,7 +2142,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
 {
     kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
     kern_real closing = KERN_R(0);
-    int i, first = s->blocks;
+    int i, first = s->blocks, last = 0;
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_real px, py, pt;
@@ -2153,6 +2153,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
         if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
             return KERN_INFINITY;
         first = first < i ? first : i;
+        last = i;
         weight += kern_wrench_on(s, q, i, &w);
         px = w.fx * m->vx;
         py = w.fy * m->vy;
@@ -2163,8 +2164,8 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         kern_real speed;
-        if ((c->a < first && c->b < first) || !(kern_speeds(c, motion) > 0)
-            || kern_is_out(q, c))
+        if (((c->a < first || c->a > last) && (c->b < first || c->b > last))
+            || !(kern_speeds(c, motion) > 0) || kern_is_out(q, c))
             continue;
         speed = kern_closing(s, c, q, motion);
         if (!(speed <= KERN_HUGE))
@@ -2239,6 +2240,8 @@ struct kern_model {
     kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next, *dirty; /* of a group: see >>pour                     */
     int again;                /* the first leader that became dirty           */
+    int resumes;              /* nonzero: pouring ended at a part that falls, */
+    kern_real poured;         /* ... at this shrinkage                        */
     int regrown;              /* how often a unit of three may yet be joined  */
     int known;                /* nonzero: changes begin from its forces       */
     int *local;               /* of a group: its number in the open part      */
@@ -2537,10 +2540,11 @@ static int kern_model_proven(const kern_model *m, kern_real error)
     return error <= 1;
 }
 
-/* Makes the known forces of the line that begins with contact i, where they
-   balance, into forces at a smaller shrinkage: they move outward, and exert the
-   same. Returns whether it is a line. */
-static int kern_force_widen(kern_model *m, int i, kern_real shrink)
+/* Makes the forces of the line that begins with contact i at shrinkage `from`
+   into forces at a smaller one: they move outward, and exert the same. Returns
+   whether it is a line. */
+static int kern_force_widen(kern_model *m, int i, kern_real from,
+                            kern_real shrink)
 {
     const kern_contact *c = m->s->contact + i;
     const int line = c->line && i + 1 < m->s->contacts && c[1].line
@@ -2553,7 +2557,7 @@ static int kern_force_widen(kern_model *m, int i, kern_real shrink)
     sum = line ? f[0].normal + f[1].normal : KERN_R(0);
     if (!(sum > 0))
         return line;
-    was = travel - kern_shift(travel, m->balanced, m->relative, &rate);
+    was = travel - kern_shift(travel, from, m->relative, &rate);
     is = travel - kern_shift(travel, shrink, m->relative, &rate);
     along = (f[0].tangential + f[1].tangential) / sum;
     along = kern_min(kern_max(along, -mu), mu);
@@ -2590,7 +2594,8 @@ static void kern_model_unfold(kern_model *m, int g)
         const int other = m->ends[e ^ 1];
         if ((other == m->groups || (m->next[other] == KERN_OUT
                                     && !kern_is_open(m, m->block[other])))
-            && kern_force_widen(m, e >> 1, m->lazy->shrink))
+            && kern_force_widen(m, e >> 1, m->balanced,
+                                m->lazy->shrink))
             e += 2;
     }
 }
@@ -2715,7 +2720,8 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 /* Edges that differ by less, in the same unit, are one. */
 #define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
 #define KERN_EDGE_ROUNDS   200     /* evaluations to narrow a bracket         */
-#define KERN_FIRST         KERN_R(0.12) /* first step, in mean block sizes    */
+#define KERN_FIRST         KERN_R(0.48) /* first place, in mean block sizes   */
+#define KERN_CLIMB         KERN_R(0.12) /* first step of a climb, in the same */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
@@ -2800,9 +2806,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
-    const kern_real first = path->unit * KERN_FIRST;
-    kern_status status = nested ? kern_path_search(m, path, first, first)
-                                : kern_path_evaluate(m, path, KERN_R(0));
+    kern_status status = nested
+        ? kern_path_search(m, path, path->unit * KERN_FIRST,
+                           path->unit * KERN_CLIMB)
+        : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
         status = kern_level_scan(m, path, 1, last, out);
     if (!nested && status == KERN_STANDS) {
@@ -3292,7 +3299,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
     const int shrinks = path->kind == KERN_PATH_SHRINK;
-    const kern_real step = shrinks ? path->unit * KERN_FIRST : KERN_R(0.05);
+    const kern_real step = shrinks ? path->unit * KERN_CLIMB : KERN_R(0.05);
     const kern_status status =
         !shrinks || kern_travels_of(m->s, &path->q, 0).nested
         ? kern_path_search(m, path, step, step)
@@ -4919,6 +4926,7 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
         load += kern_abs(p->b[n]);
     for (n = 0; n < p->groups && warm; n++)
         u[n] = m->motion[m->block[p->group[n]]];
+    warm = warm && kern_largest(p->u, 3 * p->groups) > 0;
     status = kern_least_find(p, KERN_POUR_TOL * least, KERN_LEAST_MOST * load,
                              warm, KERN_LEAST_ROUNDS + warm);
     *budget -= p->rounds * p->cost;
@@ -4987,10 +4995,16 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* All groups must be balanced, and there are no forces. */
-static void kern_pour_begin(kern_model *m)
+/* All groups must be balanced, and there are no forces. If a part fell at a
+   larger shrinkage those above it are balanced, and stay so: kerns are nested. */
+static void kern_pour_begin(kern_model *m, kern_real shrink)
 {
-    int g;
+    int g, i;
+    if (m->resumes && shrink <= m->poured) {
+        for (i = 0; i < m->s->contacts; i++)
+            i += kern_force_widen(m, i, m->poured, shrink);
+        return;
+    }
     for (g = 0; g < m->groups; g++) {
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = 1;
@@ -5054,8 +5068,10 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
         m->dirty[at] &= ~1;
         m->again = m->groups;
         found = kern_pour_group(m, p, at, &budget);
-        if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS)
+        if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS) {
+            m->dirty[at] |= 1;
             return found;
+        }
         budget -= 300;
         if (budget < 0)
             return KERN_POUR_DRY;
@@ -5125,7 +5141,7 @@ static void kern_pass_open(kern_pass *p, int i)
     if (p->q->shrink < m->balanced)
         for (k = kern_pass_first(s, i);
              k < s->contacts && kern_contact_later(s->contact + k) == i; k++)
-            k += kern_force_widen(m, k, p->q->shrink);
+            k += kern_force_widen(m, k, m->balanced, p->q->shrink);
 }
 
 /* The row of contact k at block i. */
@@ -5278,7 +5294,7 @@ static void kern_pass_widen(kern_model *m, const kern_query *q)
         if (!kern_is_open(m, kern_contact_later(c + k))
             && (m->complete || kern_is_open(m, c[k].a)
                 || kern_is_open(m, c[k].b)))
-            k += kern_force_widen(m, k, q->shrink);
+            k += kern_force_widen(m, k, m->balanced, q->shrink);
     for (k = 0; k < m->s->blocks && m->complete; k++)
         m->sum[4 * k + 3] = kern_max(m->sum[4 * k + 3], KERN_R(0));
 }
@@ -5458,6 +5474,7 @@ static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
+    m->resumes = 0;
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
@@ -5514,6 +5531,7 @@ static kern_status kern_part_least(kern_part *p, int own)
     int i;
     if (!(kern_part_total(p) > KERN_BOUND))
         return KERN_STANDS;
+    p->m->resumes = 0;
     for (i = 0; i < p->lp.cols; i++)
         one[i] = KERN_R(1);
     p->lp.cost = one;
@@ -5681,7 +5699,7 @@ static kern_real kern_prove_change(kern_model *m, const kern_query *q, int wide)
         const kern_contact *c = s->contact + i;
         if (kern_is_open(m, c->a) || kern_is_open(m, c->b)) {
             if (i >= from && !kern_is_open(m, kern_contact_later(c)))
-                from = i + 1 + kern_force_widen(m, i, q->shrink);
+                from = i + 1 + kern_force_widen(m, i, m->balanced, q->shrink);
             if (!kern_prove_contact(s, q, c, m->force + i, m->slope, m->sum))
                 return KERN_INFINITY;
         }
@@ -5727,6 +5745,7 @@ static kern_status kern_model_change(kern_model *m, kern_part *p,
     int g, waiting;
     if (!known || !(q->shrink <= m->balanced))
         return KERN_UNDECIDED;
+    m->resumes = 0;
     waiting = kern_pass_down(m, q);
     if (waiting > 0 || m->complete)
         kern_pass_widen(m, q);
@@ -5793,9 +5812,11 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
         return status;
     kern_model_set(m, q);
     m->leans = proven && kern_model_slides(m, q);
-    kern_pour_begin(m);
+    kern_pour_begin(m, q->shrink);
     poured = kern_pour(m, p);
     m->leans = 0;
+    m->resumes = poured == KERN_POUR_FALLS;
+    m->poured = q->shrink;
     if (poured == KERN_POUR_FALLS)
         return KERN_FALLS;
     if (poured != KERN_POURED)
@@ -5840,6 +5861,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 {
     kern_status status;
     p->found = KERN_UNDECIDED;
+    m->resumes = 0;
     if (!m->plain) {
         status = kern_model_pour(m, p, q, 1);
         if (status == KERN_STANDS)
@@ -7257,17 +7279,18 @@ static kern_status kern_plain_climb(kern_model *m, kern_path *path,
                                  : status;
 }
 
-/* Begins at the next place where something is known, or a part of what is small
-   fell; else, or if it is not decided there, it climbs. */
+/* Begins at the next place where something is known, or of what is small; else,
+   or if it is not decided there, it climbs. */
 static kern_status kern_plain_search(kern_model *m, kern_path *path,
                                      const kern_probe *probe, int seeded)
 {
-    const int small = probe->fell && m->groups <= KERN_PLAIN_SMALL;
+    const int small = m->groups <= (probe->fell ? KERN_PLAIN_SMALL
+                                                : 2 * KERN_SMALL);
     const kern_real holds = path->holds;
     kern_status status = KERN_UNDECIDED;
     if (probe->at > holds && (small || seeded))
         status = kern_path_evaluate(m, path, probe->at);
-    if (status == KERN_STANDS && seeded)
+    if (status == KERN_STANDS && (seeded || !probe->fell))
         return kern_path_walk(m, path, probe->step, 0);
     if (status == KERN_STANDS || status == KERN_FALLS)
         status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
@@ -7321,6 +7344,7 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
 {
     const kern_query q = kern_path_at(path, s);
     kern_status status;
+    m->resumes &= path->kind == KERN_PATH_SHRINK;
     m->weighed = weighed && path->kind == KERN_PATH_SHRINK && path->start >= 0
                  && !m->prior;
     status = kern_model_pour(m, path->part, &q, proven);
@@ -7406,23 +7430,18 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
     if (status == KERN_STANDS
         && path->edge > probe->start + path->tolerance) {
         status = kern_path_part(m, path, probe->guess || m->prior);
-        if (status == KERN_STANDS && !path->closed && probe->holds > probe->start
+        if (status == KERN_STANDS && !path->closed
             && !(path->holds > probe->holds)) /* nothing new to pour */
             status = kern_path_part(m, path, 1);
         probe->at = path->holds;
         probe->done = status == KERN_STANDS && path->part->bodies == m->groups
                       && probe->at > probe->holds && path->closed;
-        if (!probe->done && m->rigid && m->falls > 1
-            && probe->holds <= probe->start) {
-            /* else the joints of a tower are met one after the other */
-            probe->at = probe->start + (probe->at - probe->start) / 2;
-            path->closed = 0;
-        }
     } else {
         const kern_real next = kern_max(probe->start,
             kern_min(path->edge, probe->at) - path->tolerance / 2);
         if (!(next < probe->at))
             return KERN_UNDECIDED; /* critical where it starts */
+        path->closed &= next > probe->at - path->tolerance;
         probe->at = next;
     }
     return status;
@@ -7430,10 +7449,11 @@ static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
 
 /* The search begins at path->holds. The next place is one about which something
    is known, or `first` beyond. */
-static void kern_probe_open(kern_probe *probe, const kern_model *m,
+static void kern_probe_open(kern_probe *probe, kern_model *m,
                             kern_path *path, kern_real first, kern_real step)
 {
     const kern_seed *seed = path->seed;
+    m->resumes = 0;
     probe->start = probe->holds = path->start = path->holds;
     probe->first = first;
     probe->step = step;
@@ -7461,8 +7481,9 @@ static kern_status kern_probe_moved(kern_probe *probe, kern_model *m,
 /* The first edge of a path on which the verdict changes but once. What falls
    at some place is a part, most often a small one, and no edge of the whole
    lies beyond that of a part, all else held. So the path is poured where the
-   part that fell last is seen to stand, until nothing falls there. Then the
-   edge of that part is found exactly, and poured before. */
+   part that fell last is seen to stand, until nothing falls there. Where kerns
+   shrink what was balanced above a part that fell is so before, too: pouring
+   goes on from there, and the first place may lie far beyond the edge. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -7478,6 +7499,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
                     && status == KERN_STANDS; round++) {
         const int last = probe.fell ? path->closed
                                     : probe.seeded || probe.at >= path->end;
+        path->holds = probe.holds;
         status = kern_path_pour(m, path, probe.at, last, round);
         if (status == KERN_STANDS)
             status = kern_probe_stood(&probe, m, path, last);
