@@ -10156,15 +10156,6 @@ static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v)
            : j >= sx->lp->cols && v * w > KERN_FEAS_TOL ? w : KERN_R(0);
 }
 
-/* What a unit of the basic variable of row p costs. */
-static kern_real kern_price_at(const kern_simplex *sx, int p)
-{
-    const kern_program *lp = sx->lp;
-    const int j = sx->base[p];
-    return sx->violated ? kern_infeasibility(sx, j, sx->value[p])
-           : lp->cost && j < lp->cols ? lp->cost[j] : KERN_R(0);
-}
-
 /* y to sx->row; returns the sum of violations. */
 static kern_real kern_prices(kern_simplex *sx)
 {
@@ -10178,7 +10169,8 @@ static kern_real kern_prices(kern_simplex *sx)
         sum += part;
     }
     for (p = 0; p < sx->lp->rows && !sx->violated; p++)
-        sx->row[p] = kern_price_at(sx, p);
+        sx->row[p] = sx->lp->cost && sx->base[p] < sx->lp->cols
+                     ? sx->lp->cost[sx->base[p]] : KERN_R(0);
     if (sx->violated || sx->lp->cost)
         kern_basis_solve_t(sx, sx->row);
     return sum;
@@ -10192,41 +10184,24 @@ static kern_real kern_lp_meets(const kern_program *lp, int j,
                     kern_largest(y + 3 * lp->ends[j | 1], 3));
 }
 
-/* One step of refinement for y = sx->row: a certificate -y must be zero on the
-   basic columns to the last digits, or be `above` zero, as a share of its
-   largest entry; with `own`, of the largest that the column meets. */
-static void kern_prices_refine(kern_simplex *sx, kern_real above, int own)
-{
-    const kern_program *lp = sx->lp;
-    const kern_real size = kern_largest(sx->row, lp->rows);
-    int i, p;
-    for (p = 3 * sx->groups; p < 3 * sx->groups + 3; p++)
-        sx->row[p] = KERN_R(0);
-    for (p = 0; p < lp->rows; p++) {
-        const int j = sx->base[p];
-        if (j >= lp->cols)
-            sx->alpha[p] = kern_price_at(sx, p) - sx->row[p];
-        else
-            sx->alpha[p] = kern_price_at(sx, p) - kern_lp_dot(lp, j, sx->row)
-                - above * (own ? kern_lp_meets(lp, j, sx->row) : size);
-    }
-    kern_basis_solve_t(sx, sx->alpha);
-    for (i = 0; i < lp->rows; i++)
-        sx->row[i] += sx->alpha[i];
-}
-
 /* Lifts a certificate y off the columns that it touches. Rounding puts it a
    little below zero there as often as above; a few roundings higher it costs
    of its power no more than all of x is worth, times those roundings. Where the
    basis magnifies them, as in jams, what hardly moves is lifted less (`own`). */
 static void kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
 {
-    int i;
-    for (i = 0; i < sx->lp->rows; i++)
-        sx->row[i] = -y[i];
-    kern_prices_refine(sx, KERN_ABOVE, own);
-    for (i = 0; i < sx->lp->rows; i++)
-        y[i] = -sx->row[i];
+    const kern_program *lp = sx->lp;
+    const kern_real size = kern_largest(y, lp->rows);
+    int p;
+    for (p = 0; p < lp->rows; p++) {
+        const int j = sx->base[p];
+        sx->alpha[p] = kern_infeasibility(sx, j, sx->value[p])
+            + (j >= lp->cols ? y[p] : kern_lp_dot(lp, j, y)
+               - KERN_ABOVE * (own ? kern_lp_meets(lp, j, y) : size));
+    }
+    kern_basis_solve_t(sx, sx->alpha);
+    for (p = 0; p < lp->rows; p++)
+        y[p] -= sx->alpha[p];
 }
 
 /* The column outside of the basis that lowers what prices y = sx->row stand for
@@ -10378,8 +10353,6 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
         kern_real gain = KERN_R(0), step = KERN_R(0);
         kern_status status;
         int q, p = KERN_OUT;
-        if (sx->refined && sx->violated)
-            kern_prices_refine(sx, KERN_R(0), 0);
         q = kern_entering(sx, sum, first, &gain);
         if (q != KERN_OUT) {
             kern_basis_column(sx, q);
