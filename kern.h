@@ -2699,7 +2699,6 @@ struct kern_part {
     kern_simplex simplex;
 };
 
-
 /* The engine, in >>lp. */
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
@@ -2709,7 +2708,6 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_real *x, kern_real *y,
                                       kern_work *work);
-
 
 /* ---- The measures --------------------------------------------- >>measure */
 
@@ -6210,7 +6208,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
             break;
         status = b.closed ? kern_bracket_check(&b, m, path, &goes)
                           : kern_bracket_step(&b, m, path, &goes);
-        if (status < 0 && status != KERN_UNDECIDED)
+        if (status < KERN_UNDECIDED)
             return status;
         if (!b.close && status == KERN_STANDS && rounds < KERN_EDGE_ROUNDS)
             return KERN_STANDS; /* the whole is evaluated there first */
@@ -6297,6 +6295,8 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
 {
     const kern_contact *c = m->s->contact;
     int i, j;
+    if (!kern_model_spend(m, 1 + m->s->contacts / 32))
+        return 0;
     for (i = 0; i < m->s->contacts; i = j) {
         for (j = i + 1; j < m->s->contacts && !c[i].line
                         && kern_same_interface(c + i, c + j); j++)
@@ -6322,10 +6322,10 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
         const kern_status status = kern_path_evaluate(m, path, next);
         if (status < KERN_UNDECIDED)
             return status;
-        for (k = stride - 1; k > 0 && status == KERN_STANDS; k--)
-            if (!kern_model_spend(m, 1 + m->s->contacts / 32)
-                || !kern_walk_holds(m, path->holds, at + KERN_R(k) * step))
-                break;
+        for (k = stride - 1; k > 0 && status == KERN_STANDS
+                             && kern_walk_holds(m, path->holds,
+                                                at + KERN_R(k) * step); k--)
+            continue;
         if (k > 0) {
             if (status == KERN_FALLS)
                 fell = next;
@@ -9829,7 +9829,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 /* ==== Part VI: Linear programs =========================================== */
 
-/* ---- The LP room --------------------------------------------------- >>lp */
+/* ---- The simplex method -------------------------------------------- >>lp */
 /* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
 
    The inverse of the basis B is a product of factors, one for each column that
@@ -10413,7 +10413,6 @@ static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
             x[sx->base[p]] = sx->value[p];
 }
 
-
 #ifdef KERN_USE_GLPK
 #define KERN_LP_H_ALLOWED
 #include "kern_lp.h"
@@ -10429,12 +10428,11 @@ static void kern_simplex_ray(kern_simplex *sx, kern_real *x)
     x[sx->ray] = KERN_R(1);
 }
 
-/* The one entry of the engine. Starts from the last
-   basis, or from the crash basis. x is written for every verdict: one that
-   falls leaves A x = rhs in it, with what is negative about it, which tells
-   how the verdict changes with the matrix. y is written for KERN_LP_INFEASIBLE,
-   and with costs for KERN_LP_OPTIMAL. `own` keeps the program from the
-   backend. */
+/* The one entry of the engine. Starts from the last basis, or from the crash
+   basis. x is written for every verdict: one that falls leaves A x = rhs in it,
+   with what is negative about it, which tells how the verdict changes with the
+   matrix. y is written for KERN_LP_INFEASIBLE, and with costs for
+   KERN_LP_OPTIMAL. `own` keeps the program from the backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
@@ -10730,9 +10728,7 @@ KERN_API kern_options kern_near(const kern_options *options,
    long steps; G. B. Dantzig, W. Orchard-Hays, The product form for the inverse
    in the simplex method, Math. Tables Aids Comput. 8 (1954); E. Hellerman, D.
    Rarick, Reinversion with the preassigned pivot procedure, Math. Programming 1
-   (1971), for the triangular part; J. Bisschop, A. Meeraus, Matrix augmentation
-   and partitioning in the updating of the basis inverse, Math. Programming 13
-   (1977), for columns beside it.
+   (1971), for the order of columns.
    Raised: V. Acary, F. Cadoux, C. Lemarechal, J. Malick, A formulation of the
    linear discrete Coulomb friction problem via convex optimization, ZAMM 91
    (2011), for prices as a fixed point of least forces.

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x8ee29fa956d71350u },
-    { 1000, 0x4a2c9dc9d8a2838eu },
-    { 5000, 0x60241de85238b8bbu },
+    { 200, 0x9c2a976fabe446f9u },
+    { 1000, 0xbaf2b4da9fcda9feu },
+    { 5000, 0x1d82abfb1bb9d7c4u },
 #else
-    { 200, 0x0e78c1e6cea4a850u },
-    { 1000, 0x567633f344510ea6u },
-    { 5000, 0x4bf0acf68b3bfea9u },
+    { 200, 0x2c031ec3c4b55706u },
+    { 1000, 0xd57908af5abb73d1u },
+    { 5000, 0x5b2fe5933ff98081u },
 #endif
 };
 

@@ -79,7 +79,7 @@ chapter() { # chapter TAG: the lines of kern.h from its ruler to the next
         on' kern.h | sed 's/\*\/$/ \*\//'
 }
 
-rooms() { # the LP room knows no stones, the proofs know no LP
+rooms() { # linear programs know no stones, the proofs no linear program
     chapter lp >"$out/lp" && [ -s "$out/lp" ] &&
         ! grep -niE 'stone|gravity|friction|contact_' "$out/lp" &&
         chapter proof >"$out/proof" && [ -s "$out/proof" ] &&
