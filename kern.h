@@ -6418,14 +6418,13 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 #define KERN_INNER_EXACT   128     /* groups: more, and a bracket is enough   */
 #define KERN_INNER_WIDE    256     /* groups of what is said to be large      */
 #define KERN_INNER_STEPS   40      /* of a search                             */
-#define KERN_INNER_MANY    300     /* the same of what is large               */
+#define KERN_INNER_MANY    300     /* the same above KERN_PLAIN_SMALL groups  */
 #define KERN_INNER_STALLED 3       /* of them without effect                  */
 #define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
 #define KERN_INNER_TRIES   6       /* steps for a proof                       */
 #define KERN_INNER_BALANCED 2      /* times that forces are balanced          */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
 #define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
-#define KERN_INNER_STRIDE  KERN_R(0.1)    /* of a second search, in sizes     */
 #define KERN_INNER_SOFT    KERN_R(0.01)   /* width over which kerns close     */
 /* Gaps: of lost digits; at which a prediction counts; from which a verdict
    begins, and beside how far that is from the last; beside the power of a
@@ -6441,7 +6440,6 @@ typedef struct kern_inner {
     const kern_path *path;
     kern_real s;              /* the place                                    */
     kern_real low;            /* it stays between this and the path's end     */
-    kern_real stride;         /* it goes no farther in a step                 */
     kern_real ahead;          /* where the prediction sees the edge           */
     kern_real at;             /* the place of the matrix where that is held,
                                  else s                                       */
@@ -6634,8 +6632,7 @@ static kern_real kern_inner_step(kern_inner *in)
     if (in->held) /* s does not pass the place */
         ds = kern_min(ds, in->at - in->s);
     else
-        ds = kern_max(kern_min(ds, kern_min(in->path->end - in->s, in->stride)),
-                      in->low - in->s);
+        ds = kern_max(kern_min(ds, in->path->end - in->s), in->low - in->s);
     for (i = 0; i < n; i++)
         p->step[i] += ds * in->gain[i];
     kern_inner_ways(p, p->step, turn);
@@ -6850,8 +6847,8 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->over = p->b;
-    in->most = m->groups > KERN_INNER_WIDE ? KERN_INNER_MANY
-                                           : KERN_INNER_STEPS;
+    in->most = m->groups > KERN_PLAIN_SMALL ? KERN_INNER_MANY
+                                            : KERN_INNER_STEPS;
     in->held = in->failed = in->along = in->steps = in->sharp = 0;
     in->rate = KERN_R(1e-3) / path->unit;
     in->shrinks = path->kind == KERN_PATH_SHRINK;
@@ -7129,8 +7126,7 @@ static void kern_inner_level(kern_model *m, kern_path *path)
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
    where it is not found. */
-static kern_status kern_inner_search(kern_model *m, kern_path *path,
-                                     kern_real stride)
+static kern_status kern_inner_search(kern_model *m, kern_path *path)
 {
     kern_inner in;
     kern_status status;
@@ -7138,7 +7134,6 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path,
         return KERN_UNDECIDED;
     path->inner = &in;
     path->fails = path->end;
-    in.stride = stride;
     status = kern_inner_follow(&in)
              ? kern_path_evaluate(m, path, path->end)
              : kern_inner_ends(&in, m, path);
@@ -7300,19 +7295,6 @@ static kern_status kern_plain_search(kern_model *m, kern_path *path,
     return kern_plain_climb(m, path, probe);
 }
 
-/* The interior point; where kerns shrink, and the simplex method has much to do,
-   a second time in small steps. */
-static kern_status kern_plain_inner(kern_model *m, kern_path *path)
-{
-    const kern_real holds = path->holds;
-    const kern_status status = kern_inner_search(m, path, KERN_INFINITY);
-    if (status == KERN_STANDS || path->kind != KERN_PATH_SHRINK
-        || m->groups <= KERN_PLAIN_SMALL)
-        return status;
-    path->holds = holds;
-    return kern_inner_search(m, path, KERN_INNER_STRIDE * path->unit);
-}
-
 /* As kern_path_search(), by the interior point, or else, and of what is small
    at once, by the linear program of the whole. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
@@ -7326,7 +7308,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     if (!seeded /* else one verdict from the known forces may do */
         && !kern_model_small(m, kern_model_chain(m) ? KERN_SMALL
                                                     : 2 * KERN_SMALL))
-        status = kern_plain_inner(m, path);
+        status = kern_inner_search(m, path);
     if (status == KERN_STANDS)
         return status;
     status = kern_model_plain(m, path->part, &q);

@@ -700,6 +700,16 @@ static int is_same(const struct ask *ask, double a, double b)
     return fabs(a - b) <= SAME / NEAR * ask->same;
 }
 
+/* Whether two margins of one structure agree: above EXACT_MOST blocks kern.h
+   promises a place in the bracket alone. */
+static int margins_agree(const struct ask *ask, const kern_margin *a,
+                         const kern_margin *b)
+{
+    return is_same(ask, a->margin, b->margin)
+           || (ask->bench->now.blocks > EXACT_MOST && a->holds <= b->fails
+               && b->holds <= a->fails);
+}
+
 /* Whether somebody else's level is as good as that of the measure: where a step
    lies in the bracket of the margin, or within `near` of it, either answer may
    be given there, or none. */
@@ -956,9 +966,7 @@ static void measure_margin(struct ask *ask)
     const double width = blocks > NARROW_MOST ? BRACKET_WIDE : BRACKET;
     note(ask, MEASURE, time_of(ask, run_measure, NULL));
     check(ask, ask->status == KERN_STANDS
-          && (is_same(ask, m->margin, before.margin)
-              || (blocks > EXACT_MOST && m->holds <= before.fails
-                  && before.holds <= m->fails)),
+          && margins_agree(ask, m, &before),
           "margin with another step", before.margin, m->margin);
     note(ask, MARGIN, m->margin / m->most);
     note(ask, FLOOR, time_of(ask, run_floor, NULL));
@@ -1047,7 +1055,7 @@ static int site_open(struct ask *ask)
     ask->plan = plan_open(ask);
     ask->whole = plan_open(ask);
     kern_measure(&ask->plan.task, &ask->with, NULL);
-    check(ask, is_same(ask, ask->with.margin, ask->margin.margin),
+    check(ask, margins_agree(ask, &ask->with, &ask->margin),
           "margin of the plan", ask->with.margin, ask->margin.margin);
     return ask->places;
 }
