@@ -3859,7 +3859,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_UNIT_SHARE    32      /* .. and one more for so many groups      */
 #define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
-#define KERN_POUR_LARGEST  500000  /* of these: their product is an int       */
+#define KERN_LEANS_BUDGET  4500    /* the same where forces lean              */
+#define KERN_POUR_LARGEST  400000  /* of these: their product is an int       */
 
 /* What a contact's two rays make of the motion (wn, wt) along n and t: force
    and its derivative. */
@@ -4958,7 +4959,8 @@ static int kern_unit_ends(const kern_model *m, int groups)
                      ? KERN_UNIT_MOST + m->groups / KERN_UNIT_SHARE
                      : m->groups <= KERN_SMALL && kern_model_chain(m)
                      ? m->s->contacts / m->groups : m->groups / 2;
-    return groups > (m->leans ? KERN_UNIT_LEANS : most) || m->regrown < 0;
+    return m->leans ? groups > KERN_UNIT_LEANS
+                    : groups > most || m->regrown < 0;
 }
 
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
@@ -5047,8 +5049,8 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
     kern_real *u = (kern_real *)(void *)m->motion;
     const int size = m->s->contacts + m->groups;
-    int budget = KERN_POUR_BUDGET * (size < KERN_POUR_LARGEST
-                                     ? size : KERN_POUR_LARGEST);
+    int budget = (m->leans ? KERN_LEANS_BUDGET : KERN_POUR_BUDGET)
+                 * (size < KERN_POUR_LARGEST ? size : KERN_POUR_LARGEST);
     int at;
     for (at = 0; at < 3 * m->s->blocks; at++)
         u[at] = KERN_R(0);

@@ -40,7 +40,7 @@ static const struct {
 #ifdef KERN_SINGLE
     { 200, 0x9c2a976fabe446f9u },
     { 1000, 0xbaf2b4da9fcda9feu },
-    { 5000, 0x1d82abfb1bb9d7c4u },
+    { 5000, 0x7e8a4aed95864fbcu },
 #else
     { 200, 0x2c031ec3c4b55706u },
     { 1000, 0xd57908af5abb73d1u },
