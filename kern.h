@@ -71,9 +71,11 @@
            printf("level %d, margin %g m\n", m.level, m.margin);
 
    Compare a verdict with == KERN_STANDS: both verdicts are true as a condition.
-   The forces of the structure as it stands come from kern_verdict(&task, 0,
-   &proof). examples/one_block.c is the same program with all checks,
-   examples/kern.c the program for the command line.
+   A negative count of contacts is the status of the search, and every call that
+   takes the task returns it. The forces of kern_measure() are those at
+   m.holds, with every contact shrunk; those of the structure as it stands come
+   from kern_verdict(&task, 0, &proof). examples/one_block.c is the same program
+   with all checks, examples/kern.c the program for the command line.
    "multiple definition of kern_...": KERN_IMPLEMENTATION is in more than one
    file; "undefined reference": in none, or in one of the other precision.
 
@@ -259,8 +261,9 @@
    profile     how much worse it gets after that: every stone's own margin or
                load factor, their mean, the mean of the weaker half, and the
                expected drop
-   raised      whether the load raises the forces that hold it, and with what
-               reserve: see kern_raised()
+   raised      whether the load raises the forces that hold it; reserve: up to
+               what share of gravity pushing sideways, with contacts shrunk by
+               that share of the mean size, this can still be shown
    sensitivity which way a stone should move or turn, and how exactly it must
                lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
@@ -824,14 +827,13 @@ typedef struct kern_lp {
    where the number of contacts is below -1 that status of kern_contacts(), with
    the fault as it left it. With KERN_LIMIT the number that a search was asked
    for is the largest that is proven to stand by then, below 0 if none is.
-   Numbers that could not be squared or multiplied
-   safely are refused, with the block in the fault: a centre, a place or a
-   travel above 1e100 m (KERN_BAD_NUMBER), a mass as in kern_block_init()
-   (KERN_BAD_MASS), an area below that or above 1e200 m^2 (KERN_NO_AREA,
-   KERN_BAD_NUMBER), and where weight and load of a free block together are
-   above 1e100 N, or below 1e-100 N and not 0 (KERN_BAD_NUMBER; float: 1e15,
-   1e-15). B is the number of blocks, C of contact points, k the size of S
-   (see >>lp). */
+   Numbers that could not be squared or multiplied safely are refused, with the
+   block in the fault: a centre, a place or a travel above 1e100 m
+   (KERN_BAD_NUMBER), a mass as in kern_block_init() (KERN_BAD_MASS), an area
+   below that or above 1e200 m^2 (KERN_NO_AREA, KERN_BAD_NUMBER), and where
+   weight and load of a free block together are above 1e100 N, or below 1e-100 N
+   and not 0 (KERN_BAD_NUMBER; float: 1e15, 1e-15). B is the number of blocks, C
+   of contact points, k the size of S (see >>lp). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -6075,6 +6077,7 @@ typedef struct kern_bracket {
     int close, closed;        /* fails lies close to the edge; both ends do   */
     int known;                /* nonzero: the edge is exact                   */
     int halve;                /* nonzero: the next place is in the middle     */
+    kern_real step;           /* the last of Newton's method                  */
 } kern_bracket;
 
 static void kern_bracket_look(kern_bracket *b, const kern_path *path)
@@ -6166,7 +6169,6 @@ static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
     const int pivots = m->work->pivots;
     const int single = path->part->simplex.violated == 1;
     const kern_status status = kern_path_evaluate(m, path, at);
-    const int halved = b->halve;
     b->halve = 0;
     if (status == KERN_FALLS && at < lo) {
         path->fails = hi; /* both proofs hold, within their tolerances */
@@ -6175,8 +6177,8 @@ static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
     } else if (status == KERN_FALLS) {
         b->share = path->inner ? KERN_R(0.5) : KERN_BRACKET_SHARE;
         b->halve = path->inner && at - path->edge > b->aside * KERN_R(1.05)
-                   && (path->edge <= lo
-                       || (!halved && at - lo > (hi - lo) / 2));
+                   && (path->edge <= lo || at - path->edge > b->step / 2);
+        b->step = at - path->edge;
     } else if (status == KERN_UNDECIDED)
         *goes = kern_bracket_widen(b, path);
     else if (status == KERN_STANDS)
@@ -6193,7 +6195,7 @@ static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
    4. else evaluate at the place itself, where yet another mechanism may fall.
    Where it stands beyond the prediction, the steps grow. The interior point finds
    one of many mechanisms, and steps of Newton's method may become many: where
-   they do not halve the bracket, it is halved. */
+   they do not get shorter by half, the bracket is halved. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path,
                                   int rounds)
 {
@@ -6202,6 +6204,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
     b.aside = b.under = path->tolerance * KERN_R(0.45);
     b.known = b.close = b.halve = path->closed = 0;
     b.share = path->inner ? KERN_R(0.5) : KERN_BRACKET_SHARE;
+    b.step = KERN_INFINITY;
     for (round = 0; (round < rounds || (b.close && round < KERN_EDGE_ROUNDS))
                     && goes; round++) {
         kern_status status;
@@ -7143,6 +7146,8 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        if (!kern_inner_closed(m, path)) /* again, from forces closer to it */
+            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
         if (!kern_inner_closed(m, path))
             status = KERN_UNDECIDED;
     }
