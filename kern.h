@@ -2704,7 +2704,9 @@ struct kern_part {
 /* The engine, in >>lp. */
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
-static void kern_certificate_lift(kern_simplex *sx, kern_real *y, int own);
+static int kern_certificate_lift(kern_simplex *sx, kern_real *y, int own);
+static void kern_simplex_restart(kern_simplex *sx);
+static int kern_simplex_violated(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int own,
@@ -5496,10 +5498,9 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     int lift;
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
-    for (lift = 0; status == KERN_FALLS && !(error <= 1)
-                   && lift <= 2 * p->simplex.started; lift++) {
-        if (lift)
-            kern_certificate_lift(&p->simplex, p->y, lift > 1);
+    for (lift = 0; status == KERN_FALLS && !(error <= 1) && lift <= 2; lift++) {
+        if (lift && !kern_certificate_lift(&p->simplex, p->y, lift > 1))
+            break;
         kern_part_motion(p);
         error = kern_prove_motion(m->s, q, m->motion);
     }
@@ -5565,8 +5566,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
             status = kern_part_prove(p, q, status);
         if (status >= 0)
             break;
-        /* once more from the crash basis */
-        p->simplex.started = 0;
+        kern_simplex_restart(&p->simplex);
     }
     return status;
 }
@@ -6166,7 +6166,7 @@ static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
     const kern_real lo = path->holds, hi = path->fails, r = path->edge;
     const kern_real at = kern_bracket_next(b, path);
     const int pivots = m->work->pivots;
-    const int single = path->part->simplex.violated == 1;
+    const int single = kern_simplex_violated(&path->part->simplex) == 1;
     const kern_status status = kern_path_evaluate(m, path, at);
     b->halve = 0;
     if (status == KERN_FALLS && at < lo) {
@@ -10175,12 +10175,15 @@ static kern_real kern_lp_meets(const kern_program *lp, int j,
 /* Lifts a certificate y off the columns that it touches. Rounding puts it a
    little below zero there as often as above; a few roundings higher it costs
    of its power no more than all of x is worth, times those roundings. Where the
-   basis magnifies them, as in jams, what hardly moves is lifted less (`own`). */
-static void kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
+   basis magnifies them, as in jams, what hardly moves is lifted less (`own`).
+   Returns 0 where there is no basis: the backend has answered. */
+static int kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
 {
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(y, lp->rows);
     int p;
+    if (!sx->started)
+        return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
         sx->alpha[p] = kern_infeasibility(sx, j, sx->value[p])
@@ -10190,6 +10193,7 @@ static void kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
     kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
         y[p] -= sx->alpha[p];
+    return 1;
 }
 
 /* The column outside of the basis that lowers what prices y = sx->row stand for
@@ -10391,6 +10395,14 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->temp = kern_take_reals(take, 3 * n + 3);
 }
 
+/* The next program begins from the crash basis. */
+static void kern_simplex_restart(kern_simplex *sx)
+{ sx->started = 0; }
+
+/* How many variables were violated when prices were last made. */
+static int kern_simplex_violated(const kern_simplex *sx)
+{ return sx->violated; }
+
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 {
     int i, p;
@@ -10431,7 +10443,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     work->solves++;
 #ifdef KERN_USE_GLPK
     if (!own && lp->rows > KERN_GLPK_ROWS) {
-        sx->started = 0;
+        kern_simplex_restart(sx);
         return kern_lp_glpk(lp, x, y, work);
     }
 #endif

@@ -79,8 +79,10 @@ chapter() { # chapter TAG: the lines of kern.h from its ruler to the next
         on' kern.h | sed 's/\*\/$/ \*\//'
 }
 
-rooms() { # linear programs know no stones, the proofs no linear program
-    chapter lp >"$out/lp" && [ -s "$out/lp" ] &&
+rooms() { # linear programs know no stones, the proofs no linear program, and
+    # nothing before the engine touches its fields
+    ! sed '/^\/\* ----.*>>lp \*\//,$d' kern.h | grep -nE 'simplex(\.|->)|sx->' &&
+        chapter lp >"$out/lp" && [ -s "$out/lp" ] &&
         ! grep -niE 'stone|gravity|friction|contact_' "$out/lp" &&
         chapter proof >"$out/proof" && [ -s "$out/proof" ] &&
         ! grep -nE 'kern_lp|simplex|basis' "$out/proof"
