@@ -50,7 +50,7 @@ static int kern_glpk_column(const kern_program *lp, int j, int *row,
     int n = 0, i, end;
     if (lp->ends) {
         for (end = 0; end < 2; end++) {
-            const int g = end ? kern_lp_tail(lp, j) : kern_lp_head(lp, j);
+            const int g = lp->ends[end ? j | 1 : j & ~1];
             const kern_real *c = lp->a + 4 * (size_t)j;
             if (3 * g >= lp->rows)
                 continue;
