@@ -833,7 +833,7 @@ typedef struct kern_lp {
    below that or above 1e200 m^2 (KERN_NO_AREA, KERN_BAD_NUMBER), and where
    weight and load of a free block together are above 1e100 N, or below 1e-100 N
    and not 0 (KERN_BAD_NUMBER; float: 1e15, 1e-15). B is the number of blocks, C
-   of contact points, k the size of S (see >>lp). */
+   of contact points. */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -978,7 +978,8 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 /* Whether the structure stands with its kerns shrunk by `shrink` (grown, if
    negative): KERN_STANDS, KERN_FALLS or KERN_UNDECIDED. proof may be NULL.
    Time: O(B + C) where forces can be passed on from the top down, as in most
-   walls; else about C + B k for each pivot of the simplex method. */
+   walls; else for each pivot of the simplex method C and the
+   entries of its factors (>>lp), B^2 at the most. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
@@ -3855,12 +3856,12 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_HOLD_ROUNDS   8       /* the same where they were not poured     */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
-#define KERN_UNIT_MOST     20      /* groups of a unit ...                    */
+#define KERN_UNIT_MOST     20      /* groups of a unit                        */
 #define KERN_UNIT_LEANS    80      /* the same where forces lean              */
 #define KERN_LEANS         KERN_R(0.95) /* share of friction, where they do   */
 #define KERN_SMALL         16      /* groups of a small structure             */
-#define KERN_REGROWN       16      /* times that a unit of three is joined .. */
-#define KERN_UNIT_SHARE    32      /* .. and one more for so many groups      */
+#define KERN_REGROWN       16      /* times that a unit of three is joined    */
+#define KERN_UNIT_SHARE    32      /* one group, one time more for so many    */
 #define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
 #define KERN_LEANS_BUDGET  4500    /* the same where forces lean              */

@@ -965,8 +965,7 @@ static void measure_margin(struct ask *ask)
     const int blocks = ask->bench->now.blocks;
     const double width = blocks > NARROW_MOST ? BRACKET_WIDE : BRACKET;
     note(ask, MEASURE, time_of(ask, run_measure, NULL));
-    check(ask, ask->status == KERN_STANDS
-          && margins_agree(ask, m, &before),
+    check(ask, ask->status == KERN_STANDS && margins_agree(ask, m, &before),
           "margin with another step", before.margin, m->margin);
     note(ask, MARGIN, m->margin / m->most);
     note(ask, FLOOR, time_of(ask, run_floor, NULL));

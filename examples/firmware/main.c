@@ -160,12 +160,12 @@ int main(void)
 }
 
 /* Output, where pivots and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 36 pivots; 309910 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 5269 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 9 pivots; 34589 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 6 pivots; 33690 ticks
+wall of 30 stones:    level 31, margin 0.1518 m; 26 pivots; 232767 ticks
+candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 4824 ticks
+candidate at  0.20 m: level 34, margin 0.1663 m; 6 pivots; 29841 ticks
+candidate at  0.40 m: level 34, margin 0.1663 m; 6 pivots; 31468 ticks
 candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 239 ticks
 memory: 45976 bytes of work memory, 9256 of blocks and contacts,
-        55240 of variables in all, 2768 of 10296 of stack, 57704 of flash
+        55240 of variables in all, 2752 of 10296 of stack, 56624 of flash
 best place: 0.20 m
 */
