@@ -978,8 +978,8 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 /* Whether the structure stands with its kerns shrunk by `shrink` (grown, if
    negative): KERN_STANDS, KERN_FALLS or KERN_UNDECIDED. proof may be NULL.
    Time: O(B + C) where forces can be passed on from the top down, as in most
-   walls; else for each pivot of the simplex method C and the
-   entries of its factors (>>lp), B^2 at the most. */
+   walls; else for each pivot of the simplex method C and the entries of its
+   factors (>>lp), B^2 at the most. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
@@ -4576,8 +4576,7 @@ static void kern_pour_free(const kern_real h[6], const kern_real b[3],
 
 typedef struct kern_row { /* a contact that carries the group */
     kern_real n[3], turn, mu; /* t is (-n[1], n[0], turn)                     */
-    kern_real wn, wt;         /* where its motion begins                      */
-    kern_real vn, vt;         /* its motion                                   */
+    kern_real wn, wt;         /* its motion                                   */
     int end, mask;
 } kern_row;
 
@@ -4587,14 +4586,17 @@ static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 static inline kern_real kern_row_along(const kern_row *c, const kern_real *u)
 { return -c->n[1] * u[0] + c->n[0] * u[1] + c->turn * u[2]; }
 
-/* Moves the group by u. */
-static inline void kern_row_move(kern_row *row, int n, const kern_real u[3])
+/* Moves the group, which has moved by u, a step farther. */
+static inline void kern_rows_move(kern_row *row, int n,
+                                  const kern_real step[3], kern_real u[3])
 {
     int k;
     for (k = 0; k < n; k++, row++) {
-        row->vn = row->wn + kern_three(row->n, u);
-        row->vt = row->wt + kern_row_along(row, u);
+        row->wn += kern_three(row->n, step);
+        row->wt += kern_row_along(row, step);
     }
+    for (k = 0; k < 3; k++)
+        u[k] += step[k];
 }
 
 /* The contact with end e at the group. */
@@ -4645,7 +4647,7 @@ static void kern_pour_sum(const kern_row *row, int n, const kern_real b[3],
         for (j = 0; j < 3; j++) {
             v[j] = nn * c->n[j] + nt * t[j];
             w[j] = nt * c->n[j] + tt * t[j];
-            left[j] -= v[j] * c->vn + w[j] * c->vt;
+            left[j] -= v[j] * c->wn + w[j] * c->wt;
         }
         h[0] += v[0] * c->n[0] + w[0] * t[0];
         h[1] += v[1] * c->n[0] + w[1] * t[0];
@@ -4663,22 +4665,17 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
                                    kern_real tolerance, kern_real u[3])
 {
     kern_real left[3], h[6], step[3], most;
-    int k, j, round, changed = 1, good = 0;
+    int k, round, changed = 1, good = 0;
     u[0] = u[1] = u[2] = KERN_R(0);
-    for (k = 0; k < n; k++) {
-        row[k].vn = row[k].wn;
-        row[k].vt = row[k].wt;
+    for (k = 0; k < n; k++)
         row[k].mask = 3;
-    }
     for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
         kern_pour_sum(row, n, b, left, h);
         good = kern_pour_three(h, left, step);
-        for (j = 0; j < 3; j++)
-            u[j] += step[j];
-        kern_row_move(row, n, u);
+        kern_rows_move(row, n, step, u);
         changed = 0;
         for (k = 0; k < n; k++) {
-            const kern_real wn = row[k].vn, wt = row[k].mu * row[k].vt;
+            const kern_real wn = row[k].wn, wt = row[k].mu * row[k].wt;
             const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
             changed |= mask != row[k].mask;
             row[k].mask = mask;
@@ -4696,9 +4693,7 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
             return KERN_FALLS;
         }
         kern_pour_three(h, left, step);
-        for (j = 0; j < 3; j++)
-            u[j] += step[j];
-        kern_row_move(row, n, u);
+        kern_rows_move(row, n, step, u);
     }
     return KERN_STANDS;
 }
@@ -4725,8 +4720,7 @@ static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
     b[2] += f * row->n[2] + r * row->turn;
 }
 
-/* Makes forces of the rows lean: n + lean t instead of n, and no friction. Of
-   these wt is the lean then. */
+/* Makes forces of the rows lean: n + lean t instead of n, and no friction. */
 static void kern_rows_lean(const kern_model *m, kern_row *row, int n)
 {
     int k;
@@ -4736,7 +4730,6 @@ static void kern_rows_lean(const kern_model *m, kern_row *row, int n)
         c->n[0] -= lean * c->n[1];
         c->n[1] += lean * x;
         c->n[2] += lean * c->turn;
-        c->wt = lean;
         c->mu = KERN_R(0);
     }
 }
@@ -4757,9 +4750,11 @@ static kern_status kern_pour_alone(kern_model *m, int g)
         kern_rows_lean(m, row, n);
     status = kern_pour_solve(row, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_spring s = kern_spring_of(row[k].vn, row[k].vt, row[k].mu);
-        kern_pour_write(m, row[k].end >> 1, m->ends[row[k].end ^ 1], s.f,
-                        m->leans ? row[k].wt * s.f : s.r, tolerance);
+        const kern_spring s = kern_spring_of(row[k].wn, row[k].wt, row[k].mu);
+        const int i = row[k].end >> 1;
+        kern_pour_write(m, i, m->ends[row[k].end ^ 1], s.f,
+                        m->leans ? kern_model_lean(m, i) * s.f : s.r,
+                        tolerance);
     }
     return status;
 }
@@ -5281,7 +5276,7 @@ static int kern_pass_block(kern_pass *p, int i)
     if (kern_pour_solve(row, n, b, tolerance, u) != KERN_STANDS)
         return 0;
     for (k = 0; k < n; k++) {
-        const kern_spring is = kern_spring_of(row[k].vn, row[k].vt, row[k].mu);
+        const kern_spring is = kern_spring_of(row[k].wn, row[k].wt, row[k].mu);
         kern_pass_write(p, i, row + k, is.f, is.r, tolerance);
     }
     return 1;
@@ -6919,7 +6914,7 @@ static int kern_inner_restore(kern_inner *in, kern_real place)
 
 /* Holds the matrix at a place from now on. Where the path's g is less than what
    x misses there, that becomes g, and at - s the share of it that is still
-   missing. What has lost its digits begins anew. */
+   missing. What has lost its digits begins anew, or what is to. */
 static void kern_inner_hold(kern_inner *in, kern_real place, int anew)
 {
     kern_part *p = in->p;
@@ -7015,15 +7010,16 @@ static kern_status kern_inner_seen(kern_inner *in, kern_real place,
     return KERN_UNDECIDED;
 }
 
-/* The verdict at a place, in so many steps. A motion proves that it falls as long
-   as it parts from all contacts by more than rounding, which is before it is
-   sharp enough for Newton's method. */
-static kern_status kern_inner_steps(kern_inner *in, kern_real place, int rounds)
+/* The verdict at a place, from what was found before or anew. A motion proves
+   that it falls as long as it parts from all contacts by more than rounding,
+   which is before it is sharp enough for Newton's method. */
+static kern_status kern_inner_steps(kern_inner *in, kern_real place, int anew)
 {
+    const int rounds = anew ? KERN_INNER_ROUNDS : KERN_INNER_WARM;
     const kern_part *p = in->p;
     kern_status status = KERN_UNDECIDED;
     int round, late = 0;
-    kern_inner_hold(in, place, rounds == KERN_INNER_ROUNDS);
+    kern_inner_hold(in, place, anew);
     for (round = 0; round < rounds && late < KERN_INNER_STALLED
                     && kern_inner_advance(in); round++) {
         const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
@@ -7050,9 +7046,9 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
     if (status != KERN_UNDECIDED)
         return status;
     in->p->m->work->solves++;
-    status = kern_inner_steps(in, place, KERN_INNER_WARM);
+    status = kern_inner_steps(in, place, 0);
     if (status == KERN_UNDECIDED)
-        status = kern_inner_steps(in, place, KERN_INNER_ROUNDS);
+        status = kern_inner_steps(in, place, 1);
     kern_inner_note(in, status, edge);
     return status;
 }
