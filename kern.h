@@ -20,7 +20,7 @@
                             >>raised
      V    Geometry          >>tol >>polygon >>contact, and >>plan
      VI   Linear programs   >>lp, and >>words
-     VII  Sources           >>references >>misra >>changes, and the licence
+     VII  Sources           >>references >>changes, and the licence
 
 
    WHAT IT COMPUTES                                                    >>what
@@ -170,8 +170,7 @@
 
    Forces are passed on from top to bottom (>>pour), three equations at a time
    where blocks can be balanced alone. What cannot be balanced is a small part
-   that falls, or a few bodies of blocks that move as one: the simplex method
-   (>>lp) finds its motion. Where no small part decides, an interior-point
+   that falls: the simplex method (>>lp) finds its motion. Where no small part decides, an interior-point
    method (>>inner) finds forces, motion and margin together. The margin is
    found from above (>>search): where a part falls while all other blocks are
    held, the whole falls.
@@ -300,10 +299,8 @@
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop: larger is worse
 
-   In four structures of five the first stone to move is in the weakest quarter
-   of the load factors. Where stones slide before they tip, as in low walls, all
-   load factors end at mu, and rank less well. examples/shaking/study has the
-   whole comparison.
+   Where stones slide before they tip, as in low walls, all load factors end at
+   mu, and rank less well. examples/shaking/study has the whole comparison.
 
    Whether a stone stays where it is laid is what kern_raised() tells best. Of
    969 placements for which forces exist, a stone in a geometric resting pose on
@@ -331,15 +328,10 @@
    Forces. Many sets of forces hold a structure, no measure depends on which,
    and a proof has the first that was found. To look at, take the least forces
    (kern_forces()): one set, symmetric where the structure is, which loads all
-   that can carry and uses no more friction than it must. Equal springs at all
-   contact points would answer so, if sliding were dilatant. In
-   examples/structures/arch.kern their horizontal thrust is 86.5, where the
-   least is 81.0 and the largest 104.9. Those of kern_raised() are closer to
-   friction, but with friction not unique. Neither says how stones of some
-   stiffness share a load. Least forces were found in all of 1,241 settled
-   structures, at 0, at half of the margin and at `holds`; of 973 rows of
-   wedges in all at 0, in 38 % at `holds`, where forces grow without bound;
-   with sizes of 1 to 1e4 in 79 % at 0.
+   that can carry and uses no more friction than it must. Those of kern_raised()
+   are closer to friction, but with friction not unique. Neither says how stones
+   of some stiffness share a load. Near the margin of jams, and where sizes
+   differ by 1e4, least forces may not be found.
 
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
@@ -382,7 +374,7 @@
    counts as standing. kern_raised() tells these apart. Mechanisms are those of
    limit analysis: blocks that slide also part (sliding is dilatant).
 
-   In a structure of more than 128 blocks of which many move at once a margin
+   In a structure of more than 64 blocks of which many move at once a margin
    may lie anywhere between holds and fails; above 256 these are up to 3e-5 mean
    sizes apart. A thousand perfect bricks in bond may take minutes:
    options.limit ends them with the shrinkage up to which the wall is proven to
@@ -719,11 +711,6 @@ typedef struct kern_known {
     kern_force *force;    /* one a contact point: at holds                    */
     kern_real holds, margin, fails; /* of the last measure; fails 0: there
                                        was none                               */
-    int blocks, contacts; /* of the structure that was measured; 0: none     */
-    kern_real seen;       /* a sum over these blocks: a change is noticed     */
-    kern_vec gravity;     /* its gravity                                      */
-    int relative, nested; /* its option; nonzero: its kerns are nested        */
-    kern_real most;       /* d_max                                            */
 } kern_known;
 
 /* What a call needs. kern_task_of() fills it; each field may be changed between
@@ -738,20 +725,13 @@ typedef struct kern_task {
 /* A structure that a planner changes by one block at a time. kern_plan_of()
    makes an empty one; task.options and task.s.gravity may then be set, before
    blocks are added. Everything may be read at any time; contacts that are given
-   rather than found may be appended to contact[task.s.contacts]. A try trusts
-   what kern_measure() checked and proved as long as blocks and contacts are as
-   many as they were then. It notices that a mass, a centre or a load has
-   changed; after changing a contact by hand set task.known.fails to 0, or
-   measure again, before the next try. */
+   rather than found may be appended to contact[task.s.contacts]. */
 typedef struct kern_plan {
     kern_task task;       /* the structure as it is now                       */
     kern_block *block;    /* arrays of the caller, which task.s reads         */
     int block_room;
     kern_contact *contact;
     int contact_room;
-    kern_box box;         /* of all blocks with a polygon                     */
-    kern_real area;       /* largest of the free ones [m^2]                   */
-    kern_real arm;        /* twice the longest diagonal of their boxes [m]    */
 } kern_plan;
 
 /* Directions of a horizontal load and of a tilt: right is +x where gravity is
@@ -885,9 +865,8 @@ KERN_API void kern_work_need(int blocks, int contacts,
    closed rings of other formats), KERN_BAD_MASS (density
    not above 0, or a mass below 1e-100 or above 1e100 [kg]; float: 1e-15 and
    1e15).
-   Time: O(n) for n vertices of a convex polygon; in another each edge is held
-   against 24 boxes and the edges in one or two of them: some 4 ms for 10,000
-   vertices, 0.3 s for 100,000. */
+   Time: O(n) for n vertices of a convex polygon, a test of boxes for each two
+   edges of another: 0.2 s for 10,000 vertices. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
@@ -916,11 +895,9 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    pair; kern_overlaps() lists all, and how deep they are), KERN_BAD_POINTER,
    _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES, KERN_NO_AREA (the
    block), KERN_STALE (the block: its vertices have moved, or their array was
-   used for another block). Of the work memory it takes 2 B ints: less than
-   KERN_INTS(B, C). Time: O(B log B + C log C), and a test of boxes for each two
-   blocks that stand above each other (beside, where the whole is higher than
-   wide). For two blocks whose boxes meet: a few products for each two edges
-   that are near, and some tens for each two edges where no edge of either parts
+   used for another block). Work memory: none but for the fault. Time: a test of
+   boxes for each two blocks (4 ms for 2000); where they meet a few products for
+   each two edges that are near, and some tens where no edge of either parts
    them, as one does between convex stones. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
@@ -936,8 +913,8 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
    but where a later block lies so far out that the rounding of its coordinates
    counts. Returns the same; KERN_STALE is found of block b, of blocks that it
-   may touch, and where one array of vertices serves two blocks. Work memory:
-   none but for the fault. Time: O(b), and the edges as above. */
+   may touch, and where one array of vertices serves two blocks. Time: O(b), and
+   the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
@@ -1135,9 +1112,8 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 
 /* -- planning -- */
 /* A planner compares structures that differ by a stone. No contact is searched
-   twice. kern_measure(&plan.task, ...) measures the plan: the first time for
-   forces with room for candidates, which takes up to 5 times as long, then from
-   the last measure on. Answers are those without a warm start. */
+   twice. kern_measure(&plan.task, ...) measures the plan from its last measure
+   on. Answers are those without a warm start. */
 
 /* An empty plan: arrays for so many blocks and contact points, kern_known_of()
    arrays as long as these, and work memory for a structure of that size.
@@ -1171,8 +1147,7 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
    Where kerns are not nested it is kern_plan_try() that tells, with its proof.
    KERN_BAD_NUMBER also for a margin below 0. The plan stays as it is.
-   Time: that of one verdict at the most, and for a block that cannot be held
-   there by its neighbours much less. */
+   Time: that of one verdict. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
@@ -1678,32 +1653,22 @@ typedef enum kern_path_kind {
     KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
 } kern_path_kind;
 
-/* What is known before a search: where a structure like it stood and fell, and
-   how. */
-typedef struct kern_seed {
-    kern_real holds, edge, fails; /* fails 0: nothing                         */
-    const kern_motion *motion; /* of all blocks but the last; NULL: they rest */
-    kern_motion last;          /* of the last                                 */
-} kern_seed;
-
 typedef struct kern_path {
     kern_path_kind kind;
     kern_query q;          /* at s = 0; what the path changes is replaced  */
     kern_real unit;           /* of the path: a block's size, or 1            */
     kern_real tolerance;      /* width of the bracket                         */
-    kern_real step;           /* of a level; 0: none                          */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
     kern_real stood, fell;    /* the farthest that is proven to stand, the
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
-    int closed;               /* nonzero: the bracket is as narrow as it gets */
     kern_part *part;          /* that fell last                               */
-    const kern_seed *seed;    /* or NULL                                      */
+    const kern_known *seed;   /* of a structure like it, of `body`, or NULL   */
+    kern_known body;          /* the body that falls first                    */
     int alone;                /* nonzero: the part is evaluated alone         */
     struct kern_inner *inner; /* evaluates the whole, or NULL                 */
-    int begun;                /* nonzero: it is known to stand at the start   */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -1716,48 +1681,26 @@ typedef struct kern_travels {
 } kern_travels;
 
 /* ---- what finds forces and motions ---- */
-/* Declared here, defined behind the argument: >>verdict, >>search, >>inner. */
+/* Declared here, defined and told behind the argument: >>verdict, >>search,
+   >>inner. */
 
-/* The verdict for a query, proven. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q);
-/* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status);
-/* The same at place s of a path; narrows its bracket. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s);
-/* Narrows the bracket to the tolerance. */
-static kern_status kern_path_edge(kern_model *m, kern_path *path,
-                                  int rounds);
-/* The travels of the kerns of all contacts from one on. */
+static kern_status kern_path_edge(kern_model *m, kern_path *path);
 static kern_travels kern_travels_of(const kern_structure *s,
-                                    const kern_query *q, int from);
-/* Goes in steps until it falls, and narrows the bracket there; in even steps
-   where verdicts may change more than once. */
+                                    const kern_query *q);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step, int even);
-/* The verdict on the whole at a place, by the interior point; in *edge, where
-   it falls, where that ends. */
 static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
                                        kern_real *edge);
-/* Whether there is one, and its last motion shows the edge. */
-static int kern_inner_sharp(const struct kern_inner *in);
-/* Does block i move in the last mechanism? */
 static int kern_moves(const kern_model *m, int i);
-/* Opens what moves in it, and the last block. */
-static int kern_part_moved(kern_part *p, kern_model *m);
-/* Notes the part as what falls, and lays out its linear program. */
-static kern_status kern_part_note(kern_part *p);
-/* Where a load or a tilt begins that search. */
-static kern_real kern_push_first(kern_model *m, const kern_path *path,
-                                 kern_real first);
-/* Brackets the first place where it falls, by small parts where it can. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step);
-/* The largest magnitude of n numbers. */
 static kern_real kern_largest(const kern_real *v, int n);
-/* Is d a point of the pair of c? */
 static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 
 /* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
@@ -1950,16 +1893,14 @@ static kern_status kern_arrays_check(const kern_structure *s)
     return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
 }
 
-/* Checks a structure, of which so many of the first blocks and contacts have
-   been checked before. */
+/* Checks a structure. */
 static kern_status kern_structure_check(const kern_structure *s,
-                                        int blocks, int contacts,
                                         kern_fault *fault)
 {
     kern_status status = kern_arrays_check(s);
-    int i, any = blocks > 0;
-    int loaded = any || kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
-    for (i = blocks; i < s->blocks && status == KERN_OK; i++) {
+    int i, any = 0;
+    int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
+    for (i = 0; i < s->blocks && status == KERN_OK; i++) {
         const kern_block *b = s->block + i;
         status = kern_block_check(b, s->gravity);
         if (status != KERN_OK)
@@ -1971,7 +1912,7 @@ static kern_status kern_structure_check(const kern_structure *s,
         return KERN_NO_FREE;
     if (status == KERN_OK && !loaded)
         return KERN_NO_LOAD;
-    for (i = contacts; i < s->contacts && status == KERN_OK; i++) {
+    for (i = 0; i < s->contacts && status == KERN_OK; i++) {
         const kern_contact *c = s->contact + i;
         status = kern_contact_check(c, s->blocks);
         if (status == KERN_OK && kern_abs(kern_vec_dot(c->n, c->n) - 1)
@@ -1998,7 +1939,7 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
     kern_work_begin(task->work);
     status = kern_options_check(&task->options);
     if (status == KERN_OK)
-        status = kern_structure_check(&task->s, 0, 0, &task->work->fault);
+        status = kern_structure_check(&task->s, &task->work->fault);
     if (status == KERN_OK && !out)
         status = KERN_BAD_POINTER;
     if (status != KERN_OK)
@@ -2021,8 +1962,7 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
 
 /* What is left over in the rows of all free blocks, under contact forces of
    `sum`, four a block, as a share of what is allowed, and all normal forces,
-   `total`, as a share of the bound. A block whose fourth sum is below 0 is left
-   out. */
+   `total`, as a share of the bound. */
 static kern_real kern_prove_rows(const kern_structure *s,
                                  const kern_query *q, const kern_real *sum,
                                  kern_real total)
@@ -2030,7 +1970,7 @@ static kern_real kern_prove_rows(const kern_structure *s,
     kern_real error = KERN_R(0), weight = KERN_R(0);
     int i;
     for (i = 0; i < s->blocks; i++, sum += 4)
-        if (!(sum[3] < 0) && !s->block[i].fixed && !kern_is_gone(q, i, i)) {
+        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
             const kern_real x = kern_abs(sum[0] + w.fx);
@@ -2053,8 +1993,8 @@ static kern_real kern_prove_rows(const kern_structure *s,
     return error <= 1 ? error : kern_max(error, KERN_R(2));
 }
 
-/* Adds a force of contact c to the sums of its blocks, but for what is left
-   out. Returns whether it is in its cone. */
+/* Adds a force of contact c to the sums of its blocks. Returns whether it is in
+   its cone. */
 static inline int kern_prove_contact(const kern_structure *s,
                                      const kern_query *q, const kern_contact *c,
                                      const kern_force *force, kern_real slope,
@@ -2069,8 +2009,6 @@ static inline int kern_prove_contact(const kern_structure *s,
     for (end = 0; end < 2; end++) {
         kern_real *at = sum + 4 * (end ? c->b : c->a);
         const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-        if (at[3] < 0)
-            continue;
         at[0] += sign * fx;
         at[1] += sign * fy;
         at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
@@ -2232,29 +2170,17 @@ struct kern_model {
     kern_real *arm;           /* four a contact: torques of n and t on b, and
                                  of -n and -t on a, in their units            */
     kern_force *force;        /* one a contact: of the last verdict           */
-    const kern_force *prior;  /* forces that are known, or NULL: they balance
-                                 all blocks but the last ...                  */
-    kern_real balanced;       /* ... at this shrinkage                        */
-    int complete;             /* nonzero: all are verified at a smaller one   */
+    const kern_force *prior;  /* of these the least change is found, or NULL  */
+    const kern_force *known;  /* forces that held a structure like it, or NULL,
+                                 at the shrinkage ...                         */
+    kern_real balanced;       /* ... that this is                             */
     kern_real narrow, slope;  /* of the options, of the last question         */
-    const kern_query *lazy; /* groups are opened when they are needed; NULL:
-                                  all are                                     */
     kern_motion *motion;      /* one a block: of the last verdict             */
     kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next, *dirty; /* of a group: see >>pour                     */
     int again;                /* the first leader that became dirty           */
-    int resumes;              /* nonzero: pouring ended at a part that falls, */
-    kern_real poured;         /* ... at this shrinkage                        */
-    int regrown;              /* how often a unit of three may yet be joined  */
-    int known;                /* nonzero: changes begin from its forces       */
     int *local;               /* of a group: its number in the open part      */
     int plain;                /* nonzero: all groups are one part             */
-    int *fell;                /* of a group: number of the last part with it  */
-    int falls;                /* how many parts fell                          */
-    int weighed;              /* nonzero: the loads are the next query's too  */
-    int rigid;                /* nonzero: its groups are joined to bodies     */
-    int leans;                /* nonzero: all forces have one direction ...   */
-    kern_vec lean;            /* ... this: see kern_model_slides()            */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
 };
@@ -2286,7 +2212,6 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->next = kern_take_ints(take, groups);
     m->dirty = kern_take_ints(take, groups);
     m->local = kern_take_ints(take, groups + 1);
-    m->fell = kern_take_ints(take, groups);
     m->arm = kern_take_reals(take, 4 * contacts);
 }
 
@@ -2335,9 +2260,6 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     known.motion = motion;
     known.force = force;
     known.holds = known.margin = known.fails = KERN_R(0);
-    known.blocks = known.contacts = known.relative = known.nested = 0;
-    known.seen = known.most = KERN_R(0);
-    known.gravity = kern_vec_make(0, 0);
     return known;
 }
 
@@ -2374,13 +2296,12 @@ static void kern_model_group(kern_model *m, const kern_query *q)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->block[none++] = i;
     m->groups = none;
-    m->plain = m->falls = 0;
+    m->plain = 0;
     kern_model_order(m, s->gravity, m->block);
     for (i = 0; i < s->blocks; i++)
         m->group[i] = none;
     for (g = 0; g < none; g++) {
         m->group[m->block[g]] = g;
-        m->fell[g] = 0;
         m->touch[g] = KERN_OUT;
     }
     for (i = s->contacts - 1; i >= 0; i--) {
@@ -2401,8 +2322,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     }
 }
 
-/* Opens the model of a task that has been checked. It has no groups yet: a change
-   that is passed on needs none. */
+/* Opens the model of a task that has been checked. It has no groups yet. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                    const kern_query *q)
 {
@@ -2421,13 +2341,11 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->weight = KERN_R(1);
-    m->prior = NULL;
-    m->lazy = NULL;
+    m->prior = m->known = NULL;
     m->balanced = KERN_R(0);
     m->narrow = q->narrow;
     m->slope = KERN_R(0);
-    m->groups = m->plain = m->leans = m->weighed = 0;
-    m->known = task->known.force != NULL;
+    m->groups = m->plain = 0;
     return KERN_OK;
 }
 
@@ -2481,9 +2399,6 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     kern_real weight = KERN_R(0);
     int g;
     m->slope = kern_slope(q);
-    m->lazy = NULL;
-    if (m->weighed)
-        return;
     m->weight = KERN_R(1);
     m->unit[m->groups] = KERN_R(0);
     for (g = 0; g < m->groups; g++) {
@@ -2512,18 +2427,6 @@ static void kern_model_set(kern_model *m, const kern_query *q)
         kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
 }
 
-/* Adds to `out` what a wrench on group g is on group `on`. */
-static void kern_model_shift(const kern_model *m, int g, const kern_real *load,
-                             int on, kern_real *out)
-{
-    const kern_vec arm = kern_vec_sub(m->s->block[m->block[g]].centre,
-                                      m->s->block[m->block[on]].centre);
-    out[0] += load[0];
-    out[1] += load[1];
-    out[2] += (load[2] / m->unit[g] + arm.x * load[1] - arm.y * load[0])
-              * m->unit[on];
-}
-
 /* No contact bears anything. */
 static void kern_model_unload(kern_model *m)
 {
@@ -2541,94 +2444,6 @@ static int kern_model_proven(const kern_model *m, kern_real error)
     if (error <= 1)
         m->work->error = kern_max(m->work->error, error);
     return error <= 1;
-}
-
-/* Makes the forces of the line that begins with contact i at shrinkage `from`
-   into forces at a smaller one: they move outward, and exert the same. Returns
-   whether it is a line. */
-static int kern_force_widen(kern_model *m, int i, kern_real from,
-                            kern_real shrink)
-{
-    const kern_contact *c = m->s->contact + i;
-    const int line = c->line && i + 1 < m->s->contacts && c[1].line
-                     && c->a == c[1].a && c->b == c[1].b;
-    kern_force *f = m->force + i;
-    const kern_real travel = kern_travel(c, m->mean);
-    const kern_real mu = kern_model_mu(m, i);
-    kern_real rate, was, is, sum, more, along;
-    int k;
-    sum = line ? f[0].normal + f[1].normal : KERN_R(0);
-    if (!(sum > 0))
-        return line;
-    was = travel - kern_shift(travel, from, m->relative, &rate);
-    is = travel - kern_shift(travel, shrink, m->relative, &rate);
-    along = (f[0].tangential + f[1].tangential) / sum;
-    along = kern_min(kern_max(along, -mu), mu);
-    more = f[0].normal - f[1].normal;
-    if (kern_abs(is) > 0)
-        more *= was / is;
-    for (k = 0; k < 2; k++, more = -more) {
-        f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
-        f[k].tangential = along * f[k].normal;
-    }
-    return line;
-}
-
-/* Whether forces on block i may have changed; see kern_pass_down(). */
-static inline int kern_is_open(const kern_model *m, int i)
-{ return !(m->sum[4 * i + 3] < 0); }
-
-/* Opens a group that keeps its forces: they may change from now on. At a
-   smaller shrinkage those that have not been widened yet are. */
-static void kern_model_unfold(kern_model *m, int g)
-{
-    int e, widen;
-    if (m->next[g] != KERN_OUT)
-        return;
-    widen = m->lazy->shrink < m->balanced && !kern_is_open(m, m->block[g]);
-    kern_model_load(m, m->lazy, g);
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const int other = m->ends[e ^ 1];
-        if (other == m->groups || m->next[other] == KERN_OUT)
-            kern_model_arm(m, m->lazy, e >> 1, m->arm + 4 * (size_t)(e >> 1));
-    }
-    m->next[g] = g;
-    for (e = widen ? m->touch[g] : KERN_OUT; e >= 0; e = m->after[e]) {
-        const int other = m->ends[e ^ 1];
-        if ((other == m->groups || (m->next[other] == KERN_OUT
-                                    && !kern_is_open(m, m->block[other])))
-            && kern_force_widen(m, e >> 1, m->balanced,
-                                m->lazy->shrink))
-            e += 2;
-    }
-}
-
-/* The model for a query whose forces are known but for what could not be passed
-   on: by so many blocks, listed in m->leader. Groups that have not been opened
-   keep their forces until they are. */
-static void kern_model_keep(kern_model *m, const kern_query *q, int waiting)
-{
-    int i, g;
-    if (m->groups == 0)
-        kern_model_group(m, q);
-    m->weight = KERN_R(1);
-    m->lazy = q;
-    for (g = 0; g < m->groups; g++) {
-        m->unit[g] = 1 / m->mean;
-        m->next[g] = KERN_OUT;
-        m->local[g] = KERN_OUT;
-        m->dirty[g] = 0;
-    }
-    m->local[m->groups] = KERN_OUT;
-    m->unit[m->groups] = KERN_R(0);
-    for (i = 0; i < waiting; i++)
-        m->dirty[m->group[m->leader[i]]] = 1;
-    for (g = 0; g < m->groups; g++) {
-        m->leader[g] = g;
-        if (m->dirty[g])
-            kern_model_unfold(m, g);
-    }
-    m->prior = m->force; /* the least change of what is there is found */
 }
 
 /* ---- Parts and programs ---------------------------------------- >>engine */
@@ -2655,6 +2470,7 @@ typedef struct kern_simplex {
     int room;               /* for entries of all, in groups                  */
     int ray;                /* unbounded: the column that rises without end   */
     int started;            /* there is a basis                               */
+    int stale;              /* the columns are not those that were factored   */
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables, when prices were last made          */
     kern_real unit;         /* what counts as 1 in the right-hand side        */
@@ -2680,9 +2496,6 @@ struct kern_part {
     int *group;               /* of the part; ascending but in >>least        */
     int *contact;             /* of the part                                  */
     int *ends;                /* of a contact: groups of the part, or none    */
-    int bodies;               /* of groups that move as one: see >>verdict    */
-    int *body;                /* of a group of the part                       */
-    int *lead;                /* of a body: its last group, of the model      */
     kern_take rest;           /* work memory behind these                     */
     /* least forces */
     int *first, *offset;      /* of a group: first column of its rows in the
@@ -2692,12 +2505,12 @@ struct kern_part {
     kern_real *way;           /* four a contact: u and step along n and t     */
     kern_real *factor;
     const kern_real *price;   /* one a contact: see >>raised; or NULL         */
-    int special;              /* nonzero: forces have prices, or lean         */
     int cost;                 /* of a step, in products                       */
     int rounds;               /* that the last forces took                    */
     /* the linear program */
     kern_program lp;
     kern_real *arc, *rhs, *x, *y;
+    kern_real shrink;         /* of its columns                               */
     kern_status found;        /* what the program said, proven or not         */
     kern_simplex simplex;
 };
@@ -2705,9 +2518,8 @@ struct kern_part {
 /* The engine, in >>lp. */
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
-static int kern_certificate_lift(kern_simplex *sx, kern_real *y, int own);
+static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
 static void kern_simplex_restart(kern_simplex *sx);
-static int kern_simplex_violated(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int own,
@@ -2745,16 +2557,15 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->proof = NULL;
     path->q = *q;
     path->seed = NULL;
-    path->alone = path->begun = 0;
+    path->alone = 0;
     path->inner = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->tolerance = KERN_WIDTH * path->unit;
-    path->step = KERN_R(0);
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
     path->fell = KERN_INFINITY;
-    path->never = path->closed = 0;
+    path->never = 0;
 }
 
 /* Along the path a load grows or gravity turns instead. */
@@ -2831,13 +2642,13 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     return nested ? kern_level_nested(m, path, last, out) : status;
 }
 
-/* The measure along a path that has been opened, if status is KERN_OK, or of
-   what falls at once: KERN_FALLS. */
+/* The measure along a path that has been opened. */
 static kern_status kern_measure_along(kern_model *m, kern_path *path,
-                                      const kern_task *task, kern_status status,
+                                      const kern_task *task,
                                       const kern_travels *travels,
                                       kern_margin *r)
 {
+    kern_status status;
     int last;
     r->most = travels->most;
     r->epsilon = kern_step(&path->q, &task->options);
@@ -2846,10 +2657,8 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     if (kern_steps(r, &last) != KERN_OK)
         return KERN_BAD_STEP;
     path->end = r->most;
-    path->step = r->epsilon;
-    if (status == KERN_OK)
-        status = kern_spent(m->work, m->limit, kern_measure_path(
-            m, path, travels->nested, last, r));
+    status = kern_spent(m->work, m->limit, kern_measure_path(
+        m, path, travels->nested, last, r));
     if (status == KERN_LIMIT) {
         r->fails = kern_min(path->fell, r->most);
         r->margin = r->holds = kern_min(path->stood, r->fails);
@@ -2859,65 +2668,10 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     return status;
 }
 
-/* What is known of a task; its last block may have been added since. It is
-   used as a guess alone: the numbers must be in order, the rest is verified. */
-static kern_seed kern_known_seed(const kern_task *task)
-{
-    const kern_known *known = &task->known;
-    kern_seed seed;
-    seed.holds = known->holds;
-    seed.edge = known->margin;
-    seed.fails = known->holds >= 0 && known->holds <= known->margin
-                 && known->margin <= known->fails
-                 && known->fails < KERN_INFINITY ? known->fails : KERN_R(0);
-    seed.motion = task->known.motion;
-    seed.last = task->known.motion[task->s.blocks - 1];
-    return seed;
-}
-
-/* A sum over what acts on free blocks, and where. */
-static kern_real kern_known_seen(const kern_block *block, int blocks)
-{
-    kern_real sum = KERN_R(0);
-    int i;
-    for (i = 0; i < blocks; i++) {
-        const kern_block *b = block + i;
-        if (!b->fixed)
-            sum += KERN_R(i + 1) * (b->mass + b->centre.x + 3 * b->centre.y)
-                   + b->load.fx + 3 * b->load.fy + 5 * b->load.torque;
-    }
-    return sum;
-}
-
-/* An interior point leaves a little motion in what rests: instead of that the
-   mechanism of what moves alone is remembered. */
-static kern_status kern_known_clean(kern_model *m, kern_path *path,
-                                    kern_real fails)
-{
-    const kern_query q = kern_path_at(path, fails);
-    const int plain = m->plain;
-    int i, noise = 0;
-    for (i = 0; i < m->s->blocks; i++) {
-        m->motion[i] = path->proof->motion[i];
-        noise |= kern_speed(m->motion + i) > 0 && !kern_moves(m, i);
-    }
-    if (!noise)
-        return KERN_STANDS;
-    if (plain)
-        kern_model_group(m, &q);
-    kern_model_set(m, &q);
-    path->alone = 1;
-    if (kern_part_moved(path->part, m) && kern_part_note(path->part) == KERN_OK)
-        kern_path_evaluate(m, path, fails);
-    m->plain = plain;
-    return kern_spent(m->work, m->limit, KERN_STANDS);
-}
-
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
 static void kern_known_set(kern_task *task, kern_status status,
-                           const kern_travels *travels, const kern_margin *out,
-                           const kern_proof *proof)
+                           const kern_margin *out, const kern_proof *proof)
 {
     kern_known *known = &task->known;
     int i;
@@ -2934,60 +2688,52 @@ static void kern_known_set(kern_task *task, kern_status status,
         known->holds = out->holds;
         known->margin = out->margin;
         known->fails = out->fails;
-        known->blocks = task->s.blocks;
-        known->contacts = task->s.contacts;
-        known->gravity = task->s.gravity;
-        known->relative = task->options.relative;
-        known->nested = travels->nested;
-        known->most = travels->most;
-        known->seen = kern_known_seen(task->s.block, task->s.blocks);
     }
+}
+
+/* The measure of a task that has been opened: with what is known of a structure
+   like it, and forces that held that, or NULL. */
+static kern_status kern_measure_task(kern_call *c, const kern_task *task,
+                                     const kern_known *known,
+                                     const kern_force *force, kern_margin *out,
+                                     const kern_proof *proof)
+{
+    kern_travels travels;
+    kern_margin r;
+    kern_status status;
+    c->path.proof = proof;
+    if (known && known->fails > 0 && known->fails < KERN_INFINITY) {
+        c->path.seed = known;
+        c->m.known = force;
+        c->m.balanced = known->holds;
+    }
+    travels = kern_travels_of(&task->s, &c->path.q);
+    status = kern_measure_along(&c->m, &c->path, task, &travels, &r);
+    if (status >= 0 || status == KERN_LIMIT)
+        *out = r;
+    return status;
 }
 
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof)
 {
     kern_call c;
-    kern_seed seed;
-    kern_travels travels;
+    kern_known known;
     kern_proof kept;
-    kern_margin r;
-    int warm, spares;
-    kern_status status;
-    if (!task)
-        return KERN_BAD_POINTER;
-    warm = task->known.motion && task->known.force;
-    spares = warm; /* where these do not fit, forces without may */
-    do {
-        status = kern_call_open(&c, task, KERN_R(0), out);
-        if (status != KERN_OK)
-            return status;
-        c.path.proof = proof;
-        c.m.known = spares;
-        if (warm) {
-            kept.force = task->known.force;
-            kept.motion = task->known.motion;
-            c.path.proof = &kept;
-            seed = kern_known_seed(task);
-            c.path.seed = &seed;
-        }
-        travels = kern_travels_of(&task->s, &c.path.q, 0);
-        status = kern_measure_along(&c.m, &c.path, task, status, &travels, &r);
-    } while (status == KERN_NO_SPACE && spares-- > 0);
-    if (status >= 0 || status == KERN_LIMIT)
-        *out = r;
-    if (!warm || status == KERN_BAD_STEP)
+    kern_status status = kern_call_open(&c, task, KERN_R(0), out);
+    if (status != KERN_OK)
         return status;
-    task->known.blocks = 0; /* the proof there has been written over */
-    task->known.fails = KERN_R(0);
-    if (status == KERN_STANDS && !r.saturated)
-        status = kern_known_clean(&c.m, &c.path, r.fails);
-    if (status == KERN_LIMIT && r.level >= 0) {
-        out->margin = r.holds;
-        out->level = -1;
-    }
+    known = task->known;
+    if (!known.motion || !known.force)
+        return kern_measure_task(&c, task, NULL, NULL, out, proof);
+    kept.force = known.force;
+    kept.motion = known.motion;
+    status = kern_measure_task(&c, task, &known, NULL, out, &kept);
+    if (status == KERN_BAD_STEP)
+        return status;
+    task->known.fails = KERN_R(0); /* the proof there has been written over */
     if (status >= 0)
-        kern_known_set(task, status, &travels, &r, proof);
+        kern_known_set(task, status, out, proof);
     return status;
 }
 
@@ -3016,7 +2762,7 @@ static kern_real kern_extent(const kern_structure *s)
 /* Grows the kerns of what falls until it stands, and finds the edge. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    const kern_travels travels = kern_travels_of(m->s, &path->q, 0);
+    const kern_travels travels = kern_travels_of(m->s, &path->q);
     const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
     kern_real limit = 1000 * kern_extent(m->s), grown;
     kern_status status;
@@ -3035,7 +2781,7 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
         }
     }
     if (status == KERN_STANDS)
-        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        status = kern_path_edge(m, path);
     return status == KERN_STANDS ? KERN_FALLS : status;
 }
 
@@ -3165,19 +2911,14 @@ static int kern_model_loaded(const kern_model *m)
 }
 
 /* The search for the edge of a path along which a load grows or gravity turns.
-   It begins where most structures fall: single blocks at the top do at once,
-   and show how far to go back; or where a stack tips. Under loads that stay a
-   tilt may stand again after it fell: then in even steps. */
+   Under loads that stay a tilt may stand again after it fell: then in even
+   steps. */
 static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
 {
-    kern_real first = tilt ? KERN_R(0.2) /* 45 degrees, as a factor of 1 */
-                           : KERN_R(1);
     if (tilt && kern_model_loaded(m))
         return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS, 1);
-    if (!m->plain)
-        first = kern_push_first(m, path, first);
-    return kern_path_search(m, path, first, tilt ? KERN_R(0.0125)
-                                                 : KERN_R(0.05));
+    return kern_path_search(m, path, KERN_R(0),
+                            tilt ? KERN_R(0.0125) : KERN_R(0.05));
 }
 
 /* How a load grows or gravity turns: a verdict where the path begins, the
@@ -3198,7 +2939,6 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
     status = kern_path_evaluate(&c.m, path, KERN_R(0));
-    path->begun = status == KERN_STANDS;
     if (status == KERN_STANDS)
         status = kern_push_search(&c.m, path, tilt);
     status = kern_spent(task->work, task->options.limit, status);
@@ -3304,7 +3044,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
     const int shrinks = path->kind == KERN_PATH_SHRINK;
     const kern_real step = shrinks ? path->unit * KERN_CLIMB : KERN_R(0.05);
     const kern_status status =
-        !shrinks || kern_travels_of(m->s, &path->q, 0).nested
+        !shrinks || kern_travels_of(m->s, &path->q).nested
         ? kern_path_search(m, path, step, step)
         : kern_path_walk(m, path, path->end / KERN_SCAN, 1);
     *at = path->edge;
@@ -3389,7 +3129,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     if (side != KERN_SHRINK)
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
     c.path.end = side ? KERN_PROFILE_MOST
-                      : kern_travels_of(&task->s, &c.path.q, 0).most;
+                      : kern_travels_of(&task->s, &c.path.q).most;
     c.path.q.fallen = value;
     free_blocks = c.m.groups;
     half = (free_blocks + 1) / 2;
@@ -3777,21 +3517,7 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     p->rest = *rest;
     p->groups = groups;
     p->group = kern_take_ints(&p->rest, groups);
-    p->body = kern_take_ints(&p->rest, groups);
-    p->lead = kern_take_ints(&p->rest, groups + 1);
     return kern_take_fits(&p->rest);
-}
-
-/* Every group is a body by itself. */
-static void kern_part_single(kern_part *p)
-{
-    int n;
-    p->bodies = p->groups;
-    p->lead[p->groups] = p->m->groups;
-    for (n = 0; n < p->groups; n++) {
-        p->body[n] = n;
-        p->lead[n] = p->group[n];
-    }
 }
 
 /* Opens the part of the `groups` groups that m->local marks, the last of which
@@ -3818,7 +3544,6 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_part_ends(p);
-    kern_part_single(p);
     return 1;
 }
 
@@ -3857,14 +3582,9 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     20      /* groups of a unit                        */
-#define KERN_UNIT_LEANS    80      /* the same where forces lean              */
-#define KERN_LEANS         KERN_R(0.95) /* share of friction, where they do   */
-#define KERN_SMALL         16      /* groups of a small structure             */
-#define KERN_REGROWN       16      /* times that a unit of three is joined    */
+#define KERN_SMALL         64      /* groups of a small structure             */
 #define KERN_UNIT_SHARE    32      /* one group, one time more for so many    */
-#define KERN_REGROWN_CHAIN 4       /* the same in chains of blocks: arches    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
-#define KERN_LEANS_BUDGET  4500    /* the same where forces lean              */
 #define KERN_POUR_LARGEST  400000  /* of these: their product is an int       */
 
 /* What a contact's two rays make of the motion (wn, wt) along n and t: force
@@ -3926,24 +3646,13 @@ static inline kern_spring kern_spring_press(kern_real wn, kern_real wt,
 static inline void kern_model_prior(const kern_model *m, int i,
                                     kern_real *wn, kern_real *wt)
 {
-    const kern_real mu = kern_model_mu(m, i), one = KERN_R(0.5) / m->weight;
+    const kern_real mu = kern_model_mu(m, i);
     *wn = *wt = KERN_R(0);
     if (!m->prior)
         return;
-    *wn = m->prior[i].normal * one;
+    *wn = m->prior[i].normal / 2;
     if (mu > 0)
-        *wt = m->prior[i].tangential * one / (mu * mu);
-}
-
-/* Contact i's force along t beside that along n where forces are as parallel
-   to m->lean as friction lets them be. */
-static kern_real kern_model_lean(const kern_model *m, int i)
-{
-    const kern_vec n = m->s->contact[i].n;
-    const kern_real along = kern_vec_dot(m->lean, n);
-    const kern_real most = kern_model_mu(m, i) * kern_abs(along);
-    const kern_real side = kern_vec_cross(n, m->lean);
-    return most > 0 ? kern_min(kern_max(side, -most), most) / along : 0;
+        *wt = m->prior[i].tangential / (2 * mu * mu);
 }
 
 /* A contact is as stiff as it is long, a point as one of a tenth. */
@@ -3975,30 +3684,14 @@ static inline void kern_model_carry(const kern_model *m, int i, int end,
     v[2] -= f * n[2] + r * t[2];
 }
 
-/* Of a part with prices, or whose forces lean. */
-static kern_spring kern_spring_special(const kern_part *p, int i,
-                                       kern_real wn, kern_real wt)
-{
-    const kern_model *m = p->m;
-    const kern_contact *c = m->s->contact + i;
-    const kern_real lean = kern_model_lean(m, i);
-    kern_spring s;
-    if (p->price)
-        return kern_spring_press(wn, wt, kern_model_mu(m, i),
-                                 kern_stiffness(c, m->mean));
-    s = kern_spring_of(wn + lean * wt, 0, 0);
-    s.r = lean * s.f;
-    s.nt = lean * s.nn;
-    s.tt = lean * s.nt;
-    return s;
-}
-
 static inline kern_spring kern_part_spring(const kern_part *p, int k,
                                            kern_real wn, kern_real wt)
 {
     const int i = p->contact[k];
-    return p->special ? kern_spring_special(p, i, wn, wt)
-                      : kern_spring_of(wn, wt, kern_model_mu(p->m, i));
+    const kern_real mu = kern_model_mu(p->m, i);
+    return p->price ? kern_spring_press(wn, wt, mu, kern_stiffness(
+                          p->m->s->contact + i, p->m->mean))
+                    : kern_spring_of(wn, wt, mu);
 }
 
 static void kern_least_clear(kern_part *p)
@@ -4024,7 +3717,6 @@ static int kern_least_lay(kern_part *p, kern_take *take)
     const int n = 3 * p->groups + 3;
     int g, k, end = 0;
     p->price = NULL;
-    p->special = p->m->leans;
     p->first = kern_take_ints(take, p->groups);
     p->offset = kern_take_ints(take, p->groups);
     p->u = kern_take_reals(take, n);
@@ -4309,63 +4001,52 @@ static void kern_least_solve(const kern_part *p, const kern_real *b,
 }
 
 /* The slope of the dual at u + share * step, where the loads' own part of it is
-   `push`; and how fast it falls there. */
+   `push`. */
 static kern_real kern_least_slope(const kern_part *p, kern_real push,
-                                  kern_real share, kern_real *fall)
+                                  kern_real share)
 {
     int k;
-    *fall = KERN_R(0);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(
             p, k, w[0] + share * w[2], w[1] + share * w[3]);
         push -= s.f * w[2] + s.r * w[3];
-        *fall += (s.nn * w[2] + 2 * s.nt * w[3]) * w[2] + s.tt * w[3] * w[3];
     }
     return push;
 }
 
-/* How far to go along the step: where the dual is largest, to a few percent.
-   Its slope falls in pieces that are straight: between two places it is zero on
-   the tangent at one or the other, whichever side of where they meet that is. */
+/* How far to go along the step: where the dual is largest, to a few percent. Its
+   slope falls: regula falsi, an end that stays counting half (Illinois). */
 static kern_real kern_least_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->b, p->step, 3 * p->groups);
     const kern_real first = kern_dot(p->left, p->step, 3 * p->groups);
-    kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at_hi, at = hi;
-    kern_real fall_lo = first, fall_hi, fall, slope;
-    int round;
-    at_hi = kern_least_slope(p, push, hi, &fall_hi);
+    kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at = hi, at_hi;
+    int round, side = 0;
+    at_hi = kern_least_slope(p, push, hi);
     for (round = 0; round < 12 && at_hi > first / 8; round++) {
         lo = hi;
         at_lo = at_hi;
-        fall_lo = fall_hi;
         hi *= 4;
-        at_hi = kern_least_slope(p, push, hi, &fall_hi);
+        at_hi = kern_least_slope(p, push, hi);
     }
-    if (at_hi >= -first / 8)
-        return hi;
-    for (round = 0; round < 12; round++) {
-        const kern_real wide = hi - lo, edge = wide * KERN_R(3e-4);
-        const kern_real meet = lo + (at_lo - at_hi - fall_hi * wide)
-                                    / (fall_lo - fall_hi);
-        at = lo + at_lo / fall_lo;
-        if (!(meet > lo && meet < hi))
-            at = lo + wide * at_lo / (at_lo - at_hi);
-        else if (at > meet)
-            at = hi + at_hi / fall_hi;
-        at = kern_min(kern_max(at, lo + edge), hi - edge);
-        slope = kern_least_slope(p, push, at, &fall);
+    at = hi;
+    for (round = 0; round < 16 && at_hi < -first / 8; round++) {
+        kern_real slope;
+        at = lo + (hi - lo) * at_lo / (at_lo - at_hi);
+        slope = kern_least_slope(p, push, at);
         if (kern_abs(slope) <= first / 8)
             break;
         if (slope > 0) {
             lo = at;
             at_lo = slope;
-            fall_lo = fall;
+            at_hi /= side > 0 ? 2 : 1;
+            side = 1;
         } else {
             hi = at;
             at_hi = slope;
-            fall_hi = fall;
+            at_lo /= side < 0 ? 2 : 1;
+            side = -1;
         }
     }
     return at;
@@ -4442,7 +4123,6 @@ static int kern_least_open(kern_part *p, kern_model *m)
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
     kern_part_ends(p);
-    kern_part_single(p);
     return kern_least_lay(p, &p->rest);
 }
 
@@ -4504,8 +4184,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    a circle, dirty[g] says of a leader, if it is odd, that its unit must be
    balanced again; half of it is 1 + the unit that it disturbed last. */
 
-/* Writes the force of contact i, and marks what it rests on if that is new.
-   What keeps its forces keeps them to the last bit. */
+/* Writes the force of contact i, and marks what it rests on if that is new. */
 static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
                             kern_real r, kern_real tolerance)
 {
@@ -4514,14 +4193,11 @@ static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
                              + kern_abs(r - to->tangential);
     if (on < m->groups && change > tolerance) {
         const int last = m->leader[on];
-        kern_model_unfold(m, on);
         m->dirty[last] |= 1;
         m->again = last < m->again ? last : m->again;
     }
-    if (on == m->groups || m->next[on] != KERN_OUT) {
-        to->normal = f;
-        to->tangential = r;
-    }
+    to->normal = f;
+    to->tangential = r;
 }
 
 /* The load of group g and of what rests on it, but for members of its own
@@ -4698,42 +4374,6 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
     return KERN_STANDS;
 }
 
-/* The row of contact c, of which `sign` acts, by the arm of its force in its
-   unit. */
-static void kern_row_set(kern_row *row, const kern_contact *c, kern_real sign,
-                         kern_vec arm, kern_real slope)
-{
-    row->n[0] = sign * c->n.x;
-    row->n[1] = sign * c->n.y;
-    row->n[2] = sign * kern_vec_cross(arm, c->n);
-    row->turn = sign * kern_vec_dot(arm, c->n); /* arm x t */
-    row->mu = kern_friction(c, slope);
-    row->wn = row->wt = KERN_R(0);
-}
-
-/* Adds what the row exerts by f along n and r along t. */
-static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
-                          kern_real b[3])
-{
-    b[0] += f * row->n[0] - r * row->n[1];
-    b[1] += f * row->n[1] + r * row->n[0];
-    b[2] += f * row->n[2] + r * row->turn;
-}
-
-/* Makes forces of the rows lean: n + lean t instead of n, and no friction. */
-static void kern_rows_lean(const kern_model *m, kern_row *row, int n)
-{
-    int k;
-    for (k = 0; k < n; k++) {
-        kern_row *c = row + k;
-        const kern_real lean = kern_model_lean(m, c->end >> 1), x = c->n[0];
-        c->n[0] -= lean * c->n[1];
-        c->n[1] += lean * x;
-        c->n[2] += lean * c->turn;
-        c->mu = KERN_R(0);
-    }
-}
-
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
 static kern_status kern_pour_alone(kern_model *m, int g)
 {
@@ -4746,15 +4386,12 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pour_load(m, g, b);
-    if (m->leans)
-        kern_rows_lean(m, row, n);
     status = kern_pour_solve(row, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_spring s = kern_spring_of(row[k].wn, row[k].wt, row[k].mu);
         const int i = row[k].end >> 1;
         kern_pour_write(m, i, m->ends[row[k].end ^ 1], s.f,
-                        m->leans ? kern_model_lean(m, i) * s.f : s.r,
-                        tolerance);
+                        s.r, tolerance);
     }
     return status;
 }
@@ -4802,11 +4439,7 @@ static int kern_pour_grow(kern_model *m, int *last, int levels)
         for (e = m->touch[g]; e >= 0; e = m->after[e]) {
             const int h = m->ends[e ^ 1];
             if (h < g && m->local[h] == KERN_OUT) {
-                int joined;
-                kern_model_unfold(m, h);
-                joined = kern_pour_mark(m, h, m->local[g] + 1);
-                m->regrown -= joined > 2;
-                added += joined;
+                added += kern_pour_mark(m, h, m->local[g] + 1);
                 *last = kern_pour_join(m, g, h);
             }
         }
@@ -4892,20 +4525,17 @@ static int kern_pour_parts(kern_part *p)
     kern_least_ways(p, p->u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
         const kern_real *w = p->way + 4 * (size_t)k + 2;
-        if (m->leans
-            || w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
+        if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
             return 0;
     }
     return power > 0;
 }
 
-/* Opens the part of a unit, and writes its least forces if they balance it; if
-   `warm` from the motions that gave such before. KERN_FALLS where no forces
-   would, all else held. */
+/* Opens the part of a unit, and writes its least forces if they balance it.
+   KERN_FALLS where no forces would, all else held. */
 static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
-                                  int last, int warm, int *budget)
+                                  int last, int *budget)
 {
-    kern_motion *u;
     kern_real load = KERN_R(0), least = KERN_INFINITY;
     kern_status status;
     kern_take take;
@@ -4915,7 +4545,6 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
     take = p->rest;
     if (!kern_least_lay(p, &take) || p->cost > *budget)
         return KERN_NO_SPACE;
-    u = (kern_motion *)(void *)p->u;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
@@ -4923,43 +4552,14 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->b[n]);
-    for (n = 0; n < p->groups && warm; n++)
-        u[n] = m->motion[m->block[p->group[n]]];
-    warm = warm && kern_largest(p->u, 3 * p->groups) > 0;
     status = kern_least_find(p, KERN_POUR_TOL * least, KERN_LEAST_MOST * load,
-                             warm, KERN_LEAST_ROUNDS + warm);
+                             0, KERN_LEAST_ROUNDS);
     *budget -= p->rounds * p->cost;
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
-    for (n = 0; n < p->groups && status == KERN_STANDS; n++)
-        m->motion[m->block[p->group[n]]] = u[n];
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
         status = KERN_UNDECIDED;
     return status;
-}
-
-/* Blocks of which each rests on another, as in an arch or a tower. */
-static int kern_model_chain(const kern_model *m)
-{ return m->s->contacts <= 3 * m->groups; }
-
-/* Whether there are no more groups than `most`, and room for the linear program
-   of them all whatever it is. Its forces leave a plan's candidates no room. */
-static int kern_model_small(const kern_model *m, int most)
-{
-    return m->groups <= most && !m->known
-           && m->work->reals >= KERN_REALS(m->s->blocks, m->s->contacts);
-}
-
-/* Whether a unit of so many groups is given up. In a structure that is not large
-   the simplex method asks about all groups for less than units of half of them
-   take, or in a short chain those of more than two or three. */
-static int kern_unit_ends(const kern_model *m, int groups)
-{
-    const int most = !kern_model_small(m, 2 * KERN_SMALL)
-                     ? KERN_UNIT_MOST + m->groups / KERN_UNIT_SHARE
-                     : m->groups <= KERN_SMALL && kern_model_chain(m)
-                     ? m->s->contacts / m->groups : m->groups / 2;
-    return groups > (m->leans ? KERN_UNIT_LEANS : most) || m->regrown < 0;
 }
 
 /* Balances the unit of `last`, and lets it grow until it can be balanced, or a
@@ -4968,13 +4568,14 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
                                   int failed, int *budget)
 {
     const int begun = last;
+    const int most = m->groups <= KERN_SMALL ? m->groups / 4 + 1
+                     : KERN_UNIT_MOST + m->groups / KERN_UNIT_SHARE;
     int groups = kern_pour_mark(m, last, 0), levels;
     for (levels = 1; ; levels *= 2) {
         kern_status status = KERN_UNDECIDED;
         int added;
         if (groups > 1 || !failed)
-            status = kern_pour_part(p, m, groups, last,
-                                    groups > 1 && levels == 1, budget);
+            status = kern_pour_part(p, m, groups, last, budget);
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
         kern_pour_unmark(m, last);
@@ -4984,7 +4585,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
             return KERN_POUR_DRY;
         added = kern_pour_grow(m, &last, levels);
         groups += added;
-        if (added == 0 || kern_unit_ends(m, groups))
+        if (added == 0 || groups > most)
             return KERN_POUR_DRY;
         if (last > begun) {
             kern_pour_unmark(m, last);
@@ -4994,16 +4595,10 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* All groups must be balanced, and there are no forces. If a part fell at a
-   larger shrinkage those above it are balanced, and stay so: kerns are nested. */
-static void kern_pour_begin(kern_model *m, kern_real shrink)
+/* All groups must be balanced, and there are no forces. */
+static void kern_pour_begin(kern_model *m)
 {
-    int g, i;
-    if (m->resumes && shrink <= m->poured) {
-        for (i = 0; i < m->s->contacts; i++)
-            i += kern_force_widen(m, i, m->poured, shrink);
-        return;
-    }
+    int g;
     for (g = 0; g < m->groups; g++) {
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = 1;
@@ -5011,18 +4606,66 @@ static void kern_pour_begin(kern_model *m, kern_real shrink)
     kern_model_unload(m);
 }
 
-/* Whether changes will begin from the forces that are found: these have more to
-   spare where units are joined at once, or where an interior point finds them
-   instead of least ones. */
-static int kern_pour_spares(const kern_model *m)
-{ return m->known && !m->prior; }
+/* Makes the forces of the line that begins with contact i at shrinkage `from`
+   into forces at a smaller one: they move outward, and exert the same. Returns
+   whether it is a line. */
+static int kern_force_widen(kern_model *m, int i, kern_real from,
+                            kern_real shrink)
+{
+    const kern_contact *c = m->s->contact + i;
+    const int line = c->line && i + 1 < m->s->contacts && c[1].line
+                     && c->a == c[1].a && c->b == c[1].b;
+    kern_force *f = m->force + i;
+    const kern_real travel = kern_travel(c, m->mean);
+    const kern_real mu = kern_model_mu(m, i);
+    kern_real rate, was, is, sum, more, along;
+    int k;
+    sum = line ? f[0].normal + f[1].normal : KERN_R(0);
+    if (!(sum > 0))
+        return line;
+    was = travel - kern_shift(travel, from, m->relative, &rate);
+    is = travel - kern_shift(travel, shrink, m->relative, &rate);
+    along = (f[0].tangential + f[1].tangential) / sum;
+    along = kern_min(kern_max(along, -mu), mu);
+    more = f[0].normal - f[1].normal;
+    if (kern_abs(is) > 0)
+        more *= was / is;
+    for (k = 0; k < 2; k++, more = -more) {
+        f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
+        f[k].tangential = along * f[k].normal;
+    }
+    return line;
+}
+
+/* The forces that are known, in units: only groups that they do not balance must
+   be, by the least change. */
+static void kern_pour_change(kern_model *m, kern_real shrink)
+{
+    int i, g, e;
+    m->prior = m->force;
+    for (i = 0; i < m->s->contacts; i++) {
+        m->force[i].normal = m->known[i].normal / m->weight;
+        m->force[i].tangential = m->known[i].tangential / m->weight;
+    }
+    for (i = 0; i < m->s->contacts && shrink < m->balanced; i++)
+        i += kern_force_widen(m, i, m->balanced, shrink);
+    for (g = 0; g < m->groups; g++) {
+        kern_real *b = m->load + 3 * (size_t)g;
+        kern_real left[3] = {b[0], b[1], b[2]};
+        for (e = m->touch[g]; e >= 0; e = m->after[e])
+            kern_model_carry(m, e >> 1, e & 1, m->force[e >> 1].normal,
+                             m->force[e >> 1].tangential, left);
+        m->leader[g] = m->next[g] = g;
+        m->dirty[g] = !(kern_largest(left, 3) <= KERN_TOL / 4 * m->size[g]);
+    }
+}
 
 /* The unit of `last` has disturbed one that was balanced before. If it did so
    the last time it was balanced they rest on each other, and are joined. */
 static void kern_pour_returns(kern_model *m, int last)
 {
     const int again = 2 * (m->again + 1);
-    if (m->dirty[last] == again || kern_pour_spares(m))
+    if (m->dirty[last] == again)
         m->dirty[kern_pour_join(m, last, m->again)] = 1;
     else
         m->dirty[last] = again;
@@ -5046,16 +4689,10 @@ static kern_poured kern_pour_group(kern_model *m, kern_part *p, int at,
    with an open part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
-    kern_real *u = (kern_real *)(void *)m->motion;
     const int size = m->s->contacts + m->groups;
-    int budget = (m->leans ? KERN_LEANS_BUDGET : KERN_POUR_BUDGET)
+    int budget = KERN_POUR_BUDGET
                  * (size < KERN_POUR_LARGEST ? size : KERN_POUR_LARGEST);
     int at;
-    for (at = 0; at < 3 * m->s->blocks; at++)
-        u[at] = KERN_R(0);
-    m->regrown = m->known || !kern_model_chain(m)
-                 ? KERN_REGROWN + m->groups / KERN_UNIT_SHARE
-                 : KERN_REGROWN_CHAIN;
     for (at = 0; at < m->groups; ) {
         kern_poured found;
         if (!(m->dirty[at] & 1)) {
@@ -5081,258 +4718,12 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     return KERN_POURED;
 }
 
-/* ---- a change ---- */
-/* Where a block is added, the others are in balance. What is new is passed on
-   from block to block, the highest first: to one line if that can take it, else
-   to all contacts that oppose it, by the least change. So it goes down a row of
-   blocks, as a rule, and not through all that is below; no model is needed. A
-   block whose forces change is opened: its fourth sum is not below 0. The
-   contacts that carry a block are looked for among those that were found when
-   it was added. Torques are in units of the mean size. */
-
-typedef struct kern_pass {
-    kern_model *m;
-    const kern_query *q;
-    int *list;                /* blocks that must pass on, the highest last   */
-    int waiting;
-} kern_pass;
-
-/* That of a contact's blocks which was added later. */
-static inline int kern_contact_later(const kern_contact *c)
-{ return c->a > c->b ? c->a : c->b; }
-
-/* The first contact that was found when block i was added. */
-static int kern_pass_first(const kern_structure *s, int i)
-{
-    int low = 0, high = s->contacts;
-    while (low < high) {
-        const int middle = low + (high - low) / 2;
-        if (kern_contact_later(s->contact + middle) < i)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-static kern_real kern_pass_depth(const kern_structure *s, int i)
-{ return kern_vec_dot(s->block[i].centre, s->gravity); }
-
-/* What is left for a block to pass on. */
-static kern_real *kern_pass_left(const kern_model *m, int i)
-{ return (kern_real *)(void *)(m->motion + i); /* not in use here */ }
-
-/* Opens a block that has nothing to pass on yet. */
-static void kern_pass_open(kern_pass *p, int i)
-{
-    kern_model *m = p->m;
-    const kern_structure *s = m->s;
-    const kern_real depth = kern_pass_depth(s, i);
-    kern_real *left = kern_pass_left(m, i);
-    int k;
-    left[0] = left[1] = left[2] = m->sum[4 * i + 3] = KERN_R(0);
-    for (k = p->waiting++; k > 0; k--) {
-        if (kern_pass_depth(s, p->list[k - 1]) >= depth)
-            break;
-        p->list[k] = p->list[k - 1];
-    }
-    p->list[k] = i;
-    if (p->q->shrink < m->balanced)
-        for (k = kern_pass_first(s, i);
-             k < s->contacts && kern_contact_later(s->contact + k) == i; k++)
-            k += kern_force_widen(m, k, m->balanced, p->q->shrink);
-}
-
-/* The row of contact k at block i. */
-static void kern_pass_row(const kern_structure *s, const kern_query *q, int k,
-                          int i, kern_row *row)
-{
-    const kern_contact *c = s->contact + k;
-    const int end = c->b != i;
-    kern_vec arm[2];
-    kern_arms(s, c, q, arm);
-    kern_row_set(row, c, end ? KERN_R(-1) : KERN_R(1),
-                 kern_vec_scale(arm[!end], 1 / q->mean), kern_slope(q));
-    row->end = 2 * k + end;
-}
-
-/* What contacts must exert on a block; returns its magnitude. */
-static kern_real kern_pass_load(const kern_structure *s, const kern_query *q,
-                                int i, kern_real b[3])
-{
-    kern_wrench w;
-    const kern_real size = kern_wrench_on(s, q, i, &w);
-    b[0] = -w.fx;
-    b[1] = -w.fy;
-    b[2] = -w.torque / q->mean;
-    return size;
-}
-
-/* Writes the force of a contact that carries block i. */
-static void kern_pass_write(kern_pass *p, int i, const kern_row *row,
-                            kern_real f, kern_real r, kern_real tolerance)
-{
-    kern_model *m = p->m;
-    const kern_contact *c = m->s->contact + (row->end >> 1);
-    const kern_block *b = m->s->block;
-    const int on = row->end & 1 ? c->b : c->a;
-    kern_force *to = m->force + (row->end >> 1);
-    const kern_real df = f - to->normal, dr = r - to->tangential;
-    if (!b[on].fixed) {
-        const kern_vec apart = kern_vec_sub(b[i].centre, b[on].centre);
-        kern_real *left = kern_pass_left(m, on), w[3] = {0, 0, 0};
-        if (!kern_is_open(m, on)) {
-            if (kern_abs(df) + kern_abs(dr) <= tolerance)
-                return;
-            kern_pass_open(p, on);
-        }
-        kern_row_add(row, df, dr, w);
-        left[0] += w[0];
-        left[1] += w[1];
-        left[2] += w[2] + (apart.x * w[1] - apart.y * w[0]) / m->mean;
-    }
-    to->normal = f;
-    to->tangential = r;
-}
-
-/* Whether contact c opposes gravity on block i, and leads to a lower one. */
-static int kern_pass_opposes(const kern_structure *s, const kern_contact *c,
-                             int i)
-{
-    const int on = c->b == i ? c->a : c->b;
-    const kern_real along = kern_vec_dot(c->n, s->gravity);
-    return (c->b == i ? -along : along) > kern_vec_largest(s->gravity) / 2
-           && (s->block[on].fixed
-               || kern_pass_depth(s, on) > kern_pass_depth(s, i));
-}
-
-/* The forces with which the two ends of a line, or one point where its kern is
-   closed, exert what is left besides what they do, if it opposes gravity, and
-   can. The force along t is shared as that along n is. */
-static int kern_row_line(const kern_model *m, const kern_row *row,
-                         const kern_real left[3], kern_real tolerance,
-                         kern_force f[2])
-{
-    const kern_force *was = m->force + (row->end >> 1);
-    const kern_vec down = m->s->gravity;
-    const kern_real along = row->n[0] * left[0] + row->n[1] * left[1];
-    const kern_real across = row->n[0] * left[1] - row->n[1] * left[0];
-    const kern_real turn = left[2] - across * row->turn - along * row[1].n[2];
-    const kern_real arm = row[0].n[2] - row[1].n[2];
-    kern_real share;
-    int k;
-    if (!(row->n[0] * down.x + row->n[1] * down.y
-          < -kern_vec_largest(down) / 2))
-        return 0;
-    f[0].normal = kern_abs(turn) + kern_abs(along * arm) <= tolerance
-                  ? along / 2 : turn / arm;
-    f[1].normal = was[1].normal + (along - f[0].normal); /* keeps their sum */
-    f[0].normal += was[0].normal;
-    if (!(f[0].normal >= 0 && f[1].normal >= 0))
-        return 0;
-    share = (across + was[0].tangential + was[1].tangential)
-            / (f[0].normal + f[1].normal);
-    for (k = 0; k < 2; k++)
-        f[k].tangential = share * f[k].normal;
-    return kern_abs(share) <= row->mu;
-}
-
-/* Passes on what block i must. */
-static int kern_pass_block(kern_pass *p, int i)
-{
-    const kern_model *m = p->m;
-    const kern_structure *s = m->s;
-    kern_row row[KERN_ROWS_MOST];
-    const kern_real *left = kern_pass_left(m, i);
-    const kern_real tolerance = KERN_POUR_TOL * kern_largest(left, 3);
-    kern_real b[3] = {left[0], left[1], left[2]}, u[3];
-    kern_force f[2];
-    int n = 0, lines = 0, k;
-    for (k = kern_pass_first(s, i); k < s->contacts; k++) {
-        const kern_contact *c = s->contact + k;
-        if (kern_contact_later(c) != i)
-            break;
-        if (!kern_pass_opposes(s, c, i))
-            continue;
-        if (n == KERN_ROWS_MOST)
-            return 0;
-        kern_pass_row(s, p->q, k, i, row + n++);
-        lines = c->line ? lines % 2 + 1 : 0;
-        if (lines == 2 && kern_row_line(m, row + n - 2, left, tolerance, f)) {
-            kern_pass_write(p, i, row + n - 2, f[0].normal, f[0].tangential,
-                            tolerance);
-            kern_pass_write(p, i, row + n - 1, f[1].normal, f[1].tangential,
-                            tolerance);
-            return 1;
-        }
-    }
-    for (k = 0; k < n; k++) {
-        const kern_force *was = m->force + (row[k].end >> 1);
-        const kern_real mu = row[k].mu;
-        row[k].wn = was->normal / 2;
-        row[k].wt = mu > 0 ? was->tangential / (2 * mu * mu) : KERN_R(0);
-        kern_row_add(row + k, was->normal, was->tangential, b);
-    }
-    if (kern_pour_solve(row, n, b, tolerance, u) != KERN_STANDS)
-        return 0;
-    for (k = 0; k < n; k++) {
-        const kern_spring is = kern_spring_of(row[k].wn, row[k].wt, row[k].mu);
-        kern_pass_write(p, i, row + k, is.f, is.r, tolerance);
-    }
-    return 1;
-}
-
-/* Makes forces on contacts between open blocks and others, the later ones, into
-   forces at the query's shrinkage; where all count, on all that have not been
-   made such, and all blocks are open from then on. */
-static void kern_pass_widen(kern_model *m, const kern_query *q)
-{
-    const kern_contact *c = m->s->contact;
-    int k;
-    for (k = 0; k < m->s->contacts && q->shrink < m->balanced; k++)
-        if (!kern_is_open(m, kern_contact_later(c + k))
-            && (m->complete || kern_is_open(m, c[k].a)
-                || kern_is_open(m, c[k].b)))
-            k += kern_force_widen(m, k, m->balanced, q->shrink);
-    for (k = 0; k < m->s->blocks && m->complete; k++)
-        m->sum[4 * k + 3] = kern_max(m->sum[4 * k + 3], KERN_R(0));
-}
-
-/* Passes what the last block needs down to the ground. Returns how many blocks,
-   listed in m->leader, still must pass on, since one could not: those that are
-   open must be balanced from there on. */
-static int kern_pass_down(kern_model *m, const kern_query *q)
-{
-    const int last = m->s->blocks - 1;
-    kern_pass p;
-    int i;
-    p.m = m;
-    p.q = q;
-    p.list = m->leader;
-    p.waiting = 0;
-    m->slope = kern_slope(q);
-    for (i = 0; i < m->s->contacts; i++)
-        m->force[i] = m->prior[i];
-    for (i = 0; i <= last; i++) {
-        kern_real *sum = m->sum + 4 * i;
-        sum[0] = sum[1] = sum[2] = KERN_R(0);
-        sum[3] = KERN_R(-1);
-    }
-    if (!m->s->block[last].fixed) {
-        kern_pass_open(&p, last);
-        kern_pass_load(m->s, q, last, kern_pass_left(m, last));
-    }
-    while (p.waiting > 0 && kern_pass_block(&p, p.list[p.waiting - 1]))
-        p.waiting--;
-    return p.waiting;
-}
-
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
 /* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
 static kern_status kern_part_lay(kern_part *p)
 {
-    const int n = p->bodies;
+    const int n = p->groups;
     int room = KERN_EXTRAS(n);
     p->lp.rows = 3 * n;
     p->lp.cols = 2 * p->contacts;
@@ -5340,6 +4731,7 @@ static kern_status kern_part_lay(kern_part *p)
     p->lp.cost = NULL;
     p->lp.most = KERN_BOUND;
     p->lp.limit = p->m->limit;
+    p->shrink = KERN_R(0);
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         p->lp.a = p->arc = kern_take_reals(&take, 8 * p->contacts);
@@ -5355,70 +4747,26 @@ static kern_status kern_part_lay(kern_part *p)
     return KERN_NO_SPACE;
 }
 
-/* From the centre of the group that leads body n to that of group g. */
-static kern_vec kern_part_from(const kern_part *p, int n, int g)
-{
-    const kern_model *m = p->m;
-    const kern_block *b = m->s->block;
-    return kern_vec_sub(b[m->block[g]].centre,
-                        b[m->block[p->lead[n]]].centre);
-}
-
-/* The loads of a query on the bodies. */
-static void kern_part_weigh(kern_part *p, const kern_query *q)
-{
-    kern_model *m = p->m;
-    int n;
-    for (n = 0; n < p->groups; n++)
-        kern_model_unit(m, q, p->group[n]);
-    for (n = 0; n < 3 * p->bodies; n++)
-        p->rhs[n] = KERN_R(0);
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        kern_model_load(m, q, g);
-        kern_model_shift(m, g, m->load + 3 * (size_t)g, p->lead[p->body[n]],
-                         p->rhs + 3 * (size_t)p->body[n]);
-    }
-}
-
-/* The torques of the part's contact k on its bodies, as kern_model_arm() has
-   them on groups. */
-static void kern_part_arm(const kern_part *p, const kern_query *q, int k,
-                          kern_real to[4])
-{
-    const kern_model *m = p->m;
-    const kern_contact *c = m->s->contact + p->contact[k];
-    int end;
-    kern_model_arm(m, q, p->contact[k], to);
-    for (end = 0; end < 2; end++) {
-        const int n = p->ends[2 * k + end], lead = p->lead[n];
-        const int g = m->ends[2 * p->contact[k] + end];
-        const kern_real sign = end ? KERN_R(-1) : KERN_R(1);
-        kern_real *arm = to + 2 * end;
-        if (n < p->bodies && g != lead) {
-            const kern_vec from = kern_part_from(p, n, g);
-            arm[0] = (arm[0] / m->unit[g] + sign * kern_vec_cross(from, c->n))
-                     * m->unit[lead];
-            arm[1] = (arm[1] / m->unit[g] + sign * kern_vec_dot(from, c->n))
-                     * m->unit[lead];
-        }
-    }
-}
-
 /* Eq. (5) for a query: two columns a contact, along the edges n + mu t and
    n - mu t of its friction cone, and the loads on the right. */
 static void kern_part_set(kern_part *p, const kern_query *q)
 {
     kern_model *m = p->m;
     int k, edge;
-    KERN_ASSERT(p->lp.rows == 3 * p->bodies);
+    KERN_ASSERT(p->lp.rows == 3 * p->groups);
     m->slope = kern_slope(q);
-    kern_part_weigh(p, q);
+    for (k = 0; k < p->groups; k++)
+        kern_model_unit(m, q, p->group[k]);
+    kern_part_load(p, q, p->rhs);
+    p->simplex.stale |= p->shrink > q->shrink || p->shrink < q->shrink;
+    if (!p->simplex.stale)
+        return;
+    p->shrink = q->shrink;
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_contact *c = m->s->contact + i;
         kern_real *f = p->arc + 8 * (size_t)k, mu = kern_model_mu(m, i), arm[4];
-        kern_part_arm(p, q, k, arm);
+        kern_model_arm(m, q, i, arm);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
             const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
             f[0] = ray.x;
@@ -5432,12 +4780,8 @@ static void kern_part_set(kern_part *p, const kern_query *q)
 /* How y moves group n of the part. */
 static kern_motion kern_part_moves(const kern_part *p, int n)
 {
-    const int body = p->body[n];
-    const kern_vec arm = kern_part_from(p, body, p->group[n]);
-    kern_motion v = ((const kern_motion *)(const void *)p->y)[body];
-    v.spin *= p->m->unit[p->lead[body]];
-    v.vx -= v.spin * arm.y;
-    v.vy += v.spin * arm.x;
+    kern_motion v = ((const kern_motion *)(const void *)p->y)[n];
+    v.spin *= p->m->unit[p->group[n]];
     return v;
 }
 
@@ -5465,7 +4809,7 @@ static void kern_part_motion(kern_part *p)
 
 /* Whether the part is all there is: then forces on it prove that it stands. */
 static int kern_part_is_whole(const kern_part *p)
-{ return p->bodies == p->m->groups; }
+{ return p->groups == p->m->groups; }
 
 /* The forces of a program of all groups. What is negative by rounding is
    nothing. */
@@ -5473,7 +4817,6 @@ static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
-    m->resumes = 0;
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
@@ -5494,8 +4837,8 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     int lift;
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
-    for (lift = 0; status == KERN_FALLS && !(error <= 1) && lift <= 2; lift++) {
-        if (lift && !kern_certificate_lift(&p->simplex, p->y, lift > 1))
+    for (lift = 0; status == KERN_FALLS && !(error <= 1) && lift <= 1; lift++) {
+        if (lift && !kern_certificate_lift(&p->simplex, p->y))
             break;
         kern_part_motion(p);
         error = kern_prove_motion(m->s, q, m->motion);
@@ -5529,7 +4872,6 @@ static kern_status kern_part_least(kern_part *p, int own)
     int i;
     if (!(kern_part_total(p) > KERN_BOUND))
         return KERN_STANDS;
-    p->m->resumes = 0;
     for (i = 0; i < p->lp.cols; i++)
         one[i] = KERN_R(1);
     p->lp.cost = one;
@@ -5567,53 +4909,6 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* The only body of the part that group n rests on, or else a new one, n. */
-static int kern_part_rests(const kern_part *p, int n)
-{
-    const kern_model *m = p->m;
-    int e, on = n;
-    for (e = m->touch[p->group[n]]; e >= 0; e = m->after[e]) {
-        const int other = m->ends[e ^ 1], at = m->local[other];
-        if (other < p->group[n])
-            continue;
-        if (at == KERN_OUT || (on != n && on != p->body[at]))
-            return n;
-        on = p->body[at];
-    }
-    return on;
-}
-
-/* Joins to one body what rests on one body alone: bodies that move as one give
-   a small program, and a motion of them proves as much as any. */
-static void kern_part_join(kern_part *p)
-{
-    const kern_model *m = p->m;
-    int n, k, kept = 0;
-    for (n = p->groups - 1; n >= 0; n--)
-        p->body[n] = kern_part_rests(p, n);
-    for (n = p->bodies = 0; n < p->groups; n++)
-        if (p->body[n] == n) {
-            p->lead[n] = p->bodies;
-            p->bodies++;
-        }
-    for (n = 0; n < p->groups; n++)
-        p->body[n] = p->lead[p->body[n]];
-    for (n = 0; n < p->groups; n++)
-        p->lead[p->body[n]] = p->group[n];
-    p->lead[p->bodies] = m->groups;
-    for (k = 0; k < p->contacts; k++) {
-        const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-        const int head = h < p->groups ? p->body[h] : p->bodies;
-        const int tail = t < p->groups ? p->body[t] : p->bodies;
-        if (head == tail)
-            continue;
-        p->contact[kept] = p->contact[k];
-        p->ends[2 * kept] = head;
-        p->ends[2 * kept++ + 1] = tail;
-    }
-    p->own = p->contacts = kept;
-}
-
 /* Opens all groups as one part, in the place of what pouring needs. */
 static kern_status kern_part_all(kern_part *p, kern_model *m,
                                  const kern_take *rest)
@@ -5628,81 +4923,9 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
         return KERN_NO_SPACE;
     for (g = 0; g < p->groups; g++)
         p->group[g] = g;
-    kern_part_single(p);
     for (k = 0; k < p->contacts; k++)
         p->contact[k] = k;
     return kern_part_lay(p);
-}
-
-/* Opens what moves in m->motion, and the last block. */
-static int kern_part_moved(kern_part *p, kern_model *m)
-{
-    int i, last = 0, groups = 0;
-    for (i = 0; i < m->s->blocks; i++) {
-        const int g = m->group[i];
-        if (g < m->groups && (i + 1 == m->s->blocks || kern_moves(m, i))) {
-            m->local[g] = 0;
-            last = g > last ? g : last;
-            groups++;
-        }
-    }
-    return groups > 0 && kern_part_open(p, m, groups, last);
-}
-
-/* Notes a part as what falls, and lays out its linear program; KERN_NO_SPACE
-   also where it is not much less than the whole. */
-static kern_status kern_part_note(kern_part *p)
-{
-    kern_model *m = p->m;
-    int n;
-    if (m->groups > KERN_SMALL && 2 * p->bodies > m->groups)
-        return KERN_NO_SPACE;
-    m->falls++;
-    m->rigid = p->bodies < p->groups;
-    for (n = 0; n < p->groups; n++)
-        m->fell[p->group[n]] = m->falls;
-    return kern_part_lay(p);
-}
-
-/* Opens the part again that was noted last. */
-static kern_status kern_part_again(kern_part *p, kern_model *m)
-{
-    int g, last = 0, groups = 0;
-    for (g = 0; g < m->groups; g++) {
-        m->local[g] = KERN_OUT;
-        if (m->fell[g] == m->falls) {
-            m->local[g] = 0;
-            last = g;
-            groups++;
-        }
-    }
-    if (!kern_part_open(p, m, groups, last))
-        return KERN_NO_SPACE;
-    if (m->rigid)
-        kern_part_join(p);
-    return kern_part_lay(p);
-}
-
-/* The proof of forces of which those on blocks that are not open were proven
-   before: the rows of all others, their contacts, and all forces together.
-   `wide`: lines between open blocks and others that were added later are yet to
-   be widened. */
-static kern_real kern_prove_change(kern_model *m, const kern_query *q, int wide)
-{
-    const kern_structure *s = m->s;
-    kern_real total = KERN_R(0);
-    int i, from = wide && q->shrink < m->balanced ? 0 : s->contacts;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        if (kern_is_open(m, c->a) || kern_is_open(m, c->b)) {
-            if (i >= from && !kern_is_open(m, kern_contact_later(c)))
-                from = i + 1 + kern_force_widen(m, i, m->balanced, q->shrink);
-            if (!kern_prove_contact(s, q, c, m->force + i, m->slope, m->sum))
-                return KERN_INFINITY;
-        }
-        total += m->force[i].normal;
-    }
-    return kern_prove_rows(s, q, m->sum, total);
 }
 
 /* Poured forces, in the caller's unit. */
@@ -5721,75 +4944,26 @@ static void kern_pour_scale(kern_model *m)
 static kern_status kern_model_hold(kern_model *m, kern_part *p,
                                    const kern_query *q)
 {
-    const kern_force *known = m->prior;
-    if (q->factor > 0 || kern_pour_spares(m))
+    if (q->factor > 0)
         return KERN_UNDECIDED;
-    kern_pour_scale(m);
     m->prior = m->force;
     p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
-    m->prior = known;
+    m->prior = NULL;
     return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
 }
 
-/* The verdict by a change of forces that balance all but the last block: it is
-   passed down, and proven where they changed. KERN_FALLS with an open part of
-   what moves; KERN_UNDECIDED also where no forces are known. */
-static kern_status kern_model_change(kern_model *m, kern_part *p,
-                                     const kern_query *q)
+/* Whether poured forces prove that it stands, or, where no proof is wanted, seem
+   to. */
+static int kern_pour_proven(kern_model *m, const kern_query *q, int proven)
 {
-    const kern_force *known = m->prior;
-    kern_poured poured = KERN_POURED;
-    int g, waiting;
-    if (!known || !(q->shrink <= m->balanced))
-        return KERN_UNDECIDED;
-    m->resumes = 0;
-    waiting = kern_pass_down(m, q);
-    if (waiting > 0 || m->complete)
-        kern_pass_widen(m, q);
-    if (waiting > 0) {
-        kern_model_keep(m, q, waiting);
-        poured = kern_pour(m, p);
-        m->prior = known;
-        for (g = 0; g < m->groups; g++)
-            if (m->next[g] != KERN_OUT)
-                m->sum[4 * m->block[g] + 3] = KERN_R(0);
-    }
-    if (poured == KERN_POUR_FALLS) {
-        kern_model_weigh(m, q);
-        return KERN_FALLS;
-    }
-    if (poured == KERN_POUR_DRY)
-        return kern_model_hold(m, p, q);
-    if (!kern_model_proven(m, kern_prove_change(
-            m, q, waiting == 0 && !m->complete)))
-        return KERN_UNDECIDED;
-    p->found = KERN_STANDS;
-    return KERN_STANDS;
-}
-
-/* Whether most contacts are close to sliding where forces are parallel to what
-   pushes the blocks aside: then hardly any others hold it. */
-static int kern_model_slides(kern_model *m, const kern_query *q)
-{
-    const kern_vec down = m->s->gravity;
-    int i, votes = 0;
-    m->lean = q->gravity;
-    if (!q->pattern)
-        m->lean = kern_vec_step(m->lean, q->factor * KERN_R(q->side),
-                                kern_vec_turn(down));
-    if (!(kern_abs(kern_vec_cross(m->lean, down)) > 0))
-        return 0;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_vec n = m->s->contact[i].n;
-        const kern_real along = kern_abs(kern_vec_dot(m->lean, n));
-        const kern_real side = kern_abs(kern_vec_cross(n, m->lean));
-        const kern_real most = kern_model_mu(m, i) * along;
-        if (side > most && side < along)
-            votes -= 8;
-        else if (side <= most && side > KERN_LEANS * most)
-            votes++;
-    }
-    return votes > 0;
+    kern_real total = KERN_R(0);
+    int i;
+    for (i = 0; i < m->s->contacts; i++)
+        total += m->force[i].normal;
+    if (!(total <= KERN_BOUND / 2) || !proven)
+        return total <= KERN_BOUND / 2;
+    kern_pour_scale(m);
+    return kern_model_proven(m, kern_prove_forces(m->s, q, m->force, m->sum));
 }
 
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
@@ -5798,36 +4972,26 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
                                    const kern_query *q, int proven)
 {
     kern_poured poured;
-    kern_status status;
-    kern_real total = KERN_R(0);
-    int i;
+    int change = m->known != NULL;
     if (!kern_model_spend(m, m->query_units))
         return KERN_LIMIT;
     m->work->solves++;
-    status = kern_model_change(m, p, q);
-    if (status != KERN_UNDECIDED)
-        return status;
     kern_model_set(m, q);
-    m->leans = proven && kern_model_slides(m, q);
-    kern_pour_begin(m, q->shrink);
-    poured = kern_pour(m, p);
-    m->leans = 0;
-    m->resumes = poured == KERN_POUR_FALLS;
-    m->poured = q->shrink;
-    if (poured == KERN_POUR_FALLS)
-        return KERN_FALLS;
-    if (poured != KERN_POURED)
-        return proven ? kern_model_hold(m, p, q) : KERN_UNDECIDED;
-    for (i = 0; i < m->s->contacts; i++)
-        total += m->force[i].normal;
-    if (total > KERN_BOUND / 2)
-        return KERN_UNDECIDED;
-    p->found = KERN_STANDS;
-    if (!proven)
-        return KERN_STANDS;
-    kern_pour_scale(m);
-    return kern_model_proven(m, kern_prove_forces(m->s, q, m->force, m->sum))
-           ? KERN_STANDS : KERN_UNDECIDED;
+    for (; change >= 0; change--) {
+        if (change)
+            kern_pour_change(m, q->shrink);
+        else
+            kern_pour_begin(m);
+        poured = kern_pour(m, p);
+        m->prior = NULL;
+        if (poured == KERN_POUR_FALLS)
+            return KERN_FALLS;
+        if (poured == KERN_POURED && kern_pour_proven(m, q, proven)) {
+            p->found = KERN_STANDS;
+            return KERN_STANDS;
+        }
+    }
+    return KERN_UNDECIDED;
 }
 
 /* From now on the linear program of all groups answers every query; it starts
@@ -5842,10 +5006,9 @@ static kern_status kern_model_plain(kern_model *m, kern_part *p,
     return status;
 }
 
-/* Whether the open part falls, what rests on one body alone joined to it. */
+/* Whether the open part falls. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
-    kern_part_join(p);
     return kern_part_lay(p) == KERN_OK
            && kern_part_evaluate(p, q) == KERN_FALLS;
 }
@@ -5858,13 +5021,16 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 {
     kern_status status;
     p->found = KERN_UNDECIDED;
-    m->resumes = 0;
     if (!m->plain) {
         status = kern_model_pour(m, p, q, 1);
         if (status == KERN_STANDS)
             return status;
         if (status == KERN_FALLS && kern_part_falls(p, q))
             return KERN_FALLS;
+        if (status == KERN_UNDECIDED)
+            status = kern_model_hold(m, p, q);
+        if (status == KERN_STANDS || status == KERN_LIMIT)
+            return status;
         status = kern_model_plain(m, p, q);
         if (status != KERN_OK)
             return status;
@@ -5875,10 +5041,17 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* ---- Searching a path ------------------------------------------ >>search */
 /* Verdicts along a path, and the bracket of the place where they change. */
 
-#define KERN_PART_ROUNDS   6       /* evaluations of a part at a time         */
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations to find one                 */
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
-#define KERN_BRACKET_SHARE KERN_R(0.0625) /* of a bracket, of a first step     */
+
+/* How fast y turns the two sides of contact k of the part against each other. */
+static kern_real kern_part_spin(const kern_part *p, int k)
+{
+    const kern_model *m = p->m;
+    const int *ends = m->ends + 2 * p->contact[k];
+    return p->y[3 * p->ends[2 * k] + 2] * m->unit[ends[0]]
+           - p->y[3 * p->ends[2 * k + 1] + 2] * m->unit[ends[1]];
+}
 
 /* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
    if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
@@ -5896,13 +5069,11 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         const kern_real travel = kern_travel(c, m->mean);
         const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
         const kern_real mu = kern_model_mu(m, p->contact[i]);
-        const int head = p->ends[2 * i], tail = p->ends[2 * i + 1];
         kern_real was, is, work;
         if (!(n > 0 || n < 0))
             continue;
         /* the arm grows along t, and t x (f n + r t) = -f */
-        work = n * (p->y[3 * head + 2] * m->unit[p->lead[head]]
-                    - p->y[3 * tail + 2] * m->unit[p->lead[tail]]);
+        work = n * kern_part_spin(p, i);
         if (!m->relative && from >= kern_abs(travel))
             work = travel > 0 ? -kern_abs(work) : kern_abs(work);
         sum -= work * kern_shift(travel, from, m->relative, &was);
@@ -6033,7 +5204,7 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
-    const kern_real power = kern_dot(p->y, p->rhs, 3 * p->bodies);
+    const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
     kern_real share;
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_edge(p, path->holds, s, power);
@@ -6064,158 +5235,67 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* How a bracket is narrowed: the path's edge beside it, and the next steps. */
-typedef struct kern_bracket {
-    kern_real aside, under;   /* from the edge, beyond it and before          */
-    kern_real share;          /* of the bracket, of a step without an edge    */
-    int inside;               /* nonzero: the edge lies in the bracket        */
-    int close, closed;        /* fails lies close to the edge; both ends do   */
-    int known;                /* nonzero: the edge is exact                   */
-    int halve;                /* nonzero: the next place is in the middle     */
-    kern_real step;           /* the last of Newton's method                  */
-} kern_bracket;
-
-static void kern_bracket_look(kern_bracket *b, const kern_path *path)
-{
-    const kern_real under = path->edge - path->holds;
-    const kern_real beyond = path->fails - path->edge;
-    b->inside = under >= 0 && beyond >= 0 && !b->halve;
-    b->close = b->inside && beyond <= b->aside * KERN_R(1.05);
-    b->closed = b->close && under <= b->under * KERN_R(1.05)
-                && (under >= b->under / 2 || path->holds <= path->start
-                    || path->inner);
-}
-
-/* Whether the bracket is as narrow as it gets. */
-static int kern_bracket_ends(const kern_bracket *b, const kern_path *path)
-{
-    const kern_real least = path->tolerance * KERN_R(0.45) / 8;
-    return (b->closed && (b->known || kern_inner_sharp(path->inner)))
-           || path->fails - path->holds <= least
-           || b->aside + b->under > path->tolerance * KERN_WIDEST;
-}
-
-/* The place that is evaluated next. */
-static kern_real kern_bracket_next(kern_bracket *b, const kern_path *path)
-{
-    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-    const kern_real error = path->kind != KERN_PATH_SHRINK || path->inner
-                            ? KERN_R(0) : (hi - r) / path->unit * (hi - r) / 2;
-    kern_real at;
-    if (b->close)
-        return b->closed ? r : kern_max(r - b->under, path->start);
-    if (b->inside && r + kern_max(b->aside, error) < hi)
-        at = r + kern_max(b->aside, error);
-    else {
-        at = lo + kern_max((hi - lo) * b->share,
-                           path->tolerance * KERN_R(0.45));
-        b->share = kern_min(2 * b->share, KERN_R(0.5));
-    }
-    return at > lo && at < hi ? at : lo + (hi - lo) / 2;
-}
-
-/* Goes farther from where no verdict could be proven. Returns 0 in a jam, where
-   neither proof comes nearer. */
-static int kern_bracket_widen(kern_bracket *b, const kern_path *path)
-{
-    const kern_real wider = path->inner ? KERN_R(4) : KERN_R(2);
-    if (b->close)
-        b->under *= wider;
-    else if (b->inside)
-        b->aside *= wider;
-    else
-        b->share *= KERN_R(0.7);
-    return b->inside || path->fails - path->holds
-                        > path->tolerance * KERN_WIDEST;
-}
-
-/* Evaluates the edge of a closed bracket, which stays as it is: another
-   mechanism may fall there. */
-static kern_status kern_bracket_check(kern_bracket *b, kern_model *m,
-                                      kern_path *path, int *goes)
-{
-    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-    const kern_proof *proof = path->proof;
-    const int proven = path->alone || path->stood >= lo;
-    kern_status status;
-    if (proven)
-        path->proof = NULL;
-    status = kern_path_evaluate(m, path, r);
-    path->proof = proof;
-    *goes = status != KERN_UNDECIDED;
-    b->known = *goes ? status == KERN_STANDS
-                       || path->edge > r - path->unit * KERN_SAME_EDGE
-                     : !path->inner; /* the simplex method ends at vertices */
-    if (b->known)
-        path->edge = r;
-    if (proven || status != KERN_STANDS)
-        path->holds = lo;
-    path->fails = hi;
-    return status;
-}
-
-/* Evaluates the next place, and notes what that tells of the bracket. In *goes
-   whether it is to be narrowed further. */
-static kern_status kern_bracket_step(kern_bracket *b, kern_model *m,
-                                     kern_path *path, int *goes)
-{
-    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-    const kern_real at = kern_bracket_next(b, path);
-    const int pivots = m->work->pivots;
-    const int single = kern_simplex_violated(&path->part->simplex) == 1;
-    const kern_status status = kern_path_evaluate(m, path, at);
-    b->halve = 0;
-    if (status == KERN_FALLS && at < lo) {
-        path->fails = hi; /* both proofs hold, within their tolerances */
-        path->edge = r;
-        b->under *= 2;
-    } else if (status == KERN_FALLS) {
-        b->share = path->inner ? KERN_R(0.5) : KERN_BRACKET_SHARE;
-        b->halve = path->inner && at - path->edge > b->aside * KERN_R(1.05)
-                   && (path->edge <= lo || at - path->edge > b->step / 2);
-        b->step = at - path->edge;
-    } else if (status == KERN_UNDECIDED)
-        *goes = kern_bracket_widen(b, path);
-    else if (status == KERN_STANDS)
-        b->known = b->close && single && pivots == m->work->pivots;
-    return status;
-}
-
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
    place, where the verdict changes. With w half of the tolerance:
    1. evaluate at the place that Newton's method predicts, plus w: where another
       mechanism falls it predicts a farther one;
    2. evaluate at it less w, so that both ends are proven beyond doubt;
-   3. if both used one basis and one variable changed its sign, it is exact;
-   4. else evaluate at the place itself, where yet another mechanism may fall.
-   Where it stands beyond the prediction, the steps grow. The interior point finds
-   one of many mechanisms, and steps of Newton's method may become many: where
-   they do not get shorter by half, the bracket is halved. */
-static kern_status kern_path_edge(kern_model *m, kern_path *path,
-                                  int rounds)
+   3. evaluate at the place itself: where yet another mechanism falls there, its
+      prediction counts, else it is exact. The bracket stays. The interior point
+      knows the place no better than this.
+   Where nothing is predicted in the bracket, or its predictions do not come nearer
+   by half, it is halved; where no verdict can be proven, w is doubled, up to a
+   limit: in a jam neither proof comes nearer. */
+static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    kern_bracket b;
-    int round, goes = 1;
-    b.aside = b.under = path->tolerance * KERN_R(0.45);
-    b.known = b.close = b.halve = path->closed = 0;
-    b.share = path->inner ? KERN_R(0.5) : KERN_BRACKET_SHARE;
-    b.step = KERN_INFINITY;
-    for (round = 0; (round < rounds || (b.close && round < KERN_EDGE_ROUNDS))
-                    && goes; round++) {
+    const kern_real w = path->tolerance * KERN_R(0.45);
+    const kern_proof *proof = path->proof;
+    kern_real aside = w, under = w, share = KERN_R(0.5), step = KERN_INFINITY;
+    int round, slow = 0;
+    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
+        const kern_real lo = path->holds, hi = path->fails, r = path->edge;
+        const int inside = r >= lo && r <= hi && !slow;
+        const int close = inside && hi - r <= aside * KERN_R(1.05);
+        const int closed = close && r - lo <= under * KERN_R(1.05);
+        kern_real at = closed ? r : close ? kern_max(r - under, path->start)
+                                          : r + aside;
         kern_status status;
-        kern_bracket_look(&b, path);
-        if (kern_bracket_ends(&b, path))
+        if ((closed && path->inner) || hi - lo <= w / 8
+            || aside + under > path->tolerance * KERN_WIDEST)
             break;
-        status = b.closed ? kern_bracket_check(&b, m, path, &goes)
-                          : kern_bracket_step(&b, m, path, &goes);
+        if (!close && !(inside && at < hi))
+            at = lo + (hi - lo) * share;
+        if (closed && (path->alone || path->stood >= lo))
+            path->proof = NULL;
+        status = kern_path_evaluate(m, path, at);
+        path->proof = proof;
         if (status < KERN_UNDECIDED)
             return status;
-        if (!b.close && status == KERN_STANDS && rounds < KERN_EDGE_ROUNDS)
-            return KERN_STANDS; /* the whole is evaluated there first */
+        share = status == KERN_UNDECIDED ? share * KERN_R(0.7) : KERN_R(0.5);
+        slow = path->inner && status == KERN_FALLS && !close
+               && at - path->edge > step / 2;
+        step = status == KERN_FALLS ? at - path->edge : step;
+        if (closed || (status == KERN_FALLS && at < lo)) {
+            path->fails = hi;
+            if (path->alone || path->stood >= lo)
+                path->holds = lo;
+        }
+        if (closed && (status != KERN_FALLS
+                       || path->edge > r - path->unit * KERN_SAME_EDGE)) {
+            path->edge = r;
+            break;
+        }
+        if (status == KERN_FALLS && at < lo) /* both proofs hold */
+            path->edge = r;
+        if (close && !closed && (status == KERN_UNDECIDED
+                                 || (status == KERN_FALLS && at < lo)))
+            under *= 2;
+        else if (inside && status == KERN_UNDECIDED)
+            aside *= 2;
+        else if (status == KERN_UNDECIDED
+                 && hi - lo <= path->tolerance * KERN_WIDEST)
+            break;
     }
-    if (round >= rounds && rounds < KERN_EDGE_ROUNDS && !b.close)
-        return KERN_STANDS;
-    path->closed = 1;
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
@@ -6223,14 +5303,14 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path,
 }
 
 static kern_travels kern_travels_of(const kern_structure *s,
-                                    const kern_query *q, int from)
+                                    const kern_query *q)
 {
     kern_travels t;
     int i;
     t.least = KERN_INFINITY;
     t.most = KERN_R(0);
     t.nested = 1;
-    for (i = from; i < s->contacts; i++) {
+    for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real travel = kern_abs(kern_travel(c, q->mean));
         if (!(travel > 0)
@@ -6253,6 +5333,28 @@ static kern_status kern_path_saturate(kern_path *path)
     path->never = 1;
     path->edge = path->fails = path->end;
     return KERN_STANDS;
+}
+
+/* The row of contact c, of which `sign` acts, by the arm of its force in its
+   unit. */
+static void kern_row_set(kern_row *row, const kern_contact *c, kern_real sign,
+                         kern_vec arm, kern_real slope)
+{
+    row->n[0] = sign * c->n.x;
+    row->n[1] = sign * c->n.y;
+    row->n[2] = sign * kern_vec_cross(arm, c->n);
+    row->turn = sign * kern_vec_dot(arm, c->n); /* arm x t */
+    row->mu = kern_friction(c, slope);
+    row->wn = row->wt = KERN_R(0);
+}
+
+/* Adds what the row exerts by f along n and r along t. */
+static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
+                          kern_real b[3])
+{
+    b[0] += f * row->n[0] - r * row->n[1];
+    b[1] += f * row->n[1] + r * row->n[0];
+    b[2] += f * row->n[2] + r * row->turn;
 }
 
 /* Row of point c about the first point of its pair, the unit of torques being
@@ -6336,7 +5438,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
             continue;
         }
         if (status == KERN_FALLS)
-            return kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+            return kern_path_edge(m, path);
         if (status != KERN_STANDS)
             return status;
         if (next >= end)
@@ -6352,16 +5454,6 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* Lays the motion that is known to m->motion. */
-static void kern_seed_lay(kern_model *m, const kern_seed *seed)
-{
-    const kern_motion rest = {0, 0, 0};
-    int i;
-    for (i = 0; i < m->s->blocks; i++)
-        m->motion[i] = seed->motion ? seed->motion[i] : rest;
-    m->motion[i - 1] = seed->last;
-}
-
 /* Whether it still proves that it falls where it did, close beyond where it is
    known to have stood. */
 static int kern_seed_falls(kern_model *m, const kern_path *path)
@@ -6369,18 +5461,20 @@ static int kern_seed_falls(kern_model *m, const kern_path *path)
     const kern_query q = kern_path_at(path, path->seed->fails);
     if (path->seed->fails - path->seed->holds > 2 * path->tolerance)
         return 0;
-    kern_seed_lay(m, path->seed);
-    return kern_model_proven(m, kern_prove_motion(m->s, &q, m->motion));
+    return kern_model_proven(
+        m, kern_prove_motion(m->s, &q, path->seed->motion));
 }
 
 /* Ends the search there. */
 static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 {
-    const kern_seed *seed = path->seed;
-    kern_seed_lay(m, seed);
+    const kern_known *seed = path->seed;
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
+        m->motion[i] = seed->motion[i];
     kern_path_note(m, path, KERN_FALLS, seed->fails);
     path->fails = seed->fails;
-    path->edge = seed->edge;
+    path->edge = seed->margin;
     return KERN_STANDS;
 }
 
@@ -6406,26 +5500,19 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
    factor: mu and what is not linear are corrected by what the first solution,
    with mu = 0, predicts.
 
-   A kern that closes bends the path. kern_inner_follow() rounds the bends off
-   over a width that shrinks with the gap. A verdict holds the matrix at its
-   place: then the program is linear, and max s tells whether s reaches it. */
+   kern_inner_follow() follows the path, which kerns that close bend. A verdict
+   holds the matrix at its place: then the program is linear, and max s tells
+   whether s reaches it. */
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
-#define KERN_PLAIN_SMALL   64      /* groups: evaluated near to a part's edge */
 #define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
 #define KERN_INNER_WARM    12      /* the same from what was found before     */
-#define KERN_INNER_EXACT   128     /* groups: more, and a bracket is enough   */
 #define KERN_INNER_WIDE    256     /* groups of what is said to be large      */
-#define KERN_INNER_STEPS   40      /* of a search                             */
-#define KERN_INNER_MANY    300     /* the same above KERN_PLAIN_SMALL groups  */
+#define KERN_INNER_STEPS   300     /* of a search                             */
 #define KERN_INNER_STALLED 3       /* of them without effect                  */
 #define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
-#define KERN_INNER_TRIES   6       /* steps for a proof                       */
-#define KERN_INNER_BALANCED 2      /* times that forces are balanced          */
 #define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
-#define KERN_INNER_APART   KERN_R(0.03)   /* least x z beside their mean      */
-#define KERN_INNER_SOFT    KERN_R(0.01)   /* width over which kerns close     */
 /* Gaps: of lost digits; at which a prediction counts; from which a verdict
    begins, and beside how far that is from the last; beside the power of a
    motion, that shows its edge. */
@@ -6446,14 +5533,12 @@ typedef struct kern_inner {
     int held;                 /* nonzero: matrix and g stay, s is linear      */
     int slow;                 /* nonzero: the last step had no effect         */
     int failed;               /* verdicts that were not decided               */
-    int steps, most;          /* of the search, and how many there may be     */
+    int steps;                /* of the search                                */
     int along;                /* held: nonzero: g is the path's               */
     kern_real end, error;     /* held: where s ends, and how exactly          */
-    int sharp;                /* nonzero: the edge is known that exactly      */
     int shrinks;              /* nonzero: the matrix changes, else the loads  */
     kern_real *roll;          /* of a contact: how fast its point moves       */
     kern_real rate;           /* largest of g along the path                  */
-    kern_real soft;           /* width over which kerns close                 */
     kern_real gap;            /* sum of x z: how far s can be from the edge   */
     kern_real least;          /* gap that is small enough                     */
     kern_real *x, *z;         /* of a ray: force and closing, both > 0        */
@@ -6500,24 +5585,6 @@ static void kern_inner_carry(const kern_part *p, const kern_real *x,
     }
 }
 
-/* How far contact c's point lies from where it is taken to be: where a kern
-   closes the path has a bend, which is rounded as long as the gap is large.
-   In *rate how fast it moves. */
-static kern_real kern_inner_round(const kern_inner *in, const kern_contact *c,
-                                  kern_real *rate)
-{
-    const kern_model *m = in->p->m;
-    const kern_real travel = kern_travel(c, m->mean), l = kern_abs(travel);
-    const kern_real shift = kern_shift(travel, in->at, m->relative, rate);
-    const kern_real sign = travel > 0 ? KERN_R(1) : KERN_R(-1);
-    const kern_real root = KERN_SQRT((in->at - l) * (in->at - l)
-                                     + in->soft * in->soft);
-    if (m->relative || !(l > 0) || !(in->soft > 0))
-        return KERN_R(0);
-    *rate = sign * (1 - (in->at - l) / root) / 2;
-    return sign * (in->at + l - root) / 2 - shift;
-}
-
 /* out += share times what the shrinking of kerns makes of forces x */
 static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
                               kern_real share, kern_real *out)
@@ -6559,12 +5626,9 @@ static void kern_inner_place(kern_inner *in, kern_real place)
     in->at = place;
     for (k = 0; in->shrinks && k < p->contacts; k++) {
         const int i = p->contact[k];
-        kern_real *arm = m->arm + 4 * (size_t)i;
-        const kern_real more = kern_inner_round(in, m->s->contact + i,
-                                                in->roll + k);
-        kern_model_arm(m, &q, i, arm);
-        arm[0] -= more * m->unit[m->ends[2 * i]];
-        arm[2] += more * m->unit[m->ends[2 * i + 1]];
+        kern_shift(kern_travel(m->s->contact + i, m->mean), place, m->relative,
+                   in->roll + k);
+        kern_model_arm(m, &q, i, m->arm + 4 * (size_t)i);
     }
     if (in->shrinks)
         return;
@@ -6698,7 +5762,7 @@ static void kern_inner_balance(kern_inner *in)
     for (i = 0; i < rays; i++)
         in->dz[i] = in->x[i];
     kern_inner_factor(in);
-    for (round = 0; round < KERN_INNER_BALANCED; round++) {
+    for (round = 0; round < 2; round++) {
         kern_inner_set(in);
         kern_least_solve(p, in->over, p->step);
         kern_inner_ways(p, p->step, turn);
@@ -6720,10 +5784,9 @@ static int kern_inner_advance(kern_inner *in)
     const kern_real gap = in->gap;
     kern_real of_x, of_z, ds, left = KERN_R(0), mu;
     int i;
-    if (!(gap <= KERN_INNER_LOST) || in->steps++ == in->most
+    if (!(gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
         || !kern_model_spend(p->m, 1 + p->cost / 150))
         return 0;
-    in->soft = kern_min(in->soft, gap / 20);
     for (i = 0; i < rays; i++)
         in->dz[i] = in->x[i] / in->z[i];
     kern_inner_factor(in);
@@ -6760,7 +5823,6 @@ static int kern_inner_advance(kern_inner *in)
     in->slow = kern_abs(in->gap - gap) < gap / 32;
     if (in->slow)
         kern_inner_balance(in);
-    kern_inner_centre(in, KERN_INNER_APART * in->gap);
     return 1;
 }
 
@@ -6847,12 +5909,9 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->over = p->b;
-    in->most = m->groups > KERN_PLAIN_SMALL ? KERN_INNER_MANY
-                                            : KERN_INNER_STEPS;
-    in->held = in->failed = in->along = in->steps = in->sharp = 0;
+    in->held = in->failed = in->along = in->steps = 0;
     in->rate = KERN_R(1e-3) / path->unit;
     in->shrinks = path->kind == KERN_PATH_SHRINK;
-    in->soft = KERN_INNER_SOFT * path->unit;
     in->s = path->holds;
     in->ahead = KERN_INFINITY; /* the limit of work may allow no step */
     in->low = path->holds - KERN_R(0.1) * path->unit;
@@ -6883,35 +5942,6 @@ static int kern_inner_falls(kern_inner *in, kern_real place)
                              kern_prove_motion(p->m->s, &q, p->m->motion));
 }
 
-/* Whether forces close to those that were found prove that it stands at a
-   place. If not they are what they were. */
-static int kern_inner_restore(kern_inner *in, kern_real place)
-{
-    const kern_real s = in->s, at = in->at, soft = in->soft, gap = in->gap;
-    const int rays = 2 * in->p->contacts, held = in->held;
-    int i, holds;
-    if (!kern_model_spend(in->p->m, 1 + in->p->cost / 300))
-        return 0;
-    for (i = 0; i < rays; i++)
-        in->dx[i] = in->x[i];
-    in->soft = KERN_R(0);
-    in->s = place;
-    kern_inner_place(in, place);
-    in->held = 1;
-    kern_inner_balance(in);
-    holds = kern_inner_holds(in);
-    for (i = 0; i < rays && !holds; i++)
-        in->x[i] = in->dx[i];
-    in->s = s;
-    in->at = at;
-    in->soft = soft;
-    in->gap = gap;
-    in->held = held;
-    if (!held)
-        kern_inner_set(in);
-    return holds;
-}
-
 /* Holds the matrix at a place from now on. Where the path's g is less than what
    x misses there, that becomes g, and at - s the share of it that is still
    missing. What has lost its digits begins anew, or what is to. */
@@ -6922,7 +5952,6 @@ static void kern_inner_hold(kern_inner *in, kern_real place, int anew)
     const kern_real away = kern_abs(place - in->at);
     kern_real way = kern_max(away, in->least);
     int i;
-    in->soft = KERN_R(0);
     if (anew || !(in->gap <= KERN_INNER_LOST)) {
         in->held = 0;
         in->s = place;
@@ -6984,32 +6013,6 @@ static kern_status kern_inner_prove(kern_inner *in, kern_status before,
            ? KERN_FALLS : before;
 }
 
-/* Notes a verdict, how exactly the edge is known, and where it lies. */
-static void kern_inner_note(kern_inner *in, kern_status status,
-                            kern_real *edge)
-{
-    const int sharp = in->along
-        && in->error <= 10 * in->path->unit * KERN_SAME_EDGE;
-    if (status == KERN_FALLS)
-        *edge = kern_inner_edge(in);
-    else if (status == KERN_STANDS && sharp)
-        *edge = in->end;
-    in->failed += status == KERN_UNDECIDED;
-    in->sharp = sharp || (in->sharp && status == KERN_STANDS);
-}
-
-/* What the last motion and forces prove at a place without a further step. */
-static kern_status kern_inner_seen(kern_inner *in, kern_real place,
-                                   kern_real edge)
-{
-    if (in->sharp && place > edge && kern_inner_falls(in, place))
-        return KERN_FALLS;
-    if (in->held && in->along && place <= in->end
-        && kern_inner_restore(in, place))
-        return KERN_STANDS;
-    return KERN_UNDECIDED;
-}
-
 /* The verdict at a place, from what was found before or anew. A motion proves
    that it falls as long as it parts from all contacts by more than rounding,
    which is before it is sharp enough for Newton's method. */
@@ -7040,21 +6043,17 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
                                        kern_real *edge)
 {
     kern_status status;
-    if (in->failed == KERN_INNER_FAILED || in->steps > in->most)
+    if (in->failed == KERN_INNER_FAILED || in->steps > KERN_INNER_STEPS)
         return KERN_UNDECIDED;
-    status = kern_inner_seen(in, place, *edge);
-    if (status != KERN_UNDECIDED)
-        return status;
     in->p->m->work->solves++;
     status = kern_inner_steps(in, place, 0);
     if (status == KERN_UNDECIDED)
         status = kern_inner_steps(in, place, 1);
-    kern_inner_note(in, status, edge);
+    if (status == KERN_FALLS)
+        *edge = kern_inner_edge(in);
+    in->failed += status == KERN_UNDECIDED;
     return status;
 }
-
-static int kern_inner_sharp(const kern_inner *in)
-{ return in && (in->sharp || in->p->groups > KERN_INNER_EXACT); }
 
 /* Follows the path to the first place where the whole falls, as far as it can
    be followed. Returns nonzero where it is seen to stand to the end. */
@@ -7078,20 +6077,6 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
                                    kern_path *path)
 {
     kern_status status;
-    int round;
-    for (round = 0; round < KERN_INNER_TRIES && in->gap <= KERN_INNER_CLEAR;
-         round++) {
-        const kern_real at = kern_min(in->s, in->ahead - in->least / 32);
-        if (at >= path->start && kern_inner_restore(in, at)) {
-            kern_path_note(m, path, KERN_STANDS, at);
-            path->holds = at;
-            break;
-        }
-        if (!kern_inner_advance(in))
-            break;
-    }
-    if (path->holds >= path->end)
-        return KERN_STANDS;
     if (!(in->ahead >= path->holds && in->ahead <= path->end))
         return KERN_UNDECIDED;
     path->edge = in->ahead;
@@ -7102,27 +6087,13 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
     return status;
 }
 
-/* Whether the bracket is proven and narrow enough, and the edge in it exact. In
-   a large structure the simplex method takes so long that more does. */
+/* Whether the bracket is proven and narrow enough. In a large structure the
+   simplex method takes so long that more does. */
 static int kern_inner_closed(const kern_model *m, const kern_path *path)
 {
     const kern_real wide = m->groups > KERN_INNER_WIDE
                            ? path->tolerance * KERN_WIDEST : path->tolerance;
-    return path->fell <= path->fails
-           && (m->groups > KERN_INNER_EXACT || kern_inner_sharp(path->inner))
-           && path->fails - path->holds <= wide;
-}
-
-/* Asks at the step of a level that lies in the bracket: its verdict is asked for
-   next. */
-static void kern_inner_level(kern_model *m, kern_path *path)
-{
-    const kern_real edge = path->edge, holds = path->holds;
-    const kern_real next = path->step > 0
-        ? KERN_R((int)(holds / path->step) + 1) * path->step : path->fails;
-    if (next > holds && next < path->fails)
-        kern_path_evaluate(m, path, next);
-    path->edge = kern_min(kern_max(edge, path->holds), path->fails);
+    return path->fell <= path->fails && path->fails - path->holds <= wide;
 }
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
@@ -7141,14 +6112,10 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
     if (status == KERN_STANDS)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
-        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-        if (!kern_inner_closed(m, path)) /* again, from forces closer to it */
-            status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
+        status = kern_path_edge(m, path);
         if (!kern_inner_closed(m, path))
             status = KERN_UNDECIDED;
     }
-    if (status == KERN_STANDS)
-        kern_inner_level(m, path);
     path->inner = NULL;
     return status == KERN_STANDS && path->stood >= path->holds
            ? status : KERN_UNDECIDED;
@@ -7162,178 +6129,202 @@ static int kern_moves(const kern_model *m, int i)
            || kern_abs(v->spin) * size > KERN_AT_REST;
 }
 
-/* Asks whether what moves in m->motion falls with the last block on it at
-   places beyond the one that fails, all other blocks held. */
-static kern_status kern_path_moved(kern_model *m, kern_path *path,
-                                   kern_real step)
-{
-    const kern_real fails = path->seed->fails;
-    const kern_query q = kern_path_at(path, fails);
-    kern_status status = KERN_UNDECIDED;
-    int tries;
-    kern_model_set(m, &q);
-    if (!kern_part_moved(path->part, m) || path->part->groups < 2
-        || kern_part_note(path->part) != KERN_OK)
-        return status;
-    path->alone = 1;
-    for (tries = 0; tries < 3 && status != KERN_FALLS; tries++, step *= 4)
-        status = kern_path_evaluate(m, path,
-                                    kern_min(path->end, fails + step / 8));
-    path->alone = path->closed = 0;
-    return status;
-}
+/* ---- bodies ---- */
+/* A block is a body with what rests on it alone. Where it falls, all else held,
+   the whole falls: three equations tell. The edge of most structures is that of
+   a body. */
 
-/* Where a group that touches others by n ends tips over the last of these, in
-   units of what grows, or KERN_INFINITY. */
-static kern_real kern_body_tips(const kern_model *m, const int *end, int n,
-                                const kern_real *load, const kern_real *rate)
+/* The rows of what holds body g, about its block's centre; returns how many there
+   are. If they are of one block it belongs to the body of that: m->leader. */
+static int kern_body_rows(kern_model *m, int g, kern_real s,
+                          kern_row row[KERN_ROWS_MOST])
 {
-    kern_real most = KERN_R(0);
-    kern_row c;
-    int k;
-    for (k = 0; k < n; k++) {
-        kern_real u[3], rises, holds;
-        kern_pour_row(m, end[k], &c);
-        u[0] = c.turn * c.n[1] - c.n[2] * c.n[0];
-        u[1] = -c.turn * c.n[0] - c.n[2] * c.n[1];
-        u[2] = KERN_R(1);
-        rises = kern_three(rate, u);
-        holds = rises > 0 ? kern_three(load, u) : -kern_three(load, u);
-        if (kern_abs(rises) > 0)
-            most = kern_max(most, holds / kern_abs(rises));
-    }
-    return most > 0 ? most : KERN_INFINITY;
-}
-
-/* Lists up to KERN_ROWS_MOST ends at group g but those of what touches it
-   alone, if there is such; returns how many. In m->leader[g] what carries it
-   and is all that it touches but for that, or KERN_OUT. */
-static int kern_body_ends(kern_model *m, int g, int *end)
-{
-    int e, n = 0, leads = 0, on = KERN_OUT;
+    int e, n = 0, on = KERN_OUT;
     for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+        const kern_contact *c = m->s->contact + (e >> 1);
         const int other = m->ends[e ^ 1];
         if (other < g && m->leader[other] == g)
-            leads = 1;
-        else {
-            on = on == KERN_OUT || on == other ? other : m->groups;
-            if (n < KERN_ROWS_MOST)
-                end[n++] = e;
-        }
+            continue;
+        on = on == KERN_OUT || on == other ? other : m->groups;
+        if (n < KERN_ROWS_MOST)
+            kern_row_set(row + n, c, e & 1 ? KERN_R(-1) : KERN_R(1),
+                         kern_vec_scale(kern_vec_sub(
+                             kern_contact_at(c, s, m->relative),
+                             m->s->block[m->block[g]].centre), m->unit[g]),
+                         m->slope);
+        n++;
     }
     m->leader[g] = on > g && on < m->groups ? on : KERN_OUT;
-    return leads ? n : 0;
+    return n;
 }
 
-/* Where the first block tips over with what touches it alone, all else held, or
-   else `first`. What falls at the top would show single blocks too, but the
-   joints of a stack one after the other. The model is that of the start; a tilt
-   begins at 0. */
-static kern_real kern_push_first(kern_model *m, const kern_path *path,
+/* The power of the motion u by which body g falls at s; 0: it does not. */
+static kern_real kern_body_power(kern_model *m, int g, kern_real s,
+                                 kern_real u[3])
+{
+    kern_row row[KERN_ROWS_MOST];
+    const kern_real *b = m->load + 3 * (size_t)g;
+    const int n = kern_body_rows(m, g, s, row);
+    int k;
+    if (n == 0 || n > KERN_ROWS_MOST
+        || kern_pour_solve(row, n, b, KERN_POUR_TOL * kern_largest(b, 3), u)
+           != KERN_FALLS)
+        return KERN_R(0);
+    for (k = 0; k < n; k++)
+        if (kern_three(row[k].n, u) + KERN_FEAS_TOL
+            < kern_abs(row[k].mu * kern_row_along(row + k, u)))
+            return KERN_R(0);
+    return kern_min(kern_three(b, u), KERN_R(0));
+}
+
+/* Where body g, which falls at `fails`, stops to, by secants: to 4 EPS of the path;
+   at most `start` where it falls there, `fails` where that is not found. */
+static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
+                                kern_real power, kern_real fails)
+{
+    const kern_real aside = path->tolerance * KERN_R(0.45);
+    const kern_real same = KERN_SAME_EDGE / 8 * path->unit, far = fails;
+    kern_real holds = path->holds, at = (holds + fails) / 2, edge = fails, u[3];
+    int round;
+    for (round = 0; round < 24; round++) {
+        const kern_real now = kern_body_power(m, g, at, u), before = edge;
+        if (now < 0) {
+            edge = at - now * (fails - at) / (power - now);
+            fails = at;
+            power = now;
+            if (kern_abs(edge - before) <= same
+                || fails <= path->holds + aside)
+                return edge;
+        } else
+            holds = at;
+        at = edge + aside;
+        if (!(at > holds && at < fails))
+            at = (holds + fails) / 2;
+    }
+    return far;
+}
+
+/* The motion u of body g, of all that belongs to it; the fastest block has speed
+   1. */
+static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
+{
+    const kern_real spin = u[2] * m->unit[body];
+    kern_real most = KERN_R(0);
+    int i, g, h;
+    for (i = 0; i < m->s->blocks; i++)
+        m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
+    for (i = 0; i < 2; i++)
+        for (g = 0; g <= body; g++) {
+            const kern_block *b = m->s->block + m->block[g];
+            kern_motion *v = m->motion + m->block[g];
+            const kern_real one = i ? 1 / most : KERN_R(1);
+            kern_vec arm;
+            for (h = g; h != KERN_OUT && h < body; h = m->leader[h])
+                ;
+            if (h != body)
+                continue;
+            arm = kern_vec_sub(b->centre, m->s->block[m->block[body]].centre);
+            v->vx = (u[0] - spin * arm.y) * one;
+            v->vy = (u[1] + spin * arm.x) * one;
+            v->spin = spin * one;
+            most = i ? most : kern_max(most, kern_block_speed(b, v));
+        }
+}
+
+/* The first body that falls nearer than `first` becomes the path's seed. Returns
+   that place, or the start where one falls there. */
+static kern_real kern_body_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     const kern_query q = kern_path_at(path, path->holds);
-    kern_real *rates = m->sum, least = KERN_INFINITY;
-    int end[KERN_ROWS_MOST], g;
-    for (g = 0; g < m->groups; g++)
-        kern_group_rate(path, m, &q, path->holds, g, rates + 3 * g);
+    const kern_real start = path->holds, aside = path->tolerance * KERN_R(0.45);
+    kern_real best = kern_min(first, path->end), u[3];
+    int g;
+    kern_model_set(m, &q);
     for (g = 0; g < m->groups; g++) {
-        const kern_real *load = m->load + 3 * (size_t)g, *rate = rates + 3 * g;
-        const int n = kern_body_ends(m, g, end), on = m->leader[g];
-        least = kern_min(least, kern_body_tips(m, end, n, load, rate));
+        const kern_real *load = m->load + 3 * (size_t)g;
+        const kern_real power = kern_body_power(m, g, best, u);
+        const int on = m->leader[g];
+        kern_real edge;
+        if (power < 0) {
+            edge = kern_body_edge(m, path, g, power, best);
+            if (edge <= start + 2 * aside)
+                return start;
+            if (edge + aside < best
+                && kern_body_power(m, g, edge + aside, u) < 0) {
+                best = edge + aside;
+                path->body.holds = edge - aside;
+                path->body.margin = edge;
+                path->body.fails = best;
+                path->body.motion = m->motion;
+                path->seed = &path->body;
+                kern_body_moves(m, g, u);
+            }
+        }
         if (on != KERN_OUT) {
-            kern_model_shift(m, g, load, on, m->load + 3 * (size_t)on);
-            kern_model_shift(m, g, rate, on, rates + 3 * on);
+            kern_real *to = m->load + 3 * (size_t)on;
+            const kern_vec arm = kern_vec_sub(
+                m->s->block[m->block[g]].centre,
+                m->s->block[m->block[on]].centre);
+            to[0] += load[0];
+            to[1] += load[1];
+            to[2] += (load[2] / m->unit[g] + arm.x * load[1]
+                      - arm.y * load[0]) * m->unit[on];
         }
     }
-    if (path->kind == KERN_PATH_TILT)
-        least = kern_path_turned(path->holds, 4 * least);
-    return least < first ? least + path->tolerance * KERN_R(0.45) : first;
+    return first;
 }
 
-/* How far the search for the first edge of a path has come. */
-typedef struct kern_probe {
-    kern_real start;          /* of the path                                  */
-    kern_real first, step;    /* from there; of a climb                       */
-    kern_real holds;          /* the farthest place that stands               */
-    kern_real at;             /* the next place                               */
-    int fell;                 /* nonzero: a part fell                         */
-    int guess;                /* nonzero: what moved before, not poured       */
-    int seeded;               /* nonzero: something is known about `at`       */
-    int done;                 /* nonzero: the search is over                  */
-} kern_probe;
-
-/* Climbs from path->holds, or from the next place where that is the start; if
-   it does not stand there, from the start. */
-static kern_status kern_plain_climb(kern_model *m, kern_path *path,
-                                    const kern_probe *probe)
-{
-    const kern_real at = path->begun || path->holds > path->start
-                         ? path->holds : probe->at;
-    kern_status status = kern_path_evaluate(m, path, at);
-    if ((status == KERN_FALLS || status == KERN_UNDECIDED) && at > path->start)
-        status = kern_path_evaluate(m, path, path->start);
-    return status == KERN_STANDS ? kern_path_walk(m, path, probe->step, 0)
-                                 : status;
-}
-
-/* Begins at the next place where something is known, or of what is small; else,
-   or if it is not decided there, it climbs. */
-static kern_status kern_plain_search(kern_model *m, kern_path *path,
-                                     const kern_probe *probe, int seeded)
-{
-    const int small = m->groups <= (probe->fell ? KERN_PLAIN_SMALL
-                                                : 2 * KERN_SMALL);
-    const kern_real holds = path->holds;
-    kern_status status = KERN_UNDECIDED;
-    if (probe->at > holds && (small || seeded))
-        status = kern_path_evaluate(m, path, probe->at);
-    if (status == KERN_STANDS && (seeded || !probe->fell))
-        return kern_path_walk(m, path, probe->step, 0);
-    if (status == KERN_STANDS || status == KERN_FALLS)
-        status = kern_path_edge(m, path, KERN_EDGE_ROUNDS);
-    if (status == KERN_STANDS && path->holds > holds)
-        return status;
-    path->holds = holds;
-    return kern_plain_climb(m, path, probe);
-}
-
-/* As kern_path_search(), by the interior point, or else, and of what is small
-   at once, by the linear program of the whole. */
+/* The edge of the whole beyond path->holds: of many groups by the interior point,
+   of few, or where that finds none, by their linear program, in steps from what
+   holds, or from the start. Where a part fell no step goes beyond that. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   const kern_probe *probe)
+                                   kern_real step, int fell)
 {
-    const kern_real holds = path->holds, edge = path->edge;
-    const kern_query q = kern_path_at(path, holds);
-    const int seeded = !probe->fell && path->seed
-                       && path->seed->fails > probe->at;
+    const kern_real edge = path->edge, end = path->end;
+    const kern_query q = kern_path_at(path, path->holds);
+    kern_real holds = path->holds;
     kern_status status = KERN_UNDECIDED;
-    if (!seeded /* else one verdict from the known forces may do */
-        && !kern_model_small(m, kern_model_chain(m) ? KERN_SMALL
-                                                    : 2 * KERN_SMALL))
+    if (!m->plain && (m->groups > KERN_SMALL
+                      || m->work->reals < KERN_REALS(m->s->blocks,
+                                                     m->s->contacts)))
         status = kern_inner_search(m, path);
     if (status == KERN_STANDS)
         return status;
-    status = kern_model_plain(m, path->part, &q);
-    if (status != KERN_OK)
+    if (!m->plain)
+        status = kern_model_plain(m, path->part, &q);
+    if (!m->plain)
         return status;
+    if (!(path->fell > holds))
+        holds = path->start; /* what was poured there was no proof */
     path->holds = holds;
     path->edge = edge; /* that of the interior point may not be exact */
-    return kern_plain_search(m, path, probe, seeded);
+    if (fell && path->fell < end && path->fell > holds) {
+        path->end = path->fell;
+        step = kern_min(step, (path->fell - holds) / 2);
+    }
+    status = kern_path_walk(m, path, step, 0);
+    if (status < KERN_UNDECIDED
+        || (status == KERN_STANDS && path->stood >= path->holds
+            && (path->never ? path->end >= end : path->holds > holds))) {
+        path->end = end;
+        return status;
+    }
+    path->end = end;
+    path->never = 0;
+    path->holds = path->start;
+    path->edge = edge;
+    status = kern_path_evaluate(m, path, path->start);
+    return status == KERN_STANDS ? kern_path_walk(m, path, step, 0) : status;
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
-   shows neither. `weighed`: the path was poured before. */
+   shows neither. */
 static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
-                                  int proven, int weighed)
+                                  int proven)
 {
     const kern_query q = kern_path_at(path, s);
-    kern_status status;
-    m->resumes &= path->kind == KERN_PATH_SHRINK;
-    m->weighed = weighed && path->kind == KERN_PATH_SHRINK && path->start >= 0
-                 && !m->prior;
-    status = kern_model_pour(m, path->part, &q, proven);
-    m->weighed = 0;
+    kern_status status = kern_model_pour(m, path->part, &q, proven);
     if (status == KERN_STANDS) {
         if (proven)
             kern_path_note(m, path, status, s);
@@ -7341,166 +6332,70 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     }
     if (status != KERN_FALLS)
         return status;
-    kern_part_join(path->part);
-    if (kern_part_note(path->part) != KERN_OK)
+    if ((2 * m->groups > KERN_SMALL && 2 * path->part->groups > m->groups)
+        || kern_part_lay(path->part) != KERN_OK)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
-    if (status == KERN_STANDS && m->rigid) {
-        m->rigid = 0;
-        if (kern_part_again(path->part, m) == KERN_OK)
-            status = kern_path_evaluate(m, path, s);
-    }
     path->alone = 0;
     return status == KERN_FALLS ? status : KERN_UNDECIDED;
 }
 
-/* Narrows the bracket of the open part alone; in a few evaluations, unless it
-   is to the end. */
-static kern_status kern_path_part(kern_model *m, kern_path *path, int end)
-{
-    kern_status status;
-    path->alone = 1;
-    status = kern_path_edge(m, path, end || path->part->bodies == m->groups
-                                     ? KERN_EDGE_ROUNDS : KERN_PART_ROUNDS);
-    path->alone = 0;
-    return status;
-}
-
-/* The next place stands; `last` tells that its forces are a proof. */
-static kern_status kern_probe_stood(kern_probe *probe, kern_model *m,
-                                    kern_path *path, int last)
-{
-    const kern_real at = probe->at;
-    probe->holds = at;
-    probe->done = 1;
-    if (probe->fell && last) {
-        path->edge = kern_min(kern_max(path->edge, at), path->fails);
-        return KERN_STANDS;
-    }
-    if (at >= path->end)
-        return kern_path_saturate(path);
-    if (probe->seeded)
-        return kern_seed_ends(m, path);
-    probe->done = 0;
-    if (probe->fell) {
-        probe->guess = 1; /* it may be the first that falls */
-        return kern_part_again(path->part, m) == KERN_OK ? KERN_STANDS
-                                                         : KERN_NO_SPACE;
-    }
-    probe->at = path->seed && path->seed->fails > 0
-              ? at + probe->first
-              : probe->start + 2 * (at - probe->start);
-    if (probe->at > path->end * KERN_R(0.95)) /* as well the whole of it */
-        probe->at = path->end;
-    return KERN_STANDS;
-}
-
-/* A part falls at the next place. */
-static kern_status kern_probe_fell(kern_probe *probe, kern_path *path)
-{
-    if (probe->at <= probe->start) {
-        probe->done = !path->begun;
-        return path->begun ? KERN_UNDECIDED : KERN_FALLS;
-    }
-    probe->fell = 1;
-    probe->guess = path->closed = 0;
-    return KERN_STANDS;
-}
-
-/* Narrows the bracket of the part that fell; the next place lies before. */
-static kern_status kern_probe_part(kern_probe *probe, kern_model *m,
-                                   kern_path *path, kern_status status)
-{
-    if (status == KERN_STANDS
-        && path->edge > probe->start + path->tolerance) {
-        status = kern_path_part(m, path, probe->guess || m->prior);
-        if (status == KERN_STANDS && !path->closed
-            && !(path->holds > probe->holds)) /* nothing new to pour */
-            status = kern_path_part(m, path, 1);
-        probe->at = path->holds;
-        probe->done = status == KERN_STANDS && path->part->bodies == m->groups
-                      && probe->at > probe->holds && path->closed;
-    } else {
-        const kern_real next = kern_max(probe->start,
-            kern_min(path->edge, probe->at) - path->tolerance / 2);
-        if (!(next < probe->at))
-            return KERN_UNDECIDED; /* critical where it starts */
-        path->closed &= next > probe->at - path->tolerance;
-        probe->at = next;
-    }
-    return status;
-}
-
-/* The search begins at path->holds. The next place is one about which something
-   is known, or `first` beyond. */
-static void kern_probe_open(kern_probe *probe, kern_model *m,
-                            kern_path *path, kern_real first, kern_real step)
-{
-    const kern_seed *seed = path->seed;
-    m->resumes = 0;
-    probe->start = probe->holds = path->start = path->holds;
-    probe->first = first;
-    probe->step = step;
-    probe->fell = probe->done = probe->guess = 0;
-    probe->seeded = seed && seed->fails > probe->start
-                    && seed->fails <= path->end;
-    probe->at = m->plain ? probe->start
-                : probe->seeded ? kern_max(probe->start, seed->holds)
-                                : kern_min(probe->start + first, path->end);
-}
-
-/* What moves in what is known no longer falls: most likely it does beyond, with
-   the last block. */
-static kern_status kern_probe_moved(kern_probe *probe, kern_model *m,
-                                    kern_path *path)
-{
-    probe->seeded = 0;
-    probe->fell = probe->guess = kern_path_moved(m, path, probe->first)
-                                 == KERN_FALLS;
-    path->holds = probe->holds;
-    return probe->fell ? kern_probe_part(probe, m, path, KERN_STANDS)
-                       : KERN_STANDS;
-}
-
 /* The first edge of a path on which the verdict changes but once. What falls
    at some place is a part, most often a small one, and no edge of the whole
-   lies beyond that of a part, all else held. So the path is poured where the
-   part that fell last is seen to stand, until nothing falls there. Where kerns
-   shrink what was balanced above a part that fell is so before, too: pouring
-   goes on from there, and the first place may lie far beyond the edge. */
+   lies beyond that of a part, all else held. So the path is poured at the edge
+   of the part that fell last, until nothing falls there. It begins where
+   something is known, or `first` beyond path->holds. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
+    const kern_real start = path->start = path->holds;
+    kern_real holds = start, at;
     kern_status status = KERN_STANDS;
-    kern_probe probe;
-    int round;
-    kern_probe_open(&probe, m, path, first, step);
-    if (m->plain)
-        return kern_path_plain(m, path, &probe);
-    if (probe.seeded && probe.at < path->end && !kern_seed_falls(m, path))
-        status = kern_probe_moved(&probe, m, path);
-    for (round = 0; round < KERN_EDGE_ROUNDS && !probe.done
-                    && status == KERN_STANDS; round++) {
-        const int last = probe.fell ? path->closed
-                                    : probe.seeded || probe.at >= path->end;
-        path->holds = probe.holds;
-        status = kern_path_pour(m, path, probe.at, last, round);
-        if (status == KERN_STANDS)
-            status = kern_probe_stood(&probe, m, path, last);
-        else if (status == KERN_FALLS)
-            status = kern_probe_fell(&probe, path);
-        if (probe.done)
+    int round, hint, seeded, fell = 0;
+    if (m->plain || path->kind != KERN_PATH_SHRINK)
+        return kern_path_plain(m, path, step, 0);
+    at = path->seed ? start + first : kern_body_first(m, path, start + first);
+    hint = path->seed && path->seed->fails > start
+           && path->seed->fails <= path->end
+           && path->seed->holds <= path->seed->margin
+           && path->seed->margin <= path->seed->fails;
+    seeded = hint && kern_seed_falls(m, path);
+    at = hint ? kern_max(start, path->seed->holds) : kern_min(at, path->end);
+    for (round = 0; round < KERN_EDGE_ROUNDS && status == KERN_STANDS; round++) {
+        const int known = seeded && round == 0;
+        path->holds = holds;
+        status = kern_path_pour(m, path, at, fell || known || at >= path->end);
+        if (status == KERN_STANDS && fell)
             return status;
-        probe.seeded = 0;
-        path->holds = probe.holds;
-        if (probe.fell)
-            status = kern_probe_part(&probe, m, path, status);
+        if (status == KERN_STANDS) {
+            if (at >= path->end)
+                return kern_path_saturate(path);
+            if (known)
+                return kern_seed_ends(m, path);
+            holds = at;
+            at = hint ? at + first : start + 2 * (at - start);
+            if (at > path->end * KERN_R(0.95)) /* as well the whole of it */
+                at = path->end;
+            continue;
+        }
+        if (status == KERN_FALLS && at <= start)
+            return status;
+        path->holds = holds;
+        if (status == KERN_FALLS) {
+            path->alone = fell = 1;
+            status = kern_path_edge(m, path);
+            path->alone = 0;
+            at = path->holds;
+            if (status == KERN_STANDS && kern_part_is_whole(path->part)
+                && at > holds)
+                return status;
+        } else if (fell)
+            at = kern_max(start, kern_min(path->edge, at) - path->tolerance / 2);
     }
-    if (probe.done)
-        return KERN_STANDS;
-    path->holds = probe.holds;
-    return kern_path_plain(m, path, &probe);
+    path->holds = holds;
+    return status < KERN_UNDECIDED ? status
+                                   : kern_path_plain(m, path, step, fell);
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
@@ -7624,7 +6519,6 @@ static int kern_raise_open(kern_raise *r)
     for (i = 0; i < p->contacts; i++)
         r->price[i] = KERN_R(0);
     p->price = r->price;
-    p->special = 1;
     return 1;
 }
 
@@ -7738,7 +6632,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     const kern_real most = q->relative ? share : share * r->m->mean;
     int i, k, raised = 1;
     q->factor = share;
-    for (k = kern_travels_of(r->m->s, q, 0).nested; k < 2 && raised; k++) {
+    for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
         r->m->slope = kern_slope(q);
         for (i = 0; i < r->m->s->contacts; i++)
@@ -7940,10 +6834,6 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the size of the smaller free block: higher steps are not simplified
    away, however wide the gap. */
 #define KERN_STEP_MOST  KERN_R(0.1)
-/* Most parts of an outline that have a box of their own, and by how many edges
-   they are longer than need be: more take more stack, shorter ones time. */
-#define KERN_PARTS      24
-#define KERN_PART_EDGES 8
 /* Most nested spans of an outline that are kept; more save time. */
 #define KERN_SPANS      16
 /* Length in steps of a way whose direction steps hardly change, and the sine of
@@ -8018,17 +6908,11 @@ static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 static kern_real kern_box_largest(const kern_box *box)
 { return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
 
-/* ---- parts ---- */
-/* An outline is looked at part by part: runs of as many vertices, each with the
-   box of the edges from corner to corner that start there. What is far from a
-   part's box is far from its edges, so outlines of many vertices cost some
-   hundreds of edges a look, and not all. */
+/* ---- corners ---- */
 
 typedef struct kern_parts {
     const kern_block *block;
-    int each;               /* vertices of a part         */
     int straight, reflex;   /* are there such vertices?   */
-    kern_box box[KERN_PARTS];
 } kern_parts;
 
 /* The next corner. */
@@ -8044,24 +6928,14 @@ static int kern_parts_corner(const kern_parts *parts, int i)
 
 static void kern_parts_set(kern_parts *parts, const kern_block *block)
 {
-    int i, straight = 0;
+    int i;
     parts->block = block;
-    parts->each = block->vertices / KERN_PARTS + KERN_PART_EDGES;
-    parts->straight = 1;
-    parts->reflex = 0;
+    parts->straight = parts->reflex = 0;
     for (i = 0; i < block->vertices; i++) {
-        kern_box *box = &parts->box[i / parts->each];
-        const int end = kern_polygon_next(block, i, 0);
         const int turn = kern_polygon_turn(block, i);
-        straight |= turn == 0;
+        parts->straight |= turn == 0;
         parts->reflex |= turn < 0;
-        if (i % parts->each == 0)
-            kern_box_set(box, block->vertex[i], block->vertex[i]);
-        kern_box_add(box, block->vertex[end]);
-        if (end % parts->each == 0)
-            kern_box_add(box, block->vertex[kern_parts_corner(parts, i)]);
     }
-    parts->straight = straight;
 }
 
 /* ---- edges ---- */
@@ -8106,9 +6980,7 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
     const kern_block *block = parts->block;
     int i, corner;
     for (i = e->at + 1; i < block->vertices; i++)
-        if (!kern_box_near(&parts->box[i / parts->each], box, gap)) {
-            i += parts->each - i % parts->each - 1;
-        } else if (!parts->straight || kern_polygon_turn(block, i) != 0) {
+        if (!parts->straight || kern_polygon_turn(block, i) != 0) {
             corner = kern_parts_corner(parts, i);
             kern_box_set(&e->box, block->vertex[i], block->vertex[corner]);
             if (kern_box_near(&e->box, box, gap)) {
@@ -8133,48 +7005,27 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
-/* Is the box farther from p than the square says, beyond all rounding? */
-static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
-{
-    const kern_real x = p.x - kern_min(kern_max(p.x, box->low.x), box->high.x);
-    const kern_real y = p.y - kern_min(kern_max(p.y, box->low.y), box->high.y);
-    return KERN_R(0.999) * (x * x + y * y) > square;
-}
-
 /* Distance of p from the boundary, below 0 where it is outside, and the vertex
-   at which the nearest edge starts. What *nearest is before is a guess, and
-   saves time. A part that is farther away than an edge that is known may cross
-   the level of p to the right of p, if at all: once or not, by where its ends
-   are. */
+   at which the nearest edge starts. */
 static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
                                     int *nearest)
 {
     const kern_block *block = parts->block;
-    const kern_vec *vertex = block->vertex;
-    const int n = block->vertices;
-    kern_vec u = kern_vec_sub(vertex[0], p);
-    kern_real least = kern_edge_square(
-        kern_vec_sub(vertex[*nearest], p),
-        kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 0)], p));
-    int i, start, end, inside = 0;
-    for (start = 0; start < n; start = end) {
-        const kern_box *box = &parts->box[start / parts->each];
-        const int skip = kern_box_beyond(box, p, least);
-        end = n - start > parts->each ? start + parts->each : n;
-        for (i = skip ? end - 1 : start; i < end; i++) {
-            const kern_vec v =
-                kern_vec_sub(vertex[kern_polygon_next(block, i, 0)], p);
-            const kern_real square = skip ? least : kern_edge_square(u, v);
-            if (square < least) {
-                least = square;
-                *nearest = i;
-            }
-            if ((u.y > 0) != (v.y > 0) &&
-                (skip ? box->low.x > p.x
-                      : (kern_vec_cross(u, v) > 0) == (v.y > u.y)))
-                inside = !inside;
-            u = v;
+    kern_vec u = kern_vec_sub(block->vertex[0], p);
+    kern_real least = KERN_HUGE;
+    int i, inside = 0;
+    for (i = 0; i < block->vertices; i++) {
+        const kern_vec v = kern_vec_sub(
+            block->vertex[kern_polygon_next(block, i, 0)], p);
+        const kern_real square = kern_edge_square(u, v);
+        if (square < least) {
+            least = square;
+            *nearest = i;
         }
+        if ((u.y > 0) != (v.y > 0)
+            && (kern_vec_cross(u, v) > 0) == (v.y > u.y))
+            inside = !inside;
+        u = v;
     }
     return inside ? KERN_SQRT(least) : -KERN_SQRT(least);
 }
@@ -8365,8 +7216,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   1. A sweep along the longer side of the structure finds the pairs of blocks
-      whose boxes are within the gap (sweep and prune).
+   1. Each two blocks whose boxes are within the gap are a pair.
    2. Overlap: if a boundary or an inner point of one block of a pair lies in
       the other deeper than the gap, the search fails.
    3. Edges: each two edges of the pair whose boxes are within the gap make a
@@ -8377,8 +7227,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
       lies on one line is merged to one contact from end to end.
    6. Travels: lines close to their middle, points to the middle of their
       interface.
-   At the end the contacts are sorted by their blocks, and each line becomes
-   two contact points. */
+   At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
 /* The search goes along the edges of one block. The depth in the other changes
@@ -8434,7 +7283,7 @@ static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
                                        kern_real gap)
 {
     kern_edge e;
-    int nearest = 0;
+    int nearest;
     kern_edge_open(&e);
     while (kern_edge_next(&e, a, &b->block->box, -gap)) {
         kern_real s, step, stride = gap * KERN_STRIDE;
@@ -8463,16 +7312,16 @@ static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
 {
     const kern_vec *vertex = a->block->vertex;
     const int n = a->block->vertices;
-    int step, i, own_at = 0, at_b = 0;
+    int step, i, near_at;
     for (step = n / 3; step > 0; step /= 2)
         for (i = 0; i < n; i += 1 + n / KERN_STRIDES) {
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(vertex[i], vertex[(i + step) % n]),
                 vertex[(i + 2 * step) % n]);
             const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
-            const kern_real own = kern_polygon_depth(a, at, &own_at);
+            const kern_real own = kern_polygon_depth(a, at, &near_at);
             const kern_real depth =
-                own > gap ? kern_polygon_depth(b, at, &at_b) : KERN_R(0);
+                own > gap ? kern_polygon_depth(b, at, &near_at) : KERN_R(0);
             if (depth > gap)
                 return kern_min(own, depth);
             if (own > 2 * gap)
@@ -8984,7 +7833,6 @@ typedef struct kern_search {
     const kern_block *block;
     int blocks;
     int from;               /* vertices of blocks before: see survey   */
-    int upright;            /* the structure is higher than wide       */
     kern_real reach;        /* widest gap of any pair [m]              */
     kern_real floor;        /* places closer than that are the same [m] */
     const kern_options *options;
@@ -9074,13 +7922,12 @@ static kern_real kern_search_depth(const kern_search *s)
 static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
-    const int low = i < j ? i : j, high = i < j ? j : i;
-    const kern_block *a = &s->block[low], *b = &s->block[high];
+    const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_overlap found;
     if ((a->fixed && b->fixed) || !kern_box_near(&a->box, &b->box, s->reach))
         return KERN_OK;
-    s->fault->block = low;
-    if (low < s->from && kern_block_is_stale(a))
+    s->fault->block = i;
+    if (i < s->from && kern_block_is_stale(a))
         return KERN_STALE;
     kern_parts_set(&pair->of[0].parts, a);
     kern_parts_set(&pair->of[1].parts, b);
@@ -9088,12 +7935,12 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair_tolerances(pair, s, KERN_SQRT(kern_min(
         a->fixed ? KERN_HUGE : kern_abs(a->area),
         b->fixed ? KERN_HUGE : kern_abs(b->area))));
-    pair->a = found.a = low;
-    pair->b = found.b = high;
+    pair->a = found.a = i;
+    pair->b = found.b = j;
     found.allowed = pair->deep;
     found.depth = kern_search_depth(s);
     if (found.depth > 0 && !s->listing) {
-        s->fault->other = high;
+        s->fault->other = j;
         s->fault->value = found.depth;
         s->fault->allowed = found.allowed;
         return KERN_OVERLAP;
@@ -9106,87 +7953,12 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     return KERN_OK;
 }
 
-/* ---- sweep and order ---- */
-/* Blocks are taken in the order of their lower ends along the longer side of
-   the structure, and meet those before whose upper ends are not passed. A piece
-   of ground that spans everything stays among these, but is one. Both sorts
-   are Shell sorts, which need no memory. */
-
-/* Where p is along that side. */
-static kern_real kern_search_place(const kern_search *s, kern_vec p)
-{ return s->upright ? p.y : p.x; }
-
-/* Changes blocks[i] and blocks[j], or contacts i and j where blocks is NULL, if
-   the second comes before the first; 0: they are in order. */
-static int kern_search_swap(const kern_search *s, int *blocks, int i, int j)
-{
-    if (blocks) {
-        const int first = blocks[i];
-        if (!(kern_search_place(s, s->block[blocks[j]].box.low) <
-              kern_search_place(s, s->block[first].box.low)))
-            return 0;
-        blocks[i] = blocks[j];
-        blocks[j] = first;
-    } else {
-        const kern_contact c = s->pair.out[i], d = s->pair.out[j];
-        if (c.b != d.b ? c.b < d.b : c.a != d.a ? c.a < d.a : c.mu < d.mu)
-            return 0;
-        s->pair.out[i] = d;
-        s->pair.out[j] = c;
-    }
-    return 1;
-}
-
-static void kern_search_sort(const kern_search *s, int *blocks, int n)
-{
-    int gap = 1, i, k;
-    while (gap < n / 9)
-        gap = 3 * gap + 1;
-    for (; gap > 0; gap /= 3)
-        for (i = gap; i < n; i++)
-            for (k = i; k >= gap && kern_search_swap(s, blocks, k - gap, k);)
-                k -= gap;
-}
-
 /* What follows from all blocks that have been looked at. */
 static void kern_search_reach(kern_search *s)
 {
-    s->upright = s->box.high.y - s->box.low.y > s->box.high.x - s->box.low.x;
     s->floor = KERN_FLOOR * kern_box_largest(&s->box);
     s->reach = kern_search_gap(s, KERN_SQRT(s->area)) +
                KERN_ERROR_SWING * s->options->turn * s->arm;
-}
-
-static kern_status kern_search_sweep(kern_search *s, const kern_work *work)
-{
-    int *order = work->index, *open;
-    kern_status status = KERN_OK;
-    int i, k, kept, n = 0, opened = 0;
-    if (!order || work->indices / 2 < s->blocks)
-        return order ? KERN_NO_SPACE : KERN_BAD_POINTER;
-    open = order + s->blocks;
-    kern_search_reach(s);
-    for (i = 0; i < s->blocks; i++)
-        if (s->block[i].vertices)
-            order[n++] = i;
-    kern_search_sort(s, order, n);
-    for (k = 0; k < n; k++) {
-        const kern_real low =
-            kern_search_place(s, s->block[order[k]].box.low) - s->reach;
-        for (i = kept = 0; i < opened && status >= 0; i++)
-            if (kern_search_place(s, s->block[open[i]].box.high) >= low) {
-                status = kern_search_pair(s, open[i], order[k]);
-                open[kept++] = open[i];
-            }
-        if (status < 0)
-            return status;
-        open[kept++] = order[k];
-        opened = kept;
-    }
-    for (i = 0; i < s->pair.count; i++) /* those of a pair keep their order */
-        s->pair.out[i].mu = KERN_R(i);
-    kern_search_sort(s, NULL, s->pair.count);
-    return KERN_OK;
 }
 
 /* Gives every line the two places of its ends, from the last to the first.
@@ -9265,26 +8037,25 @@ static kern_status kern_search_survey(kern_search *s)
     return status;
 }
 
-/* Finds the contacts of the last block with all others. */
-static kern_status kern_search_last(kern_search *s)
+/* Finds the contacts of all blocks from s->from on with those before them, of
+   each two whose boxes are near each other. */
+static kern_status kern_search_pairs(kern_search *s)
 {
-    const int b = s->blocks - 1;
-    const kern_block *last = s->block + b;
     kern_status status = KERN_OK;
-    int a;
+    int a, b;
     kern_search_reach(s);
-    for (a = 0; last->vertices && a < b && status >= 0; a++) {
-        const kern_block *other = s->block + a;
-        if (!other->vertices)
-            continue;
-        if (kern_box_near(&other->box, &last->box, s->reach))
+    for (b = s->from; b < s->blocks; b++)
+        for (a = 0; s->block[b].vertices && a < b && status >= 0; a++) {
+            if (!s->block[a].vertices)
+                continue;
             status = kern_search_pair(s, a, b);
-        /* one buffer for two stones: the first has lost its vertices */
-        if (status >= 0 && other->vertex == last->vertex && !other->fixed) {
-            s->fault->block = a;
-            status = KERN_STALE;
+            /* one buffer for two stones: the first has lost its vertices */
+            if (status >= 0 && a < s->from && !s->block[a].fixed
+                && s->block[a].vertex == s->block[b].vertex) {
+                s->fault->block = a;
+                status = KERN_STALE;
+            }
         }
-    }
     return status;
 }
 
@@ -9333,7 +8104,7 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
     if (status >= 0)
         status = kern_search_survey(&s);
     if (status >= 0)
-        status = last ? kern_search_last(&s) : kern_search_sweep(&s, work);
+        status = kern_search_pairs(&s);
     if (status < 0)
         return (int)status;
     return listing ? s.overlaps : kern_search_close(&s);
@@ -9418,23 +8189,10 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 }
 
 /* ---- Planning ---------------------------------------------------- >>plan */
-/* What is known of a structure is the bracket of its last margin, with forces
-   at the lower end of it and a mechanism at the other end. A stone that does
-   not touch what moves there leaves the mechanism as it is: the old motion
-   proves it again. The forces change only below the stone, from block to block
-   (kern_pass_down()), or where that ends in units (kern_pour()). Where a stone
-   raises the margin the blocks that moved are evaluated with the stone on them,
-   all else held, and the search goes on from there.
-
-   Verified on the caller's data are the rows of all blocks whose forces changed,
-   the cones of their contacts, the sum of all forces, and the whole mechanism.
-   Forces on the others stay the same to the last bit: the measure has verified
-   their rows, at its shrinkage. At a smaller one forces at the ends of a line
-   that are moved outward exert the same; where forces are handed out there, or
-   kerns are not nested, all rows are verified at it.
-
-   This holds for a plan that has not been changed since it was measured; of any
-   other only the bracket and the motion are a hint. */
+/* What is known of a structure is the bracket of its last margin, with a
+   mechanism at the upper end of it. A stone that does not touch what moves there
+   leaves the mechanism as it is: the old motion proves it again, and one verdict
+   at the lower end is all that is left to do. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
@@ -9447,8 +8205,6 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
     plan.block_room = blocks;
     plan.contact = contact;
     plan.contact_room = contacts;
-    plan.area = plan.arm = KERN_R(0);
-    kern_box_empty(&plan.box);
     return plan;
 }
 
@@ -9459,67 +8215,36 @@ static int kern_plan_is_whole(const kern_plan *plan)
            && plan->task.known.force && plan->task.work;
 }
 
-/* Lays a block behind the others and finds its contacts, as kern_touch() does;
-   the plan does not have them before they are counted. */
-static int kern_plan_touch(kern_plan *plan, const kern_block *block,
-                           kern_search *search)
-{
-    kern_status status;
-    int last;
-    if (!kern_plan_is_whole(plan) || !block)
-        return (int)KERN_BAD_POINTER;
-    last = plan->task.s.blocks;
-    kern_work_begin(plan->task.work);
-    if (last >= plan->block_room)
-        return (int)KERN_NO_SPACE;
-    plan->block[last] = *block;
-    search->from = last;
-    status = kern_search_open(search, plan->block, last + 1,
-                              &plan->task.options,
-                              plan->contact + plan->task.s.contacts,
-                              plan->contact_room - plan->task.s.contacts,
-                              plan->task.work);
-    search->box = plan->box;
-    search->area = plan->area;
-    search->arm = plan->arm;
-    if (status >= 0)
-        status = kern_search_see(search, last);
-    if (status < 0)
-        return (int)status;
-    status = kern_search_last(search);
-    return status < 0 ? (int)status : kern_search_close(search);
-}
-
-/* Counts the block that has been added, at rest, and its contacts. */
-static void kern_plan_count(kern_plan *plan, int found)
-{
-    kern_structure *s = &plan->task.s;
-    kern_motion *rest = plan->task.known.motion + s->blocks++;
-    kern_force *force = plan->task.known.force;
-    int k;
-    rest->vx = rest->vy = rest->spin = KERN_R(0);
-    for (k = s->contacts; k < s->contacts + found; k++)
-        force[k].normal = force[k].tangential = KERN_R(0);
-    s->contacts += found;
-}
-
+/* Lays the block behind the others, at rest, and finds its contacts. */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 {
-    kern_search search;
-    const int found = kern_plan_touch(plan, block, &search);
+    kern_structure *s;
+    kern_motion *rest;
+    int k, found;
+    if (!kern_plan_is_whole(plan) || !block)
+        return (int)KERN_BAD_POINTER;
+    s = &plan->task.s;
+    kern_work_begin(plan->task.work);
+    if (s->blocks >= plan->block_room)
+        return (int)KERN_NO_SPACE;
+    plan->block[s->blocks] = *block;
+    found = kern_touch(plan->block, s->blocks, &plan->task.options,
+                       plan->contact + s->contacts,
+                       plan->contact_room - s->contacts, plan->task.work);
     if (found < 0)
         return found;
-    kern_plan_count(plan, found);
-    plan->box = search.box;
-    plan->area = search.area;
-    plan->arm = search.arm;
+    rest = plan->task.known.motion + s->blocks++;
+    rest->vx = rest->vy = rest->spin = KERN_R(0);
+    for (k = 0; k < found; k++, s->contacts++) {
+        plan->task.known.force[s->contacts].normal = KERN_R(0);
+        plan->task.known.force[s->contacts].tangential = KERN_R(0);
+    }
     return found;
 }
 
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 {
     kern_structure *s;
-    kern_search search;
     int k, n = 0;
     if (!kern_plan_is_whole(plan))
         return KERN_BAD_POINTER;
@@ -9533,6 +8258,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
             continue;
         c->a -= c->a > i;
         c->b -= c->b > i;
+        plan->task.known.force[n] = plan->task.known.force[k];
         plan->contact[n++] = *c;
     }
     for (k = i; k + 1 < s->blocks; k++) {
@@ -9541,274 +8267,84 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     }
     s->contacts = n;
     s->blocks--;
-    plan->task.known.blocks = 0;
-    search.block = s->block;
-    search.blocks = search.from = s->blocks;
-    search.fault = &plan->task.work->fault;
-    kern_search_survey(&search);
-    plan->box = search.box;
-    plan->area = search.area;
-    plan->arm = search.arm;
     return KERN_OK;
 }
 
-#define KERN_TRIAL_ROUNDS  12      /* to find where a block falls alone       */
-
-/* A block that is tried: the last of the plan as long as it is. */
-typedef struct kern_trial {
-    kern_plan *plan;
-    int found;                /* contacts of the block                        */
-    int balanced;             /* nonzero: known forces balance all others     */
-    kern_travels travels;     /* of all kerns                                 */
-    kern_query q;
-} kern_trial;
-
-static void kern_trial_close(const kern_trial *t)
+/* Takes back the block that was added last, and so many contacts of it. */
+static void kern_plan_drop(kern_plan *plan, int found)
 {
-    t->plan->task.s.blocks--;
-    t->plan->task.s.contacts -= t->found;
-}
-
-/* Adds the block. What the last measure has seen is not checked again. */
-static kern_status kern_trial_open(kern_trial *t, kern_plan *plan,
-                                   const kern_block *block, const void *out)
-{
-    const kern_known *known;
-    const kern_structure *s;
-    kern_search search;
-    kern_status status;
-    int from;
-    t->plan = plan;
-    t->found = kern_plan_touch(plan, block, &search);
-    if (t->found < 0)
-        return (kern_status)t->found;
-    known = &plan->task.known;
-    s = &plan->task.s;
-    t->balanced = known->fails > 0 && !(plan->task.options.narrow > 0)
-                  && known->blocks == s->blocks
-                  && known->contacts == s->contacts
-                  && known->relative == plan->task.options.relative
-                  && !(kern_vec_largest(kern_vec_sub(known->gravity,
-                                                     s->gravity)) > 0)
-                  && kern_abs(kern_known_seen(s->block, s->blocks)
-                              - known->seen) <= 0;
-    from = t->balanced ? known->contacts : 0;
-    kern_plan_count(plan, t->found);
-    status = kern_structure_check(s, t->balanced ? known->blocks : 0, from,
-                                  &plan->task.work->fault);
-    if (status == KERN_OK && !out)
-        status = KERN_BAD_POINTER;
-    if (status != KERN_OK)
-        kern_trial_close(t);
-    t->q = kern_query_of(s, &plan->task.options, KERN_R(0));
-    t->travels = kern_travels_of(s, &t->q, from);
-    if (t->balanced) {
-        t->travels.most = kern_max(t->travels.most, known->most);
-        t->travels.nested &= known->nested;
-    }
-    return status;
-}
-
-/* Opens the model of the plan with the block. */
-static kern_status kern_trial_begin(const kern_trial *t, kern_call *on,
-                                    const kern_proof *proof)
-{
-    const kern_task *task = &t->plan->task;
-    const kern_status status = kern_model_open(&on->m, task, &t->q);
-    kern_path_begin(&on->path, &on->part, task, &t->q);
-    on->path.proof = proof;
-    if (status == KERN_OK && t->balanced) {
-        on->m.prior = task->known.force;
-        on->m.balanced = task->known.holds;
-        on->m.complete = !t->travels.nested || (proof && proof->force);
-    }
-    return status;
-}
-
-/* The motion u of the last block, its torque in units of the mean size. */
-static kern_motion kern_trial_motion(const kern_trial *t, const kern_real u[3])
-{
-    const kern_structure *s = &t->plan->task.s;
-    kern_motion v;
-    kern_real most;
-    v.vx = u[0];
-    v.vy = u[1];
-    v.spin = u[2] / t->q.mean;
-    most = kern_block_speed(s->block + s->blocks - 1, &v);
-    v.vx /= most;
-    v.vy /= most;
-    v.spin /= most;
-    return v;
-}
-
-/* Whether the last block falls alone, by its own three rows, unproven; to u how
-   it moves then, and to *power what that gains, its spin being 1. */
-static kern_status kern_trial_pour(const kern_trial *t, kern_real shrink,
-                                   kern_real u[3], kern_real *power)
-{
-    const kern_structure *s = &t->plan->task.s;
-    const int last = s->blocks - 1;
-    kern_query q = t->q;
-    kern_row row[KERN_ROWS_MOST];
-    kern_real b[3], size;
-    kern_status status;
-    int k;
-    if (s->block[last].fixed)
-        return KERN_STANDS;
-    if (t->found > KERN_ROWS_MOST)
-        return KERN_UNDECIDED;
-    q.shrink = shrink;
-    for (k = 0; k < t->found; k++)
-        kern_pass_row(s, &q, s->contacts - t->found + k, last, row + k);
-    size = kern_pass_load(s, &q, last, b);
-    status = kern_pour_solve(row, k, b, KERN_POUR_TOL * size, u);
-    *power = kern_three(b, u);
-    return status;
-}
-
-/* The same, where KERN_FALLS is proven: on neighbours that are held it cannot
-   stand worse than on such that give way. */
-static kern_status kern_trial_alone(const kern_trial *t, kern_call *on,
-                                    kern_real shrink)
-{
-    kern_structure s = t->plan->task.s;
-    kern_model *m = &on->m;
-    kern_real u[3], power;
-    kern_seed seed;
-    const kern_status status = kern_trial_pour(t, shrink, u, &power);
-    if (status != KERN_FALLS)
-        return status;
-    if (!kern_model_spend(m, m->query_units))
-        return KERN_LIMIT;
-    m->work->solves++;
-    seed.motion = NULL;
-    seed.last = kern_trial_motion(t, u);
-    kern_seed_lay(m, &seed);
-    s.contact += s.contacts - t->found;
-    s.contacts = t->found;
-    on->path.q.shrink = shrink;
-    if (!kern_model_proven(m, kern_prove_motion(&s, &on->path.q, m->motion)))
-        return KERN_UNDECIDED;
-    kern_proof_out(m, on->path.proof, status);
-    return status;
-}
-
-/* Where the last block falls alone: what is known of it to *seed, if it falls
-   there. The power of how it falls ends at the edge: the secant method, which
-   looks at places a little beyond. */
-static void kern_trial_nearer(const kern_trial *t, kern_seed *seed)
-{
-    const kern_real unit = t->q.relative ? KERN_R(1) : t->q.mean;
-    const kern_real aside = KERN_WIDTH * KERN_R(0.45) * unit;
-    kern_real holds = KERN_R(0), at = seed->fails, fails = at, edge = at;
-    kern_real power = KERN_R(0), now, u[3];
-    int round;
-    for (round = 0; round < KERN_TRIAL_ROUNDS; round++) {
-        const kern_real before = edge;
-        if (kern_trial_pour(t, at, u, &now) == KERN_FALLS) {
-            edge = at - now * (fails - at) / (power - now);
-            fails = at;
-            power = now;
-            if (round > 0
-                && kern_abs(edge - before) <= KERN_SAME_EDGE / 8 * unit) {
-                seed->holds = edge - aside;
-                seed->edge = kern_max(edge, KERN_R(0));
-                seed->fails = at;
-                seed->motion = NULL;
-                seed->last = kern_trial_motion(t, u);
-                break;
-            }
-        } else
-            holds = at;
-        at = edge + aside;
-        if (!(at > holds && at < fails))
-            at = holds + (fails - holds) / 2;
-    }
-}
-
-/* The measure of the plan with the block, or the verdict where *shrink is: of
-   that alone first. */
-static kern_status kern_trial_measure(const kern_trial *t,
-                                      const kern_real *shrink, kern_margin *out,
-                                      const kern_proof *proof)
-{
-    kern_seed seed = kern_known_seed(&t->plan->task);
-    kern_real u[3], power;
-    kern_call on;
-    kern_margin r;
-    kern_status status = kern_trial_begin(t, &on, proof);
-    if (status == KERN_OK && shrink) {
-        status = kern_trial_alone(t, &on, *shrink);
-        if (status != KERN_STANDS && status != KERN_UNDECIDED)
-            return status;
-        on.path.q.shrink = *shrink;
-        status = kern_model_evaluate(&on.m, &on.part, &on.path.q);
-        kern_proof_out(&on.m, proof, status);
-    }
-    if (status != KERN_OK || shrink)
-        return status;
-    if (t->travels.nested && seed.fails > 0
-        && kern_trial_pour(t, seed.fails, u, &power) != KERN_STANDS) {
-        if (kern_trial_alone(t, &on, KERN_R(0)) == KERN_FALLS)
-            status = KERN_FALLS;
-        else
-            kern_trial_nearer(t, &seed);
-    }
-    on.path.seed = &seed;
-    status = kern_measure_along(&on.m, &on.path, &t->plan->task, status,
-                                &t->travels, &r);
-    if (status >= 0 || status == KERN_LIMIT)
-        *out = r;
-    return status;
+    plan->task.s.blocks--;
+    plan->task.s.contacts -= found;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
-    kern_trial t;
-    kern_status status = kern_trial_open(&t, plan, block, out);
+    kern_call c;
+    kern_status status;
+    const int found = kern_plan_add(plan, block);
+    if (found < 0)
+        return (kern_status)found;
+    status = kern_call_open(&c, &plan->task, KERN_R(0), out);
+    if (status == KERN_OK)
+        status = kern_measure_task(&c, &plan->task, &plan->task.known,
+                                   plan->task.known.force, out, proof);
+    kern_plan_drop(plan, found);
+    return status;
+}
+
+/* Whether it stands at that margin; where kerns are not nested its measure says
+   so. */
+static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
+                                    const kern_proof *proof)
+{
+    const kern_known *known = &task->known;
+    kern_call c;
+    kern_margin r;
+    kern_status status = kern_call_open(&c, task, margin, known);
+    if (status == KERN_OK && !(margin >= 0))
+        status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
-    status = kern_trial_measure(&t, NULL, out, proof);
-    kern_trial_close(&t);
-    return kern_spent(plan->task.work, plan->task.options.limit, status);
+    if (kern_travels_of(&task->s, &c.path.q).nested) {
+        c.m.known = known->fails > 0 ? known->force : NULL;
+        c.m.balanced = known->holds;
+        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+        kern_proof_out(&c.m, proof, status);
+        return kern_spent(task->work, task->options.limit, status);
+    }
+    c.path.q.shrink = KERN_R(0);
+    status = kern_measure_task(&c, task, known, known->force, &r, proof);
+    return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS : status;
 }
 
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
-    kern_margin r;
-    kern_trial t;
-    kern_status status = kern_trial_open(&t, plan, block, plan);
-    if (status != KERN_OK)
-        return status;
-    if (!(margin >= 0 && kern_is_finite(margin))) {
-        status = KERN_BAD_NUMBER;
-    } else {
-        status = kern_trial_measure(&t, t.travels.nested ? &margin : NULL, &r,
-                                    proof);
-        if (!t.travels.nested && status == KERN_STANDS && !(r.margin >= margin))
-            status = KERN_FALLS;
-    }
-    kern_trial_close(&t);
-    return kern_spent(plan->task.work, plan->task.options.limit, status);
+    kern_status status;
+    const int found = kern_plan_add(plan, block);
+    if (found < 0)
+        return (kern_status)found;
+    status = kern_plan_stands(&plan->task, margin, proof);
+    kern_plan_drop(plan, found);
+    return status;
 }
 
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
                                       const kern_proof *proof)
 {
-    kern_trial t;
-    kern_status status = KERN_BAD_POINTER;
+    kern_status status;
+    int found = 0;
     if (block)
-        status = kern_trial_open(&t, plan, block, out);
-    else if (kern_plan_is_whole(plan))
-        status = KERN_OK;
-    if (status != KERN_OK)
-        return status;
+        found = kern_plan_add(plan, block);
+    else if (!kern_plan_is_whole(plan))
+        return KERN_BAD_POINTER;
+    if (found < 0)
+        return (kern_status)found;
     status = kern_raised(&plan->task, KERN_R(0), out, reserve, proof);
     if (block)
-        kern_trial_close(&t);
+        kern_plan_drop(plan, found);
     return status;
 }
 
@@ -9848,6 +8384,9 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 #define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
 #define KERN_REFACTOR_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_REFACTOR      40      /* most pivots between factorisations      */
+/* Determinant of three columns that are said to depend on each other. */
+#define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
+#define KERN_CRASH_MOST    12      /* columns of a group tried for the crash  */
 
 /* ---- columns ---- */
 
@@ -9916,11 +8455,11 @@ static int kern_lp_first(const kern_program *lp, int j)
 
 /* ---- the basis ---- */
 
-/* v := B^-1 v, from rows to variables */
-static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
+/* v := what the factors from `from` on make of v. */
+static void kern_basis_pass(const kern_simplex *sx, kern_real *v, int from)
 {
     int e, n;
-    for (e = 0; e < sx->factors; e++) {
+    for (e = from; e < sx->factors; e++) {
         const kern_real x = v[sx->pivot[e]];
         if (x >= 0 && x <= 0)
             continue;
@@ -9932,6 +8471,10 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         }
     }
 }
+
+/* v := B^-1 v, from rows to variables */
+static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
+{ kern_basis_pass(sx, v, 0); }
 
 /* c := B^-T c, from variables to rows; zero where no rows are. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
@@ -9968,12 +8511,14 @@ static int kern_basis_full(const kern_simplex *sx)
 }
 
 /* Column q, which is sx->alpha in terms of the basis, is basic in row p from now
-   on. */
-static void kern_basis_enter(kern_simplex *sx, int q, int p)
+   on. It is zero but in the groups that begin in the rows `at`, or NULL: any. */
+static void kern_basis_enter(kern_simplex *sx, int q, int p, const int *at,
+                             int groups)
 {
     const kern_real one = 1 / sx->alpha[p];
-    int n = sx->first[sx->factors], r;
-    for (r = 0; r < 3 * sx->groups; r += 3) {
+    int n = sx->first[sx->factors], k;
+    for (k = 0; k < groups; k++) {
+        const int r = at ? at[k] : 3 * k;
         const kern_real *a = sx->alpha + r;
         kern_real *out = sx->entry + 3 * (size_t)n;
         if (a[0] >= 0 && a[0] <= 0 && a[1] >= 0 && a[1] <= 0
@@ -9990,13 +8535,13 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     sx->place[q] = p;
 }
 
-/* Lets column j enter where it is largest, of the rows [from, to) that still have
-   their logical. 0: it is less than `least` there, or there is no room. */
+/* Lets column j, which is sx->alpha in terms of the basis, enter where it is
+   largest, of the rows [from, to) that still have their logical. 0: it is less
+   than `least` there, or there is no room. */
 static int kern_factor_enter(kern_simplex *sx, int j, int from, int to,
-                             kern_real least)
+                             kern_real least, const int *at, int groups)
 {
     int p, best = KERN_OUT;
-    kern_basis_column(sx, j);
     for (p = from; p < to; p++)
         if (sx->base[p] >= sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
             least = kern_abs(sx->alpha[p]);
@@ -10004,49 +8549,185 @@ static int kern_factor_enter(kern_simplex *sx, int j, int from, int to,
         }
     if (best == KERN_OUT || kern_basis_full(sx))
         return 0;
-    kern_basis_enter(sx, j, best);
+    kern_basis_enter(sx, j, best, at, groups);
     return 1;
 }
 
+/* Lists the columns of each group, all or those of the basis: sx->link is the
+   first, sx->place of a column the next. */
+static void kern_simplex_list(kern_simplex *sx, int all)
+{
+    const kern_program *lp = sx->lp;
+    int g, j;
+    for (g = 0; g < sx->groups; g++)
+        sx->link[g] = KERN_OUT;
+    for (j = lp->cols - 1; j >= 0; j--) {
+        const int listed = all || sx->place[j] != KERN_OUT;
+        g = kern_lp_first(lp, j);
+        sx->place[j] = KERN_OUT;
+        if (listed && g < sx->groups) {
+            sx->place[j] = sx->link[g];
+            sx->link[g] = j;
+        }
+    }
+}
+
+/* Column j's entries in the rows of group g. */
+static void kern_crash_part(const kern_program *lp, int j, int g,
+                            kern_real out[3])
+{
+    const kern_real *c = lp->a + 4 * (size_t)j;
+    const int head = lp->ends[j & ~1];
+    const kern_real sign = head == g ? KERN_R(1) : KERN_R(-1);
+    out[0] = sign * c[0];
+    out[1] = sign * c[1];
+    out[2] = head == g ? c[2] : c[3];
+}
+
+static kern_real kern_three_det(const kern_real *a, const kern_real *b,
+                                const kern_real *c)
+{
+    return (a[1] * b[2] - a[2] * b[1]) * c[0]
+           + (a[2] * b[0] - a[0] * b[2]) * c[1]
+           + (a[0] * b[1] - a[1] * b[0]) * c[2];
+}
+
+/* Of the n columns `mine` of group g the three that carry its load with the
+   largest least share: they become basic, and pass on what they exert. */
+static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
+{
+    const kern_real *load = sx->row + 3 * g;
+    kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY, share[3];
+    int i, j, k, take[3] = {KERN_OUT, KERN_OUT, KERN_OUT};
+    for (i = 0; i < n; i++)
+        kern_crash_part(sx->lp, mine[i], g, part[i]);
+    for (i = 0; i < n; i++)
+        for (j = i + 1; j < n; j++) {
+            const kern_real *a = part[i], *b = part[j];
+            const kern_real ab[3] = {a[1] * b[2] - a[2] * b[1],
+                                     a[2] * b[0] - a[0] * b[2],
+                                     a[0] * b[1] - a[1] * b[0]};
+            const kern_real last = kern_three(ab, load);
+            for (k = j + 1; k < n; k++) {
+                const kern_real *c = part[k], det = kern_three(ab, c);
+                kern_real la, lb, least;
+                if (kern_abs(det) < KERN_CRASH_TOL
+                    || (det > 0 ? last <= best * det : last >= best * det))
+                    continue; /* last / det would be no better */
+                la = kern_three_det(b, c, load) / det;
+                lb = kern_three_det(c, a, load) / det;
+                least = kern_min(last / det, kern_min(la, lb));
+                if (least > best) {
+                    best = least;
+                    take[0] = mine[i]; take[1] = mine[j]; take[2] = mine[k];
+                    share[0] = la; share[1] = lb; share[2] = last / det;
+                }
+            }
+        }
+    for (k = 0; k < 3 && take[0] != KERN_OUT; k++) {
+        sx->base[3 * g + k] = take[k];
+        kern_lp_subtract(sx->lp, take[k], kern_max(share[k], KERN_R(0)),
+                         sx->row);
+    }
+    return take[0] != KERN_OUT;
+}
+
+/* Whether column j pushes group g against its load. */
+static int kern_crash_faces(const kern_simplex *sx, int j, int g)
+{
+    const kern_real *load = sx->row + 3 * g;
+    kern_real part[3], along;
+    kern_crash_part(sx->lp, j, g, part);
+    along = part[0] * load[0] + part[1] * load[1];
+    return along > 0 && 4 * along * along
+           >= (part[0] * part[0] + part[1] * part[1])
+              * (load[0] * load[0] + load[1] * load[1]);
+}
+
+/* The crash basis of a network: from top to bottom three columns of each group
+   carry what it bears, those that face its load if they can; else logicals. */
+static void kern_simplex_crash(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    int mine[KERN_CRASH_MOST], g, j, k, any, done;
+    for (k = 0; k < lp->rows; k++) {
+        sx->row[k] = lp->rhs[k];
+        sx->base[k] = lp->cols + k;
+    }
+    kern_simplex_list(sx, 1);
+    for (g = 0; g < sx->groups && lp->ends; g++)
+        for (any = done = 0; any < 2 && !done; any++) {
+            int n = 0, all = 0, step;
+            for (j = sx->link[g]; j >= 0; j = sx->place[j])
+                all += any || kern_crash_faces(sx, j, g);
+            step = 1 + (all - 1) / KERN_CRASH_MOST;
+            all = 0;
+            for (j = sx->link[g]; j >= 0; j = sx->place[j])
+                if ((any || kern_crash_faces(sx, j, g)) && all++ % step == 0)
+                    mine[n++] = j;
+            done = kern_crash_choose(sx, g, mine, n);
+        }
+    for (j = 0; j < lp->cols; j++)
+        sx->place[j] = KERN_OUT;
+    for (k = 0; k < lp->rows; k++)
+        if (sx->base[k] < lp->cols)
+            sx->place[sx->base[k]] = k;
+}
+
+/* Lets column j of a network enter in a row of its own group g, where of the
+   factors only those from `from` on can meet it: nothing but the groups of these
+   is looked at. */
+static int kern_factor_own(kern_simplex *sx, int j, int g, int from)
+{
+    int at[8], rows = 1, e, n, k; /* of two columns before, and its own */
+    const int *ends = sx->lp->ends;
+    const int other = ends[j & ~1] == g ? ends[j | 1] : ends[j & ~1];
+    at[0] = 3 * g;
+    if (other < sx->groups)
+        at[rows++] = 3 * other;
+    for (e = from; e < sx->factors; e++)
+        for (n = sx->first[e]; n < sx->first[e + 1]; n++) {
+            for (k = 0; k < rows && at[k] != sx->at[n]; k++)
+                ;
+            if (k == rows)
+                at[rows++] = sx->at[n];
+        }
+    for (k = 0; k < rows; k++)
+        sx->alpha[at[k]] = sx->alpha[at[k] + 1] = sx->alpha[at[k] + 2]
+            = KERN_R(0);
+    kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
+    kern_basis_pass(sx, sx->alpha, from);
+    return kern_factor_enter(sx, j, 3 * g, 3 * g + 3, KERN_OWN_TOL, at, rows);
+}
+
 /* Factors the basis anew: its columns, group by group, enter in rows of their
-   first groups, then in any; one that depends on those before it does not. The
-   crash basis has the first columns of each group that are independent there,
-   else logicals; without a network, logicals alone. */
+   first groups, then in any; one that depends on those before it does not.
+   Without a network the crash basis is logicals alone. */
 static void kern_basis_factor(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    const int size = lp->ends ? 3 : lp->rows; /* of a column's own group */
-    int *head = sx->link, *left = head + sx->groups, *next = sx->place;
-    int g, i, j, n = 0;
-    for (g = 0; g < sx->groups; g++)
-        head[g] = KERN_OUT;
-    for (j = lp->cols - 1; j >= 0; j--) {
-        const int listed = sx->started ? sx->place[j] != KERN_OUT
-                                       : lp->ends != NULL;
-        g = kern_lp_first(lp, j);
-        next[j] = KERN_OUT;
-        if (listed && g < sx->groups) {
-            next[j] = head[g];
-            head[g] = j;
-        }
-    }
+    int *left = sx->link + sx->groups, g, i, j, n = 0;
+    if (!sx->started)
+        kern_simplex_crash(sx);
+    kern_simplex_list(sx, 0);
     for (i = 0; i < lp->rows; i++)
         sx->base[i] = lp->cols + i;
     sx->factors = sx->first[0] = 0;
     for (g = 0; g < sx->groups; g++) {
         const int from = sx->factors;
-        for (j = head[g]; j != KERN_OUT; j = i) {
-            i = next[j];
+        for (j = sx->link[g]; j != KERN_OUT; j = i) {
+            i = sx->place[j];
             sx->place[j] = KERN_OUT;
-            if ((sx->factors == from + size
-                 || !kern_factor_enter(sx, j, 3 * g, 3 * g + size,
-                                       KERN_OWN_TOL))
-                && sx->started)
+            if (!lp->ends || sx->factors == from + 3
+                || !kern_factor_own(sx, j, g, from))
                 left[n++] = j;
         }
     }
-    for (i = 0; i < n; i++)
-        kern_factor_enter(sx, left[i], 0, lp->rows, KERN_RANK_TOL);
+    for (i = 0; i < n; i++) {
+        kern_basis_column(sx, left[i]);
+        kern_factor_enter(sx, left[i], 0, lp->rows, KERN_RANK_TOL, NULL,
+                          sx->groups);
+    }
     sx->factored = sx->factors;
 }
 
@@ -10113,6 +8794,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
     if (!(sx->unit > 0))
         sx->unit = KERN_R(1);
     sx->started = 1;
+    sx->stale = 0;
     kern_basis_values(sx);
 }
 
@@ -10161,20 +8843,11 @@ static kern_real kern_prices(kern_simplex *sx)
     return sum;
 }
 
-/* The largest part of y that network column j meets. */
-static kern_real kern_lp_meets(const kern_program *lp, int j,
-                               const kern_real *y)
-{
-    return kern_max(kern_largest(y + 3 * lp->ends[j & ~1], 3),
-                    kern_largest(y + 3 * lp->ends[j | 1], 3));
-}
-
 /* Lifts a certificate y off the columns that it touches. Rounding puts it a
    little below zero there as often as above; a few roundings higher it costs
-   of its power no more than all of x is worth, times those roundings. Where the
-   basis magnifies them, as in jams, what hardly moves is lifted less (`own`).
-   Returns 0 where there is no basis: the backend has answered. */
-static int kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
+   of its power no more than all of x is worth, times those roundings. Returns 0
+   where there is no basis: the backend has answered. */
+static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
 {
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(y, lp->rows);
@@ -10185,7 +8858,7 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real *y, int own)
         const int j = sx->base[p];
         sx->alpha[p] = kern_infeasibility(sx, j, sx->value[p])
             + (j >= lp->cols ? y[p] : kern_lp_dot(lp, j, y)
-               - KERN_ABOVE * (own ? kern_lp_meets(lp, j, y) : size));
+               - KERN_ABOVE * size);
     }
     kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
@@ -10315,7 +8988,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
     kern_basis_add(sx, -step);
     if (sx->base[p] < sx->lp->cols)
         sx->place[sx->base[p]] = KERN_OUT;
-    kern_basis_enter(sx, q, p);
+    kern_basis_enter(sx, q, p, NULL, sx->groups);
     sx->value[p] = step;
     sx->refined = 0;
     work->pivots++;
@@ -10376,6 +9049,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     const int m = lp->rows, n = (m + 2) / 3;
     sx->lp = lp;
     sx->started = sx->violated = 0;
+    sx->stale = 1;
     sx->groups = n;
     sx->room = room;
     sx->most = 2 * m + 8;
@@ -10394,11 +9068,10 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 
 /* The next program begins from the crash basis. */
 static void kern_simplex_restart(kern_simplex *sx)
-{ sx->started = 0; }
-
-/* How many variables were violated when prices were last made. */
-static int kern_simplex_violated(const kern_simplex *sx)
-{ return sx->violated; }
+{
+    sx->started = 0;
+    sx->stale = 1;
+}
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 {
@@ -10445,7 +9118,8 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     }
 #endif
     (void)own;
-    kern_basis_refactorise(sx);
+    if (sx->stale || kern_basis_full(sx) || !kern_basis_values(sx))
+        kern_basis_refactorise(sx);
     kern_pivot_spend(sx, work);
     status = kern_spent(work, lp->limit, KERN_OK);
     if (status == KERN_OK)
@@ -10734,23 +9408,6 @@ KERN_API kern_options kern_near(const kern_options *options,
    Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction of the
    number of points required to represent a digitized line or its caricature,
    Canadian Cartographer 10 (1973).
-
-
-   MISRA                                                             >>misra
-
-   There is no claim of compliance. The header deviates with intent from these
-   rules of MISRA C:2012: 2.5, 8.7 (macros and functions that are there for the
-   caller); 10.3, 10.4, 10.8 (small whole numbers among kern_real, and indices
-   among int and enum: they are exact); 11.5 (an array that is free for the
-   moment holds something else); 12.1, 12.3 (precedence without brackets where
-   it is that of algebra; variables of one kind declared together); 13.3, 13.4
-   (indices that count on in passing, as in p[n++]); 14.1, 14.2, 14.4 (loops
-   over steps that grow; pointers and flags as conditions); 15.5, 15.7 (a
-   function that refuses does so in its first lines); 16.4 (no default where the
-   compiler can tell which one is missing); 17.8 (a parameter serves as the
-   variable that it starts); 18.4 (a slice of an array is a pointer into it);
-   20.1, 20.5 (one file holds declarations and implementation; the list of
-   statuses is expanded twice).
 
 
    CHANGES                                                          >>changes
