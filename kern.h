@@ -2069,6 +2069,9 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
            + KERN_EPS / 2 * gap + KERN_LEAST;
 }
 
+static void kern_motion_clear(kern_motion *m)
+{ m->vx = m->vy = m->spin = KERN_R(0); }
+
 /* The speed of a block that rests is 0. */
 static kern_real kern_speed(const kern_motion *m)
 { return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
@@ -2148,15 +2151,8 @@ KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
    the last. A contact belongs to the upper one of its two groups: it carries
    that group. */
 
-struct kern_model {
-    const kern_structure *s;
-    kern_work *work;
-    int limit;                /* of the work of the call                      */
-    int query_units;          /* units of one, however small the part: its
-                                 proof goes over the whole                    */
-    int relative;
-    kern_real mean;           /* size of the free blocks                      */
-    kern_real weight;         /* unit of force: all that acts on free blocks  */
+/* Groups and the contacts between them. */
+typedef struct kern_graph {
     int groups;
     int *group;               /* of a block                                   */
     int *block;               /* of a group                                   */
@@ -2164,22 +2160,44 @@ struct kern_model {
                                  contact i has the ends 2 i and 2 i + 1       */
     int *touch, *after;       /* first end of a contact at a group, and the end
                                  at the same group that follows an end        */
+    int *local;               /* of a group: its number in the open part      */
+} kern_graph;
+
+/* The last verdict: what was found for it. */
+typedef struct kern_answer {
+    kern_force *force;        /* one a contact                                */
+    kern_motion *motion;      /* one a block                                  */
+    kern_real *sum;           /* scratch of the proof, four a block           */
+} kern_answer;
+
+/* The work that a call may do. */
+typedef struct kern_budget {
+    kern_work *work;
+    int limit;                /* of its units                                 */
+    int query_units;          /* units of one query, however small the part:
+                                 its proof goes over the whole                */
+} kern_budget;
+
+struct kern_model {
+    const kern_structure *s;
+    kern_graph graph;
+    kern_answer answer;
+    kern_budget budget;
+    int relative;
+    kern_real mean;           /* size of the free blocks                      */
+    kern_real weight;         /* unit of force: all that acts on free blocks  */
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
     kern_real *load;          /* three a group: what contacts must exert      */
     kern_real *size;          /* of a group: magnitude of all that acts       */
     kern_real *arm;           /* four a contact: torques of n and t on b, and
                                  of -n and -t on a, in their units            */
-    kern_force *force;        /* one a contact: of the last verdict           */
     const kern_force *prior;  /* of these the least change is found, or NULL  */
     const kern_force *known;  /* forces that held a structure like it, or NULL,
                                  at the shrinkage ...                         */
     kern_real balanced;       /* ... that this is                             */
     kern_real narrow, slope;  /* of the options, of the last question         */
-    kern_motion *motion;      /* one a block: of the last verdict             */
-    kern_real *sum;           /* scratch of the proof, four a block           */
     int *leader, *next, *dirty; /* of a group: see >>pour                     */
     int again;                /* the first leader that became dirty           */
-    int *local;               /* of a group: its number in the open part      */
     int plain;                /* nonzero: all groups are one part             */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
@@ -2196,22 +2214,22 @@ typedef char kern_motion_is_three[sizeof(kern_motion) == 3 * sizeof(kern_real)
 static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
 {
     kern_take *take = &m->rest;
-    m->group = kern_take_ints(take, blocks);
-    m->block = kern_take_ints(take, groups);
-    m->ends = kern_take_ints(take, 2 * contacts);
+    m->graph.group = kern_take_ints(take, blocks);
+    m->graph.block = kern_take_ints(take, groups);
+    m->graph.ends = kern_take_ints(take, 2 * contacts);
     m->unit = kern_take_reals(take, groups + 1);
     m->load = kern_take_reals(take, 3 * groups);
     m->size = kern_take_reals(take, groups);
-    m->force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
-    m->motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
-    m->sum = kern_take_reals(take, 4 * blocks);
+    m->answer.force = (kern_force *)(void *)kern_take_reals(take, 2 * contacts);
+    m->answer.motion = (kern_motion *)(void *)kern_take_reals(take, 3 * blocks);
+    m->answer.sum = kern_take_reals(take, 4 * blocks);
     m->common = *take;
-    m->touch = kern_take_ints(take, groups);
-    m->after = kern_take_ints(take, 2 * contacts);
+    m->graph.touch = kern_take_ints(take, groups);
+    m->graph.after = kern_take_ints(take, 2 * contacts);
     m->leader = kern_take_ints(take, groups);
     m->next = kern_take_ints(take, groups);
     m->dirty = kern_take_ints(take, groups);
-    m->local = kern_take_ints(take, groups + 1);
+    m->graph.local = kern_take_ints(take, groups + 1);
     m->arm = kern_take_reals(take, 4 * contacts);
 }
 
@@ -2269,10 +2287,10 @@ static void kern_model_order(const kern_model *m, kern_vec along, int *list)
 {
     const kern_block *block = m->s->block;
     int gap, i, j;
-    for (gap = 1; gap < m->groups / 64; gap = 3 * gap + 1)
+    for (gap = 1; gap < m->graph.groups / 64; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
-        for (i = gap; i < m->groups; i++) {
+        for (i = gap; i < m->graph.groups; i++) {
             const int b = list[i];
             const kern_real at = kern_vec_dot(block[b].centre, along);
             for (j = i; j >= gap; j -= gap) {
@@ -2294,30 +2312,30 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     int i, g, none = 0;
     for (i = s->blocks - 1; i >= 0; i--)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
-            m->block[none++] = i;
-    m->groups = none;
+            m->graph.block[none++] = i;
+    m->graph.groups = none;
     m->plain = 0;
-    kern_model_order(m, s->gravity, m->block);
+    kern_model_order(m, s->gravity, m->graph.block);
     for (i = 0; i < s->blocks; i++)
-        m->group[i] = none;
+        m->graph.group[i] = none;
     for (g = 0; g < none; g++) {
-        m->group[m->block[g]] = g;
-        m->touch[g] = KERN_OUT;
+        m->graph.group[m->graph.block[g]] = g;
+        m->graph.touch[g] = KERN_OUT;
     }
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
-        const int tail = gone ? none : m->group[c->a];
-        const int head = gone ? none : m->group[c->b];
-        m->ends[2 * i] = head;
-        m->ends[2 * i + 1] = tail;
+        const int tail = gone ? none : m->graph.group[c->a];
+        const int head = gone ? none : m->graph.group[c->b];
+        m->graph.ends[2 * i] = head;
+        m->graph.ends[2 * i + 1] = tail;
         if (tail < none) {
-            m->after[2 * i + 1] = m->touch[tail];
-            m->touch[tail] = 2 * i + 1;
+            m->graph.after[2 * i + 1] = m->graph.touch[tail];
+            m->graph.touch[tail] = 2 * i + 1;
         }
         if (head < none) {
-            m->after[2 * i] = m->touch[head];
-            m->touch[head] = 2 * i;
+            m->graph.after[2 * i] = m->graph.touch[head];
+            m->graph.touch[head] = 2 * i;
         }
     }
 }
@@ -2335,9 +2353,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     m->s = s;
-    m->work = task->work;
-    m->limit = task->options.limit;
-    m->query_units = 1 + (s->blocks + s->contacts) / 4;
+    m->budget.work = task->work;
+    m->budget.limit = task->options.limit;
+    m->budget.query_units = 1 + (s->blocks + s->contacts) / 4;
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->weight = KERN_R(1);
@@ -2345,13 +2363,13 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->balanced = KERN_R(0);
     m->narrow = q->narrow;
     m->slope = KERN_R(0);
-    m->groups = m->plain = 0;
+    m->graph.groups = m->plain = 0;
     return KERN_OK;
 }
 
 /* A block of its own group: neither ground, nor taken away. */
 static int kern_is_free(const kern_model *m, int block)
-{ return m->group[block] < m->groups; }
+{ return m->graph.group[block] < m->graph.groups; }
 
 /* The torques of contact i for a query. Of all that a contact has in Eq. (5)
    only they depend on the shrinkage. */
@@ -2359,8 +2377,8 @@ static inline void kern_model_arm(const kern_model *m, const kern_query *q,
                                   int i, kern_real to[4])
 {
     const kern_contact *c = m->s->contact + i;
-    const kern_real ub = m->unit[m->ends[2 * i]];
-    const kern_real ua = m->unit[m->ends[2 * i + 1]];
+    const kern_real ub = m->unit[m->graph.ends[2 * i]];
+    const kern_real ua = m->unit[m->graph.ends[2 * i + 1]];
     kern_vec arm[2];
     kern_arms(m->s, c, q, arm);
     to[0] = kern_vec_cross(arm[1], c->n) * ub;
@@ -2373,7 +2391,7 @@ static inline void kern_model_arm(const kern_model *m, const kern_query *q,
    grown beyond it, how far. */
 static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
-    const kern_real size = kern_block_size(m->s->block + m->block[g]);
+    const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
     const kern_real grown = kern_max(-q->shrink, KERN_R(0));
     m->unit[g] = 1 / (q->relative ? size * (1 + grown) : size + grown);
 }
@@ -2387,7 +2405,7 @@ static void kern_model_load(kern_model *m, const kern_query *q, int g)
     const kern_real one = 1 / m->weight;
     kern_real *load = m->load + 3 * (size_t)g;
     kern_wrench w;
-    m->size[g] = kern_wrench_on(m->s, q, m->block[g], &w) * one;
+    m->size[g] = kern_wrench_on(m->s, q, m->graph.block[g], &w) * one;
     load[0] = -w.fx * one;
     load[1] = -w.fy * one;
     load[2] = -w.torque * m->unit[g] * one;
@@ -2400,17 +2418,17 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     int g;
     m->slope = kern_slope(q);
     m->weight = KERN_R(1);
-    m->unit[m->groups] = KERN_R(0);
-    for (g = 0; g < m->groups; g++) {
+    m->unit[m->graph.groups] = KERN_R(0);
+    for (g = 0; g < m->graph.groups; g++) {
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
         weight += m->size[g];
     }
     if (weight > 0)
         m->weight = weight;
-    for (g = 0; g < m->groups; g++)
+    for (g = 0; g < m->graph.groups; g++)
         m->size[g] *= 1 / m->weight;
-    for (g = 0; g < 3 * m->groups; g++)
+    for (g = 0; g < 3 * m->graph.groups; g++)
         m->load[g] *= 1 / m->weight;
 }
 
@@ -2418,11 +2436,11 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
     int i, g;
-    if (m->groups == 0)
+    if (m->graph.groups == 0)
         kern_model_group(m, q);
     kern_model_weigh(m, q);
-    for (g = 0; g <= m->groups; g++)
-        m->local[g] = KERN_OUT;
+    for (g = 0; g <= m->graph.groups; g++)
+        m->graph.local[g] = KERN_OUT;
     for (i = 0; i < m->s->contacts; i++)
         kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
 }
@@ -2432,18 +2450,25 @@ static void kern_model_unload(kern_model *m)
 {
     int i;
     for (i = 0; i < m->s->contacts; i++)
-        m->force[i].normal = m->force[i].tangential = KERN_R(0);
+        m->answer.force[i].normal = m->answer.force[i].tangential = KERN_R(0);
 }
 
 static int kern_model_spend(const kern_model *m, int units)
-{ return kern_spend(m->work, m->limit, units); }
+{ return kern_spend(m->budget.work, m->budget.limit, units); }
 
 /* Whether a proof with this error holds; notes the largest such error. */
 static int kern_model_proven(const kern_model *m, kern_real error)
 {
     if (error <= 1)
-        m->work->error = kern_max(m->work->error, error);
+        m->budget.work->error = kern_max(m->budget.work->error, error);
     return error <= 1;
+}
+
+/* Whether the forces of the answer prove that it stands. */
+static int kern_answer_holds(const kern_model *m, const kern_query *q)
+{
+    return kern_model_proven(m, kern_prove_forces(m->s, q, m->answer.force,
+                                                  m->answer.sum));
 }
 
 /* ---- Parts and programs ---------------------------------------- >>engine */
@@ -2488,16 +2513,8 @@ typedef struct kern_simplex {
     kern_real *temp;        /* scratch, rows                                  */
 } kern_simplex;
 
-struct kern_part {
-    kern_model *m;
-    int groups, contacts;
-    int own;                  /* contacts that carry a group of the part come
-                                 first, then those by which others rest on it */
-    int *group;               /* of the part; ascending but in >>least        */
-    int *contact;             /* of the part                                  */
-    int *ends;                /* of a contact: groups of the part, or none    */
-    kern_take rest;           /* work memory behind these                     */
-    /* least forces */
+/* Least forces of a part, by Newton's method on their dual: see >>least. */
+typedef struct kern_dual {
     int *first, *offset;      /* of a group: first column of its rows in the
                                  factor, and where these begin                */
     kern_real *u, *step, *left; /* three a group, and three of 0              */
@@ -2507,12 +2524,29 @@ struct kern_part {
     const kern_real *price;   /* one a contact: see >>raised; or NULL         */
     int cost;                 /* of a step, in products                       */
     int rounds;               /* that the last forces took                    */
-    /* the linear program */
+} kern_dual;
+
+/* Eq. (5) of a part as a linear program: see >>verdict. */
+typedef struct kern_equations {
     kern_program lp;
-    kern_real *arc, *rhs, *x, *y;
+    kern_real *arc, *rhs;
     kern_real shrink;         /* of its columns                               */
-    kern_status found;        /* what the program said, proven or not         */
     kern_simplex simplex;
+} kern_equations;
+
+struct kern_part {
+    kern_model *m;
+    int groups, contacts;
+    int own;                  /* contacts that carry a group of the part come
+                                 first, then those by which others rest on it */
+    int *group;               /* of the part; ascending but in >>least        */
+    int *contact;             /* of the part                                  */
+    int *ends;                /* of a contact: groups of the part, or none    */
+    kern_take rest;           /* work memory behind these                     */
+    kern_dual dual;
+    kern_equations eq;
+    kern_real *x, *y;         /* two a contact: forces; three a group: motion */
+    kern_status found;        /* what the program said, proven or not         */
 };
 
 /* The engine, in >>lp. */
@@ -2657,7 +2691,7 @@ static kern_status kern_measure_along(kern_model *m, kern_path *path,
     if (kern_steps(r, &last) != KERN_OK)
         return KERN_BAD_STEP;
     path->end = r->most;
-    status = kern_spent(m->work, m->limit, kern_measure_path(
+    status = kern_spent(m->budget.work, m->budget.limit, kern_measure_path(
         m, path, travels->nested, last, r));
     if (status == KERN_LIMIT) {
         r->fails = kern_min(path->fell, r->most);
@@ -2680,7 +2714,7 @@ static void kern_known_set(kern_task *task, kern_status status,
     for (i = 0; i < task->s.blocks; i++) {
         kern_motion *v = known->motion + i;
         if (status == KERN_STANDS && out->saturated)
-            v->vx = v->vy = v->spin = KERN_R(0);
+            kern_motion_clear(v);
         else if (proof && proof->motion)
             proof->motion[i] = *v;
     }
@@ -2894,7 +2928,7 @@ static kern_status kern_growth_check(const kern_growth *growth,
     for (i = 0; pattern && i < m->s->blocks; i++)
         if (kern_is_free(m, i) &&
             !kern_is_finite(kern_wrench_sum(pattern + i))) {
-            m->work->fault.block = i;
+            m->budget.work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
     return KERN_OK;
@@ -2904,8 +2938,8 @@ static kern_status kern_growth_check(const kern_growth *growth,
 static int kern_model_loaded(const kern_model *m)
 {
     int g;
-    for (g = 0; g < m->groups; g++)
-        if (kern_wrench_sum(&m->s->block[m->block[g]].load) > 0)
+    for (g = 0; g < m->graph.groups; g++)
+        if (kern_wrench_sum(&m->s->block[m->graph.block[g]].load) > 0)
             return 1;
     return 0;
 }
@@ -3032,7 +3066,7 @@ static kern_status kern_fall_take(kern_model *m, kern_path *path,
         if (kern_is_free(m, i) && kern_moves(m, i))
             kern_fall_add(fall, i, at);
     kern_model_group(m, &path->q);
-    return m->groups > 0 ? kern_fall_beyond(m, path) : KERN_STANDS;
+    return m->graph.groups > 0 ? kern_fall_beyond(m, path) : KERN_STANDS;
 }
 
 /* To the next edge, in the steps that its measure takes by itself, and to the
@@ -3059,15 +3093,15 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 {
     kern_real at = KERN_R(0);
     kern_status status = kern_path_evaluate(m, path, at);
-    int i, rounds = 2 * m->groups + KERN_FALL_ROUNDS;
-    while (m->groups > 0 && !path->never) {
+    int i, rounds = 2 * m->graph.groups + KERN_FALL_ROUNDS;
+    while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
         while (status == KERN_FALLS)
             status = kern_fall_take(m, path, fall, at);
         if (status != KERN_STANDS)
             return status;
-        if (m->groups > 0)
+        if (m->graph.groups > 0)
             status = kern_fall_climb(m, path, &at);
     }
     for (i = 0; i < m->s->blocks; i++)
@@ -3131,7 +3165,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     c.path.end = side ? KERN_PROFILE_MOST
                       : kern_travels_of(&task->s, &c.path.q).most;
     c.path.q.fallen = value;
-    free_blocks = c.m.groups;
+    free_blocks = c.m.graph.groups;
     half = (free_blocks + 1) / 2;
     fall.weak = half;
     fall.sum = fall.weak_sum = KERN_R(0);
@@ -3465,8 +3499,9 @@ static void kern_part_ends(kern_part *p)
     const kern_model *m = p->m;
     int k;
     for (k = 0; k < 2 * p->contacts; k++) {
-        const int g = m->ends[2 * p->contact[k >> 1] + (k & 1)];
-        p->ends[k] = m->local[g] == KERN_OUT ? p->groups : m->local[g];
+        const int g = m->graph.ends[2 * p->contact[k >> 1] + (k & 1)];
+        p->ends[k] = m->graph.local[g] == KERN_OUT ? p->groups
+                                                   : m->graph.local[g];
     }
 }
 
@@ -3480,9 +3515,10 @@ static void kern_part_list(kern_part *p)
     for (own = 1; own >= 0; own--) {
         for (n = 0; n < p->groups; n++) {
             const int g = p->group[n];
-            for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-                const int other = m->ends[e ^ 1];
-                if (own ? other > g : other < g && m->local[other] == KERN_OUT)
+            for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+                const int other = m->graph.ends[e ^ 1];
+                if (own ? other > g
+                        : other < g && m->graph.local[other] == KERN_OUT)
                     p->contact[p->contacts++] = e >> 1;
             }
         }
@@ -3520,8 +3556,8 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     return kern_take_fits(&p->rest);
 }
 
-/* Opens the part of the `groups` groups that m->local marks, the last of which
-   is `last`. Returns 0 if the work memory does not hold it. */
+/* Opens the part of the `groups` groups that graph.local marks, the last of
+   which is `last`. Returns 0 if the work memory does not hold it. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
     int g, e, n = groups, most = 0;
@@ -3529,10 +3565,10 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
     for (g = last; n > 0; g--)
-        if (m->local[g] != KERN_OUT) {
-            m->local[g] = --n;
+        if (m->graph.local[g] != KERN_OUT) {
+            m->graph.local[g] = --n;
             p->group[n] = g;
-            for (e = m->touch[g]; e >= 0; e = m->after[e])
+            for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e])
                 most++;
         }
     p->contact = kern_take_ints(&p->rest, most);
@@ -3689,7 +3725,7 @@ static inline kern_spring kern_part_spring(const kern_part *p, int k,
 {
     const int i = p->contact[k];
     const kern_real mu = kern_model_mu(p->m, i);
-    return p->price ? kern_spring_press(wn, wt, mu, kern_stiffness(
+    return p->dual.price ? kern_spring_press(wn, wt, mu, kern_stiffness(
                           p->m->s->contact + i, p->m->mean))
                     : kern_spring_of(wn, wt, mu);
 }
@@ -3698,8 +3734,8 @@ static void kern_least_clear(kern_part *p)
 {
     int g, i;
     for (g = 0; g < p->groups; g++)
-        for (i = 0; i < 9 * (g - p->first[g] + 1); i++)
-            p->factor[p->offset[g] + i] = KERN_R(0);
+        for (i = 0; i < 9 * (g - p->dual.first[g] + 1); i++)
+            p->dual.factor[p->dual.offset[g] + i] = KERN_R(0);
 }
 
 /* The rows of the later group of contact k reach to the columns of the other. */
@@ -3707,8 +3743,8 @@ static void kern_least_reach(kern_part *p, int k)
 {
     const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
     const int low = h < t ? h : t, high = h < t ? t : h;
-    if (high < p->groups && low < p->first[high])
-        p->first[high] = low;
+    if (high < p->groups && low < p->dual.first[high])
+        p->dual.first[high] = low;
 }
 
 /* Lays out what the least forces of the part need; 0 if there is no room. */
@@ -3716,28 +3752,28 @@ static int kern_least_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
     int g, k, end = 0;
-    p->price = NULL;
-    p->first = kern_take_ints(take, p->groups);
-    p->offset = kern_take_ints(take, p->groups);
-    p->u = kern_take_reals(take, n);
-    p->step = kern_take_reals(take, n);
-    p->left = kern_take_reals(take, n);
-    p->b = kern_take_reals(take, n);
-    p->way = kern_take_reals(take, 4 * p->contacts);
+    p->dual.price = NULL;
+    p->dual.first = kern_take_ints(take, p->groups);
+    p->dual.offset = kern_take_ints(take, p->groups);
+    p->dual.u = kern_take_reals(take, n);
+    p->dual.step = kern_take_reals(take, n);
+    p->dual.left = kern_take_reals(take, n);
+    p->dual.b = kern_take_reals(take, n);
+    p->dual.way = kern_take_reals(take, 4 * p->contacts);
     if (!kern_take_fits(take))
         return 0;
     for (g = 0; g < p->groups; g++)
-        p->first[g] = g;
+        p->dual.first[g] = g;
     for (k = 0; k < p->own; k++)
         kern_least_reach(p, k);
-    p->cost = 100 * p->contacts;
+    p->dual.cost = 100 * p->contacts;
     for (g = 0; g < p->groups; g++) {
-        const int width = g - p->first[g] + 1;
-        p->offset[g] = end;
+        const int width = g - p->dual.first[g] + 1;
+        p->dual.offset[g] = end;
         end += 9 * width;
-        p->cost += 14 * width * width;
+        p->dual.cost += 14 * width * width;
     }
-    p->factor = kern_take_reals(take, end);
+    p->dual.factor = kern_take_reals(take, end);
     return kern_take_fits(take);
 }
 
@@ -3754,37 +3790,37 @@ static inline void kern_part_way(const kern_part *p, int k, const kern_real *v,
     w[1] = w[1] + n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
 }
 
-/* How v moves the contacts along n and t: to p->way from `to` on. */
+/* How v moves the contacts along n and t: to p->dual.way from `to` on. */
 static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
                             int to)
 {
     int k;
     for (k = 0; k < contacts; k++) {
-        kern_real *way = p->way + 4 * (size_t)k + to;
+        kern_real *way = p->dual.way + 4 * (size_t)k + to;
         way[0] = way[1] = KERN_R(0);
-        if (to == 0 && p->price)
-            way[0] = -p->price[k];
+        if (to == 0 && p->dual.price)
+            way[0] = -p->dual.price[k];
         else if (to == 0)
             kern_model_prior(p->m, p->contact[k], way, way + 1);
         kern_part_way(p, k, v, way);
     }
 }
 
-/* The gradient of the dual at u, to p->left: b less what the forces of u exert.
-   Returns its value, and in *most the largest force. */
+/* The gradient of the dual at u, to p->dual.left: b less what the forces of u
+   exert. Returns its value, and in *most the largest force. */
 static kern_real kern_least_left(kern_part *p, kern_real *most)
 {
     kern_real value = KERN_R(0);
     int i, k, end;
     *most = KERN_R(0);
     for (i = 0; i < p->groups; i++)
-        p->first[i] = i;
+        p->dual.first[i] = i;
     for (i = 0; i < 3 * p->groups; i++) {
-        p->left[i] = p->b[i];
-        value += p->b[i] * p->u[i];
+        p->dual.left[i] = p->dual.b[i];
+        value += p->dual.b[i] * p->dual.u[i];
     }
     for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
         if (!(s.f > 0))
             continue;
@@ -3794,7 +3830,7 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
         for (end = 0; end < 2; end++)
             if (p->ends[2 * k + end] < p->groups)
                 kern_model_carry(p->m, p->contact[k], end, s.f, s.r,
-                                 p->left + 3 * p->ends[2 * k + end]);
+                                 p->dual.left + 3 * p->ends[2 * k + end]);
     }
     return value;
 }
@@ -3807,8 +3843,9 @@ static inline void kern_least_add(kern_part *p, int g, int h, kern_real sign,
                                   const kern_real k[3], const kern_real *turned,
                                   const kern_real *moved, kern_real turn)
 {
-    const int wide = 3 * (g - p->first[g] + 1);
-    kern_real *to = p->factor + p->offset[g] + 3 * (h - p->first[g]);
+    const int wide = 3 * (g - p->dual.first[g] + 1);
+    kern_real *to = p->dual.factor + p->dual.offset[g]
+                    + 3 * (h - p->dual.first[g]);
     to[0] += sign * k[0];
     to[1] += sign * k[1];
     to[2] += turned[0];
@@ -3863,18 +3900,18 @@ static void kern_least_matrix(kern_part *p, int all)
         kern_least_reach(p, k);
     kern_least_clear(p);
     for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 4 * (size_t)k;
         kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
                                          all ? KERN_R(0) : w[1]);
-        if (all && p->price) /* as stiff along t for every friction */
+        if (all && p->dual.price) /* as stiff along t for every friction */
             s.tt = KERN_STIFF * s.nn;
         if (s.nn > 0)
             kern_least_spring(p, k, &s);
     }
     for (i = 0; i < 2; i++) /* first its mean, then a share of it */
         for (g = 0; g < p->groups; g++) {
-            const int length = 3 * (g - p->first[g] + 1);
-            kern_real *d = p->factor + p->offset[g] + length - 3;
+            const int length = 3 * (g - p->dual.first[g] + 1);
+            kern_real *d = p->dual.factor + p->dual.offset[g] + length - 3;
             for (k = 0; k < 3; k++, d += length + 1) {
                 if (i == 0)
                     trace += *d;
@@ -3928,18 +3965,19 @@ static void kern_least_factor(kern_part *p)
 {
     int g, h, r, k;
     for (g = 0; g < p->groups; g++) {
-        const int wide = 3 * (g - p->first[g] + 1);
-        kern_real *row = p->factor + p->offset[g], *d = row + wide - 3;
+        const int wide = 3 * (g - p->dual.first[g] + 1);
+        kern_real *row = p->dual.factor + p->dual.offset[g];
+        kern_real *d = row + wide - 3;
         const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
-        for (h = p->first[g]; h <= g; h++) {
-            const int from = p->first[g] > p->first[h] ? p->first[g]
-                                                       : p->first[h];
-            const int wide_h = 3 * (h - p->first[h] + 1);
-            const kern_real *other = p->factor + p->offset[h];
+        for (h = p->dual.first[g]; h <= g; h++) {
+            const int from = p->dual.first[g] > p->dual.first[h]
+                             ? p->dual.first[g] : p->dual.first[h];
+            const int wide_h = 3 * (h - p->dual.first[h] + 1);
+            const kern_real *other = p->dual.factor + p->dual.offset[h];
             const kern_real *l = other + wide_h - 3;
-            kern_real *c = row + 3 * (h - p->first[g]);
-            kern_least_common(c, row + 3 * (from - p->first[g]), wide,
-                              other + 3 * (from - p->first[h]), wide_h,
+            kern_real *c = row + 3 * (h - p->dual.first[g]);
+            kern_least_common(c, row + 3 * (from - p->dual.first[g]), wide,
+                              other + 3 * (from - p->dual.first[h]), wide_h,
                               3 * (h - from));
             for (r = 0; h < g && r < 3; r++, c += wide) {
                 c[0] /= l[0];
@@ -3968,9 +4006,9 @@ static void kern_least_solve(const kern_part *p, const kern_real *b,
 {
     int g, i;
     for (g = 0; g < p->groups; g++) {
-        const int n = 3 * (g - p->first[g]), wide = n + 3;
-        const kern_real *u = p->factor + p->offset[g], *v = u + wide;
-        const kern_real *w = v + wide, *x = out + 3 * p->first[g];
+        const int n = 3 * (g - p->dual.first[g]), wide = n + 3;
+        const kern_real *u = p->dual.factor + p->dual.offset[g], *v = u + wide;
+        const kern_real *w = v + wide, *x = out + 3 * p->dual.first[g];
         kern_real s0 = b[3 * g], s1 = b[3 * g + 1], s2 = b[3 * g + 2];
         for (i = 0; i < n; i++) {
             s0 -= u[i] * x[i];
@@ -3985,10 +4023,10 @@ static void kern_least_solve(const kern_part *p, const kern_real *b,
         out[3 * g + 2] = s2;
     }
     for (g = p->groups - 1; g >= 0; g--) {
-        const int n = 3 * (g - p->first[g]), wide = n + 3;
-        const kern_real *u = p->factor + p->offset[g], *v = u + wide;
+        const int n = 3 * (g - p->dual.first[g]), wide = n + 3;
+        const kern_real *u = p->dual.factor + p->dual.offset[g], *v = u + wide;
         const kern_real *w = v + wide;
-        kern_real *x = out + 3 * p->first[g];
+        kern_real *x = out + 3 * p->dual.first[g];
         const kern_real s2 = x[n + 2] / w[n + 2];
         const kern_real s1 = (x[n + 1] - w[n + 1] * s2) / v[n + 1];
         const kern_real s0 = (x[n] - w[n] * s2 - v[n] * s1) / u[n];
@@ -4007,7 +4045,7 @@ static kern_real kern_least_slope(const kern_part *p, kern_real push,
 {
     int k;
     for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(
             p, k, w[0] + share * w[2], w[1] + share * w[3]);
         push -= s.f * w[2] + s.r * w[3];
@@ -4019,8 +4057,8 @@ static kern_real kern_least_slope(const kern_part *p, kern_real push,
    slope falls: regula falsi, an end that stays counting half (Illinois). */
 static kern_real kern_least_share(const kern_part *p)
 {
-    const kern_real push = kern_dot(p->b, p->step, 3 * p->groups);
-    const kern_real first = kern_dot(p->left, p->step, 3 * p->groups);
+    const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
+    const kern_real first = kern_dot(p->dual.left, p->dual.step, 3 * p->groups);
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at = hi, at_hi;
     int round, side = 0;
     at_hi = kern_least_slope(p, push, hi);
@@ -4052,9 +4090,9 @@ static kern_real kern_least_share(const kern_part *p)
     return at;
 }
 
-/* Least forces of a part's own contacts under the loads p->b, by rounds [first,
-   end); after round 0 u goes on from what it is. KERN_STANDS with u; KERN_FALLS,
-   which is no proof, where they would be larger than `bound`; or
+/* Least forces of a part's own contacts under the loads p->dual.b, by rounds
+   [first, end); after round 0 u goes on from what it is. KERN_STANDS with u;
+   KERN_FALLS, which is no proof, where they would be larger than `bound`; or
    KERN_UNDECIDED. */
 static kern_status kern_least_find(kern_part *p, kern_real tolerance,
                                    kern_real bound, int first, int end)
@@ -4062,30 +4100,30 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
     const int n = 3 * p->groups;
     kern_real before = KERN_INFINITY;
     int i, round;
-    p->rounds = 0;
+    p->dual.rounds = 0;
     for (i = first == 0 ? 0 : n; i < n + 3; i++)
-        p->u[i] = p->step[i] = KERN_R(0);
+        p->dual.u[i] = p->dual.step[i] = KERN_R(0);
     for (round = first; round < end; round++) {
         kern_real most, value, share, left;
-        kern_least_ways(p, p->u, p->own, 0);
+        kern_least_ways(p, p->dual.u, p->own, 0);
         value = kern_least_left(p, &most);
-        left = kern_largest(p->left, n);
+        left = kern_largest(p->dual.left, n);
         if (left <= (left > before / 2 ? 8 * tolerance : tolerance)
                     + 4 * KERN_EPS * most)
             return KERN_STANDS;
         before = left;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        if (!kern_model_spend(p->m, 1 + p->cost / 300))
+        if (!kern_model_spend(p->m, 1 + p->dual.cost / 300))
             return KERN_LIMIT;
         kern_least_matrix(p, round == 0);
         kern_least_factor(p);
-        kern_least_solve(p, p->left, p->step);
-        kern_least_ways(p, p->step, p->own, 2);
-        p->rounds = round + 1 - first;
+        kern_least_solve(p, p->dual.left, p->dual.step);
+        kern_least_ways(p, p->dual.step, p->own, 2);
+        p->dual.rounds = round + 1 - first;
         share = round == 0 ? KERN_R(1) : kern_least_share(p);
         for (i = 0; i < n; i++)
-            p->u[i] += share * p->step[i];
+            p->dual.u[i] += share * p->dual.step[i];
     }
     return KERN_UNDECIDED;
 }
@@ -4098,7 +4136,7 @@ static int kern_least_open(kern_part *p, kern_model *m)
     const kern_vec down = s->gravity, side = kern_vec_turn(down);
     kern_box box;
     int g, i;
-    if (!kern_part_begin(p, m, m->groups, &m->rest))
+    if (!kern_part_begin(p, m, m->graph.groups, &m->rest))
         return 0;
     p->contact = kern_take_ints(&p->rest, s->contacts);
     p->ends = kern_take_ints(&p->rest, 2 * s->contacts);
@@ -4106,20 +4144,20 @@ static int kern_least_open(kern_part *p, kern_model *m)
         return 0;
     kern_box_empty(&box);
     for (g = 0; g < p->groups; g++) {
-        const kern_vec c = s->block[m->block[g]].centre;
+        const kern_vec c = s->block[m->graph.block[g]].centre;
         kern_box_add(&box, kern_vec_make(kern_vec_dot(c, down),
                                          kern_vec_dot(c, side)));
-        p->group[g] = m->block[g];
+        p->group[g] = m->graph.block[g];
     }
     kern_model_order(m, box.high.x - box.low.x > box.high.y - box.low.y
                         ? down : side, p->group);
     for (g = 0; g < p->groups; g++) {
-        p->group[g] = m->group[p->group[g]];
-        m->local[p->group[g]] = g;
+        p->group[g] = m->graph.group[p->group[g]];
+        m->graph.local[p->group[g]] = g;
     }
     p->contacts = 0;
     for (i = 0; i < s->contacts; i++)
-        if (m->ends[2 * i] != m->ends[2 * i + 1])
+        if (m->graph.ends[2 * i] != m->graph.ends[2 * i + 1])
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
     kern_part_ends(p);
@@ -4131,17 +4169,17 @@ static void kern_least_write(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
-    kern_least_ways(p, p->u, p->contacts, 0);
+    kern_least_ways(p, p->dual.u, p->contacts, 0);
     kern_model_unload(m); /* they may be what is known */
     for (k = 0; k < p->contacts; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
-        m->force[p->contact[k]].normal = s.f * m->weight;
-        m->force[p->contact[k]].tangential = s.r * m->weight;
+        m->answer.force[p->contact[k]].normal = s.f * m->weight;
+        m->answer.force[p->contact[k]].tangential = s.r * m->weight;
     }
 }
 
-/* Least forces of all groups: KERN_STANDS with m->force and their proof. */
+/* Least forces of all groups: KERN_STANDS with the forces and their proof. */
 static kern_status kern_least_hold(kern_model *m, kern_part *p,
                                    const kern_query *q, int rounds)
 {
@@ -4149,14 +4187,14 @@ static kern_status kern_least_hold(kern_model *m, kern_part *p,
     kern_model_set(m, q);
     if (!kern_least_open(p, m))
         return KERN_NO_SPACE;
-    status = kern_least_find(p, kern_part_load(p, q, p->b), KERN_BOUND, 0,
+    status = kern_least_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
                              rounds);
     if (status == KERN_LIMIT)
         return status;
     if (status != KERN_STANDS)
         return KERN_UNDECIDED;
     kern_least_write(p);
-    return kern_model_proven(m, kern_prove_forces(m->s, q, m->force, m->sum))
+    return kern_answer_holds(m, q)
            ? status : KERN_UNDECIDED;
 }
 
@@ -4188,10 +4226,10 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
                             kern_real r, kern_real tolerance)
 {
-    kern_force *to = m->force + i;
+    kern_force *to = m->answer.force + i;
     const kern_real change = kern_abs(f - to->normal)
                              + kern_abs(r - to->tangential);
-    if (on < m->groups && change > tolerance) {
+    if (on < m->graph.groups && change > tolerance) {
         const int last = m->leader[on];
         m->dirty[last] |= 1;
         m->again = last < m->again ? last : m->again;
@@ -4208,9 +4246,9 @@ static void kern_pour_load(const kern_model *m, int g, kern_real *b)
     b[0] = m->load[3 * g];
     b[1] = m->load[3 * g + 1];
     b[2] = m->load[3 * g + 2];
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        const kern_force *f = m->force + (e >> 1);
-        const int other = m->ends[e ^ 1];
+    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        const kern_force *f = m->answer.force + (e >> 1);
+        const int other = m->graph.ends[e ^ 1];
         if (other < g && m->leader[other] != m->leader[g])
             kern_model_carry(m, e >> 1, e & 1, f->normal, f->tangential, b);
     }
@@ -4292,8 +4330,8 @@ static int kern_pour_rows(const kern_model *m, int g,
                           kern_row row[KERN_ROWS_MOST])
 {
     int e, n = 0;
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-        if (m->ends[e ^ 1] < g)
+    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        if (m->graph.ends[e ^ 1] < g)
             continue;
         if (n == KERN_ROWS_MOST)
             return n + 1;
@@ -4390,7 +4428,7 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_spring s = kern_spring_of(row[k].wn, row[k].wt, row[k].mu);
         const int i = row[k].end >> 1;
-        kern_pour_write(m, i, m->ends[row[k].end ^ 1], s.f,
+        kern_pour_write(m, i, m->graph.ends[row[k].end ^ 1], s.f,
                         s.r, tolerance);
     }
     return status;
@@ -4418,8 +4456,8 @@ static int kern_pour_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
     do {
-        if (m->local[i] == KERN_OUT) {
-            m->local[i] = mark;
+        if (m->graph.local[i] == KERN_OUT) {
+            m->graph.local[i] = mark;
             n++;
         }
         i = m->next[i];
@@ -4434,12 +4472,12 @@ static int kern_pour_grow(kern_model *m, int *last, int levels)
     int g, e, added = 0;
     kern_pour_mark(m, *last, 0);
     for (g = *last; g >= 0; g--) {
-        if (m->local[g] == KERN_OUT || m->local[g] >= levels)
+        if (m->graph.local[g] == KERN_OUT || m->graph.local[g] >= levels)
             continue;
-        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-            const int h = m->ends[e ^ 1];
-            if (h < g && m->local[h] == KERN_OUT) {
-                added += kern_pour_mark(m, h, m->local[g] + 1);
+        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+            const int h = m->graph.ends[e ^ 1];
+            if (h < g && m->graph.local[h] == KERN_OUT) {
+                added += kern_pour_mark(m, h, m->graph.local[g] + 1);
                 *last = kern_pour_join(m, g, h);
             }
         }
@@ -4452,7 +4490,7 @@ static void kern_pour_unmark(kern_model *m, int g)
 {
     int i = g;
     do {
-        m->local[i] = KERN_OUT;
+        m->graph.local[i] = KERN_OUT;
         i = m->next[i];
     } while (i != g);
 }
@@ -4462,27 +4500,27 @@ static void kern_pour_unmark(kern_model *m, int g)
 static int kern_pour_stack(kern_model *m, kern_part *p, int last)
 {
     int g, e, groups = 1;
-    m->local[last] = 0;
+    m->graph.local[last] = 0;
     for (g = last - 1; g >= 0; g--) {
         int on = 0, off = 0;
-        for (e = m->touch[g]; e >= 0; e = m->after[e]) {
-            const int other = m->ends[e ^ 1];
-            if (other > g && m->local[other] != KERN_OUT)
+        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+            const int other = m->graph.ends[e ^ 1];
+            if (other > g && m->graph.local[other] != KERN_OUT)
                 on = 1;
-            else if (other > g || m->local[other] != KERN_OUT)
+            else if (other > g || m->graph.local[other] != KERN_OUT)
                 off = 1;
         }
         if (on && off)
             break;
         if (on) {
-            m->local[g] = 0;
+            m->graph.local[g] = 0;
             groups++;
         }
     }
     if (g < 0 && kern_part_open(p, m, groups, last))
         return 1;
     for (g = 0; g <= last; g++)
-        m->local[g] = KERN_OUT;
+        m->graph.local[g] = KERN_OUT;
     return 0;
 }
 
@@ -4501,12 +4539,13 @@ static void kern_pour_keep(kern_part *p, kern_real tolerance)
     int k;
     for (k = 0; k < p->own; k++) {
         const int i = p->contact[k];
-        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
-        const int low = m->ends[2 * i] > m->ends[2 * i + 1] ? 0 : 1;
-        const int on = m->ends[2 * i + low];
+        const int low = m->graph.ends[2 * i] > m->graph.ends[2 * i + 1] ? 0 : 1;
+        const int on = m->graph.ends[2 * i + low];
         const int inside = p->ends[2 * k + low] < p->groups;
-        kern_pour_write(m, i, inside ? m->groups : on, s.f, s.r, tolerance);
+        kern_pour_write(m, i, inside ? m->graph.groups : on, s.f, s.r,
+                        tolerance);
     }
 }
 
@@ -4516,15 +4555,16 @@ static void kern_pour_keep(kern_part *p, kern_real tolerance)
 static int kern_pour_parts(kern_part *p)
 {
     const kern_model *m = p->m;
-    const kern_real most = KERN_PARTING * kern_largest(p->u, 3 * p->groups);
+    const kern_real most = KERN_PARTING
+                           * kern_largest(p->dual.u, 3 * p->groups);
     kern_real power = KERN_R(0);
     int n, j, k;
     for (n = 0; n < p->groups; n++)
         for (j = 0; j < 3; j++)
-            power += p->u[3 * n + j] * m->load[3 * p->group[n] + j];
-    kern_least_ways(p, p->u, p->contacts, 2);
+            power += p->dual.u[3 * n + j] * m->load[3 * p->group[n] + j];
+    kern_least_ways(p, p->dual.u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k + 2;
+        const kern_real *w = p->dual.way + 4 * (size_t)k + 2;
         if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
             return 0;
     }
@@ -4543,18 +4583,18 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
     if (!kern_part_open(p, m, groups, last))
         return KERN_NO_SPACE;
     take = p->rest;
-    if (!kern_least_lay(p, &take) || p->cost > *budget)
+    if (!kern_least_lay(p, &take) || p->dual.cost > *budget)
         return KERN_NO_SPACE;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
-        kern_pour_load(m, p->group[n], p->b + 3 * n);
+        kern_pour_load(m, p->group[n], p->dual.b + 3 * n);
     }
     for (n = 0; n < 3 * p->groups; n++)
-        load += kern_abs(p->b[n]);
+        load += kern_abs(p->dual.b[n]);
     status = kern_least_find(p, KERN_POUR_TOL * least, KERN_LEAST_MOST * load,
                              0, KERN_LEAST_ROUNDS);
-    *budget -= p->rounds * p->cost;
+    *budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
@@ -4568,8 +4608,8 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
                                   int failed, int *budget)
 {
     const int begun = last;
-    const int most = m->groups <= KERN_SMALL ? m->groups / 4 + 1
-                     : KERN_UNIT_MOST + m->groups / KERN_UNIT_SHARE;
+    const int most = m->graph.groups <= KERN_SMALL ? m->graph.groups / 4 + 1
+                     : KERN_UNIT_MOST + m->graph.groups / KERN_UNIT_SHARE;
     int groups = kern_pour_mark(m, last, 0), levels;
     for (levels = 1; ; levels *= 2) {
         kern_status status = KERN_UNDECIDED;
@@ -4599,7 +4639,7 @@ static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
 static void kern_pour_begin(kern_model *m)
 {
     int g;
-    for (g = 0; g < m->groups; g++) {
+    for (g = 0; g < m->graph.groups; g++) {
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = 1;
     }
@@ -4615,7 +4655,7 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
     const kern_contact *c = m->s->contact + i;
     const int line = c->line && i + 1 < m->s->contacts && c[1].line
                      && c->a == c[1].a && c->b == c[1].b;
-    kern_force *f = m->force + i;
+    kern_force *f = m->answer.force + i;
     const kern_real travel = kern_travel(c, m->mean);
     const kern_real mu = kern_model_mu(m, i);
     kern_real rate, was, is, sum, more, along;
@@ -4642,19 +4682,19 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
 static void kern_pour_change(kern_model *m, kern_real shrink)
 {
     int i, g, e;
-    m->prior = m->force;
+    m->prior = m->answer.force;
     for (i = 0; i < m->s->contacts; i++) {
-        m->force[i].normal = m->known[i].normal / m->weight;
-        m->force[i].tangential = m->known[i].tangential / m->weight;
+        m->answer.force[i].normal = m->known[i].normal / m->weight;
+        m->answer.force[i].tangential = m->known[i].tangential / m->weight;
     }
     for (i = 0; i < m->s->contacts && shrink < m->balanced; i++)
         i += kern_force_widen(m, i, m->balanced, shrink);
-    for (g = 0; g < m->groups; g++) {
+    for (g = 0; g < m->graph.groups; g++) {
         kern_real *b = m->load + 3 * (size_t)g;
         kern_real left[3] = {b[0], b[1], b[2]};
-        for (e = m->touch[g]; e >= 0; e = m->after[e])
-            kern_model_carry(m, e >> 1, e & 1, m->force[e >> 1].normal,
-                             m->force[e >> 1].tangential, left);
+        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e])
+            kern_model_carry(m, e >> 1, e & 1, m->answer.force[e >> 1].normal,
+                             m->answer.force[e >> 1].tangential, left);
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = !(kern_largest(left, 3) <= KERN_TOL / 4 * m->size[g]);
     }
@@ -4685,15 +4725,15 @@ static kern_poured kern_pour_group(kern_model *m, kern_part *p, int at,
     return kern_pour_unit(m, p, at, alone == KERN_FALLS, budget);
 }
 
-/* Balances all groups that must be: KERN_POURED with m->force, KERN_POUR_FALLS
-   with an open part, or KERN_POUR_DRY. */
+/* Balances all groups that must be: KERN_POURED with the forces,
+   KERN_POUR_FALLS with an open part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
-    const int size = m->s->contacts + m->groups;
+    const int size = m->s->contacts + m->graph.groups;
     int budget = KERN_POUR_BUDGET
                  * (size < KERN_POUR_LARGEST ? size : KERN_POUR_LARGEST);
     int at;
-    for (at = 0; at < m->groups; ) {
+    for (at = 0; at < m->graph.groups; ) {
         kern_poured found;
         if (!(m->dirty[at] & 1)) {
             at++;
@@ -4702,7 +4742,7 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
         if (!kern_model_spend(m, 1))
             return KERN_POUR_DRY;
         m->dirty[at] &= ~1;
-        m->again = m->groups;
+        m->again = m->graph.groups;
         found = kern_pour_group(m, p, at, &budget);
         if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS) {
             m->dirty[at] |= 1;
@@ -4725,20 +4765,20 @@ static kern_status kern_part_lay(kern_part *p)
 {
     const int n = p->groups;
     int room = KERN_EXTRAS(n);
-    p->lp.rows = 3 * n;
-    p->lp.cols = 2 * p->contacts;
-    p->lp.ends = p->ends;
-    p->lp.cost = NULL;
-    p->lp.most = KERN_BOUND;
-    p->lp.limit = p->m->limit;
-    p->shrink = KERN_R(0);
+    p->eq.lp.rows = 3 * n;
+    p->eq.lp.cols = 2 * p->contacts;
+    p->eq.lp.ends = p->ends;
+    p->eq.lp.cost = NULL;
+    p->eq.lp.most = KERN_BOUND;
+    p->eq.lp.limit = p->m->budget.limit;
+    p->eq.shrink = KERN_R(0);
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
-        p->lp.a = p->arc = kern_take_reals(&take, 8 * p->contacts);
-        p->lp.rhs = p->rhs = kern_take_reals(&take, 3 * n);
+        p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
+        p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
         p->x = kern_take_reals(&take, 2 * p->contacts);
         p->y = kern_take_reals(&take, 3 * n + 3);
-        kern_simplex_lay(&p->simplex, &p->lp, KERN_ROOM(n, room), &take);
+        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(n, room), &take);
         if (kern_take_fits(&take)) {
             p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
             return KERN_OK;
@@ -4753,19 +4793,20 @@ static void kern_part_set(kern_part *p, const kern_query *q)
 {
     kern_model *m = p->m;
     int k, edge;
-    KERN_ASSERT(p->lp.rows == 3 * p->groups);
+    KERN_ASSERT(p->eq.lp.rows == 3 * p->groups);
     m->slope = kern_slope(q);
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
-    kern_part_load(p, q, p->rhs);
-    p->simplex.stale |= p->shrink > q->shrink || p->shrink < q->shrink;
-    if (!p->simplex.stale)
+    kern_part_load(p, q, p->eq.rhs);
+    p->eq.simplex.stale |= p->eq.shrink > q->shrink || p->eq.shrink < q->shrink;
+    if (!p->eq.simplex.stale)
         return;
-    p->shrink = q->shrink;
+    p->eq.shrink = q->shrink;
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_contact *c = m->s->contact + i;
-        kern_real *f = p->arc + 8 * (size_t)k, mu = kern_model_mu(m, i), arm[4];
+        kern_real *f = p->eq.arc + 8 * (size_t)k;
+        kern_real mu = kern_model_mu(m, i), arm[4];
         kern_model_arm(m, q, i, arm);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
             const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
@@ -4789,18 +4830,18 @@ static kern_motion kern_part_moves(const kern_part *p, int n)
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
-    kern_real *part = (kern_real *)(void *)m->motion, most = KERN_R(0);
+    kern_real *part = (kern_real *)(void *)m->answer.motion, most = KERN_R(0);
     int i, n;
     for (i = 0; i < 3 * m->s->blocks; i++)
         part[i] = KERN_R(0);
     for (n = 0; n < p->groups; n++) {
-        const int b = m->block[p->group[n]];
-        kern_motion *v = m->motion + b;
+        const int b = m->graph.block[p->group[n]];
+        kern_motion *v = m->answer.motion + b;
         *v = kern_part_moves(p, n);
         most = kern_max(most, kern_block_speed(m->s->block + b, v));
     }
     for (n = 0; n < p->groups && most > 0; n++) {
-        kern_motion *v = m->motion + m->block[p->group[n]];
+        kern_motion *v = m->answer.motion + m->graph.block[p->group[n]];
         v->vx /= most;
         v->vy /= most;
         v->spin /= most;
@@ -4809,7 +4850,7 @@ static void kern_part_motion(kern_part *p)
 
 /* Whether the part is all there is: then forces on it prove that it stands. */
 static int kern_part_is_whole(const kern_part *p)
-{ return p->groups == p->m->groups; }
+{ return p->groups == p->m->graph.groups; }
 
 /* The forces of a program of all groups. What is negative by rounding is
    nothing. */
@@ -4822,8 +4863,9 @@ static void kern_part_forces(kern_part *p)
         const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
         const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
         const int i = p->contact[k];
-        m->force[i].normal = (x1 + x2) * m->weight;
-        m->force[i].tangential = kern_model_mu(m, i) * (x1 - x2) * m->weight;
+        m->answer.force[i].normal = (x1 + x2) * m->weight;
+        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2)
+                                        * m->weight;
     }
 }
 
@@ -4838,16 +4880,16 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
     for (lift = 0; status == KERN_FALLS && !(error <= 1) && lift <= 1; lift++) {
-        if (lift && !kern_certificate_lift(&p->simplex, p->y))
+        if (lift && !kern_certificate_lift(&p->eq.simplex, p->y))
             break;
         kern_part_motion(p);
-        error = kern_prove_motion(m->s, q, m->motion);
+        error = kern_prove_motion(m->s, q, m->answer.motion);
     }
     if (!(error <= 1) && kern_part_is_whole(p)) {
         /* forces may still do, within the tolerance */
         status = KERN_STANDS;
         kern_part_forces(p);
-        error = kern_prove_forces(m->s, q, m->force, m->sum);
+        error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
     }
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
@@ -4857,7 +4899,7 @@ static kern_real kern_part_total(const kern_part *p)
 {
     kern_real total = KERN_R(0);
     int i;
-    for (i = 0; i < p->lp.cols; i++)
+    for (i = 0; i < p->eq.lp.cols; i++)
         total += p->x[i];
     return total;
 }
@@ -4867,19 +4909,20 @@ static kern_real kern_part_total(const kern_part *p)
    that no smaller ones exist. */
 static kern_status kern_part_least(kern_part *p, int own)
 {
-    kern_real *one = (kern_real *)(void *)p->m->force; /* not in use here */
+    kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_status status;
     int i;
     if (!(kern_part_total(p) > KERN_BOUND))
         return KERN_STANDS;
-    for (i = 0; i < p->lp.cols; i++)
+    for (i = 0; i < p->eq.lp.cols; i++)
         one[i] = KERN_R(1);
-    p->lp.cost = one;
-    status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
-    p->lp.cost = NULL;
+    p->eq.lp.cost = one;
+    status = kern_program_solve(&p->eq.simplex, own, p->x, p->y,
+                                p->m->budget.work);
+    p->eq.lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
-    for (i = 0; i < p->lp.rows; i++)
+    for (i = 0; i < p->eq.lp.rows; i++)
         p->y[i] = -p->y[i];
     return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
 }
@@ -4890,11 +4933,12 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     kern_status status = KERN_UNDECIDED;
     int own;
     p->found = KERN_UNDECIDED;
-    if (!kern_model_spend(p->m, p->m->query_units))
+    if (!kern_model_spend(p->m, p->m->budget.query_units))
         return KERN_LIMIT;
     kern_part_set(p, q);
     for (own = 0; own < 2 && status != KERN_LIMIT; own++) {
-        status = kern_program_solve(&p->simplex, own, p->x, p->y, p->m->work);
+        status = kern_program_solve(&p->eq.simplex, own, p->x, p->y,
+                                    p->m->budget.work);
         if (status == KERN_LP_OPTIMAL)
             status = kern_part_least(p, own);
         else if (status == KERN_LP_INFEASIBLE)
@@ -4904,7 +4948,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
             status = kern_part_prove(p, q, status);
         if (status >= 0)
             break;
-        kern_simplex_restart(&p->simplex);
+        kern_simplex_restart(&p->eq.simplex);
     }
     return status;
 }
@@ -4914,10 +4958,10 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
                                  const kern_take *rest)
 {
     int g, k;
-    if (!kern_part_begin(p, m, m->groups, rest))
+    if (!kern_part_begin(p, m, m->graph.groups, rest))
         return KERN_NO_SPACE;
     p->contacts = p->own = m->s->contacts;
-    p->ends = m->ends;
+    p->ends = m->graph.ends;
     p->contact = kern_take_ints(&p->rest, p->contacts);
     if (!kern_take_fits(&p->rest))
         return KERN_NO_SPACE;
@@ -4933,8 +4977,8 @@ static void kern_pour_scale(kern_model *m)
 {
     int i;
     for (i = 0; i < m->s->contacts; i++) {
-        m->force[i].normal *= m->weight;
-        m->force[i].tangential *= m->weight;
+        m->answer.force[i].normal *= m->weight;
+        m->answer.force[i].tangential *= m->weight;
     }
 }
 
@@ -4946,7 +4990,7 @@ static kern_status kern_model_hold(kern_model *m, kern_part *p,
 {
     if (q->factor > 0)
         return KERN_UNDECIDED;
-    m->prior = m->force;
+    m->prior = m->answer.force;
     p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
     m->prior = NULL;
     return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
@@ -4959,11 +5003,11 @@ static int kern_pour_proven(kern_model *m, const kern_query *q, int proven)
     kern_real total = KERN_R(0);
     int i;
     for (i = 0; i < m->s->contacts; i++)
-        total += m->force[i].normal;
+        total += m->answer.force[i].normal;
     if (!(total <= KERN_BOUND / 2) || !proven)
         return total <= KERN_BOUND / 2;
     kern_pour_scale(m);
-    return kern_model_proven(m, kern_prove_forces(m->s, q, m->force, m->sum));
+    return kern_answer_holds(m, q);
 }
 
 /* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
@@ -4973,9 +5017,9 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
 {
     kern_poured poured;
     int change = m->known != NULL;
-    if (!kern_model_spend(m, m->query_units))
+    if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
-    m->work->solves++;
+    m->budget.work->solves++;
     kern_model_set(m, q);
     for (; change >= 0; change--) {
         if (change)
@@ -5048,7 +5092,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 static kern_real kern_part_spin(const kern_part *p, int k)
 {
     const kern_model *m = p->m;
-    const int *ends = m->ends + 2 * p->contact[k];
+    const int *ends = m->graph.ends + 2 * p->contact[k];
     return p->y[3 * p->ends[2 * k] + 2] * m->unit[ends[0]]
            - p->y[3 * p->ends[2 * k + 1] + 2] * m->unit[ends[1]];
 }
@@ -5084,8 +5128,8 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
             const kern_real narrow = kern_friction(c, slope);
             const kern_real one = 1 + c->mu * slope;
             work = (p->x[2 * i] - p->x[2 * i + 1])
-                   * (kern_lp_dot(&p->lp, 2 * i, p->y)
-                      - kern_lp_dot(&p->lp, 2 * i + 1, p->y)) / (2 * mu);
+                   * (kern_lp_dot(&p->eq.lp, 2 * i, p->y)
+                      - kern_lp_dot(&p->eq.lp, 2 * i + 1, p->y)) / (2 * mu);
             sum += work * (mu - narrow);
             if (narrow > 0)
                 *rate += work * m->narrow * (1 + c->mu * c->mu) / (one * one);
@@ -5140,7 +5184,7 @@ static void kern_group_rate(const kern_path *path, const kern_model *m,
                             kern_real *out)
 {
     kern_wrench w;
-    kern_path_rate(path, m, q, s, m->block[g], &w);
+    kern_path_rate(path, m, q, s, m->graph.block[g], &w);
     out[0] = w.fx / m->weight;
     out[1] = w.fy / m->weight;
     out[2] = w.torque * m->unit[g] / m->weight;
@@ -5157,7 +5201,7 @@ static kern_real kern_load_rate(const kern_path *path,
     for (n = 0; n < p->groups; n++) {
         const kern_motion v = kern_part_moves(p, n);
         kern_wrench w;
-        kern_path_rate(path, m, q, s, m->block[p->group[n]], &w);
+        kern_path_rate(path, m, q, s, m->graph.block[p->group[n]], &w);
         sum -= (v.vx * w.fx + v.vy * w.fy + v.spin * w.torque) / m->weight;
     }
     return sum;
@@ -5172,10 +5216,10 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
         return;
     if (status == KERN_STANDS && proof->force)
         for (i = 0; i < m->s->contacts; i++)
-            proof->force[i] = m->force[i];
+            proof->force[i] = m->answer.force[i];
     if (status == KERN_FALLS && proof->motion)
         for (i = 0; i < m->s->blocks; i++)
-            proof->motion[i] = m->motion[i];
+            proof->motion[i] = m->answer.motion[i];
 }
 
 /* Notes a verdict about the whole at s, and hands its proof to the caller. */
@@ -5204,7 +5248,7 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
-    const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
+    const kern_real power = kern_dot(p->y, p->eq.rhs, 3 * p->groups);
     kern_real share;
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_edge(p, path->holds, s, power);
@@ -5371,7 +5415,7 @@ static void kern_walk_row(const kern_model *m, const kern_contact *first,
 }
 
 /* Whether points of a pair that lie in a row from contact i to j carry at
-   `place` what m->force makes them carry where they are at `from`. */
+   `place` what m->answer.force makes them carry where they are at `from`. */
 static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
                              kern_real place)
 {
@@ -5382,15 +5426,16 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
     if (j - i > KERN_ROWS_MOST)
         return 0;
     for (k = i; k < j; k++)
-        kern_walk_row(m, c, m->s->contact + k, from, m->force + k, row, b);
+        kern_walk_row(m, c, m->s->contact + k, from, m->answer.force + k, row,
+                      b);
     for (k = i; k < j; k++)
-        kern_walk_row(m, c, m->s->contact + k, place, m->force + k,
+        kern_walk_row(m, c, m->s->contact + k, place, m->answer.force + k,
                       row + (k - i), none);
     return kern_pour_solve(row, j - i, b, KERN_POUR_TOL * kern_largest(b, 3), u)
            == KERN_STANDS;
 }
 
-/* Whether the forces m->force that hold the structure at `from` hold it at
+/* Whether the forces of the answer that hold the structure at `from` hold it at
    `place`, where kerns are larger: lines carry there what they carry at `from`,
    points that move along different tangents perhaps. */
 static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
@@ -5471,7 +5516,7 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
     const kern_known *seed = path->seed;
     int i;
     for (i = 0; i < m->s->blocks; i++)
-        m->motion[i] = seed->motion[i];
+        m->answer.motion[i] = seed->motion[i];
     kern_path_note(m, path, KERN_FALLS, seed->fails);
     path->fails = seed->fails;
     path->edge = seed->margin;
@@ -5596,8 +5641,9 @@ static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
         const int i = p->contact[k];
         const kern_real f = share * (x[2 * k] + x[2 * k + 1]);
         const kern_real rate = f * in->roll[k]; /* t x (f n + r t) = -f */
-        out[3 * p->ends[2 * k] + 2] -= rate * m->unit[m->ends[2 * i]];
-        out[3 * p->ends[2 * k + 1] + 2] += rate * m->unit[m->ends[2 * i + 1]];
+        out[3 * p->ends[2 * k] + 2] -= rate * m->unit[m->graph.ends[2 * i]];
+        out[3 * p->ends[2 * k + 1] + 2] += rate
+                                           * m->unit[m->graph.ends[2 * i + 1]];
     }
 }
 
@@ -5632,7 +5678,7 @@ static void kern_inner_place(kern_inner *in, kern_real place)
     }
     if (in->shrinks)
         return;
-    kern_part_load(p, &q, p->rhs);
+    kern_part_load(p, &q, p->eq.rhs);
 }
 
 /* A(s) x - b(s), and unless they are held the matrix and g. */
@@ -5645,7 +5691,7 @@ static void kern_inner_set(kern_inner *in)
         kern_inner_rate(in);
     }
     for (i = 0; i < 3 * p->groups; i++)
-        in->over[i] = (in->s - in->at) * in->g[i] - p->rhs[i];
+        in->over[i] = (in->s - in->at) * in->g[i] - p->eq.rhs[i];
     kern_inner_carry(p, in->x, in->over);
 }
 
@@ -5666,7 +5712,7 @@ static void kern_inner_factor(kern_inner *in)
         kern_least_spring(p, k, &s);
     }
     kern_least_factor(p);
-    p->m->work->pivots++;
+    p->m->budget.work->pivots++;
 }
 
 /* How much of a step keeps v above 0; at most all of it. */
@@ -5681,28 +5727,28 @@ static kern_real kern_inner_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Solves for dy = p->step, dx, and dz; returns ds. p->left has A x - b, dx has
-   x~ - D A'y, p->way has A'y. */
+/* Solves for dy = dual.step, dx, and dz; returns ds. dual.left has A x - b,
+   dx has x~ - D A'y, p->dual.way has A'y. */
 static kern_real kern_inner_step(kern_inner *in)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real *turn = p->way + rays, ds;
+    kern_real *turn = p->dual.way + rays, ds;
     int i;
-    kern_inner_carry(p, in->dx, p->left);
-    kern_least_solve(p, p->left, p->step);
-    ds = (1 - kern_dot(in->g, p->u, n) - kern_dot(in->g, p->step, n))
+    kern_inner_carry(p, in->dx, p->dual.left);
+    kern_least_solve(p, p->dual.left, p->dual.step);
+    ds = (1 - kern_dot(in->g, p->dual.u, n) - kern_dot(in->g, p->dual.step, n))
          / kern_dot(in->g, in->gain, n);
     if (in->held) /* s does not pass the place */
         ds = kern_min(ds, in->at - in->s);
     else
         ds = kern_max(kern_min(ds, in->path->end - in->s), in->low - in->s);
     for (i = 0; i < n; i++)
-        p->step[i] += ds * in->gain[i];
-    kern_inner_ways(p, p->step, turn);
+        p->dual.step[i] += ds * in->gain[i];
+    kern_inner_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++) {
         in->dx[i] -= in->x[i] / in->z[i] * turn[i];
-        in->dz[i] = p->way[i] + turn[i] - in->z[i];
+        in->dz[i] = p->dual.way[i] + turn[i] - in->z[i];
     }
     return ds;
 }
@@ -5723,7 +5769,7 @@ static void kern_inner_move(kern_inner *in, kern_real ds)
         in->z[i] += of_z * in->dz[i];
     }
     for (i = 0; i < 3 * p->groups; i++)
-        p->u[i] += of_z * p->step[i];
+        p->dual.u[i] += of_z * p->dual.step[i];
     kern_inner_set(in);
     in->gap = kern_dot(in->x, in->z, rays);
 }
@@ -5757,15 +5803,15 @@ static void kern_inner_balance(kern_inner *in)
 {
     kern_part *p = in->p;
     const int rays = 2 * p->contacts;
-    kern_real *turn = p->way + rays;
+    kern_real *turn = p->dual.way + rays;
     int i, round;
     for (i = 0; i < rays; i++)
         in->dz[i] = in->x[i];
     kern_inner_factor(in);
     for (round = 0; round < 2; round++) {
         kern_inner_set(in);
-        kern_least_solve(p, in->over, p->step);
-        kern_inner_ways(p, p->step, turn);
+        kern_least_solve(p, in->over, p->dual.step);
+        kern_inner_ways(p, p->dual.step, turn);
         for (i = 0; i < rays; i++)
             in->x[i] = kern_max(in->x[i] - in->dz[i] * turn[i],
                                 in->x[i] / 1024);
@@ -5785,7 +5831,7 @@ static int kern_inner_advance(kern_inner *in)
     kern_real of_x, of_z, ds, left = KERN_R(0), mu;
     int i;
     if (!(gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
-        || !kern_model_spend(p->m, 1 + p->cost / 150))
+        || !kern_model_spend(p->m, 1 + p->dual.cost / 150))
         return 0;
     for (i = 0; i < rays; i++)
         in->dz[i] = in->x[i] / in->z[i];
@@ -5795,11 +5841,11 @@ static int kern_inner_advance(kern_inner *in)
         in->gap = KERN_INFINITY;
         return 0;
     }
-    kern_inner_ways(p, p->u, p->way);
+    kern_inner_ways(p, p->dual.u, p->dual.way);
     for (i = 0; i < rays; i++)
-        in->dx[i] = -in->x[i] / in->z[i] * p->way[i];
+        in->dx[i] = -in->x[i] / in->z[i] * p->dual.way[i];
     for (i = 0; i < n; i++)
-        p->left[i] = in->over[i];
+        p->dual.left[i] = in->over[i];
     ds = kern_inner_step(in);
     in->ahead = in->s + ds;
     of_x = kern_inner_share(in->x, in->dx, rays);
@@ -5812,11 +5858,11 @@ static int kern_inner_advance(kern_inner *in)
         kern_largest(in->over, n) / kern_largest(in->g, n)));
     mu = kern_min(mu, in->gap) / KERN_R(rays);
     for (i = 0; i < n; i++)
-        p->left[i] = in->over[i];
+        p->dual.left[i] = in->over[i];
     if (shrink)
-        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->left);
+        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->dual.left);
     for (i = 0; i < rays; i++)
-        in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->way[i])
+        in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->dual.way[i])
                     / in->z[i];
     ds = kern_inner_step(in);
     kern_inner_move(in, ds);
@@ -5848,7 +5894,8 @@ static int kern_inner_begin(kern_inner *in)
     kern_real power, x = KERN_R(0), z = KERN_R(0);
     int i;
     for (i = 0; i < n + 3; i++)
-        p->u[i] = p->step[i] = p->left[i] = in->gain[i] = KERN_R(0);
+        p->dual.u[i] = p->dual.step[i] = p->dual.left[i] = in->gain[i]
+                     = KERN_R(0);
     for (i = 0; i < rays; i++) {
         in->x[i] = KERN_R(0);
         in->dz[i] = KERN_R(1);
@@ -5856,9 +5903,9 @@ static int kern_inner_begin(kern_inner *in)
     kern_inner_set(in);
     kern_inner_factor(in);
     for (i = 0; i < n; i++)
-        p->left[i] = -in->over[i];
-    kern_least_solve(p, p->left, p->u);
-    kern_inner_ways(p, p->u, in->x);
+        p->dual.left[i] = -in->over[i];
+    kern_least_solve(p, p->dual.left, p->dual.u);
+    kern_inner_ways(p, p->dual.u, in->x);
     kern_inner_lift(in->x, rays);
     kern_inner_set(in);
     kern_least_solve(p, in->g, in->gain);
@@ -5866,8 +5913,8 @@ static int kern_inner_begin(kern_inner *in)
     if (!(power > 0))
         return 0;
     for (i = 0; i < n; i++)
-        p->u[i] = in->gain[i] / power;
-    kern_inner_ways(p, p->u, in->z);
+        p->dual.u[i] = in->gain[i] / power;
+    kern_inner_ways(p, p->dual.u, in->z);
     kern_inner_lift(in->z, rays);
     in->gap = kern_dot(in->x, in->z, rays);
     for (i = 0; i < rays; i++) {
@@ -5900,15 +5947,15 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->p = p;
     in->path = path;
     p->x = in->x = kern_take_reals(&p->rest, rays);
-    p->y = p->u;
+    p->y = p->dual.u;
     in->z = kern_take_reals(&p->rest, rays);
     in->dx = kern_take_reals(&p->rest, rays);
     in->dz = kern_take_reals(&p->rest, rays);
-    p->rhs = kern_take_reals(&p->rest, 3 * p->groups);
+    p->eq.rhs = kern_take_reals(&p->rest, 3 * p->groups);
     in->roll = kern_take_reals(&p->rest, p->contacts);
     in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
     in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
-    in->over = p->b;
+    in->over = p->dual.b;
     in->held = in->failed = in->along = in->steps = 0;
     in->rate = KERN_R(1e-3) / path->unit;
     in->shrinks = path->kind == KERN_PATH_SHRINK;
@@ -5918,7 +5965,7 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->least = path->tolerance * KERN_R(0.45);
     if (!kern_take_fits(&p->rest))
         return 0;
-    kern_part_load(p, &q, p->rhs);
+    kern_part_load(p, &q, p->eq.rhs);
     return kern_inner_begin(in);
 }
 
@@ -5928,8 +5975,7 @@ static int kern_inner_holds(kern_inner *in)
     kern_part *p = in->p;
     const kern_query q = kern_path_at(in->path, in->at);
     kern_part_forces(p);
-    return kern_model_proven(
-        p->m, kern_prove_forces(p->m->s, &q, p->m->force, p->m->sum));
+    return kern_answer_holds(p->m, &q);
 }
 
 /* Whether the motion is a proof that it falls at a place. */
@@ -5938,8 +5984,8 @@ static int kern_inner_falls(kern_inner *in, kern_real place)
     kern_part *p = in->p;
     const kern_query q = kern_path_at(in->path, place);
     kern_part_motion(p);
-    return kern_model_proven(p->m,
-                             kern_prove_motion(p->m->s, &q, p->m->motion));
+    return kern_model_proven(
+        p->m, kern_prove_motion(p->m->s, &q, p->m->answer.motion));
 }
 
 /* Holds the matrix at a place from now on. Where the path's g is less than what
@@ -6025,7 +6071,7 @@ static kern_status kern_inner_steps(kern_inner *in, kern_real place, int anew)
     kern_inner_hold(in, place, anew);
     for (round = 0; round < rounds && late < KERN_INNER_STALLED
                     && kern_inner_advance(in); round++) {
-        const kern_real power = kern_dot(p->y, p->rhs, 3 * p->groups);
+        const kern_real power = kern_dot(p->y, p->eq.rhs, 3 * p->groups);
         status = kern_inner_prove(in, status, power);
         kern_inner_bound(in, power);
         if (status == KERN_STANDS
@@ -6045,7 +6091,7 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
     kern_status status;
     if (in->failed == KERN_INNER_FAILED || in->steps > KERN_INNER_STEPS)
         return KERN_UNDECIDED;
-    in->p->m->work->solves++;
+    in->p->m->budget.work->solves++;
     status = kern_inner_steps(in, place, 0);
     if (status == KERN_UNDECIDED)
         status = kern_inner_steps(in, place, 1);
@@ -6091,7 +6137,7 @@ static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
    simplex method takes so long that more does. */
 static int kern_inner_closed(const kern_model *m, const kern_path *path)
 {
-    const kern_real wide = m->groups > KERN_INNER_WIDE
+    const kern_real wide = m->graph.groups > KERN_INNER_WIDE
                            ? path->tolerance * KERN_WIDEST : path->tolerance;
     return path->fell <= path->fails && path->fails - path->holds <= wide;
 }
@@ -6123,7 +6169,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
 
 static int kern_moves(const kern_model *m, int i)
 {
-    const kern_motion *v = m->motion + i;
+    const kern_motion *v = m->answer.motion + i;
     const kern_real size = kern_block_size(m->s->block + i);
     return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
            || kern_abs(v->spin) * size > KERN_AT_REST;
@@ -6140,21 +6186,22 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
                           kern_row row[KERN_ROWS_MOST])
 {
     int e, n = 0, on = KERN_OUT;
-    for (e = m->touch[g]; e >= 0; e = m->after[e]) {
+    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_contact *c = m->s->contact + (e >> 1);
-        const int other = m->ends[e ^ 1];
+        const int other = m->graph.ends[e ^ 1];
         if (other < g && m->leader[other] == g)
             continue;
-        on = on == KERN_OUT || on == other ? other : m->groups;
+        on = on == KERN_OUT || on == other ? other : m->graph.groups;
         if (n < KERN_ROWS_MOST)
             kern_row_set(row + n, c, e & 1 ? KERN_R(-1) : KERN_R(1),
                          kern_vec_scale(kern_vec_sub(
                              kern_contact_at(c, s, m->relative),
-                             m->s->block[m->block[g]].centre), m->unit[g]),
+                             m->s->block[m->graph.block[g]].centre),
+                         m->unit[g]),
                          m->slope);
         n++;
     }
-    m->leader[g] = on > g && on < m->groups ? on : KERN_OUT;
+    m->leader[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
     return n;
 }
 
@@ -6212,18 +6259,19 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
     kern_real most = KERN_R(0);
     int i, g, h;
     for (i = 0; i < m->s->blocks; i++)
-        m->motion[i].vx = m->motion[i].vy = m->motion[i].spin = KERN_R(0);
+        kern_motion_clear(m->answer.motion + i);
     for (i = 0; i < 2; i++)
         for (g = 0; g <= body; g++) {
-            const kern_block *b = m->s->block + m->block[g];
-            kern_motion *v = m->motion + m->block[g];
+            const kern_block *b = m->s->block + m->graph.block[g];
+            kern_motion *v = m->answer.motion + m->graph.block[g];
             const kern_real one = i ? 1 / most : KERN_R(1);
             kern_vec arm;
             for (h = g; h != KERN_OUT && h < body; h = m->leader[h])
                 ;
             if (h != body)
                 continue;
-            arm = kern_vec_sub(b->centre, m->s->block[m->block[body]].centre);
+            arm = kern_vec_sub(b->centre,
+                               m->s->block[m->graph.block[body]].centre);
             v->vx = (u[0] - spin * arm.y) * one;
             v->vy = (u[1] + spin * arm.x) * one;
             v->spin = spin * one;
@@ -6241,7 +6289,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
     kern_real best = kern_min(first, path->end), u[3];
     int g;
     kern_model_set(m, &q);
-    for (g = 0; g < m->groups; g++) {
+    for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
         const kern_real power = kern_body_power(m, g, best, u);
         const int on = m->leader[g];
@@ -6256,7 +6304,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
                 path->body.holds = edge - aside;
                 path->body.margin = edge;
                 path->body.fails = best;
-                path->body.motion = m->motion;
+                path->body.motion = m->answer.motion;
                 path->seed = &path->body;
                 kern_body_moves(m, g, u);
             }
@@ -6264,8 +6312,8 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
         if (on != KERN_OUT) {
             kern_real *to = m->load + 3 * (size_t)on;
             const kern_vec arm = kern_vec_sub(
-                m->s->block[m->block[g]].centre,
-                m->s->block[m->block[on]].centre);
+                m->s->block[m->graph.block[g]].centre,
+                m->s->block[m->graph.block[on]].centre);
             to[0] += load[0];
             to[1] += load[1];
             to[2] += (load[2] / m->unit[g] + arm.x * load[1]
@@ -6285,8 +6333,8 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     const kern_query q = kern_path_at(path, path->holds);
     kern_real holds = path->holds;
     kern_status status = KERN_UNDECIDED;
-    if (!m->plain && (m->groups > KERN_SMALL
-                      || m->work->reals < KERN_REALS(m->s->blocks,
+    if (!m->plain && (m->graph.groups > KERN_SMALL
+                      || m->budget.work->reals < KERN_REALS(m->s->blocks,
                                                      m->s->contacts)))
         status = kern_inner_search(m, path);
     if (status == KERN_STANDS)
@@ -6332,7 +6380,8 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     }
     if (status != KERN_FALLS)
         return status;
-    if ((2 * m->groups > KERN_SMALL && 2 * path->part->groups > m->groups)
+    if ((2 * m->graph.groups > KERN_SMALL
+         && 2 * path->part->groups > m->graph.groups)
         || kern_part_lay(path->part) != KERN_OK)
         return KERN_UNDECIDED;
     path->alone = 1;
@@ -6518,7 +6567,7 @@ static int kern_raise_open(kern_raise *r)
         return 0;
     for (i = 0; i < p->contacts; i++)
         r->price[i] = KERN_R(0);
-    p->price = r->price;
+    p->dual.price = r->price;
     return 1;
 }
 
@@ -6530,7 +6579,7 @@ static kern_real kern_raise_back(const kern_raise *r)
     kern_real up = KERN_R(0), down = KERN_R(0);
     int k;
     for (k = 0; k < r->p->contacts && r->rounds > 0; k++) {
-        const kern_real more = r->p->way[4 * (size_t)k + 3];
+        const kern_real more = r->p->dual.way[4 * (size_t)k + 3];
         const kern_real change = more - r->last[2 * (size_t)k + 1];
         up += more * change;
         down += change * change;
@@ -6550,11 +6599,11 @@ static int kern_raise_price(kern_raise *r)
     kern_least_write(p);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
-        kern_real *w = p->way + 4 * (size_t)k;
+        kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_real approach = w[0] + r->price[k];
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
                                                 / KERN_STIFF;
-        if (m->force[i].normal > r->tolerance * m->weight) {
+        if (m->answer.force[i].normal > r->tolerance * m->weight) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
@@ -6564,7 +6613,7 @@ static int kern_raise_price(kern_raise *r)
     }
     back = kern_raise_back(r);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real *w = p->way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 4 * (size_t)k;
         kern_real *last = r->last + 2 * (size_t)k;
         r->price[k] = r->rounds > 0
                       ? kern_max(w[2] - back * (w[2] - last[0]), 0) : w[2];
@@ -6580,12 +6629,13 @@ static int kern_raise_proven(kern_raise *r)
     kern_part *p = r->p;
     const kern_model *m = r->m;
     int i;
-    p->y = p->step;
+    p->y = p->dual.step;
     for (i = 0; i < 3 * p->groups; i++)
-        p->y[i] = -p->u[i];
+        p->y[i] = -p->dual.u[i];
     kern_part_motion(p);
     return kern_model_proven(
-        m, kern_prove_raised(m->s, r->q, m->force, m->motion, m->sum));
+        m, kern_prove_raised(m->s, r->q, m->answer.force, m->answer.motion,
+                             m->answer.sum));
 }
 
 /* Looks for a proof, from nothing or from u and prices as they are. */
@@ -6593,7 +6643,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
                              int rounds)
 {
     r->q = q;
-    r->tolerance = kern_part_load(r->p, q, r->p->b);
+    r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
     r->rounds = 0;
     while (r->rounds < rounds) {
         const int first = cold && r->rounds == 0;
@@ -6614,7 +6664,7 @@ static void kern_raise_copy(const kern_raise *r, kern_real *state, int save)
     const int n = 3 * r->p->groups;
     int i;
     for (i = 0; i < n + r->p->contacts; i++) {
-        kern_real *at = i < n ? r->p->u + i : r->price + (i - n);
+        kern_real *at = i < n ? r->p->dual.u + i : r->price + (i - n);
         if (save)
             state[i] = *at;
         else
@@ -6685,13 +6735,13 @@ static int kern_raise_hangs(kern_model *m, kern_part *p, const kern_query *q,
     rest.fallen = value;
     kern_model_group(m, &rest);
     kern_model_unload(m);
-    if (m->groups > 0)
+    if (m->graph.groups > 0)
         status = kern_model_evaluate(m, p, &rest);
     kern_model_group(m, q);
     for (i = 0; i < m->s->blocks; i++) {
-        m->motion[i].vx = value[i] >= 0 ? way.x : KERN_R(0);
-        m->motion[i].vy = value[i] >= 0 ? way.y : KERN_R(0);
-        m->motion[i].spin = KERN_R(0);
+        m->answer.motion[i].vx = value[i] >= 0 ? way.x : KERN_R(0);
+        m->answer.motion[i].vy = value[i] >= 0 ? way.y : KERN_R(0);
+        m->answer.motion[i].spin = KERN_R(0);
     }
     return status == KERN_STANDS;
 }
@@ -8234,7 +8284,7 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     if (found < 0)
         return found;
     rest = plan->task.known.motion + s->blocks++;
-    rest->vx = rest->vy = rest->spin = KERN_R(0);
+    kern_motion_clear(rest);
     for (k = 0; k < found; k++, s->contacts++) {
         plan->task.known.force[s->contacts].normal = KERN_R(0);
         plan->task.known.force[s->contacts].tangential = KERN_R(0);
