@@ -71,12 +71,24 @@ regressions() { # structures on which earlier versions failed
         "$out/regressions"
 }
 
+work() { # how much work each question takes, against tests/work.csv
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/work" tests/work.c -lm && "$out/work"
+}
+
+work_table() { # writes that table anew
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/work" tests/work.c -lm &&
+        "$out/work" --table >"$out/work.csv" &&
+        mv "$out/work.csv" tests/work.csv
+}
+
 bytes() { # bytes FLAGS...: without libFuzzer: files, and bytes from a seed
     # shellcheck disable=SC2086
     gcc $plain "$@" -DFUZZ_PLAIN -o "$out/plain" tests/fuzz.c -lm &&
         case "$*" in
         *TEXT*) "$out/plain" examples/structures/* ;;
-        *) "$out/plain" tests/corpus/structure-* ;;
+        *) "$out/plain" tests/seeds/structure-* ;;
         esac && "$out/plain" --random 100000 7
 }
 
