@@ -523,13 +523,14 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_BAD_STEP, -18, "the step needs more than 1,000,000 levels")        \
     X(KERN_LIMIT, -19, "the limit of work was reached")                       \
     X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
-    X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")
+    X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")   \
+    X(KERN_BAD_SHARE, -22, "relative: kerns cannot shrink by a share above 1")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-    KERN_STATUS_LEAST = -21 /* the same number */
+    KERN_STATUS_LEAST = -22 /* the same number */
 } kern_status;
 
 /* Where the fault of a status below zero lies. */
@@ -570,7 +571,7 @@ typedef struct kern_contact {
     kern_real mu;         /* coefficient of friction >= 0                     */
     kern_real travel;     /* way along t to the closed kern, signed [m]: at
                              shrinkage d the point acts at p + s t, s = travel
-                             cut to [-d, d], or s = d travel if relative      */
+                             cut to [-d, d]; relative: s = d travel, d <= 1   */
 } kern_contact;
 
 /* Two blocks that overlap deeper than the options allow. */
@@ -803,9 +804,9 @@ typedef struct kern_lp {
    function that takes work memory may return KERN_NO_SPACE, every one that
    takes a structure: KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000,
    contacts up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL,
-   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, and
-   where the number of contacts is below -1 that status of kern_contacts(), with
-   the fault as it left it. With KERN_LIMIT the number that a search was asked
+   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, where
+   the number of contacts is below -1 that status of kern_contacts(), with the
+   fault as it left it, and for a relative shrinkage above 1 KERN_BAD_SHARE. With KERN_LIMIT the number that a search was asked
    for is the largest that is proven to stand by then, below 0 if none is.
    Numbers that could not be squared or multiplied safely are refused, with the
    block in the fault: a centre, a place or a travel above 1e100 m
@@ -935,8 +936,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
    for NULL. Time: O(C) for each interface, and O(C) for each of its points. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
-/* Where a contact point acts at a shrinkage; grown, where it is negative. The
-   origin for NULL. */
+/* Where a contact point acts at a shrinkage; grown, where it is negative;
+   relative: at the middle for a share above 1. The origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact,
                                   kern_real shrink, int relative);
 
@@ -1594,7 +1595,7 @@ static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                                                                : KERN_R(0);
     if (relative) {
         *rate = travel;
-        return shrink * travel;
+        return kern_min(shrink, KERN_R(1)) * travel;
     }
     if (shrink >= kern_abs(travel)) {
         *rate = KERN_R(0);
@@ -1945,7 +1946,9 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
     *q = kern_query_of(&task->s, &task->options, shrink);
-    return kern_is_finite(shrink) ? KERN_OK : KERN_BAD_NUMBER;
+    if (!kern_is_finite(shrink))
+        return KERN_BAD_NUMBER;
+    return q->relative && shrink > 1 ? KERN_BAD_SHARE : KERN_OK;
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
