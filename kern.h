@@ -6858,6 +6858,11 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    of roundings of a coordinate. No gap is less; smaller, and cubes that were
    turned and moved would no longer touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
+/* An outline of more vertices than KERN_RUN has boxes of its own for runs of
+   its edges, at most KERN_RUNS of them: more take more stack, shorter runs take
+   longer to set up than they save. */
+#define KERN_RUN        16
+#define KERN_RUNS       24
 /* Turn [rad] below which a vertex is no corner, and within which of a half
    turn it is a spike. A dropped vertex is off its edge by a millionth of the
    edge at the most; much larger, and round stones would lose their shape. */
@@ -6961,11 +6966,18 @@ static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 static kern_real kern_box_largest(const kern_box *box)
 { return kern_max(kern_vec_largest(box->low), kern_vec_largest(box->high)); }
 
-/* ---- corners ---- */
+/* ---- outlines ---- */
 
+/* A block's outline as it is looked at. A long one has runs of `each` vertices,
+   with a box around the edges from corner to corner that start there. What is
+   far from the box of a run is far from its edges, so a look costs some hundreds
+   of edges. */
 typedef struct kern_parts {
     const kern_block *block;
     int straight, reflex;   /* are there such vertices?   */
+    int runs;               /* is it a long one?          */
+    int each;               /* vertices of a run          */
+    kern_box box[KERN_RUNS];
 } kern_parts;
 
 /* The next corner. */
@@ -6981,13 +6993,25 @@ static int kern_parts_corner(const kern_parts *parts, int i)
 
 static void kern_parts_set(kern_parts *parts, const kern_block *block)
 {
+    const int n = block->vertices;
     int i;
     parts->block = block;
     parts->straight = parts->reflex = 0;
-    for (i = 0; i < block->vertices; i++) {
+    for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
         parts->straight |= turn == 0;
         parts->reflex |= turn < 0;
+    }
+    parts->runs = n > KERN_RUN;
+    parts->each = n / KERN_RUNS + KERN_RUN / 2;
+    for (i = 0; parts->runs && i < n; i++) {
+        kern_box *box = &parts->box[i / parts->each];
+        const int end = kern_polygon_next(block, i, 0);
+        if (i % parts->each == 0)
+            kern_box_set(box, block->vertex[i], block->vertex[i]);
+        kern_box_add(box, block->vertex[end]);
+        if (end % parts->each == 0)
+            kern_box_add(box, block->vertex[kern_parts_corner(parts, i)]);
     }
 }
 
@@ -7033,7 +7057,10 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
     const kern_block *block = parts->block;
     int i, corner;
     for (i = e->at + 1; i < block->vertices; i++)
-        if (!parts->straight || kern_polygon_turn(block, i) != 0) {
+        if (parts->runs
+            && !kern_box_near(&parts->box[i / parts->each], box, gap)) {
+            i += parts->each - i % parts->each - 1;
+        } else if (!parts->straight || kern_polygon_turn(block, i) != 0) {
             corner = kern_parts_corner(parts, i);
             kern_box_set(&e->box, block->vertex[i], block->vertex[corner]);
             if (kern_box_near(&e->box, box, gap)) {
@@ -7058,27 +7085,52 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
+/* Is the box farther from p than the square says, beyond all rounding? */
+static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
+{
+    const kern_real x = p.x - kern_min(kern_max(p.x, box->low.x), box->high.x);
+    const kern_real y = p.y - kern_min(kern_max(p.y, box->low.y), box->high.y);
+    return KERN_R(0.999) * (x * x + y * y) > square;
+}
+
 /* Distance of p from the boundary, below 0 where it is outside, and the vertex
-   at which the nearest edge starts. */
+   at which the nearest edge starts. What *nearest is before is a guess, and
+   saves time. A run that is farther away than the nearest edge so far crosses
+   the level of p once or not, as its ends say, and all of it to one side. */
 static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
                                     int *nearest)
 {
     const kern_block *block = parts->block;
-    kern_vec u = kern_vec_sub(block->vertex[0], p);
+    const kern_vec *vertex = block->vertex;
+    const int n = block->vertices;
+    kern_vec u = kern_vec_sub(vertex[0], p);
     kern_real least = KERN_HUGE;
-    int i, inside = 0;
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec v = kern_vec_sub(
-            block->vertex[kern_polygon_next(block, i, 0)], p);
-        const kern_real square = kern_edge_square(u, v);
-        if (square < least) {
-            least = square;
-            *nearest = i;
+    int i, start, end, skip = 0, inside = 0;
+    if (parts->runs)
+        least = kern_edge_square(
+            kern_vec_sub(vertex[*nearest], p),
+            kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 0)], p));
+    for (start = 0; start < n; start = end) {
+        const kern_box *box = &parts->box[start / parts->each];
+        end = n;
+        if (parts->runs) {
+            end = n - start > parts->each ? start + parts->each : n;
+            skip = kern_box_beyond(box, p, least);
         }
-        if ((u.y > 0) != (v.y > 0)
-            && (kern_vec_cross(u, v) > 0) == (v.y > u.y))
-            inside = !inside;
-        u = v;
+        for (i = skip ? end - 1 : start; i < end; i++) {
+            const kern_vec v =
+                kern_vec_sub(vertex[kern_polygon_next(block, i, 0)], p);
+            const kern_real square = skip ? least : kern_edge_square(u, v);
+            if (square < least) {
+                least = square;
+                *nearest = i;
+            }
+            if ((u.y > 0) != (v.y > 0)
+                && (skip ? box->low.x > p.x
+                      : (kern_vec_cross(u, v) > 0) == (v.y > u.y)))
+                inside = !inside;
+            u = v;
+        }
     }
     return inside ? KERN_SQRT(least) : -KERN_SQRT(least);
 }
@@ -7336,7 +7388,7 @@ static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
                                        kern_real gap)
 {
     kern_edge e;
-    int nearest;
+    int nearest = 0;
     kern_edge_open(&e);
     while (kern_edge_next(&e, a, &b->block->box, -gap)) {
         kern_real s, step, stride = gap * KERN_STRIDE;
@@ -7365,16 +7417,16 @@ static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
 {
     const kern_vec *vertex = a->block->vertex;
     const int n = a->block->vertices;
-    int step, i, near_at;
+    int step, i, near_a = 0, near_b = 0;
     for (step = n / 3; step > 0; step /= 2)
         for (i = 0; i < n; i += 1 + n / KERN_STRIDES) {
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(vertex[i], vertex[(i + step) % n]),
                 vertex[(i + 2 * step) % n]);
             const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
-            const kern_real own = kern_polygon_depth(a, at, &near_at);
+            const kern_real own = kern_polygon_depth(a, at, &near_a);
             const kern_real depth =
-                own > gap ? kern_polygon_depth(b, at, &near_at) : KERN_R(0);
+                own > gap ? kern_polygon_depth(b, at, &near_b) : KERN_R(0);
             if (depth > gap)
                 return kern_min(own, depth);
             if (own > 2 * gap)
