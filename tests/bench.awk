@@ -1,14 +1,32 @@
 # ./bench | awk -f tests/bench.awk                        every table
 # ./bench --quick | awk -v summary=1 -f tests/bench.awk   those of the README
 #
-# Tables of the CSV that tests/bench.c prints. A family's number is the median
+# Tables of the CSV that tests/bench.c prints, and tests/work.sh. First the files
+# of the corpus by size: median, p90 and worst of each ratio, over all tries where
+# stones were tried, and over all structures their sums and the share above one
+# LP; then made structures. Of those a family's number is the median
 # over its structures, a size's number the median over the families' numbers; the
 # worst is that of any structure. In rates (names that end with /s) the least is
 # the worst.
 
-BEGIN { FS = ","; large = 200 }
+BEGIN {
+    FS = ","
+    large = 200
+    classes = split("7,12,18,25,40,100000", class, ",")
+    reported = "verdict / LP;measure / LP;load / LP;tilt / LP;try / LP;" \
+        "contacts / LP"
+}
 
-NR == 1 || NF != 6 { next }
+$1 == "family" || NF != 6 { next }
+$4 == 2 {
+    ratio[$5, class_of($2), ++ratios[$5, class_of($2)]] = $6
+    total[$5] += $6
+    of[$5]++
+    above[$5] += $6 > 1
+    if ($6 > peak[$5]) { peak[$5] = $6; peak_of[$5] = $3 }
+    if (!(($1, $3) in file)) { file[$1, $3] = 1; files[class_of($2)]++ }
+    next
+}
 $1 == "memory" { memory[$2, $5] = $6; next }
 {
     if (!($1 in wall)) { family[++families] = $1; wall[$1] = $4 }
@@ -20,6 +38,56 @@ $1 == "memory" { memory[$2, $5] = $6; next }
         worst[$5, $2] = $6
         worst_of[$5, $2] = $1 "/" $2 "/" $3
     }
+}
+
+function class_of(blocks,    k) {
+    for (k = 1; k < classes && blocks > class[k]; k++) ;
+    return k
+}
+
+# "median p90 worst" of a ratio in classes from..to; "" where there is none.
+function spread(name, from, to,    list, n, i, k, m) {
+    for (k = from; k <= to; k++)
+        for (i = 1; i <= ratios[name, k]; i++) list[++n] = ratio[name, k, i]
+    if (!n) return ""
+    m = median(list, n) # sorts the list
+    return number(m, 2) "  " number(list[int(0.9 * (n - 1) + 1.5)], 2) "  " \
+        number(list[n], 2)
+}
+
+# The files, a row for each class of sizes.
+function corpus(list,    all, m, k, i, name, unit, sum) {
+    m = split(list, all, ";")
+    if (!("verdict / LP" in of)) return
+    printf("%s| stones | structures |", summary ? "" : "THE CORPUS: median, " \
+           "p90, worst of each question / LP\n\n")
+    for (i = 1; i <= m; i++) cell(all[i])
+    printf("\n|---:|---:|")
+    for (i = 1; i <= m; i++) printf("---:|")
+    printf("\n")
+    for (k = 1; k <= classes + 1; k++) {
+        if (k <= classes && !files[k]) continue
+        sum += files[k]
+        printf("| %s | %d |", k > classes ? "all" : k == classes ? "> " \
+               class[k - 1] : (k > 1 ? class[k - 1] + 1 : 1) "-" class[k],
+               k > classes ? sum : files[k])
+        for (i = 1; i <= m; i++)
+            cell(spread(all[i], k > classes ? 1 : k, k > classes ? classes : k))
+        printf("\n")
+    }
+    printf("| the worst | |")
+    for (i = 1; i <= m; i++) cell(peak_of[all[i]])
+    printf("\n| above one LP | |")
+    for (i = 1; i <= m; i++)
+        cell(of[all[i]] ? sprintf("%.1f %%", 100 * above[all[i]] / of[all[i]]) : "")
+    unit = "verdict ms" in of ? "ms" : "M"
+    printf("\n| sum, %s | |", unit == "M" ? "million instructions" : unit)
+    for (i = 1; i <= m; i++) {
+        name = all[i]
+        sub(/\/ LP/, unit, name)
+        cell(number(total[name], 3))
+    }
+    printf("\n\n")
 }
 
 # The median of list[1..n]; "" where n is 0.
@@ -126,6 +194,8 @@ function over_all() {
 }
 
 END {
+    corpus(reported)
+    if (!families) exit
     times = "verdict ms;measure ms;scan ms;kerns closed ms;load ms;tilt ms"
     for (which = 0; which < 2 && !summary; which++) {
         table("RATIOS to the faster peer's cold LP and warm Algorithm 1; to " \
@@ -135,7 +205,7 @@ END {
               "load / measure;tilt / measure;try / measure", which)
         table("CANDIDATES on walls", "places;stand;margin stays;tries/s;" \
               "stay/s;bears/s", which)
-        table("TIMES", times ";floor ms;search ms", which)
+        table("TIMES", times ";floor ms;contacts ms", which)
         table("TIMES of the peers", "GLPK ms;Clp ms;LP closed ms;" \
               "GLPK's Alg. 1 ms;Clp's Alg. 1 ms", which)
         table("COUNTS", "points;d*/d_max;pivots at 0;pivots;LPs", which)

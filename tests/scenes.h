@@ -43,6 +43,7 @@ static inline void *room_for(size_t count, size_t size)
 
 struct scene {
     char name[80];         /* set/file, or family/blocks/number               */
+    int size;              /* free blocks                                     */
     int is_wall;           /* of a family: stones can be laid on its top      */
     int is_file;
     kern_vec *vertex;
@@ -294,6 +295,7 @@ static inline void scene_make(struct scene *scene, int family, int n, int number
     scene->options = kern_defaults();
     scene->options.mu = MU;
     families[family].make(scene, n, &families[family].wall);
+    scene->size = n;
     scene_touch(scene);
 }
 
@@ -329,6 +331,7 @@ static inline void scene_read(struct scene *scene, const char *path)
     scene->gravity = t->gravity;
     scene->options = t->options;
     scene->options.epsilon = 0;
+    scene->size = t->blocks - t->fixed;
     if (!t->given) {
         scene_touch(scene);
         return;
@@ -337,14 +340,6 @@ static inline void scene_read(struct scene *scene, const char *path)
     scene->contact = room_for((size_t)t->contacts, sizeof(kern_contact));
     memcpy(scene->contact, t->contact,
            (size_t)t->contacts * sizeof(kern_contact));
-}
-
-static inline int scene_free_blocks(const struct scene *scene)
-{
-    int i, n = 0;
-    for (i = 0; i < scene->blocks; i++)
-        n += !scene->block[i].fixed;
-    return n;
 }
 
 static inline void scene_close(struct scene *scene)

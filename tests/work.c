@@ -23,7 +23,8 @@
 
    Units are blind to work that they do not count. Compiled with
    -DWORK_CALLGRIND and run under valgrind, each question is dumped under the
-   name of its line, and tests/work.sh counts instructions.
+   name of its line, and tests/work.sh counts instructions; with the peers of
+   peers.h one cold solve of theirs is a question too.
 
    SPDX-License-Identifier: MIT */
 
@@ -77,7 +78,7 @@ static void put(struct ask *ask, const char *set, const char *question,
     CALLGRIND_DUMP_STATS_AT(name);
     if (each)
         printf("%s,%s,%d,%d,%d,%d,%d,%.9g\n", set, name,
-               scene_free_blocks(ask->scene), ask->status, ask->work.units,
+               ask->scene->size, ask->status, ask->work.units,
                ask->work.solves, ask->work.pivots, (double)ask->number);
     snprintf(name, sizeof name, "%s,%s", set, question);
     sum = sum_of(name);
@@ -123,6 +124,17 @@ static void ask_tops(struct ask *ask, const char *set)
     }
 }
 
+/* One cold solve of each solver that was compiled in. */
+static void ask_peers(struct ask *ask, const char *set)
+{
+    ask->shrink = 0;
+    for (ask->peer = peers; ask->peer->name; ask->peer++) {
+        open_lp(ask);
+        put(ask, set, ask->peer->name, run_lp);
+        close_lp(ask);
+    }
+}
+
 static void ask_all(struct scene *scene, const char *set)
 {
     struct ask ask;
@@ -138,8 +150,9 @@ static void ask_all(struct scene *scene, const char *set)
         put(&ask, set, "tilt", run_tilt);
         put(&ask, set, "raised", run_raised);
     }
-    if (!scene->text.given && scene_free_blocks(scene) > 3)
+    if (!scene->text.given && scene->size > 3)
         ask_tops(&ask, set);
+    ask_peers(&ask, set);
     ask_close(&ask);
     scene_close(scene);
 }
