@@ -183,8 +183,12 @@
    Contacts of two polygons that are not both fixed. `gap` and `angle` are those
    of the options; no tolerance is below 64 roundings of the largest coordinate.
    "Size" is that of the pair's smaller free block. Vertices where the outline
-   turns by less than 1e-6 rad do not count. Where an outline has steps lower
-   than the gap, contacts lie on its Douglas-Peucker simplification.
+   turns by less than 1e-6 rad do not count.
+     steps     A step turns one way and back. An outline with steps lower than
+               the gap, or with risers of at most 1.6 gaps, carries as its
+               Douglas-Peucker simplification (within the gap, or 1.42 risers)
+               does: contacts lie on its chords and have their normals. Arcs and
+               knees, whose corners all turn to one side, keep their edges.
      line      An edge of each run antiparallel within `angle`, and are within
                the gap over a length of more than the gap or 1e-3 of the size,
                whichever is less. The contact points are the ends of that
@@ -338,8 +342,8 @@
 
    Outline. Simplify it first (Douglas and Peucker), to one to three pixels: raw
    points on a grid touch each other and make KERN_CROSSING. What steps of a
-   pixel remain carry no load of their own where they are no higher than the gap
-   (>>rules): where a pixel is more, set options.gap to a pixel and a half. The
+   pixel remain carry no load of their own where a pixel is no more than the gap
+   (>>rules): where it is more, set options.gap to a pixel and a half. The
    density is that of the material times the thickness. examples/contour.c shows
    these steps. Of a rounded stone of 10,000 points within 3, 6, 12, 24 mm on
    2 m, 56, 35, 29, 19 vertices stay; the margin is 0.25, 0.33, 0.33, 0.33 m.
@@ -6892,6 +6896,13 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the size of the smaller free block: higher steps are not simplified
    away, however wide the gap. */
 #define KERN_STEP_MOST  KERN_R(0.1)
+/* Gaps up to which a riser is one of a drawing and no shear key: a pixel that is
+   hardly more than the gap, or of an image of 900 pixels a stone under the
+   default gap, must not hold. At 2 a kerb of two gaps would be lost. */
+#define KERN_RISER      KERN_R(1.6)
+/* Deviation of stairs from a chord between two of their corners, in risers: the
+   square root of 2 where treads are as long. */
+#define KERN_STAIRS     KERN_R(1.4142135623730951)
 /* Most nested spans of an outline that are kept; more save time. */
 #define KERN_SPANS      16
 /* Length in steps of a way whose direction steps hardly change, and the sine of
@@ -7456,9 +7467,9 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
    rounding. Their simplification (Douglas & Peucker 1973) tells the place and
    the normal of a contact there. It is not stored: the span of an edge is found
    from the whole outline, which is split until no corner is farther than a step
-   from the chord. A span without a reflex corner has no steps, and is not
-   split. The nested spans on the way serve the next edge, which is a neighbour
-   as a rule. */
+   from the chord. A step turns one way and back: a span whose corners all turn
+   to one side, an arc or a knee, has none and keeps its edges. The nested spans
+   on the way serve the next edge, which is a neighbour as a rule. */
 
 typedef struct kern_span {
     int start, end;         /* corners; equal: the whole outline         */
@@ -7468,8 +7479,9 @@ typedef struct kern_span {
 
 typedef struct kern_outline {
     kern_parts parts;
-    kern_span span[KERN_SPANS]; /* each lies in the one before */
-    int spans;              /* so many; 0: not known yet       */
+    kern_real step;         /* a corner is so far from its chord [m] */
+    kern_span span[KERN_SPANS]; /* each lies in the one before       */
+    int spans;              /* so many; 0: not known yet             */
 } kern_outline;
 
 /* Does the edge that starts at corner i lie in the span? */
@@ -7480,13 +7492,29 @@ static int kern_span_holds(const kern_block *block, const kern_span *span,
     return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n;
 }
 
-static int kern_span_is_convex(const kern_block *block, const kern_span *span)
+/* Length of the edge from corner i to k if it turns one way at one end and the
+   other way at the other, as a riser does. */
+static kern_real kern_riser_length(const kern_block *block, int i, int k)
 {
-    int i = span->start;
-    do
-        i = kern_polygon_next(block, i, 0);
-    while (i != span->end && kern_polygon_turn(block, i) >= 0);
-    return i == span->end;
+    const int turns = kern_polygon_turn(block, i) * kern_polygon_turn(block, k);
+    return turns < 0 ? kern_vec_length(kern_vec_sub(
+        block->vertex[k], block->vertex[i])) : KERN_HUGE;
+}
+
+/* Has the span a riser: of any length inside, of at most `most` at its ends? */
+static int kern_span_has_steps(const kern_parts *parts, const kern_span *span,
+                               kern_real most)
+{
+    int i = span->start, k;
+    do {
+        const int inside = i != span->start;
+        k = kern_parts_corner(parts, i);
+        if (kern_riser_length(parts->block, i, k)
+            < (inside && k != span->end ? KERN_HUGE : most))
+            return 1;
+        i = k;
+    } while (i != span->end);
+    return 0;
 }
 
 /* The corner of the span that is farthest from the way from p to q, by more
@@ -7508,7 +7536,26 @@ static int kern_span_split(const kern_parts *parts, const kern_span *span,
     return at;
 }
 
-/* The whole outline is a span from the corner farthest from the centre. */
+/* The highest riser up to `most`: at a reflex corner the shorter edge. */
+static kern_real kern_outline_riser(const kern_parts *parts, int start,
+                                    kern_real most)
+{
+    kern_real riser = 0, before = KERN_HUGE;
+    int i = start;
+    do {
+        const int k = kern_parts_corner(parts, i);
+        const kern_real after = kern_riser_length(parts->block, i, k);
+        const kern_real high = kern_min(before, after);
+        if (high <= most && kern_polygon_turn(parts->block, i) < 0)
+            riser = kern_max(riser, high);
+        before = after;
+        i = k;
+    } while (i != start);
+    return riser;
+}
+
+/* The whole outline is a span from the corner farthest from the centre. Stairs
+   of risers that are low take what they deviate from their chords. */
 static void kern_outline_whole(kern_outline *o)
 {
     const kern_block *block = o->parts.block;
@@ -7521,12 +7568,14 @@ static void kern_outline_whole(kern_outline *o)
         kern_vec_length(kern_vec_sub(block->vertex[i], c)));
     whole->steps = -1;
     o->spans = 1;
+    o->step = kern_max(o->step, KERN_STAIRS * kern_outline_riser(
+        &o->parts, whole->start, KERN_RISER * o->step));
 }
 
 /* The chord that stands for an edge: 1, or the edge itself: 0. A convex outline
    has no steps. */
-static int kern_outline_chord(kern_outline *o, kern_real step,
-                              const kern_edge *e, kern_edge *chord)
+static int kern_outline_chord(kern_outline *o, const kern_edge *e,
+                              kern_edge *chord)
 {
     const kern_block *block = o->parts.block;
     kern_span *span, half;
@@ -7539,11 +7588,12 @@ static int kern_outline_chord(kern_outline *o, kern_real step,
         o->spans--;
     while ((span = &o->span[o->spans - 1])->steps < 0) {
         half = *span;
-        span->steps = !kern_span_is_convex(block, span);
+        span->steps = kern_span_has_steps(&o->parts, span, o->step);
         if (span->steps)
             half.end = kern_span_split(
                 &o->parts, span, block->vertex[span->start],
-                block->vertex[span->end], span->start == span->end ? 0 : step);
+                block->vertex[span->end],
+                span->start == span->end ? KERN_R(0) : o->step);
         if (half.end == span->end)
             break;
         if (!kern_span_holds(block, &half, e->at)) {
@@ -7574,7 +7624,6 @@ typedef struct kern_pair {
     kern_real least;        /* a line is longer [m]                        */
     kern_real foot;         /* a foot on an edge is so far inside [m]      */
     kern_real over;         /* or, where places are measured, outside [m]  */
-    kern_real step;         /* a step up to there is none [m]              */
     kern_real sine;         /* of the angle of the options                 */
     kern_contact *out;
     int room, count;        /* count may exceed the room: no more is stored */
@@ -7637,9 +7686,9 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
    side, as between two stones whose corners meet: by more than a chord of some
    steps may be off. */
 static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
-                             const kern_block *block, kern_real step,
-                             kern_vec *p)
+                             const kern_outline *o, kern_vec *p)
 {
+    const kern_block *block = o->parts.block;
     const int back = 2 * kern_edge_along(f, *p) <= f->length;
     const int corner = back ? f->start : f->end;
     const kern_vec chord = kern_vec_scale(f->d, back ? KERN_R(1) : KERN_R(-1));
@@ -7649,7 +7698,7 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
     do {
         i = kern_polygon_next(block, i, back == (block->area > 0));
         way = kern_vec_sub(block->vertex[i], *p);
-    } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * step);
+    } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * o->step);
     return kern_vec_cross(chord, e->d) >= -KERN_STEP_SINE &&
            kern_vec_cross(way, e->d) >= -KERN_STEP_SINE * kern_vec_length(way);
 }
@@ -7666,8 +7715,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(kern_outline_chord(&pair->of[0], pair->step, i, &e[0]) |
-          kern_outline_chord(&pair->of[1], pair->step, k, &e[1]))) {
+    if (!(kern_outline_chord(&pair->of[0], i, &e[0])
+          | kern_outline_chord(&pair->of[1], k, &e[1]))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
@@ -7682,8 +7731,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
         t = kern_vec_unit(kern_vec_sub(e[0].d, e[1].d));
         q = kern_vec_mid(kern_edge_foot(&e[0], p), kern_edge_foot(&e[1], p));
     } else if (half > 0 ||
-               kern_chord_stands(&e[on], &e[!on], pair->of[!on].parts.block,
-                                 pair->step, &p)) {
+               kern_chord_stands(&e[on], &e[!on], &pair->of[!on], &p)) {
         t = on ? kern_vec_scale(e[1].d, -1) : e[0].d;
         q = kern_edge_foot(&e[on], p);
     } else {
@@ -7991,7 +8039,8 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_FOOT * size, s->floor);
     pair->over = KERN_ERROR_FOOT * o->error;
-    pair->step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
+    pair->of[0].step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
+    pair->of[1].step = pair->of[0].step;
     pair->sine = kern_sine(o->angle);
 }
 

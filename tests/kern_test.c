@@ -3246,6 +3246,65 @@ static void steps_of_pixels(void)
     context[0] = 0;
 }
 
+/* stairs/gap_1.01px, default_gap_900px: a joint drawn in pixels of up to 1.57
+   gaps slides where the straight one does. Its steps held it where the gap was
+   below 1.4 pixels. */
+static void steps_that_slide(void)
+{
+    static world w;
+    int trial;
+    for (trial = 0; trial < some(660); trial++) {
+        double angle, mu, gap;
+        int n;
+        random_seed(61000u + (unsigned long long)trial);
+        n = random_int(20, 120);
+        angle = uniform(2, 44) * pi / 180;
+        mu = uniform(0.1, 1.2);
+        gap = trial % 3 == 0 ? uniform(1 / 1.57, 1)
+              : trial % 3 == 1 ? 1.001 : uniform(1, 3);
+        if (fabs(angle - atan(mu)) < 0.03)
+            continue;
+        sprintf(context, "(%d pixels, %g rad, friction %g, gap of %g pixels)",
+                n, angle, mu, gap);
+        pixel_joint(&w, n, tan(angle));
+        w.options.mu = R(mu);
+        w.options.gap = R(gap / n);
+        CHECK_INT(world_touch(&w), 2);
+        CHECK_INT(verdict(&w, 0),
+                  angle < atan(mu) ? KERN_STANDS : KERN_FALLS);
+    }
+    context[0] = 0;
+}
+
+/* A knee lower than the gap is no step: each of its two edges has its contact,
+   whichever of the two stones is reflex there. Where the outlines also have a
+   step, the chord stands for both edges. */
+static void steps_and_knees(void)
+{
+    static world w;
+    int up, k;
+    for (k = 0; k < 2; k++)
+        for (up = -1; up <= 1; up += 2) {
+            const double h = 1e-3 * up, s = 5e-5;
+            const double low[] = {0, -1, 1, -1, 1, 0, 0.05, 0, 0, h};
+            const double high[] = {0, h, 0.05, 0, 1, 0, 1, 1, 0, 1};
+            const double step[] = {0, -1, 1, -1, 1, s, 0.5, s, 0.5, 0,
+                                   0.05, 0, 0, h};
+            const double on[] = {0, h, 0.05, 0, 0.5, 0, 0.5, s, 1, s,
+                                 1, 1, 0, 1};
+            world_reset(&w);
+            world_polygon(&w, 0, k ? step : low, k ? 7 : 5);
+            world_polygon(&w, 1, k ? on : high, k ? 7 : 5);
+            CHECK_INT(world_touch(&w), k ? 2 : 4);
+            check_contacts(&w);
+            if (k || w.contacts != 4)
+                continue;
+            CHECK_NEAR(fabs((double)w.contact[0].travel), 0.475, GEO);
+            CHECK_NEAR(w.contact[0].n.x, 0, GEO);
+            CHECK_NEAR(w.contact[2].n.x, 0.02 * up / sqrt(1.0004), GEO);
+        }
+}
+
 /* Stairs in stairs, a third of the gap apart: the contact lies midway between
    their chords and ends where the stairs do. */
 static void steps_apart(void)
@@ -9844,6 +9903,8 @@ static const test tests[] = {
     TEST(steps_of_a_rounding),
     TEST(steps_that_carry),
     TEST(steps_of_pixels),
+    TEST(steps_that_slide),
+    TEST(steps_and_knees),
     TEST(steps_apart),
     TEST(steps_straight_joint),
     TEST(overlap_with_whiskers),
