@@ -1,6 +1,7 @@
 /* kern - can a dry-stacked structure stand, and how far from falling is it?
 
-   Reads structures in the text format of text.h and reports on each: verdict,
+   Reads structures in the text format of text.h, or drawings as dxf.h says, and
+   reports on each: verdict,
    level and margin, what limits them, how it falls, the horizontal load and the
    tilt it bears; for a person, as JSON (one object a line), or as a picture.
 
@@ -15,6 +16,7 @@
 
 #include "parts/args.h"
 #include "parts/draw.h"
+#include "parts/dxf.h"
 #include "parts/json.h"
 #include "parts/room.h"
 #include "parts/text.h"
@@ -72,7 +74,9 @@ static const char help[] =
 
 static const char help_format[] =
 "\n"
-"File: one statement a line; # begins a comment. Units are yours (SI: m, kg, N).\n"
+"FILE.dxf: closed polylines are blocks; on the layer ground or fixed, else the\n"
+"lowest, they do not move; metres by $INSUNITS.\n"
+"Other files: one statement a line; # begins a comment. Units are yours (SI: m, kg, N).\n"
 "  fixed    NAME  X1 Y1  X2 Y2  X3 Y3 ...        ground, any simple polygon\n"
 "  block    NAME  MASS  X1 Y1  X2 Y2  X3 Y3 ...  MASS *: area x density\n"
 "  friction MU         tan of its angle; 0.4     gravity GX GY   default 0 -9.81\n"
@@ -636,7 +640,8 @@ static int analyse(struct analysis *a)
 {
     const struct settings *set = a->set;
     kern_options options;
-    if (text_load(&a->text, a->file))
+    if (dxf_named(a->file) ? dxf_load(&a->text, a->file)
+                           : text_load(&a->text, a->file))
         return fail(a, a->text.line, "%s", a->text.message);
     if (a->text.blocks > KERN_BLOCKS_MOST)
         return fail(a, 0, "%d blocks, at most %d are analysed", a->text.blocks,

@@ -322,6 +322,25 @@ python() { # python WANT OPTIONS: doctests and tests; is numpy there (0) or not?
         /usr/bin/python3 "$@" tests/python_test.py "$kern"
 }
 
+python_sanitized() { # no call of the module touches memory that is not its own
+    local kern asan
+    kern=$(program kern examples/kern.c) || return 1
+    asan=$(gcc -print-file-name=libasan.so)
+    XDG_CACHE_HOME="$out/cache" CC="gcc -g -O1 -fsanitize=address" \
+        ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD="$asan" PYTHONMALLOC=malloc \
+        /usr/bin/python3 tests/python_test.py "$kern" Calls BadInput
+}
+
+python_installed() { # pip, without the network, then the doctests
+    /usr/bin/python3 -m venv "$out/venv" &&
+        "$out/venv/bin/pip" install --no-index --no-build-isolation \
+            ./examples/python &&
+        (cd "$out" && XDG_CACHE_HOME=/nowhere venv/bin/python -c '
+import doctest, kern
+assert doctest.testmod(kern).failed == 0
+print(kern.__version__, kern.__file__)')
+}
+
 page() { # as it was committed, and no larger than it may be
     bash examples/browser/build.sh "$out/kern.html" &&
         cmp "$out/kern.html" examples/browser/kern.html &&

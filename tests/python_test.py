@@ -6,10 +6,15 @@
     python3 tests/python_test.py ./kern --time    what Python adds to a call
 """
 
+import concurrent.futures
+import copy
 import json
 import math
+import multiprocessing
 import os
 import pathlib
+import pickle
+import random
 import re
 import subprocess
 import sys
@@ -37,6 +42,17 @@ def ground():
 def two(x):
     """A box on a box, moved to the right by x: its margin is 0.5 - x."""
     return [ground(), Block("low", BOX), Block("top", BOX).move(x, 1)]
+
+
+def margin_or_error(i):
+    """For a process of a pool: every hundredth from 50 on is a bow tie."""
+    if i % 100 != 50:
+        return Structure(two(0.0001 * i)).measure()
+    try:
+        return Structure([ground(), Block("bow tie %d" % i,
+                                          [(0, 0), (1, 1), (2, 0), (0, 1)])])
+    except kern.KernError as error:
+        return error
 
 
 def finite(value):
@@ -114,7 +130,8 @@ class Program(unittest.TestCase):
                 subprocess.run([PROGRAM, "--svg", program, path],
                                stdout=subprocess.DEVNULL)
                 self.assertEqual(self.shapes(program.read_text()),
-                                 self.shapes(s._repr_svg_()))
+                                 self.shapes(s.svg()))
+                self.assertTrue(s._repr_svg_().startswith("<svg"))
             for text in (s._repr_svg_(), s.svg(mechanism=True, profile=True)):
                 page = xml.dom.minidom.parseString(text.encode())
                 self.assertGreaterEqual(
@@ -297,6 +314,78 @@ class Calls(unittest.TestCase):
         stone.move(0, 100)  # the plan has blocks of its own
         self.assertEqual(plan.measure().margin, before.margin)
 
+    def test_proof_of_every_number(self):
+        s = Structure(two(0.2))
+        f = s.load_factor(kern.RIGHT)
+        pattern = [(0, 0, 0)] + [(f * 9.81, 0, 0)] * 2
+        loaded = Structure([Block(b.name, b.vertices, fixed=b.fixed, load=p)
+                            for b, p in zip(s.blocks, pattern)])
+        self.assertLessEqual(loaded.check_forces(f.forces), 2000)  # of 1e-9
+        self.assertEqual(f.motion.shape, (3, 3))
+        self.assertEqual(s.bearing().forces.shape, (4, 2))
+        self.assertEqual(len(s.tilt(kern.LEFT).motion), 3)
+
+    def test_shapes_from_elsewhere(self):
+        """Closed rings, shapely's objects, arrays; equality."""
+        class Ring:
+            coords = [*BOX, BOX[0]]
+
+        class Polygon:
+            exterior = Ring()
+        self.assertEqual(Block("b", Polygon()), Block("b", BOX))
+        self.assertEqual(Block("b", [*BOX, BOX[0]]), Block("b", BOX))
+        self.assertNotEqual(Block("b", BOX), Block("b", BOX, density=2))
+        self.assertIn(Block("b", BOX), [Block("c", BOX), Block("b", BOX)])
+        with self.assertRaisesRegex(ValueError, "'b': vertices"):
+            Block("b", [(0, 0, 0), (1, 0, 0), (1, 1, 0)])
+
+    def test_pickles(self):
+        """Answers, errors, structures and plans go through a pipe."""
+        s = Structure(two(0.2))
+        plan = Plan(two(0.1))
+        for value in (s.measure(), s.verdict(), s.raised(True), s.blocks[2],
+                      s.load_factor(kern.LEFT), s.profile(), s.options):
+            for again in (pickle.loads(pickle.dumps(value)),
+                          copy.deepcopy(value)):
+                self.assertEqual(again, value)
+        again = pickle.loads(pickle.dumps(s))
+        self.assertEqual(again.measure(), s.measure())
+        self.assertEqual(again.measure().forces.tolist(),
+                         s.measure().forces.tolist())
+        self.assertEqual(copy.deepcopy(plan).measure().margin,
+                         plan.measure().margin)
+
+    def test_pool(self):
+        """Ten bad structures of a thousand are ten exceptions, by name."""
+        with multiprocessing.Pool(4) as pool:
+            out = pool.map(margin_or_error, range(1000), 50)
+        bad = [e for e in out if isinstance(e, kern.KernError)]
+        self.assertEqual([e.blocks for e in bad],
+                         [("bow tie %d" % i,) for i in range(50, 1000, 100)])
+        self.assertEqual(len(out), 1000)
+
+    def test_threads(self):
+        """One structure in four threads: every answer as in one."""
+        s = Structure(two(0.2))
+        want = [s.measure().margin, s.bearing(), bool(s.verdict())]
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            for got in pool.map(lambda i: [s.measure().margin, s.bearing(),
+                                           bool(s.verdict())], range(200)):
+                self.assertEqual(got, want)
+
+    def test_text(self):
+        """What text() writes reads back with the same answers."""
+        for path in FILES:
+            s = kern.read(path)
+            again = kern.parse(s.text())
+            self.assertEqual([b.fixed for b in again.blocks],
+                             [b.fixed for b in s.blocks])
+            a, b = s.measure(), again.measure()
+            self.assertEqual((a.stands, a.level), (b.stands, b.level), path)
+            self.assertAlmostEqual(a.margin, b.margin, 9)
+        odd = Structure([ground(), Block("a b#c", BOX)])
+        self.assertEqual(kern.parse(odd.text()).blocks[1].name, "a_b_c")
+
     def test_linear_program(self):
         out = kern.lp_solve([[1.0, 1.0]], [-1.0])
         self.assertEqual(out.status, Status.LP_INFEASIBLE)
@@ -333,10 +422,121 @@ class BadInput(unittest.TestCase):
                     two(0), options=Options(epsilon=-1)))):
             with self.subTest(status=status):
                 self.refuse(status, blocks, call)
-        self.refuse(Status.OVERLAP, ("low", "top"),
-                    lambda: Plan(two(0)[:2]).try_(deep[2]))
+        plan = Plan(two(0)[:2])
+        self.assertEqual((bool(plan.try_(deep[2])), plan.bears(deep[2], 0)),
+                         (False, False))
+        self.assertEqual(plan.try_(deep[2]).refused.blocks, ("low", "top"))
         self.refuse(Status.SAME_BLOCK, (),
                     lambda: kern.contact_make(1, 1, (0, 1), (0, 0)))
+
+    def test_stale(self):
+        """What has changed is not answered for; a refused update changes
+        nothing, and update() again answers."""
+        s = Structure(two(0.2))
+        before = s.measure().margin
+        s.blocks[2].move(0, -0.5)
+        with self.assertRaises(kern.KernError):
+            s.update()
+        for ask in (s.verdict, s.measure, s.bearing, s.profile, s.critical,
+                    s.sensitivity, s.svg, s.deficit, s.forces, s.raised):
+            self.refuse(Status.STALE, ("top",), ask)
+        s.blocks[2].move(0, 0.5)
+        self.assertAlmostEqual(s.measure().margin, before)
+        del s.blocks[2]
+        self.refuse(Status.STALE, (), s.profile)
+        s.update()
+        self.assertEqual(len(s.profile().values), 2)
+        s.options.mu = 0.1
+        self.refuse(Status.STALE, (), s.verdict)
+        s.update()
+        s.gravity = (0, -1)
+        self.refuse(Status.STALE, (), s.verdict)
+
+    def test_plan_keeps_its_blocks(self):
+        plan = Plan(two(0.2))
+        margin = plan.measure().margin
+        with self.assertRaises((ValueError, TypeError)):
+            plan.blocks[2].vertices[0, 1] -= 0.4
+        with self.assertRaises(TypeError):
+            plan.blocks[2].move(0, -0.4)
+        with self.assertRaises(TypeError):
+            plan.blocks[2].mass = 3
+        plan.blocks.pop()
+        self.refuse(Status.STALE, (), plan.profile)
+        plan.update()
+        self.assertEqual(plan.measure().margin, 0.5)
+        plan.options.mu = -1.0
+        with self.assertRaises(kern.KernError):
+            plan.update()
+        plan.options.mu = 0.4
+        self.assertEqual((len(plan), plan.measure().margin), (2, 0.5))
+        self.assertAlmostEqual(margin, 0.3)
+
+    def test_misuse(self):
+        """Thousands of random calls, updates and changes that nobody told:
+        an answer or an exception of Python. Under a sanitizer every read and
+        write is watched."""
+        draw, answers = random.Random(3), 0
+        refused = (ValueError, TypeError, IndexError, KeyError)
+        for _ in range(60):
+            s = (Structure if draw.random() < 0.5 else Plan)(
+                two(0.2) + [Block("b%d" % i, BOX).move(i - 1, 2 + i % 2)
+                            for i in range(draw.randint(0, 5))])
+            extra = Block("extra", BOX)
+            asks = [getattr(s, name) for name in (
+                "verdict", "measure", "bearing", "deficit", "profile",
+                "critical", "sensitivity", "raised", "forces", "update",
+                "update", "certain")]
+            asks += [lambda: s.blocks[draw.randrange(9)].move(
+                         draw.choice((0.1, 0, math.nan)), -0.1),
+                     lambda: s.blocks.pop(draw.randrange(9)),
+                     lambda: s.blocks.append(extra),
+                     lambda: setattr(s.blocks[1], "vertices", BOX[:3]),
+                     lambda: s.touch(draw.randrange(-9, 9)),
+                     lambda: s.check_forces([(1, 0)] * draw.randrange(20)),
+                     lambda: s.load_factor(draw.choice((-1, 1, 7))),
+                     lambda: s.check_motion([(0, 1, 0)] * draw.randrange(9)),
+                     lambda: setattr(s.options, "mu", draw.choice((.4, -1)))]
+            if isinstance(s, Plan):
+                asks += [lambda: s.add(extra), lambda: s.remove("extra"),
+                         lambda: s.try_(extra.move(0.3, 0.4)),
+                         lambda: s.bears(extra, 0.1),
+                         lambda: s.try_raised(extra, True),
+                         lambda: s.remove(draw.randrange(-9, 9))]
+            for _ in range(60):
+                try:
+                    draw.choice(asks)()
+                    answers += 1
+                except refused:
+                    pass
+        self.assertGreater(answers, 500)
+
+    def test_lengths(self):
+        """Rows that C would read beyond their end are refused."""
+        s = Structure(two(0.2))
+        for ask in (lambda: s.check_forces([(1, 0)]),
+                    lambda: s.check_motion([(0, -1, 0)]),
+                    lambda: s.load_factor(0, 0, [(0, 0, 0)] * 2),
+                    lambda: s.critical(Structure([*two(0.1), Block(
+                        "c", BOX).move(0.3, 2)]).measure())):
+            with self.assertRaises(ValueError):
+                ask()
+        for limit in (-1, 2 ** 31, 2 ** 40):
+            self.refuse(Status.BAD_OPTION, (), lambda: Structure(
+                two(0), options=Options(limit=limit)))
+        with self.assertRaises(IndexError):
+            s.touch(99)
+
+    def test_limit(self):
+        """What is proven by then is in the exception."""
+        s = kern.read(ROOT / "examples" / "structures" / "arch.kern")
+        s.options.limit = 20
+        s.update()
+        with self.assertRaises(kern.KernError) as caught:
+            s.measure()
+        self.assertEqual(caught.exception.status, Status.LIMIT)
+        self.assertLessEqual(caught.exception.margin.holds,
+                             caught.exception.margin.fails)
 
     def test_depth(self):
         deep = two(0)
@@ -348,6 +548,113 @@ class BadInput(unittest.TestCase):
     def test_text(self):
         with self.assertRaisesRegex(ValueError, "^x:2: block"):
             kern.parse("friction 0.4\nblock a * 0 0 1 0\n", "x")
+
+
+def drawing(blocks, unit=6, layer=lambda b: "ground" if b.fixed else "0"):
+    """The outlines of blocks as a drawing."""
+    out = ["0", "SECTION", "2", "HEADER", "9", "$INSUNITS", "70", str(unit),
+           "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES"]
+    for b in blocks:
+        points = b.vertices.tolist()
+        out += ["0", "LWPOLYLINE", "8", layer(b), "90", str(len(points)), "70",
+                "1"]
+        for x, y in points:
+            out += ["10", repr(x), "20", repr(y)]
+    return "\n".join([*out, "0", "ENDSEC", "0", "EOF", ""])
+
+
+def page(blocks, scale=100.0, height=4000.0):
+    """The outlines of blocks as a page of LabelMe."""
+    return {"imageHeight": height, "shapes": [
+        {"label": "ground" if b.fixed else b.name, "shape_type": "polygon",
+         "points": [[2000 + scale * x, height - 500 - scale * y]
+                    for x, y in b.vertices.tolist()]} for b in blocks]}
+
+
+class Drawings(unittest.TestCase):
+    def margin(self, text, suffix=".dxf", **scale):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "s" + suffix)
+            path.write_text(text)
+            return kern.read(path, **scale)
+
+    def test_same_margin(self):
+        """A drawing of every example has its margin, whatever its unit."""
+        for path in FILES:
+            s = Structure([Block(b.name, b.vertices, fixed=b.fixed)
+                           for b in kern.read(path).blocks])
+            want = s.measure()
+            for unit, metre in ((6, 1), (4, 0.001), (1, 0.0254)):
+                got = self.margin(drawing(s.blocks, unit))
+                m = got.measure()
+                self.assertEqual((m.stands, len(got)), (want.stands, len(s)))
+                if m.stands:
+                    self.assertAlmostEqual(m.margin / metre, want.margin, 8)
+
+    def test_lowest_and_old_form(self):
+        """Without layers the lowest block is fixed; POLYLINE with VERTEX."""
+        s = self.margin(drawing(two(0.2), layer=lambda b: "0"))
+        self.assertEqual([b.fixed for b in s.blocks], [True, False, False])
+        old = ("0\nSECTION\n2\nENTITIES\n"
+               + "".join("0\nPOLYLINE\n8\nFIXED\n70\n1\n10\n0\n20\n0\n" + "".join(
+                   "0\nVERTEX\n8\n0\n10\n%r\n20\n%r\n" % (x + dx, y + dy)
+                   for x, y in BOX) + "0\nSEQEND\n"
+                   for dx, dy in ((0, 0), (0.25, 1)))
+               + "0\nENDSEC\n0\nEOF\n").replace("FIXED", "0", 2)
+        self.assertAlmostEqual(self.margin(old).measure().margin, 0.25)
+
+    def test_refused_by_name(self):
+        good = drawing(two(0))
+        for bad, word in (
+                (good.replace("LWPOLYLINE", "INSERT", 1), "INSERT"),
+                (good.replace("LWPOLYLINE", "SPLINE", 1), "SPLINE"),
+                (good.replace("\n70\n1\n", "\n70\n0\n", 1), "not closed"),
+                (good.replace("\n90\n4\n", "\n42\n0.5\n"), "bulge"),
+                (good.replace("$INSUNITS\n70\n6", "$INSUNITS\n70\n77"),
+                 "INSUNITS is 77"),
+                (good.replace("0\nEOF\n", ""), "without EOF"),
+                ("AutoCAD Binary DXF\r\n\x1a" + good, "binary"),
+                ("hello", "group code"), ("", "without EOF")):
+            with self.assertRaisesRegex(ValueError, word):
+                self.margin(bad)
+
+    def test_image(self):
+        """Pixels, y down, become metres, y up, and a measured structure."""
+        s = self.margin(json.dumps(page(two(0.2))), ".json", pixel=0.01)
+        self.assertAlmostEqual(s.measure().margin, 0.3, 1)
+        self.assertEqual(s.options.error, 0.01 * math.hypot(1, 1.5))
+        coco = {"images": [{"id": 3, "height": 4000}],
+                "categories": [{"id": 1, "name": "stone"},
+                               {"id": 2, "name": "ground"}],
+                "annotations": [
+                    {"id": i, "image_id": 3, "category_id": 1 + (i == 0),
+                     "segmentation": [[n for q in shape["points"] for n in q]]}
+                    for i, shape in enumerate(page(two(0.2))["shapes"])]}
+        t = self.margin(json.dumps(coco), ".json", pixel=0.01)
+        self.assertEqual(t.measure().margin, s.measure().margin)
+        coco["annotations"][1]["segmentation"] = {"counts": "x"}
+        with self.assertRaisesRegex(ValueError, "no single polygon"):
+            kern.from_coco(coco)
+
+    def test_fuzzed(self):
+        """A message or an answer, 2,000 times of each kind."""
+        draw = random.Random(7)
+        texts = drawing(two(0.2)), json.dumps(page(two(0.2)))
+        for text, suffix in zip(texts, (".dxf", ".json")):
+            answers = 0
+            for _ in range(2000):
+                data = list(text)
+                for _ in range(draw.randint(1, 3)):
+                    i = draw.randrange(len(data))
+                    j = min(len(data), i + draw.choice((0, 1, 1, 5, 40)))
+                    data[i:j] = draw.choice(("", "\n", "0", "9", "-", "1e300",
+                                             "\x00", "[", "}", "nan", "VERTEX"))
+                try:
+                    self.margin("".join(data), suffix).verdict()
+                    answers += 1
+                except ValueError:  # KernError too
+                    pass
+            self.assertGreater(answers, 100)
 
 
 class Library(unittest.TestCase):

@@ -9,13 +9,16 @@
 
 One file and the standard library; numpy is used where it is installed. The
 first import compiles kern.h with `cc` (or $CC) into the user's cache; later
-imports load the library from there. This file may be linked to from elsewhere,
-since it looks for the headers beside where it really is. A copy of it needs a
-library: KERN_LIBRARY names one that `python3 kern.py --build FILE` made.
+imports load the library from there. `pip install ./examples/python` compiles it
+once and installs both. This file may be linked to from elsewhere, since it looks
+for the headers beside where it really is. A copy of it needs a library:
+KERN_LIBRARY names one that `python3 kern.py --build FILE` made.
 
 Units, conventions and the meaning of every number are those of kern.h. A
-`Structure` and a `Plan` have work memory of their own: use each in one thread
-at a time. Bad input raises `KernError`, which names the blocks.
+`Structure` and a `Plan` have private copies of their blocks and work memory of
+their own, and answer one thread at a time. Bad input raises `KernError`, which
+names the blocks. Blocks, structures, plans, answers and errors can be pickled and
+copied.
 
 SPDX-License-Identifier: MIT
 """
@@ -24,23 +27,42 @@ from __future__ import annotations
 
 import ctypes
 import enum
+import functools
 import hashlib
+import json
 import math
+import operator
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
+import threading
 from ctypes import (POINTER, addressof, byref, c_char_p, c_double, c_int,
                     c_void_p)
-from dataclasses import dataclass, field, replace
-from typing import Any, Iterable, List, NamedTuple, Optional, Sequence, Tuple
-from typing import Union
+from dataclasses import dataclass, field
+from typing import (Any, Callable, Dict, Iterable, List, NamedTuple, Optional,
+                    Sequence, Tuple, TypeVar, Union)
 
 try:
     import numpy
 except ImportError:
     numpy = None  # type: ignore
+
+if os.name != "posix":
+    raise ImportError("kern.py: compiles kern.h with cc, so it needs a POSIX "
+                      "system (Linux, macOS, WSL)")
+
+__version__ = "0.2.0"
+__all__ = [
+    "LEFT", "SHRINK", "RIGHT", "Status", "KernError", "Options", "Body",
+    "Block", "Contact", "contact_make", "contact_travels", "work_need",
+    "Verdict", "Raising", "Raised", "Margin", "Factor", "Profile", "Critical",
+    "ContactRate", "BlockRate", "Solution", "Structure", "Plan", "overlaps",
+    "parse", "read", "from_labelme", "from_coco", "lp_solve", "status_text",
+    "build",
+]
 
 Point = Tuple[float, float]
 
@@ -140,10 +162,7 @@ class _Work(ctypes.Structure):
 
 class _Known(ctypes.Structure):
     _fields_ = [("motion", c_void_p), ("force", c_void_p), ("holds", c_double),
-                ("margin", c_double), ("fails", c_double),
-                ("blocks", c_int), ("contacts", c_int), ("seen", c_double),
-                ("gravity", _Vec), ("relative", c_int), ("nested", c_int),
-                ("most", c_double)]
+                ("margin", c_double), ("fails", c_double)]
 
 
 class _Task(ctypes.Structure):
@@ -153,8 +172,7 @@ class _Task(ctypes.Structure):
 
 class _Plan(ctypes.Structure):
     _fields_ = [("task", _Task), ("block", c_void_p), ("block_room", c_int),
-                ("contact", c_void_p), ("contact_room", c_int),
-                ("box", _Box), ("area", c_double), ("arm", c_double)]
+                ("contact", c_void_p), ("contact_room", c_int)]
 
 
 class _Lp(ctypes.Structure):
@@ -188,7 +206,7 @@ _LAYOUTS = {
 
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 _HEADERS = ("kern.h", "kern_lp.h", "examples/parts/draw.h",
-            "examples/parts/text.h")
+            "examples/parts/dxf.h", "examples/parts/text.h")
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
@@ -205,6 +223,7 @@ def _source() -> str:
 #include "kern.h"
 #include "examples/parts/draw.h"
 #include "examples/parts/text.h"
+#include "examples/parts/dxf.h"
 #include <stddef.h>
 #define ROW(name, value, text) #name " " #value " "
 #define SIZE(type) (int)sizeof(type),
@@ -217,6 +236,9 @@ const int kern_py_layouts = sizeof kern_py_layout / sizeof(int);
 int kern_py_read(struct text_file *t, const char *data, size_t length)
 { return text_read(t, data, length); }
 void kern_py_free(struct text_file *t) { text_free(t); }
+char *kern_py_dxf(const char *data, size_t length, char *message, size_t room)
+{ return dxf_read(data, length, message, room); }
+void kern_py_dxf_free(char *text) { free(text); }
 int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
                  int relative, double shrink, const kern_force *force,
                  const char *force_name, const kern_motion *motion,
@@ -276,7 +298,11 @@ def _cached() -> pathlib.Path:
                           % error) from None
     cache = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
     folder = pathlib.Path(cache, "kern").expanduser()
-    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ImportError("%s: the library has no place; set XDG_CACHE_HOME, or "
+                          "KERN_LIBRARY" % error) from None
     path = folder / ("kern-%s.so" % key.hexdigest()[:16])
     if not path.exists():
         build(path)
@@ -285,7 +311,9 @@ def _cached() -> pathlib.Path:
 
 def _load() -> ctypes.CDLL:
     """Loads the library and compares its layouts with the classes above."""
-    path = os.environ.get("KERN_LIBRARY") or str(_cached())
+    beside = pathlib.Path(__file__).resolve().with_name("kern_library.so")
+    path = os.environ.get("KERN_LIBRARY") or str(
+        beside if beside.exists() else _cached())
     lib = ctypes.CDLL(path)
     try:
         entries = c_int.in_dll(lib, "kern_py_layouts").value
@@ -354,6 +382,9 @@ _check_raised = _declare("kern_check_raised", _r, _p, _r, _i, _p)
 _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
+_dxf = _declare("kern_py_dxf", _p, c_char_p, ctypes.c_size_t, _p,
+                ctypes.c_size_t)
+_dxf_free = _declare("kern_py_dxf_free", None, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
                  _p, _r, c_char_p, _i, _p, _r, c_char_p)
 
@@ -382,8 +413,9 @@ class KernError(ValueError):
     """A status below zero: the library refused its input, or was undecided.
 
     status: the Status; blocks: names of the blocks at fault; index: of the
-    vertex or contact point, or -1; value: an overlap is at
-    least so deep (overlaps() measures it), or 0.
+    vertex or contact point, or -1; value: an overlap is at least so deep
+    (overlaps() measures it), or 0; margin: of measure() with Status.LIMIT, the
+    bracket that was proven by then, else None.
 
     >>> Structure([Block("bow tie", [(0, 0), (1, 1), (2, 0), (0, 1)])])
     Traceback (most recent call last):
@@ -392,11 +424,14 @@ class KernError(ValueError):
 (vertex 0)
     """
 
-    def __init__(self, status: int, names: Sequence[str], fault: _Fault):
+    def __init__(self, status: int, names: Sequence[str] = (),
+                 fault: Optional[_Fault] = None, text: str = ""):
+        fault = fault or _Fault(-1, -1, -1, 0, 0)
         self.status = Status(status)
         self.blocks = tuple(names[i] for i in (fault.block, fault.other)
                             if 0 <= i < len(names))
         self.index, self.value = fault.index, fault.value
+        self.margin: Optional[Margin] = None
         place = ""
         if self.status == Status.OVERLAP:
             place = " (at least %.4g deep; %.4g is allowed: Options.overlap)" % (
@@ -409,19 +444,44 @@ class KernError(ValueError):
             place = " (%s %d)" % ("contact point" if point else "vertex",
                                   self.index)
         who = " and ".join("'%s'" % name for name in self.blocks)
-        super().__init__((who + ": " if who else "") + status_text(status)
-                         + place)
+        super().__init__((who + ": " if who else "")
+                         + (text or status_text(status)) + place)
+
+    def __reduce__(self) -> Any:
+        return _error_again, (int(self.status), self.args, self.__dict__)
+
+
+def _error_again(status: int, args: Tuple[str, ...],
+                 state: Dict[str, Any]) -> KernError:
+    """A KernError that was pickled."""
+    error = KernError(status)
+    error.args = args
+    error.__dict__.update(state)
+    return error
 
 
 # ---- Arrays -----------------------------------------------------------------
 
 
-def _view(array: Any, columns: int) -> Any:
-    """A ctypes array of doubles as an array of rows, in the same memory."""
+def _view(data: bytes, columns: int) -> Any:
+    """The bytes of doubles as an array of rows, which cannot be written."""
     if numpy is not None:
-        return numpy.frombuffer(array).reshape(-1, columns)
-    rows = ctypes.sizeof(array) // (8 * columns)
-    return memoryview(array).cast("B").cast("d", (rows, columns))
+        return numpy.frombuffer(data).reshape(-1, columns)
+    return memoryview(data).cast("d", (len(data) // (8 * columns), columns))
+
+
+def _doubles(data: Optional[bytes]) -> Any:
+    """A ctypes array of what _view() shows; None for None."""
+    return data and (c_double * (len(data) // 8)).from_buffer_copy(data)
+
+
+def _rows(values: Any, rows: int, columns: int, what: str) -> Any:
+    """Rows of numbers as a ctypes array, of the length that C will read."""
+    out = _numbers(values)
+    if len(out) != rows * columns:
+        raise ValueError("%d numbers of %s where %d rows of %d are expected"
+                         % (len(out), what, rows, columns))
+    return out
 
 
 def _numbers(values: Any) -> Any:
@@ -459,8 +519,12 @@ class Options:
     narrow: float = _D.narrow
 
     def _c(self) -> _Options:
+        limit = operator.index(self.limit)
+        if not 0 <= limit < 2 ** 31:
+            raise KernError(Status.BAD_OPTION, text="Options.limit is %d, not "
+                            "from 0 to 2,000,000,000" % limit)
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
-                        self.relative, self.limit, self.overlap, self.error,
+                        bool(self.relative), limit, self.overlap, self.error,
                         self.turn, self.narrow)
 
     @staticmethod
@@ -488,14 +552,15 @@ class Body(NamedTuple):
     centre: Point
 
 
-@dataclass
+@dataclass(eq=False)
 class Block:
     """A stone, or with `fixed` a piece of ground.
 
     vertices becomes an (n, 2) array: of numpy, or a memoryview, which also has
     [i, j], shape and tolist(). A numpy array of float64 in C order is not
-    copied: what is written there later counts at the next update(). mass and
-    centre None: those of a homogeneous polygon of this density; a centre that
+    copied: what is written there later counts at the next update(). A closed
+    ring loses its last vertex; an object with `exterior.coords`, as a polygon
+    of shapely has, stands for these. mass and centre None: those of a homogeneous polygon of this density; a centre that
     is given stays where it is unless move() moves it. load: force and torque
     (fx, fy, torque) that act at the centre besides the weight.
 
@@ -512,25 +577,59 @@ class Block:
     mass: Optional[float] = None
     centre: Optional[Point] = None
     load: Tuple[float, float, float] = (0.0, 0.0, 0.0)
-    _taken: Any = field(default=None, init=False, repr=False, compare=False)
+    _taken: Any = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
         self._take()
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Block) and self._key() == other._key()
+
+    __hash__ = None  # type: ignore
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**self.__dict__, "vertices": self.vertices.tolist(),
+                "_taken": None}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._take()
+
+    def copy(self) -> Block:
+        """A block of its own, with vertices of its own."""
+        return Block(self.name, self.vertices.tolist(), self.density,
+                     self.fixed, self.mass, self.centre, self.load)
+
+    def _key(self) -> Any:
+        """All that the library reads, to compare."""
+        if self.vertices is not self._taken:
+            self._take()
+        return (self.name, self.vertices.tobytes(), self.density, self.fixed,
+                self.mass, self.centre, self.load)
+
     def _take(self) -> None:
         """Makes an array of the vertices, and remembers where it lies."""
-        if numpy is not None:
-            array = numpy.ascontiguousarray(self.vertices, numpy.float64)
-            if array.ndim != 2 or array.shape[1] != 2:
-                raise ValueError("'%s': vertices of shape %s, not (n, 2)"
-                                 % (self.name, array.shape))
-            self._address = array.ctypes.data
-        else:
-            memory = _numbers(self.vertices)
-            if len(memory) != 2 * len(self.vertices):
-                raise ValueError("'%s': a vertex is no pair" % self.name)
-            self._address = addressof(memory)
-            array = _view(memory, 2)
+        ring = getattr(self.vertices, "exterior", self.vertices)
+        ring = getattr(ring, "coords", ring)
+        try:
+            if numpy is None or not isinstance(ring, numpy.ndarray):
+                ring = [tuple(point) for point in (
+                    ring.tolist() if hasattr(ring, "tolist") else ring)]
+            if len(ring) > 3 and tuple(ring[0]) == tuple(ring[-1]):
+                ring = ring[:-1]
+            if any(len(point) != 2 for point in ring):
+                raise ValueError("a vertex is no pair")
+            if numpy is not None:
+                array = numpy.ascontiguousarray(ring, numpy.float64)
+                self._address = array.ctypes.data
+            else:
+                memory = _numbers(ring)
+                self._address = addressof(memory)
+                array = memoryview(memory).cast("B")
+                array = array.cast("d", (len(ring), 2)) if ring else array
+        except (TypeError, ValueError) as error:
+            raise ValueError("'%s': vertices are not of shape (n, 2): %s"
+                             % (self.name, error)) from None
         self.vertices = self._taken = array
 
     def _fill(self, c: Any) -> None:
@@ -552,6 +651,14 @@ class Block:
             c.centre = _Vec(*self.centre)
         if any(self.load):
             c.load = _Wrench(*self.load)
+
+    def _copy_to(self, c: Any) -> Any:
+        """Fills a kern_block that reads a copy of the vertices; returns it."""
+        self._fill(c)
+        copy = (c_double * (2 * c.vertices))()
+        ctypes.memmove(copy, self._address, ctypes.sizeof(copy))
+        c.vertex = addressof(copy)
+        return copy
 
     def body(self) -> Body:
         """Area, mass and centre of mass, as the library sees them."""
@@ -652,8 +759,8 @@ class Verdict:
     every contact point, (n, 2), where it stands; motion: vx, vy and spin of
     every block, (n, 3), where it falls; else None."""
     stands: bool
-    _force: Any = field(repr=False, compare=False)
-    _motion: Any = field(repr=False, compare=False)
+    _force: Optional[bytes] = field(repr=False, compare=False)
+    _motion: Optional[bytes] = field(repr=False, compare=False)
 
     def __bool__(self) -> bool:
         return self.stands
@@ -664,7 +771,8 @@ class Verdict:
 
     @property
     def motion(self) -> Any:
-        return None if self.stands else _view(self._motion, 3)
+        return (None if self.stands or not self._motion
+                else _view(self._motion, 3))
 
 
 class Raising(enum.IntEnum):
@@ -693,7 +801,9 @@ class Raised(Verdict):
 @dataclass
 class Margin(Verdict):
     """kern_margin. forces hold the structure at `holds`; motion moves it at
-    `fails`, or as it is where it falls; None where it is saturated."""
+    `fails`, or as it is where it falls; None where it is saturated. refused: of
+    a candidate that has no margin since it overlaps another block, else None;
+    such a margin is false, and nan."""
     margin: float
     holds: float = field(repr=False)
     fails: float = field(repr=False)
@@ -701,11 +811,41 @@ class Margin(Verdict):
     epsilon: float = field(repr=False)
     level: int
     saturated: bool
+    refused: Optional[KernError] = field(default=None, repr=False,
+                                         compare=False)
+
+    @staticmethod
+    def _of(m: _Margin, stands: bool, force: Optional[bytes] = None,
+            motion: Optional[bytes] = None) -> Margin:
+        return Margin(stands, force, motion, m.margin, m.holds, m.fails, m.most,
+                      m.epsilon, m.level, bool(m.saturated))
 
     @property
     def motion(self) -> Any:
         return (None if self.saturated or not self._motion
                 else _view(self._motion, 3))
+
+
+class Factor(float):
+    """A load factor, an angle of tilt or a length, with its proof: forces hold
+    the structure at it, (n, 2); motion moves it just beyond, (n, 3), None where
+    it has no end."""
+    _force: bytes = b""
+    _motion: bytes = b""
+
+    @staticmethod
+    def _of(value: float, force: bytes, motion: bytes) -> Factor:
+        out = Factor(value)
+        out._force, out._motion = force, motion
+        return out
+
+    @property
+    def forces(self) -> Any:
+        return _view(self._force, 2)
+
+    @property
+    def motion(self) -> Any:
+        return None if self == math.inf else _view(self._motion, 3)
 
 
 @dataclass
@@ -760,11 +900,68 @@ class Solution:
 # ---- Structures -------------------------------------------------------------
 
 
+_Method = TypeVar("_Method", bound=Callable[..., Any])
+
+
+def _asks(method: _Method) -> _Method:
+    """A question: one thread at a time, of what update() has read."""
+    @functools.wraps(method)
+    def ask(self: Structure, *arguments: Any, **options: Any) -> Any:
+        with self._lock:
+            self._fresh()
+            return method(self, *arguments, **options)
+    return ask  # type: ignore
+
+
+class _Held:
+    """What C reads and writes of one structure, all of it private: arrays for
+    so many blocks and contact points, copies of vertices, work memory."""
+
+    def __init__(self, blocks: int, contacts: int):
+        reals, ints = work_need(blocks, contacts)
+        self.block = (_Block * blocks)()
+        self.contact = (_Contact * contacts)()
+        self.vertex: List[Any] = []
+        self.real, self.index = (c_double * reals)(), (c_int * ints)()
+        self.work = _Work(addressof(self.real), reals, addressof(self.index),
+                          ints)
+
+
+class _Kept(Block):
+    """A block of a plan: it stays as it was when it was added."""
+
+    def __init__(self, *arguments: Any):
+        super().__init__(*arguments)
+        self._keep()
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        super().__setstate__({k: v for k, v in state.items() if k != "_kept"})
+        self._keep()
+
+    def _keep(self) -> None:
+        if numpy is not None:
+            self._taken.setflags(write=False)
+        else:
+            self.vertices = self._taken = self._taken.toreadonly()
+        self._kept = True
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if getattr(self, "_kept", False):
+            raise TypeError("'%s' is in a plan: remove() it and add() a copy()"
+                            % self.name)
+        object.__setattr__(self, name, value)
+
+    def move(self, x: float, y: float, turn: float = 0.0) -> Block:
+        raise TypeError("'%s' is in a plan: remove() it and add() a copy()"
+                        % self.name)
+
+
 class Structure:
     """Blocks, their contacts, options and gravity.
 
     contacts None: those that are found between the polygons. After a change of
-    blocks, options, gravity or given contacts, call update().
+    blocks, options, gravity or given contacts, call update(); a question before
+    that raises KernError. Where update() raises, the structure is as it was.
 
     >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> wall = Structure([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -774,12 +971,11 @@ class Structure:
     (True, 13, 4)
     >>> round(wall.load_factor(RIGHT), 6), round(math.degrees(wall.tilt(LEFT)))
     (0.375, 22)
-    >>> wall.blocks[2].move(0.5, 0) and wall.update()
-    >>> wall.verdict()
+    >>> wall.move("top", 0.5, 0).verdict()
     Verdict(stands=False)
     >>> round(wall.deficit(), 6)
     0.25
-    >>> wall.blocks[2].move(0, -0.5) and wall.update()
+    >>> wall.move("top", 0, -0.5)
     Traceback (most recent call last):
         ...
     kern.KernError: 'low' and 'top': two blocks overlap deeper than the gap \
@@ -795,49 +991,95 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         self.options = options or Options()
         self.gravity = gravity
         self.name = name
-        self._work = _Work()
+        self._lock = threading.RLock()
         self.update()
 
-    def _allocate(self, blocks: int, contacts: int) -> None:
-        """Arrays for so many, and work memory."""
-        reals, ints = work_need(blocks, contacts)
-        self._block = (_Block * blocks)()
-        self._contact = (_Contact * contacts)()
-        self._real, self._int = (c_double * reals)(), (c_int * ints)()
-        w = self._work
-        w.real, w.reals = addressof(self._real), reals
-        w.index, w.indices = addressof(self._int), ints
+    def __getstate__(self) -> Dict[str, Any]:
+        return {key: getattr(self, key) for key in
+                ("blocks", "given", "options", "gravity", "name")}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._lock = threading.RLock()
+        self.update()
+
+    def __len__(self) -> int:
+        return len(self.blocks)
+
+    def __repr__(self) -> str:
+        return "<%s '%s': %d blocks, %d contact points>" % (
+            type(self).__name__, self.name, len(self.blocks),
+            self._task.s.contacts)
+
+    def _key(self) -> Any:
+        """All that update() reads, to compare."""
+        return ([b._key() for b in self.blocks], self.given and
+                list(self.given), self.options.__dict__.copy(), self.gravity)
+
+    def _fresh(self) -> None:
+        """Raises where something has changed since update()."""
+        key, told = self._key(), self._told
+        if key == told:
+            return
+        fault = _Fault(-1, -1, -1, 0, 0)
+        for i, (new, old) in enumerate(zip(key[0], told[0])):
+            if new != old:
+                fault.block = i
+                break
+        raise KernError(Status.STALE, [b.name for b in self.blocks], fault,
+                        "vertices, mass, centre or load have changed"
+                        if fault.block >= 0 else "blocks, options, gravity or "
+                        "given contacts have changed")
 
     def _check(self, status: int) -> int:
         if status < 0:
             raise KernError(status, [b.name for b in self.blocks],
-                            self._work.fault)
+                            self._held.work.fault)
         return status
 
     def update(self) -> None:
         """Reads blocks, options, gravity and given contacts again, and finds
         the contacts where none are given."""
-        given, blocks, found = self.given, len(self.blocks), Status.NO_SPACE
-        options = self.options._c()
-        room = 16 * blocks if given is None else len(given)
-        while found == Status.NO_SPACE and room <= 1000000:
-            self._allocate(blocks, room)
-            for block, c in zip(self.blocks, self._block):
-                block._fill(c)
-            if given is None:
-                found = _contacts(self._block, blocks, byref(options),
-                                  self._contact, room, byref(self._work))
-                room *= 2
-            else:
-                found = room
-                self._contact[:] = [contact._c() for contact in given]
-        self._check(found)
-        self._task = _task_of(self._block, blocks, self._contact, found,
-                              byref(self._work))
-        self._task.options = options
-        self._task.s.gravity = _Vec(*self.gravity)
-        self._at_task = byref(self._task)
-        self._shape()
+        with self._lock:
+            given, n, found = self.given, len(self.blocks), Status.NO_SPACE
+            names, options = [b.name for b in self.blocks], self.options._c()
+            room = 16 * n if given is None else len(given)
+            while found == Status.NO_SPACE and room <= 1000000:
+                held = _Held(n, room)
+                for i, block in enumerate(self.blocks):
+                    held.vertex.append(block._copy_to(held.block[i]))
+                if given is None:
+                    found = _contacts(held.block, n, byref(options),
+                                      held.contact, room, byref(held.work))
+                    room *= 2
+                else:
+                    found = room
+                    held.contact[:] = [contact._c() for contact in given]
+            if found < 0:
+                raise KernError(found, names, held.work.fault)
+            task = _task_of(held.block, n, held.contact, found,
+                            byref(held.work))
+            task.options = options
+            task.s.gravity = _Vec(*self.gravity)
+            self._held, self._task, self._told = held, task, self._key()
+            self._at_task = byref(self._task)
+            self._shape()
+
+    def move(self, block: Union[int, str], x: float, y: float,
+             turn: float = 0.0) -> Structure:
+        """Block.move() and update(): turns a block about its centre of mass,
+        then shifts it. Where that is refused the block goes back."""
+        b = self.blocks[self._index(block)]
+        before, centre = b.vertices.tolist(), b.centre
+        b.move(x, y, turn)
+        try:
+            self.update()
+        except KernError:
+            for i, (px, py) in enumerate(before):
+                b.vertices[i, 0], b.vertices[i, 1] = px, py
+            b.centre = centre
+            raise
+        return self
 
     def _shape(self) -> None:
         """Types of the arrays of a proof, for this many."""
@@ -846,7 +1088,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     def _index(self, block: Union[int, str]) -> int:
         if isinstance(block, int):
-            return block
+            if not -len(self.blocks) <= block < len(self.blocks):
+                raise IndexError("block %d of %d" % (block, len(self.blocks)))
+            return block % len(self.blocks)
         for i, b in enumerate(self.blocks):
             if b.name == block:
                 return i
@@ -855,23 +1099,26 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     @property
     def contacts(self) -> List[Contact]:
         """The contact points that the structure has."""
-        return [Contact._of(c) for c in self._contact[:self._task.s.contacts]]
+        n = self._task.s.contacts
+        return [Contact._of(c) for c in self._held.contact[:n]]
 
     @property
     def mean_size(self) -> float:
         """kern_mean_size() of the blocks."""
-        return _mean_size(self._block, self._task.s.blocks)
+        return _mean_size(self._held.block, self._task.s.blocks)
 
+    @_asks
     def touch(self, block: Union[int, str]) -> List[Contact]:
         """kern_touch(): the contacts of a block with those before it."""
         i, room, found = self._index(block), 64, Status.NO_SPACE
         while found == Status.NO_SPACE and room <= 1000000:
             room *= 2
             out = (_Contact * room)()
-            found = _touch(self._block, i, byref(self._task.options), out, room,
-                           byref(self._work))
+            found = _touch(self._held.block, i, byref(self._task.options), out,
+                           room, byref(self._held.work))
         return [Contact._of(c) for c in out[:self._check(found)]]
 
+    @_asks
     def verdict(self, shrink: float = 0.0) -> Verdict:
         """kern_verdict(): does it stand with its kerns shrunk?"""
         force, motion = self._forces(), self._motions()
@@ -879,8 +1126,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                           byref(_Proof(addressof(force), addressof(motion))))
         if status < 0:
             self._check(status)
-        return Verdict(status == _STANDS, force, motion)
+        return Verdict(status == _STANDS, bytes(force), bytes(motion))
 
+    @_asks
     def certain(self) -> bool:
         """kern_certain(): does the verdict hold within the error that
         Options.measured() was told?"""
@@ -892,6 +1140,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             status = _certain(self._at_task, verdict, out, room)
         return self._check(status) == 1
 
+    @_asks
     def raised(self, shrink: float = 0.0, reserve: bool = False) -> Raised:
         """kern_raised(): are its forces such as its load raises? With the
         sideways reserve if that is asked for."""
@@ -901,7 +1150,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             self._at_task, shrink, byref(raising),
             byref(share) if reserve else None,
             byref(_Proof(addressof(force), addressof(motion))))) == _STANDS
-        return Raised(stands, force, motion,
+        return Raised(stands, bytes(force), bytes(motion),
                       Raising(raising.value) if stands else None,
                       share.value if stands and reserve else None)
 
@@ -912,66 +1161,75 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             self._check(status)
         return force if status == _STANDS else None
 
+    @_asks
     def forces(self, shrink: float = 0.0) -> Any:
         """kern_forces(): the least forces, normal and tangential of every
         contact point, (n, 2). None where there are none, or none so exact."""
         force = self._least(shrink)
-        return force and _view(force, 2)
+        return force and _view(bytes(force), 2)
 
+    @_asks
     def measure(self) -> Margin:
         """kern_measure(): margin and level."""
         force, motion, m = self._forces(), self._motions(), _Margin()
         status = _measure(self._at_task, byref(m), byref(
             _Proof(addressof(force), addressof(motion))))
+        if status == Status.LIMIT:
+            error = KernError(status, (), self._held.work.fault)
+            error.margin = Margin._of(m, False)
+            raise error
         if status < 0:
             self._check(status)
-        return Margin(status == _STANDS, force, motion, m.margin, m.holds,
-                      m.fails, m.most, m.epsilon, m.level, bool(m.saturated))
+        return Margin._of(m, status == _STANDS, bytes(force), bytes(motion))
 
+    def _factor(self, ask: Callable[..., int], *arguments: Any
+                ) -> Optional[Factor]:
+        """The number that a function writes, with its proof."""
+        out, force, motion = c_double(), self._forces(), self._motions()
+        status = self._check(ask(self._at_task, *arguments, byref(out), byref(
+            _Proof(addressof(force), addressof(motion)))))
+        return (Factor._of(out.value, bytes(force), bytes(motion))
+                if status == _STANDS else None)
+
+    @_asks
     def deficit(self) -> float:
         """kern_deficit(): 0 where it stands, inf where nothing helps."""
         out = c_double()
         status = self._check(_deficit(self._at_task, byref(out)))
         return out.value if status == _FALLS else 0.0
 
-    def bearing(self) -> Optional[float]:
+    @_asks
+    def bearing(self) -> Optional[Factor]:
         """kern_bearing(): the length of the shortest contact that it needs, inf
         where it needs none. None: it falls with all of them."""
-        out = c_double()
-        status = self._check(_bearing(self._at_task, byref(out), None))
-        return out.value if status == _STANDS else None
+        return self._factor(_bearing)
 
+    @_asks
     def load_factor(self, side: int, shrink: float = 0.0,
                     pattern: Optional[Sequence[Sequence[float]]] = None
-                    ) -> Optional[float]:
+                    ) -> Optional[Factor]:
         """kern_load_factor() to the LEFT or RIGHT, or kern_load_factor_of() a
         pattern (fx, fy, torque) a block, whatever the side. None: it falls
         without that load."""
-        out = c_double()
         if pattern is None:
-            status = _load_factor(self._at_task, shrink, side, byref(out), None)
-        elif len(pattern) != len(self.blocks):
-            raise ValueError("%d rows of a load pattern for %d blocks"
-                             % (len(pattern), len(self.blocks)))
-        else:
-            status = _load_factor_of(self._at_task, shrink, _numbers(pattern),
-                                     byref(out), None)
-        return out.value if self._check(status) == _STANDS else None
+            return self._factor(_load_factor, shrink, side)
+        return self._factor(_load_factor_of, shrink, _rows(
+            pattern, len(self.blocks), 3, "a load pattern"))
 
-    def tilt(self, side: int, shrink: float = 0.0) -> Optional[float]:
+    @_asks
+    def tilt(self, side: int, shrink: float = 0.0) -> Optional[Factor]:
         """kern_tilt() [rad] to the LEFT or RIGHT. None: it falls at 0."""
-        out = c_double()
-        status = self._check(_tilt(self._at_task, shrink, side, byref(out),
-                                   None))
-        return out.value if status == _STANDS else None
+        return self._factor(_tilt, shrink, side)
 
+    @_asks
     def profile(self, side: int = SHRINK) -> Profile:
         """kern_profile(): how far every block is from falling."""
-        value, c = (c_double * len(self.blocks))(), _Collapse()
+        value, c = (c_double * self._task.s.blocks)(), _Collapse()
         self._check(_profile(self._at_task, side, value, byref(c)))
         return Profile(value[:len(self.blocks)], c.least, c.mean, c.weak,
                        c.drop)
 
+    @_asks
     def critical(self, margin: Optional[Margin] = None) -> Optional[Critical]:
         """kern_critical_of() a margin, or measure(): what limits it, and what
         moves first. None where it is saturated."""
@@ -983,10 +1241,13 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         limit, meeting = (c_double * n)(), (c_int * n)()
         group = (c_int * len(self.blocks))()
         c = _Critical(addressof(meeting), addressof(limit), addressof(group))
-        force = addressof(margin._force) if margin.stands else None
+        force = (_rows(margin.forces.tolist(), n, 2, "forces")
+                 if margin.stands else None)
+        motion = _rows(margin.motion.tolist(), len(self.blocks), 3, "a motion")
         self._check(_critical_of(
-            self._at_task, margin.margin,
-            byref(_Proof(force, addressof(margin._motion))), byref(c)))
+            self._at_task, margin.margin, byref(_Proof(
+                addressof(force) if force else None, addressof(motion))),
+            byref(c)))
         names = ("rests", "hinges", "slides", "opens")
         groups: List[List[int]] = [[] for _ in range(c.groups)]
         for i, g in enumerate(group):
@@ -995,39 +1256,51 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         return Critical(c.contact if c.contact >= 0 else None,
                         list(limit), [names[k] for k in meeting], groups)
 
+    @_asks
     def sensitivity(self) -> Tuple[List[ContactRate], List[BlockRate]]:
         """kern_sensitivity(): how measure() depends on every contact point and
         every block."""
         s, m = self._task.s, self.measure()
         c = _Margin(m.margin, m.holds, m.fails, m.most, m.epsilon, m.level,
                     m.saturated)
+        force, motion = _doubles(m._force), _doubles(m._motion)
         points = (_ContactRate * s.contacts)()
         blocks = (_BlockRate * s.blocks)()
         self._check(_sensitivity(
             self._at_task, byref(c), byref(_Proof(
-                addressof(m._force), addressof(m._motion))), points, blocks))
+                addressof(force), addressof(motion))), points, blocks))
         return ([ContactRate((r.p.x, r.p.y), r.turn, r.mu, r.travel)
                  for r in points],
                 [BlockRate((r.centre.x, r.centre.y), (r.place.x, r.place.y),
                            r.turn, r.mass, (r.load.fx, r.load.fy, r.load.torque))
                  for r in blocks])
 
+    @_asks
     def check_forces(self, forces: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
         """kern_check_forces(): up to 1 they prove that it stands."""
-        return _check_forces(self._at_task, shrink, _numbers(forces))
+        return _check_forces(self._at_task, shrink, _rows(
+            forces, self._task.s.contacts, 2, "forces"))
 
+    @_asks
     def check_motion(self, motion: Sequence[Sequence[float]],
                      shrink: float = 0.0) -> float:
         """kern_check_motion(): up to 1 it proves that it falls."""
-        return _check_motion(self._at_task, shrink, _numbers(motion))
+        return _check_motion(self._at_task, shrink, _rows(
+            motion, self._task.s.blocks, 3, "a motion"))
 
+    @_asks
     def check_raised(self, raised: Raised, shrink: float = 0.0) -> float:
         """kern_check_raised(): up to 1 what raised() found is proven."""
-        proof = _Proof(addressof(raised._force), addressof(raised._motion))
+        force = _rows(_view(raised._force or b"", 2).tolist(),
+                      self._task.s.contacts, 2, "forces")
+        motion = _rows(_view(raised._motion or b"", 3).tolist(),
+                       self._task.s.blocks, 3, "a motion")
+        proof = _Proof(addressof(force), addressof(motion))
         return _check_raised(self._at_task, shrink,
                              raised.raising or Raising.NOT_SHOWN, byref(proof))
 
+    @_asks
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
             profile: bool = False, caption: Optional[str] = None) -> str:
         """The picture of draw.h: stones, contacts, the least forces where it
@@ -1035,9 +1308,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         colours the stones by their margins."""
         verdict, m = self.verdict(shrink), self.measure()
         least = self._least(shrink) if verdict else None
-        force = least or (verdict._force if verdict else None)
-        moves = (verdict._motion if not verdict
-                 else None if m.saturated else m._motion)
+        force = least or (_doubles(verdict._force) if verdict else None)
+        moves = _doubles(verdict._motion if not verdict
+                         else None if m.saturated else m._motion)
         critical = self.critical(m)
         limiting = critical.contact if critical else None
         values = self.profile().values if profile else None
@@ -1065,14 +1338,70 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             return pathlib.Path(path).read_text(encoding="utf-8")
 
     def _repr_svg_(self) -> str:
-        return self.svg()
+        """For notebooks, whose pages take no XML declaration."""
+        text = self.svg()
+        return text[text.index("<svg"):]
+
+    def text(self) -> str:
+        """The structure in the format of text.h, from which parse() makes one
+        with the same answers. Blanks in names become underscores. Of the
+        options the file has friction, epsilon, gap and angle."""
+        o, lines = self.options, ["friction %r" % self.options.mu]
+        used: Dict[str, int] = {}
+        lines.append("gravity %r %r" % tuple(map(float, self.gravity)))
+        if o.epsilon:
+            lines.append("epsilon %r" % o.epsilon)
+        if o.gap:
+            lines.append("tolerance %r %r" % (o.gap, o.angle))
+        elif o.angle != _D.angle:
+            raise ValueError("an angle without a gap has no place in a file")
+        names = []
+        for b in self.blocks:
+            word = re.sub(r"[\s#]+", "_", b.name) or "block"
+            used[word] = used.get(word, 0) + 1
+            names.append(word if used[word] == 1
+                         else "%s_%d" % (word, used[word]))
+        for name, b in zip(names, self.blocks):
+            place = "  ".join("%r %r" % (x, y) for x, y in b.vertices.tolist())
+            if b.fixed:
+                lines.append("fixed %s  %s" % (name, place))
+                continue
+            lines.append("block %s %r  %s" % (name, b.body().mass, place))
+            if b.centre is not None:
+                lines.append("com %s %r %r" % (name, *map(float, b.centre)))
+            if any(b.load[:2]):
+                lines.append("load %s %r %r %r %r" % (
+                    name, *map(float, b.load[:2]), *b.body().centre))
+            if b.load[2]:
+                lines.append("torque %s %r" % (name, float(b.load[2])))
+        lines += self._contact_lines(names)
+        return "\n".join(lines) + "\n"
+
+    def _contact_lines(self, names: List[str]) -> List[str]:
+        lines, given, i = [], list(self.given or ()), 0
+        while i < len(given):
+            c, ends = given[i], [given[i].p]
+            if c.line:
+                i += 1
+                ends.append(given[i].p)
+            i += 1
+            lines.append("contact %s %s %r %r %s mu %r" % (
+                names[c.a], names[c.b], *map(float, c.n),
+                " ".join("%r %r" % (x, y) for x, y in ends), c.mu))
+        return lines
+
+    def save(self, path: Union[str, os.PathLike]) -> None:
+        """Writes text() to a file."""
+        pathlib.Path(path).write_text(self.text(), encoding="utf-8")
 
 
 class Plan(Structure):
     """kern_plan: a structure that changes by one block at a time.
 
-    Its blocks are copies; change them by add() and remove() alone. try_() and
-    bears() ask what one more block would do, and leave the plan as it is.
+    Its blocks are copies that cannot be changed: add() and remove() do that.
+    try_() and bears() ask what one more block would do, and leave the plan as
+    it is; a candidate that overlaps another block is no error: it has no margin
+    and bears nothing. After a change of options or gravity call update().
 
     >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
     >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1100,34 +1429,57 @@ class Plan(Structure):
                  gravity: Point = (0.0, -9.81), name: str = "plan"):
         super().__init__(blocks, None, options, gravity, name)
 
+    def _key(self) -> Any:
+        return self.options.__dict__.copy(), self.gravity
+
+    def _fresh(self) -> None:
+        if self._key() != self._told or (
+                len(self.blocks) != self._plan.task.s.blocks):
+            raise KernError(Status.STALE, text="the list of blocks, options or "
+                            "gravity have changed")
+
     def update(self) -> None:
         """Starts anew, as after a change of the options or of gravity."""
-        blocks, self.blocks = self.blocks, []
-        self._candidate = _Block()
-        self._grow(16, 256)
-        for block in blocks:
-            self.add(block)
+        with self._lock:
+            before = dict(self.__dict__)
+            blocks = list(self.blocks)
+            try:
+                self.blocks, self._candidate = [], _Block()
+                self._told = self._key()
+                self._grow(16, 256)
+                for block in blocks:
+                    self.add(block)
+            except Exception:
+                self.__dict__.clear()
+                self.__dict__.update(before)
+                raise
 
     def _grow(self, blocks: int, contacts: int) -> None:
         """Moves the plan to arrays for so many."""
-        held: Any = self._block if self.blocks else ()
-        self._allocate(blocks, contacts)
-        self._motion = (c_double * (3 * blocks))()
-        self._force = (c_double * (2 * contacts))()
-        self._plan = _plan_of(self._block, blocks, self._contact, contacts,
-                              _known_of(self._motion, self._force),
-                              byref(self._work))
+        old, held = getattr(self, "_held", None), _Held(blocks, contacts)
+        n = len(self.blocks)
+        motion = (c_double * (3 * blocks))()
+        force = (c_double * (2 * contacts))()
+        plan = _plan_of(held.block, blocks, held.contact, contacts,
+                        _known_of(motion, force), byref(held.work))
+        plan.task.options = self.options._c()
+        plan.task.s.gravity = _Vec(*self.gravity)
+        for i in range(n):
+            assert old is not None
+            self._check(_plan_add(byref(plan), byref(old.block[i])))
+            held.vertex.append(old.vertex[i])
+        self._held, self._plan, self._known = held, plan, (motion, force)
         self._task = self._plan.task
-        self._task.options = self.options._c()
-        self._task.s.gravity = _Vec(*self.gravity)
         self._at_task, self._at_plan = byref(self._task), byref(self._plan)
-        for _, c in zip(self.blocks, held):
-            self._check(_plan_add(self._at_plan, byref(c)))
         self._shape()
 
     def _ask(self, function: Any, block: Block, *arguments: Any) -> int:
         """Asks about one more block, in larger arrays where these are full."""
+        self._fresh()
         block._fill(self._candidate)
+        return self._asked(function, block, *arguments)
+
+    def _asked(self, function: Any, block: Block, *arguments: Any) -> int:
         while True:
             status = function(self._at_plan, byref(self._candidate), *arguments)
             room = self._plan.block_room, self._plan.contact_room
@@ -1135,45 +1487,101 @@ class Plan(Structure):
                 return status
             if status != Status.NO_SPACE or room[0] > 20000:
                 raise KernError(status, [b.name for b in (*self.blocks, block)],
-                                self._work.fault)
+                                self._held.work.fault)
             self._grow(2 * room[0], 2 * room[1])
 
     def add(self, block: Block) -> int:
         """kern_plan_add(): how many contact points the block has."""
-        own = replace(block, vertices=block.vertices.tolist())
-        contacts = self._ask(_plan_add, own)
-        self.blocks.append(own)
-        self._shape()
-        return contacts
+        with self._lock:
+            self._fresh()
+            own = _Kept(block.name, block.vertices.tolist(), block.density,
+                        block.fixed, block.mass, block.centre, block.load)
+            vertex = own._copy_to(self._candidate)
+            contacts = self._asked(_plan_add, own)
+            self._held.vertex.append(vertex)
+            self.blocks.append(own)
+            self._shape()
+            return contacts
 
     def remove(self, block: Union[int, str]) -> None:
         """kern_plan_remove(): takes a block away; those behind it move up."""
-        i = self._index(block)
-        self._check(_plan_remove(self._at_plan, i))
-        del self.blocks[i]
-        self._shape()
+        with self._lock:
+            self._fresh()
+            i = self._index(block)
+            self._check(_plan_remove(self._at_plan, i))
+            del self.blocks[i], self._held.vertex[i]
+            self._shape()
 
     def try_(self, block: Block) -> Margin:
         """kern_plan_try(): what measure() would say with the block added; the
         answer comes without its proof."""
-        m = _Margin()
-        status = self._ask(_plan_try, block, byref(m), None)
-        return Margin(status == _STANDS, None, None, m.margin, m.holds, m.fails,
-                      m.most, m.epsilon, m.level, bool(m.saturated))
+        with self._lock:
+            m = _Margin()
+            try:
+                status = self._ask(_plan_try, block, byref(m), None)
+            except KernError as error:
+                if error.status != Status.OVERLAP:
+                    raise
+                nan = math.nan
+                return Margin(False, None, None, nan, nan, nan, nan, nan, -1,
+                              False, error)
+            return Margin._of(m, status == _STANDS)
+
+    def tries(self, block: Block, poses: Any) -> Any:
+        """try_() of many poses (x, y, turn): the block is turned about its
+        centre of mass, then shifted, as by Block.move(). Returns the margins:
+        0 where it falls, nan where it overlaps or is undecided.
+
+        >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+        ...                    fixed=True), Block("low", box)])
+        >>> plan.measure().stands
+        True
+        >>> [round(m, 6) for m in plan.tries(Block("top", box),
+        ...                                  [(0, 1, 0), (.2, 1, 0), (2, 0, 0)])]
+        [0.5, 0.3, 0.5]
+        """
+        rows = poses.tolist() if hasattr(poses, "tolist") else list(poses)
+        own = block.copy()
+        vertices, (cx, cy) = own.vertices.tolist(), own.body().centre
+        out = []
+        for x, y, turn in rows:
+            cos, sin = math.cos(turn), math.sin(turn)
+            for i, (px, py) in enumerate(vertices):
+                px, py = px - cx, py - cy
+                own.vertices[i, 0] = cx + cos * px - sin * py + x
+                own.vertices[i, 1] = cy + sin * px + cos * py + y
+            if own.centre is not None:
+                own.centre = (cx + x, cy + y)
+            try:
+                out.append(self.try_(own).margin)
+            except KernError as error:
+                if error.status != Status.UNDECIDED:
+                    raise
+                out.append(math.nan)
+        return numpy.array(out) if numpy is not None else out
 
     def bears(self, block: Block, margin: float) -> bool:
         """kern_plan_bears(): is the margin with the block at least so much?"""
-        return self._ask(_plan_bears, block, margin, None) == _STANDS
+        with self._lock:
+            try:
+                return self._ask(_plan_bears, block, margin, None) == _STANDS
+            except KernError as error:
+                if error.status != Status.OVERLAP:
+                    raise
+                return False
 
     def try_raised(self, block: Block, reserve: bool = False) -> Raised:
         """kern_plan_raised(): what raised() would say with the block added; the
         answer comes without its proof."""
-        raising, share = c_int(), c_double()
-        stands = self._ask(_plan_raised, block, byref(raising),
-                           byref(share) if reserve else None, None) == _STANDS
-        return Raised(stands, None, None,
-                      Raising(raising.value) if stands else None,
-                      share.value if stands and reserve else None)
+        with self._lock:
+            raising, share = c_int(), c_double()
+            stands = self._ask(
+                _plan_raised, block, byref(raising),
+                byref(share) if reserve else None, None) == _STANDS
+            return Raised(stands, None, None,
+                          Raising(raising.value) if stands else None,
+                          share.value if stands and reserve else None)
 
 
 def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
@@ -1243,12 +1651,189 @@ read 'much'
         _free(byref(t))
 
 
-def read(path: Union[str, os.PathLike]) -> Structure:
-    """A structure from a file in the format of text.h."""
+def read(path: Union[str, os.PathLike], **scale: Any) -> Structure:
+    """A structure from a file: in the format of text.h; a drawing (.dxf, see
+    dxf.h); polygons of LabelMe or COCO (.json), `scale` being the arguments of
+    from_labelme() or from_coco()."""
     file = pathlib.Path(path)
-    structure = parse(file.read_bytes(), str(path))
+    data = file.read_bytes()
+    if file.suffix.lower() == ".json":
+        try:
+            page = json.loads(data)
+        except ValueError as error:
+            raise ValueError("%s: %s" % (path, error)) from None
+        if isinstance(page, dict) and "annotations" in page:
+            structure = from_coco(page, name=str(path), **scale)
+        else:
+            structure = from_labelme(page, name=str(path), **scale)
+    elif scale:
+        raise TypeError("%s: %s go with polygons of an image (.json)"
+                        % (path, ", ".join(scale)))
+    elif file.suffix.lower() == ".dxf":
+        structure = parse(_from_dxf(data, str(path)), str(path))
+    else:
+        structure = parse(data, str(path))
     structure.name = file.stem
     return structure
+
+
+def _from_dxf(data: bytes, name: str) -> bytes:
+    """The statements of text.h that a drawing stands for."""
+    message = ctypes.create_string_buffer(512)
+    made = _dxf(data, len(data), message, len(message))
+    if not made:
+        raise ValueError("%s: %s" % (name, message.value.decode(
+            errors="replace")))
+    try:
+        return ctypes.string_at(made)
+    finally:
+        _dxf_free(made)
+
+
+# ---- Polygons of images -----------------------------------------------------
+
+
+_FARTHEST = 1e15  # whose square is still far from the largest number
+
+
+def _simplified(points: List[Point], tolerance: float) -> List[Point]:
+    """Douglas and Peucker: the points without those nearer than the tolerance
+    to the polygon that remains; see contour.c."""
+    n, kept, first = len(points), [True] + [False] * (len(points) - 1), 0
+    while first < n:
+        last = first + 1
+        while last < n and not kept[last]:
+            last += 1
+        (ax, ay), (bx, by) = points[first], points[last % n]
+        dx, dy = bx - ax, by - ay
+        most, at, square = tolerance * tolerance, -1, dx * dx + dy * dy
+        for i in range(first + 1, last):
+            px, py = points[i][0] - ax, points[i][1] - ay
+            share = (min(max((px * dx + py * dy) / square, 0), 1)
+                     if square else 0)
+            away = (px - share * dx) ** 2 + (py - share * dy) ** 2
+            if away > most:
+                most, at = away, i
+        if at >= 0:
+            kept[at] = True
+        else:
+            first = last
+    return [point for point, keep in zip(points, kept) if keep]
+
+
+def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
+                pixel: float, tolerance: float, density: float,
+                fixed: Sequence[str], name: str) -> Structure:
+    """Polygons in pixels, y down, as a measured structure."""
+    blocks: List[Block] = []
+    used: Dict[str, int] = {}
+    for label, points in polygons:
+        try:
+            turned = [(pixel * float(x), pixel * (height - float(y)))
+                      for x, y in points]
+            if any(not abs(n) < _FARTHEST for q in turned for n in q):
+                raise ValueError
+        except (TypeError, ValueError):
+            raise ValueError("%s: '%s': points are no pairs of numbers, or "
+                             "farther than %g m" % (name, label, _FARTHEST)
+                             ) from None
+        used[label] = used.get(label, 0) + 1
+        own = label if used[label] == 1 else "%s_%d" % (label, used[label])
+        blocks.append(Block(own, _simplified(turned, tolerance * pixel), density,
+                            fixed=label in fixed))
+    if not blocks:
+        raise ValueError("%s: no polygons" % name)
+    e = pixel * math.hypot(1, tolerance)
+    sizes = [abs(b.body().area) ** .5 for b in blocks if not b.fixed]
+    if not sizes:
+        raise ValueError("%s: every polygon is fixed" % name)
+    theta = e * len(sizes) / sum(sizes)
+    return Structure(blocks, options=Options().measured(e, theta), name=name)
+
+
+def from_labelme(page: Any, pixel: float = 1.0, tolerance: float = 1.5,
+                 density: float = 1.0,
+                 fixed: Sequence[str] = ("ground", "fixed"),
+                 name: str = "LabelMe") -> Structure:
+    """The polygons of a page of LabelMe (the object of its JSON): y up, pixel
+    metres a pixel, simplified to `tolerance` pixels, labels in `fixed` do not
+    move. Pixel and tolerance together are the error that
+    Options.measured() is told.
+
+    >>> box = [[10, 10], [30, 10], [30, 30], [10, 30]]
+    >>> slab = [[0, 30], [60, 30], [60, 40], [0, 40]]
+    >>> from_labelme({"imageHeight": 40, "shapes": [
+    ...     {"label": "ground", "points": slab, "shape_type": "polygon"},
+    ...     {"label": "stone", "points": box, "shape_type": "polygon"}]},
+    ...     pixel=.01).verdict()
+    Verdict(stands=True)
+    """
+    shapes = page.get("shapes") if isinstance(page, dict) else None
+    if not isinstance(shapes, list):
+        raise ValueError("%s: neither LabelMe (shapes) nor COCO (annotations)"
+                         % name)
+    polygons: List[Tuple[str, List[Any]]] = []
+    for i, shape in enumerate(shapes):
+        if not isinstance(shape, dict):
+            raise ValueError("%s: shape %d is no object" % (name, i))
+        label = str(shape.get("label", "stone"))
+        kind, points = shape.get("shape_type", "polygon"), shape.get("points")
+        if kind == "rectangle" and isinstance(points, list) and (
+                len(points) == 2 and all(
+                    isinstance(q, list) and len(q) == 2 for q in points)):
+            (a, b), (c, d) = points
+            points = [[a, b], [c, b], [c, d], [a, d]]
+        elif kind != "polygon" or not isinstance(points, list):
+            raise ValueError("%s: '%s' is a %s, not a polygon"
+                             % (name, label, kind))
+        polygons.append((label, points))
+    return _from_image(polygons, _height(page.get("imageHeight"), polygons),
+                       pixel, tolerance, density, fixed, name)
+
+
+def from_coco(page: Any, pixel: float = 1.0, tolerance: float = 1.5,
+              density: float = 1.0, fixed: Sequence[str] = ("ground", "fixed"),
+              image: Optional[int] = None, name: str = "COCO") -> Structure:
+    """The polygons of one image of a COCO page, named by their categories:
+    otherwise as from_labelme(). image: its id, where there are several."""
+    def rows(key: str) -> List[Dict[str, Any]]:
+        found = page.get(key) if isinstance(page, dict) else None
+        if not isinstance(found, list) or not all(
+                isinstance(row, dict) for row in found):
+            raise ValueError("%s: no list of %s" % (name, key))
+        return found
+
+    images = rows("images") if "images" in page else []
+    if image is None and len(images) > 1:
+        raise ValueError("%s: %d images: name one (image=%r)" % (
+            name, len(images), images[0].get("id")))
+    known = {row.get("id"): str(row.get("name", "stone"))
+             for row in (rows("categories") if "categories" in page else [])}
+    polygons: List[Tuple[str, List[Any]]] = []
+    for row in rows("annotations"):
+        if image is not None and row.get("image_id") != image:
+            continue
+        label = known.get(row.get("category_id"), "stone")
+        parts = row.get("segmentation")
+        if not isinstance(parts, list) or len(parts) != 1 or not isinstance(
+                parts[0], list) or len(parts[0]) % 2:
+            raise ValueError("%s: '%s' (annotation %s) is no single polygon"
+                             % (name, label, row.get("id")))
+        flat = parts[0]
+        polygons.append((label, list(zip(flat[::2], flat[1::2]))))
+    height = next((row.get("height") for row in images
+                   if image is None or row.get("id") == image), None)
+    return _from_image(polygons, _height(height, polygons), pixel, tolerance,
+                       density, fixed, name)
+
+
+def _height(told: Any, polygons: List[Tuple[str, List[Any]]]) -> float:
+    """Of the image; where nobody tells it, of the polygons."""
+    if isinstance(told, (int, float)):
+        return float(told)
+    return max((q[1] for _, points in polygons for q in points
+                if isinstance(q, (list, tuple)) and len(q) == 2
+                and isinstance(q[1], (int, float))), default=0.0)
 
 
 def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
