@@ -16,8 +16,8 @@
      III  The argument      >>impl >>vec >>statics >>kern (Algorithm 1)
                             >>work >>check >>proof >>model >>engine
                             >>measure >>profile >>critical >>sensitivity
-     IV   Forces, motions   >>part >>least >>pour >>verdict >>search >>inner
-                            >>raised
+     IV   Forces, motions   >>part >>skyline >>least >>pour >>verdict
+                            >>search >>inner >>raised
      V    Geometry          >>tol >>polygon >>contact, and >>plan
      VI   Linear programs   >>lp, and >>words
      VII  Sources           >>references >>changes, and the licence
@@ -2196,8 +2196,8 @@ struct kern_model {
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
     kern_real *load;          /* three a group: what contacts must exert      */
     kern_real *size;          /* of a group: magnitude of all that acts       */
-    kern_real *arm;           /* four a contact: torques of n and t on b, and
-                                 of -n and -t on a, in their units            */
+    kern_real *arm;           /* two an end: torques of n and t there, as its
+                                 row has them                                 */
     const kern_force *prior;  /* of these the least change is found, or NULL  */
     const kern_force *known;  /* forces that held a structure like it, or NULL,
                                  at the shrinkage ...                         */
@@ -2378,20 +2378,80 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
 static int kern_is_free(const kern_model *m, int block)
 { return m->graph.group[block] < m->graph.groups; }
 
-/* The torques of contact i for a query. Of all that a contact has in Eq. (5)
-   only they depend on the shrinkage. */
-static inline void kern_model_arm(const kern_model *m, const kern_query *q,
-                                  int i, kern_real to[4])
+/* The row of a contact at one of its ends: three equations of the group there.
+   All that look for forces use it by two verbs, motion to speed and force to
+   wrench; proofs have their own, so as not to share a fault. */
+typedef struct kern_row {
+    kern_real n[3];           /* wrench of a unit of normal force             */
+    kern_real turn;           /* along t it is (-n[1], n[0], turn)            */
+} kern_row;
+
+/* The row of a normal n that acts at an arm, its torque times `unit`. */
+static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
+{
+    kern_row row;
+    row.n[0] = n.x;
+    row.n[1] = n.y;
+    row.n[2] = kern_vec_cross(arm, n) * unit;
+    row.turn = kern_vec_dot(arm, n) * unit;
+    return row;
+}
+
+/* w += the speed along n and t of motion v */
+static inline void kern_row_speed(const kern_row *c, const kern_real *v,
+                                  kern_real w[2])
+{
+    w[0] += c->n[0] * v[0] + c->n[1] * v[1] + c->n[2] * v[2];
+    w[1] += c->n[0] * v[1] - c->n[1] * v[0] + c->turn * v[2];
+}
+
+/* b += the wrench of forces f along n and r along t */
+static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
+                                  kern_real *b)
+{
+    b[0] += f * c->n[0] - r * c->n[1];
+    b[1] += f * c->n[1] + r * c->n[0];
+    b[2] += f * c->n[2] + r * c->turn;
+}
+
+/* The rows of contact i for a query: of block b, and of block a. Only torques
+   depend on the shrinkage. */
+static inline void kern_model_rows(const kern_model *m, const kern_query *q,
+                                   int i, kern_row row[2])
 {
     const kern_contact *c = m->s->contact + i;
-    const kern_real ub = m->unit[m->graph.ends[2 * i]];
-    const kern_real ua = m->unit[m->graph.ends[2 * i + 1]];
     kern_vec arm[2];
     kern_arms(m->s, c, q, arm);
-    to[0] = kern_vec_cross(arm[1], c->n) * ub;
-    to[1] = kern_vec_dot(arm[1], c->n) * ub;
-    to[2] = -kern_vec_cross(arm[0], c->n) * ua;
-    to[3] = -kern_vec_dot(arm[0], c->n) * ua;
+    row[0] = kern_row_of(c->n, arm[1], m->unit[m->graph.ends[2 * i]]);
+    row[1] = kern_row_of(kern_vec_scale(c->n, KERN_R(-1)), arm[0],
+                         m->unit[m->graph.ends[2 * i + 1]]);
+}
+
+/* The row at an end, for the query that is set. */
+static inline kern_row kern_model_row(const kern_model *m, int end)
+{
+    const kern_vec n = m->s->contact[end >> 1].n;
+    kern_row row;
+    row.n[0] = end & 1 ? -n.x : n.x;
+    row.n[1] = end & 1 ? -n.y : n.y;
+    row.n[2] = m->arm[2 * (size_t)end];
+    row.turn = m->arm[2 * (size_t)end + 1];
+    return row;
+}
+
+/* The torques of all rows for a query. */
+static void kern_model_arms(kern_model *m, const kern_query *q)
+{
+    kern_real *to = m->arm;
+    int i, end;
+    for (i = 0; i < m->s->contacts; i++) {
+        kern_row row[2];
+        kern_model_rows(m, q, i, row);
+        for (end = 0; end < 2; end++) {
+            *to++ = row[end].n[2];
+            *to++ = row[end].turn;
+        }
+    }
 }
 
 /* The unit of a group's torques is the size of its block, or where kerns have
@@ -2442,14 +2502,13 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 /* All of the model for a query. */
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
-    int i, g;
+    int g;
     if (m->graph.groups == 0)
         kern_model_group(m, q);
     kern_model_weigh(m, q);
     for (g = 0; g <= m->graph.groups; g++)
         m->graph.local[g] = KERN_OUT;
-    for (i = 0; i < m->s->contacts; i++)
-        kern_model_arm(m, q, i, m->arm + 4 * (size_t)i);
+    kern_model_arms(m, q);
 }
 
 /* No contact bears anything. */
@@ -2520,14 +2579,21 @@ typedef struct kern_simplex {
     kern_real *temp;        /* scratch, rows                                  */
 } kern_simplex;
 
+/* A symmetric matrix of 3 x 3 blocks, a row of them a group, or its factor: of
+   each row what lies from its first column to the diagonal (>>skyline). */
+typedef struct kern_skyline {
+    int groups;
+    int *first;               /* of a row: its first block column             */
+    int *offset;              /* of a row: where it is stored                 */
+    kern_real *entry;
+} kern_skyline;
+
 /* Least forces of a part, by Newton's method on their dual: see >>least. */
 typedef struct kern_dual {
-    int *first, *offset;      /* of a group: first column of its rows in the
-                                 factor, and where these begin                */
+    kern_skyline matrix;      /* of the contacts that carry                   */
     kern_real *u, *step, *left; /* three a group, and three of 0              */
     kern_real *b;             /* loads, three a group                         */
     kern_real *way;           /* four a contact: u and step along n and t     */
-    kern_real *factor;
     const kern_real *price;   /* one a contact: see >>raised; or NULL         */
     int cost;                 /* of a step, in products                       */
     int rounds;               /* that the last forces took                    */
@@ -3590,6 +3656,317 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
+/* ---- Contact law and skyline factor --------------------------- >>skyline */
+/* What a contact answers to a motion (wn, wt) along n and t is linear between
+   bends: f = nn wn + nt wt, r = nt wn + tt wt. A x = b then asks for a matrix
+   with the pattern of the groups, which is factored (skyline Cholesky) in their
+   order. Least forces, >>inner and >>raised differ in the law alone. */
+
+/* How much stiffer contacts are along t than along n, for >>raised: what sticks
+   then slides by 1/KERN_STIFF of its approach at the most. */
+#define KERN_STIFF       KERN_PICK(550, 10)
+
+typedef struct kern_spring {
+    kern_real nn, nt, tt;
+    kern_force force;         /* in the cone to the last digit                */
+} kern_spring;
+
+/* The law of rays n + mu t and n - mu t of stiffness plus and minus. */
+static inline kern_spring kern_spring_rays(kern_real plus, kern_real minus,
+                                           kern_real mu)
+{
+    kern_spring s;
+    s.nn = plus + minus;
+    s.nt = mu * (plus - minus);
+    s.tt = mu * mu * s.nn;
+    s.force.normal = s.force.tangential = KERN_R(0);
+    return s;
+}
+
+/* The law of rays of stiffness 1 that only press. */
+static inline kern_spring kern_spring_pressed(kern_real wn, kern_real wt,
+                                              kern_real mu)
+{
+    const kern_real plus = kern_max(wn + mu * wt, KERN_R(0));
+    const kern_real minus = kern_max(wn - mu * wt, KERN_R(0));
+    kern_spring s = kern_spring_rays(plus > 0 ? KERN_R(1) : KERN_R(0),
+                                     minus > 0 ? KERN_R(1) : KERN_R(0), mu);
+    s.force.normal = plus + minus;
+    s.force.tangential = mu * (plus - minus);
+    return s;
+}
+
+/* The law of a contact that answers what presses it by `stiff`, and what shears
+   it by KERN_STIFF times as much until it slides. */
+static inline kern_spring kern_spring_stiff(kern_real wn, kern_real wt,
+                                            kern_real mu, kern_real stiff)
+{
+    const kern_real side = wt > 0 ? mu : -mu;
+    kern_spring s = {0, 0, 0, {0, 0}};
+    if (wn > 0 && KERN_STIFF * kern_abs(wt) <= wn) {
+        s.nn = stiff;
+        s.tt = KERN_STIFF * mu * stiff;
+        s.force.normal = stiff * wn;
+        s.force.tangential = s.tt * wt;
+    } else if (wn + side * wt > 0) {
+        s.nn = stiff / (1 + mu / KERN_STIFF);
+        s.nt = side * s.nn;
+        s.tt = side * s.nt;
+        s.force.normal = s.nn * (wn + side * wt);
+        s.force.tangential = side * s.force.normal;
+    }
+    return s;
+}
+
+/* The wrenches v and w that n and t of a row answer by a law: its stiffness is
+   n v' + t w'. */
+static inline void kern_row_answer(const kern_row *c, const kern_spring *s,
+                                   kern_real v[3], kern_real w[3])
+{
+    v[0] = s->nn * c->n[0] - s->nt * c->n[1];
+    v[1] = s->nn * c->n[1] + s->nt * c->n[0];
+    v[2] = s->nn * c->n[2] + s->nt * c->turn;
+    w[0] = s->nt * c->n[0] - s->tt * c->n[1];
+    w[1] = s->nt * c->n[1] + s->tt * c->n[0];
+    w[2] = s->nt * c->n[2] + s->tt * c->turn;
+}
+
+/* sum of a[i] b[i] */
+static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
+{
+    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
+    int i;
+    for (i = 0; i + 4 <= n; i += 4) {
+        s0 += a[i] * b[i];
+        s1 += a[i + 1] * b[i + 1];
+        s2 += a[i + 2] * b[i + 2];
+        s3 += a[i + 3] * b[i + 3];
+    }
+    for (; i < n; i++)
+        s0 += a[i] * b[i];
+    return s0 + s1 + (s2 + s3);
+}
+
+/* Every row reaches to its diagonal alone. */
+static void kern_skyline_narrow(kern_skyline *a)
+{
+    int g;
+    for (g = 0; g < a->groups; g++)
+        a->first[g] = g;
+}
+
+/* Takes the lists of a matrix of so many groups; 0 if there is no room. Then
+   come what its rows reach, and kern_skyline_lay(). */
+static int kern_skyline_begin(kern_skyline *a, int groups, kern_take *take)
+{
+    a->groups = groups;
+    a->first = kern_take_ints(take, groups);
+    a->offset = kern_take_ints(take, groups);
+    if (!kern_take_fits(take))
+        return 0;
+    kern_skyline_narrow(a);
+    return 1;
+}
+
+/* The row of the later of two groups reaches to the column of the other. */
+static inline void kern_skyline_reach(kern_skyline *a, const int ends[2])
+{
+    const int low = ends[0] < ends[1] ? ends[0] : ends[1];
+    const int high = ends[0] < ends[1] ? ends[1] : ends[0];
+    if (high < a->groups && low < a->first[high])
+        a->first[high] = low;
+}
+
+/* Takes room for the rows as far as they reach, and adds to *cost the products
+   of a factor; 0 if there is none. */
+static int kern_skyline_lay(kern_skyline *a, kern_take *take, int *cost)
+{
+    int g, end = 0;
+    for (g = 0; g < a->groups; g++) {
+        const int width = g - a->first[g] + 1;
+        a->offset[g] = end;
+        end += 9 * width;
+        *cost += 14 * width * width;
+    }
+    a->entry = kern_take_reals(take, end);
+    return kern_take_fits(take);
+}
+
+static void kern_skyline_clear(kern_skyline *a)
+{
+    int g, i;
+    for (g = 0; g < a->groups; g++)
+        for (i = 0; i < 9 * (g - a->first[g] + 1); i++)
+            a->entry[a->offset[g] + i] = KERN_R(0);
+}
+
+/* Adds to the block of groups g and h <= g: what moving h does to the forces on g
+   (xx, xy, yy, times a sign), what turning h does (f and r along n and t of g),
+   and what either does to the torque on g. Above the diagonal nothing is read. */
+static inline void kern_skyline_add(kern_skyline *a, int g, int h,
+                                    kern_real sign, const kern_real k[3],
+                                    const kern_row *of_g, const kern_row *of_h,
+                                    const kern_real turn_g[2],
+                                    const kern_real turn_h[2])
+{
+    const int wide = 3 * (g - a->first[g] + 1);
+    kern_real *to = a->entry + a->offset[g] + 3 * (h - a->first[g]);
+    to[0] += sign * k[0];
+    to[1] += sign * k[1];
+    to[2] += turn_h[0] * of_g->n[0] - turn_h[1] * of_g->n[1];
+    to += wide;
+    to[0] += sign * k[1];
+    to[1] += sign * k[2];
+    to[2] += turn_h[0] * of_g->n[1] + turn_h[1] * of_g->n[0];
+    to += wide;
+    to[0] += turn_g[0] * of_h->n[0] - turn_g[1] * of_h->n[1];
+    to[1] += turn_g[0] * of_h->n[1] + turn_g[1] * of_h->n[0];
+    to[2] += turn_g[0] * of_h->n[2] + turn_g[1] * of_h->turn;
+}
+
+/* Adds what the two groups of a contact exert on each other by its law. */
+static void kern_skyline_spring(kern_skyline *a, const int ends[2],
+                                const kern_row row[2], const kern_spring *s)
+{
+    const kern_real x = row->n[0], y = row->n[1];
+    const kern_real xx = x * x, yy = y * y, xy = x * y;
+    const kern_real k[3] = {s->nn * xx - 2 * s->nt * xy + s->tt * yy,
+                            (s->nn - s->tt) * xy + s->nt * (xx - yy),
+                            s->nn * yy + 2 * s->nt * xy + s->tt * xx};
+    const int late = ends[1] > ends[0], early = !late;
+    kern_real turn[2][2];
+    int i;
+    for (i = 0; i < 2; i++) {
+        turn[i][0] = s->nn * row[i].n[2] + s->nt * row[i].turn;
+        turn[i][1] = s->nt * row[i].n[2] + s->tt * row[i].turn;
+        if (ends[i] < a->groups)
+            kern_skyline_add(a, ends[i], ends[i], KERN_R(1), k, row + i,
+                             row + i, turn[i], turn[i]);
+    }
+    if (ends[late] < a->groups)
+        kern_skyline_add(a, ends[late], ends[early], KERN_R(-1), k, row + late,
+                         row + early, turn[late], turn[early]);
+}
+
+/* Adds a share of their mean to the entries of the diagonal. */
+static void kern_skyline_shift(kern_skyline *a, kern_real share)
+{
+    kern_real trace = KERN_R(0), more = KERN_R(0);
+    int g, k, add;
+    for (add = 0; add < 2; add++) {
+        for (g = 0; g < a->groups; g++) {
+            const int length = 3 * (g - a->first[g] + 1);
+            kern_real *d = a->entry + a->offset[g] + length - 3;
+            for (k = 0; k < 3; k++, d += length + 1) {
+                trace += *d;
+                *d += more;
+            }
+        }
+        more = share * trace / KERN_R(3 * a->groups);
+    }
+}
+
+/* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
+   columns. The rows are `wide_a` and `wide_b` apart. */
+static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
+                              const kern_real *b, int wide_b, int n)
+{
+    const kern_real *a1 = a + wide_a, *a2 = a1 + wide_a;
+    const kern_real *b1 = b + wide_b, *b2 = b1 + wide_b;
+    kern_real *c1 = c + wide_a, *c2 = c1 + wide_a;
+    kern_real s00 = c[0], s01 = c[1], s02 = c[2];
+    kern_real s10 = c1[0], s11 = c1[1], s12 = c1[2];
+    kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
+    int i;
+    for (i = 0; i < n; i++) {
+        const kern_real x = b[i], y = b1[i], z = b2[i];
+        s00 -= a[i] * x; s01 -= a[i] * y; s02 -= a[i] * z;
+        s10 -= a1[i] * x; s11 -= a1[i] * y; s12 -= a1[i] * z;
+        s20 -= a2[i] * x; s21 -= a2[i] * y; s22 -= a2[i] * z;
+    }
+    c[0] = s00; c[1] = s01; c[2] = s02;
+    c1[0] = s10; c1[1] = s11; c1[2] = s12;
+    c2[0] = s20; c2[1] = s21; c2[2] = s22;
+}
+
+/* Cholesky's L of the matrix where it stands, block by block. A pivot that is
+   rounding becomes that. */
+static void kern_skyline_factor(kern_skyline *a)
+{
+    int g, h, r, k;
+    for (g = 0; g < a->groups; g++) {
+        const int wide = 3 * (g - a->first[g] + 1);
+        kern_real *row = a->entry + a->offset[g], *d = row + wide - 3;
+        const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
+        for (h = a->first[g]; h <= g; h++) {
+            const int from = a->first[g] > a->first[h] ? a->first[g]
+                                                       : a->first[h];
+            const int wide_h = 3 * (h - a->first[h] + 1);
+            const kern_real *other = a->entry + a->offset[h];
+            const kern_real *l = other + wide_h - 3;
+            kern_real *c = row + 3 * (h - a->first[g]);
+            kern_skyline_common(c, row + 3 * (from - a->first[g]), wide,
+                              other + 3 * (from - a->first[h]), wide_h,
+                              3 * (h - from));
+            for (r = 0; h < g && r < 3; r++, c += wide) {
+                c[0] /= l[0];
+                c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
+                c[2] = (c[2] - c[0] * l[2 * wide_h]
+                        - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
+            }
+        }
+        for (r = 0; r < 3; r++)
+            for (k = 0; k <= r; k++) {
+                kern_real *e = d + r * wide + k;
+                for (h = 0; h < k; h++)
+                    *e -= d[r * wide + h] * d[k * wide + h];
+                if (k < r)
+                    *e /= d[k * wide + k];
+                else
+                    *e = KERN_SQRT(kern_max(*e, KERN_EPS * (KERN_EPS
+                                                            + was[r])));
+            }
+    }
+}
+
+/* out := the solution of matrix times it = b, by the factor. */
+static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
+                             kern_real *out)
+{
+    int g, i;
+    for (g = 0; g < a->groups; g++) {
+        const int n = 3 * (g - a->first[g]), wide = n + 3;
+        const kern_real *u = a->entry + a->offset[g], *v = u + wide;
+        const kern_real *w = v + wide, *x = out + 3 * a->first[g];
+        kern_real s0 = b[3 * g], s1 = b[3 * g + 1], s2 = b[3 * g + 2];
+        for (i = 0; i < n; i++) {
+            s0 -= u[i] * x[i];
+            s1 -= v[i] * x[i];
+            s2 -= w[i] * x[i];
+        }
+        s0 /= u[n];
+        s1 = (s1 - v[n] * s0) / v[n + 1];
+        s2 = (s2 - w[n] * s0 - w[n + 1] * s1) / w[n + 2];
+        out[3 * g] = s0;
+        out[3 * g + 1] = s1;
+        out[3 * g + 2] = s2;
+    }
+    for (g = a->groups - 1; g >= 0; g--) {
+        const int n = 3 * (g - a->first[g]), wide = n + 3;
+        const kern_real *u = a->entry + a->offset[g], *v = u + wide;
+        const kern_real *w = v + wide;
+        kern_real *x = out + 3 * a->first[g];
+        const kern_real s2 = x[n + 2] / w[n + 2];
+        const kern_real s1 = (x[n + 1] - w[n + 1] * s2) / v[n + 1];
+        const kern_real s0 = (x[n] - w[n] * s2 - v[n] * s1) / u[n];
+        x[n] = s0;
+        x[n + 1] = s1;
+        x[n + 2] = s2;
+        for (i = 0; i < n; i++)
+            x[i] -= s0 * u[i] + s1 * v[i] + s2 * w[i];
+    }
+}
+
 /* ---- Least forces ----------------------------------------------- >>least */
 /* Of all admissible forces on a part, those of least squares:
 
@@ -3616,9 +3993,6 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_LEAST_MOST  KERN_R(50)
 /* Share of the largest velocity that is no approach. */
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
-/* How much stiffer contacts are along t than along n, for >>raised: what sticks
-   then slides by 1/KERN_STIFF of its approach at the most. */
-#define KERN_STIFF       KERN_PICK(550, 10)
 #define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
 #define KERN_HOLD_ROUNDS   8       /* the same where they were not poured     */
@@ -3629,60 +4003,6 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 #define KERN_UNIT_SHARE    32      /* one group, one time more for so many    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
 #define KERN_POUR_LARGEST  400000  /* of these: their product is an int       */
-
-/* What a contact's two rays make of the motion (wn, wt) along n and t: force
-   and its derivative. */
-typedef struct kern_spring {
-    kern_real f, r;           /* normal and tangential                        */
-    kern_real nn, nt, tt;
-} kern_spring;
-
-static inline kern_spring kern_spring_of(kern_real wn, kern_real wt,
-                                         kern_real mu)
-{
-    const kern_real plus = wn + mu * wt, minus = wn - mu * wt;
-    kern_spring s;
-    s.f = s.r = s.nn = s.nt = s.tt = KERN_R(0);
-    if (plus > 0) {
-        s.f = plus;
-        s.r = mu * plus;
-        s.nn = KERN_R(1);
-        s.nt = mu;
-        s.tt = mu * mu;
-    }
-    if (minus > 0) {
-        s.f += minus;
-        s.r -= mu * minus;
-        s.nn += KERN_R(1);
-        s.nt -= mu;
-        s.tt += mu * mu;
-    }
-    return s;
-}
-
-/* The same for a contact that answers what presses it by a force of its own,
-   and what shears it by KERN_STIFF times as much: see >>raised. */
-static inline kern_spring kern_spring_press(kern_real wn, kern_real wt,
-                                            kern_real mu, kern_real stiff)
-{
-    const kern_real side = wt > 0 ? mu : -mu;
-    const int sticks = wn > 0 && KERN_STIFF * kern_abs(wt) <= wn;
-    kern_spring s;
-    s.f = s.r = s.nn = s.nt = s.tt = KERN_R(0);
-    if (sticks) {
-        s.nn = stiff;
-        s.tt = KERN_STIFF * mu * stiff;
-        s.f = stiff * wn;
-        s.r = s.tt * wt;
-    } else if (wn + side * wt > 0) {
-        s.nn = stiff / (1 + mu / KERN_STIFF);
-        s.nt = side * s.nn;
-        s.tt = side * s.nt;
-        s.f = s.nn * (wn + side * wt);
-        s.r = side * s.f;
-    }
-    return s;
-}
 
 /* Where the motion of contact i begins: its spring then exerts the force that
    is known, so what is found is the least change of that. */
@@ -3702,99 +4022,60 @@ static inline void kern_model_prior(const kern_model *m, int i,
 static inline kern_real kern_stiffness(const kern_contact *c, kern_real mean)
 { return KERN_R(0.1) + (c->line ? kern_abs(c->travel) / mean : KERN_R(0)); }
 
-/* Contact i's n and t as rows of the group at an end: 0 is block b, 1 is a. */
-static inline void kern_model_rows(const kern_model *m, int i, int end,
-                                   kern_real n[3], kern_real t[3])
-{
-    const kern_vec v = m->s->contact[i].n;
-    const kern_real *arm = m->arm + 4 * (size_t)i + 2 * end;
-    n[0] = end ? -v.x : v.x;
-    n[1] = end ? -v.y : v.y;
-    n[2] = arm[0];
-    t[0] = -n[1];
-    t[1] = n[0];
-    t[2] = arm[1];
-}
-
-/* v -= sign times the force of contact i, in the rows of the group at an end */
-static inline void kern_model_carry(const kern_model *m, int i, int end,
-                                    kern_real f, kern_real r, kern_real *v)
-{
-    kern_real n[3], t[3];
-    kern_model_rows(m, i, end, n, t);
-    v[0] -= f * n[0] + r * t[0];
-    v[1] -= f * n[1] + r * t[1];
-    v[2] -= f * n[2] + r * t[2];
-}
-
+/* The contact law of the part's contact k at (wn, wt). */
 static inline kern_spring kern_part_spring(const kern_part *p, int k,
                                            kern_real wn, kern_real wt)
 {
     const int i = p->contact[k];
     const kern_real mu = kern_model_mu(p->m, i);
-    return p->dual.price ? kern_spring_press(wn, wt, mu, kern_stiffness(
+    return p->dual.price ? kern_spring_stiff(wn, wt, mu, kern_stiffness(
                           p->m->s->contact + i, p->m->mean))
-                    : kern_spring_of(wn, wt, mu);
-}
-
-static void kern_least_clear(kern_part *p)
-{
-    int g, i;
-    for (g = 0; g < p->groups; g++)
-        for (i = 0; i < 9 * (g - p->dual.first[g] + 1); i++)
-            p->dual.factor[p->dual.offset[g] + i] = KERN_R(0);
-}
-
-/* The rows of the later group of contact k reach to the columns of the other. */
-static void kern_least_reach(kern_part *p, int k)
-{
-    const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-    const int low = h < t ? h : t, high = h < t ? t : h;
-    if (high < p->groups && low < p->dual.first[high])
-        p->dual.first[high] = low;
+                    : kern_spring_pressed(wn, wt, mu);
 }
 
 /* Lays out what the least forces of the part need; 0 if there is no room. */
 static int kern_least_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
-    int g, k, end = 0;
+    int k;
     p->dual.price = NULL;
-    p->dual.first = kern_take_ints(take, p->groups);
-    p->dual.offset = kern_take_ints(take, p->groups);
     p->dual.u = kern_take_reals(take, n);
     p->dual.step = kern_take_reals(take, n);
     p->dual.left = kern_take_reals(take, n);
     p->dual.b = kern_take_reals(take, n);
     p->dual.way = kern_take_reals(take, 4 * p->contacts);
-    if (!kern_take_fits(take))
+    if (!kern_skyline_begin(&p->dual.matrix, p->groups, take))
         return 0;
-    for (g = 0; g < p->groups; g++)
-        p->dual.first[g] = g;
     for (k = 0; k < p->own; k++)
-        kern_least_reach(p, k);
+        kern_skyline_reach(&p->dual.matrix, p->ends + 2 * k);
     p->dual.cost = 100 * p->contacts;
-    for (g = 0; g < p->groups; g++) {
-        const int width = g - p->dual.first[g] + 1;
-        p->dual.offset[g] = end;
-        end += 9 * width;
-        p->dual.cost += 14 * width * width;
-    }
-    p->dual.factor = kern_take_reals(take, end);
-    return kern_take_fits(take);
+    return kern_skyline_lay(&p->dual.matrix, take, &p->dual.cost);
 }
 
-/* Adds to w how v moves the part's contact k along n and t. */
-static inline void kern_part_way(const kern_part *p, int k, const kern_real *v,
-                                 kern_real *w)
+/* w += how v moves the part's contact k along n and t. Differences come first:
+   what moves as one moves no contact, to the last digit. */
+static inline void kern_part_speed(const kern_part *p, int k,
+                                   const kern_real *v, kern_real *w)
 {
+    const kern_row head = kern_model_row(p->m, 2 * p->contact[k]);
+    const kern_row tail = kern_model_row(p->m, 2 * p->contact[k] + 1);
     const kern_real *h = v + 3 * p->ends[2 * k];
     const kern_real *t = v + 3 * p->ends[2 * k + 1];
-    const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
-    const kern_vec n = p->m->s->contact[p->contact[k]].n;
-    const kern_real x = h[0] - t[0], y = h[1] - t[1];
-    w[0] = w[0] + n.x * x + n.y * y + arm[0] * h[2] + arm[2] * t[2];
-    w[1] = w[1] + n.x * y - n.y * x + arm[1] * h[2] + arm[3] * t[2];
+    const kern_real apart[3] = {h[0] - t[0], h[1] - t[1], h[2]};
+    kern_row_speed(&head, apart, w);
+    w[0] += tail.n[2] * t[2];
+    w[1] += tail.turn * t[2];
+}
+
+/* b += the wrenches of contact k of the part by f along n and r along t; those of
+   held blocks go to the last three numbers */
+static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
+                                   kern_real r, kern_real *b)
+{
+    const kern_row head = kern_model_row(p->m, 2 * p->contact[k]);
+    const kern_row tail = kern_model_row(p->m, 2 * p->contact[k] + 1);
+    kern_row_exert(&head, f, r, b + 3 * p->ends[2 * k]);
+    kern_row_exert(&tail, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
 /* How v moves the contacts along n and t: to p->dual.way from `to` on. */
@@ -3809,7 +4090,7 @@ static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
             way[0] = -p->dual.price[k];
         else if (to == 0)
             kern_model_prior(p->m, p->contact[k], way, way + 1);
-        kern_part_way(p, k, v, way);
+        kern_part_speed(p, k, v, way);
     }
 }
 
@@ -3817,95 +4098,54 @@ static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
    exert. Returns its value, and in *most the largest force. */
 static kern_real kern_least_left(kern_part *p, kern_real *most)
 {
+    const int n = 3 * p->groups;
     kern_real value = KERN_R(0);
-    int i, k, end;
+    int i, k;
     *most = KERN_R(0);
-    for (i = 0; i < p->groups; i++)
-        p->dual.first[i] = i;
-    for (i = 0; i < 3 * p->groups; i++) {
+    for (i = 0; i < n; i++) {
         p->dual.left[i] = p->dual.b[i];
         value += p->dual.b[i] * p->dual.u[i];
     }
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
-        if (!(s.f > 0))
+        const kern_real f = s.force.normal, r = s.force.tangential;
+        if (!(f > 0))
             continue;
-        kern_least_reach(p, k);
-        *most = kern_max(*most, s.f);
-        value -= (s.f * w[0] + s.r * w[1]) / 2;
-        for (end = 0; end < 2; end++)
-            if (p->ends[2 * k + end] < p->groups)
-                kern_model_carry(p->m, p->contact[k], end, s.f, s.r,
-                                 p->dual.left + 3 * p->ends[2 * k + end]);
+        *most = kern_max(*most, f);
+        value -= (f * w[0] + r * w[1]) / 2;
+        kern_part_exert(p, k, -f, -r, p->dual.left);
     }
+    p->dual.left[n] = p->dual.left[n + 1] = p->dual.left[n + 2] = KERN_R(0);
     return value;
 }
 
-/* Adds a 3 x 3 block to the rows of group g in the columns of h: k = (xx, xy, yy)
-   times a sign, what turning h does to the forces on g, what moving h does to
-   the torque on g, and what turning does to that. Above the diagonal nothing
-   reads it. */
-static inline void kern_least_add(kern_part *p, int g, int h, kern_real sign,
-                                  const kern_real k[3], const kern_real *turned,
-                                  const kern_real *moved, kern_real turn)
+static inline int kern_part_presses(const kern_part *p, int k)
 {
-    const int wide = 3 * (g - p->dual.first[g] + 1);
-    kern_real *to = p->dual.factor + p->dual.offset[g]
-                    + 3 * (h - p->dual.first[g]);
-    to[0] += sign * k[0];
-    to[1] += sign * k[1];
-    to[2] += turned[0];
-    to += wide;
-    to[0] += sign * k[1];
-    to[1] += sign * k[2];
-    to[2] += turned[1];
-    to += wide;
-    to[0] += moved[0];
-    to[1] += moved[1];
-    to[2] += turn;
+    const kern_real *w = p->dual.way + 4 * (size_t)k;
+    return w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > 0;
 }
 
-/* Adds what the spring of contact k makes of the motions of its groups: of x and
-   y, and of the turn of an end the force, and that times the sign of the end. */
-static void kern_least_spring(kern_part *p, int k, const kern_spring *s)
+/* Adds what contact k of the part answers by a law to the matrix. */
+static void kern_part_add(kern_part *p, int k, const kern_spring *s)
 {
-    const int h = p->ends[2 * k], t = p->ends[2 * k + 1];
-    const kern_vec n = p->m->s->contact[p->contact[k]].n;
-    const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
-    const kern_real nn = n.x * n.x, tt = n.y * n.y, nt = n.x * n.y;
-    const kern_real xy[3] = {s->nn * nn - 2 * s->nt * nt + s->tt * tt,
-                             (s->nn - s->tt) * nt + s->nt * (nn - tt),
-                             s->nn * tt + 2 * s->nt * nt + s->tt * nn};
-    const kern_real f0 = s->nn * arm[0] + s->nt * arm[1];
-    const kern_real r0 = s->nt * arm[0] + s->tt * arm[1];
-    const kern_real f1 = s->nn * arm[2] + s->nt * arm[3];
-    const kern_real r1 = s->nt * arm[2] + s->tt * arm[3];
-    const kern_real on[2] = {f0 * n.x - r0 * n.y, f0 * n.y + r0 * n.x};
-    const kern_real of[2] = {f1 * n.x - r1 * n.y, f1 * n.y + r1 * n.x};
-    const kern_real back[2] = {-on[0], -on[1]}, away[2] = {-of[0], -of[1]};
-    const kern_real both = f1 * arm[0] + r1 * arm[1];
-    if (h < p->groups)
-        kern_least_add(p, h, h, KERN_R(1), xy, on, on,
-                       f0 * arm[0] + r0 * arm[1]);
-    if (t < p->groups)
-        kern_least_add(p, t, t, KERN_R(1), xy, away, away,
-                       f1 * arm[2] + r1 * arm[3]);
-    if (h < p->groups && t < p->groups && h > t)
-        kern_least_add(p, h, t, KERN_R(-1), xy, of, back, both);
-    else if (h < p->groups && t < p->groups)
-        kern_least_add(p, t, h, KERN_R(-1), xy, back, of, both);
+    kern_row row[2];
+    row[0] = kern_model_row(p->m, 2 * p->contact[k]);
+    row[1] = kern_model_row(p->m, 2 * p->contact[k] + 1);
+    kern_skyline_spring(&p->dual.matrix, p->ends + 2 * (size_t)k, row, s);
 }
 
-/* A_S A_S' with a little more on its diagonal; S are all rays if `all`. Its rows
-   begin where the first of these reaches: kern_least_left() has seen to S. */
+/* The matrix of the contacts that press at u, or of all, with a little more on
+   its diagonal. Its profile is that of these contacts. */
 static void kern_least_matrix(kern_part *p, int all)
 {
-    kern_real trace = KERN_R(0);
-    int i, k, g;
-    for (k = 0; k < p->own && all; k++)
-        kern_least_reach(p, k);
-    kern_least_clear(p);
+    kern_skyline *a = &p->dual.matrix;
+    int k;
+    kern_skyline_narrow(a);
+    for (k = 0; k < p->own; k++)
+        if (all || kern_part_presses(p, k))
+            kern_skyline_reach(a, p->ends + 2 * k);
+    kern_skyline_clear(a);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
         kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
@@ -3913,136 +4153,9 @@ static void kern_least_matrix(kern_part *p, int all)
         if (all && p->dual.price) /* as stiff along t for every friction */
             s.tt = KERN_STIFF * s.nn;
         if (s.nn > 0)
-            kern_least_spring(p, k, &s);
+            kern_part_add(p, k, &s);
     }
-    for (i = 0; i < 2; i++) /* first its mean, then a share of it */
-        for (g = 0; g < p->groups; g++) {
-            const int length = 3 * (g - p->dual.first[g] + 1);
-            kern_real *d = p->dual.factor + p->dual.offset[g] + length - 3;
-            for (k = 0; k < 3; k++, d += length + 1) {
-                if (i == 0)
-                    trace += *d;
-                else
-                    *d += KERN_LEAST_SHIFT * trace / KERN_R(3 * p->groups);
-            }
-        }
-}
-
-/* sum of a[i] b[i] */
-static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
-{
-    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
-    int i;
-    for (i = 0; i + 4 <= n; i += 4) {
-        s0 += a[i] * b[i];
-        s1 += a[i + 1] * b[i + 1];
-        s2 += a[i + 2] * b[i + 2];
-        s3 += a[i + 3] * b[i + 3];
-    }
-    for (; i < n; i++)
-        s0 += a[i] * b[i];
-    return s0 + s1 + (s2 + s3);
-}
-
-/* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
-   columns. The rows are `wide_a` and `wide_b` apart. */
-static void kern_least_common(kern_real *c, const kern_real *a, int wide_a,
-                              const kern_real *b, int wide_b, int n)
-{
-    const kern_real *a1 = a + wide_a, *a2 = a1 + wide_a;
-    const kern_real *b1 = b + wide_b, *b2 = b1 + wide_b;
-    kern_real *c1 = c + wide_a, *c2 = c1 + wide_a;
-    kern_real s00 = c[0], s01 = c[1], s02 = c[2];
-    kern_real s10 = c1[0], s11 = c1[1], s12 = c1[2];
-    kern_real s20 = c2[0], s21 = c2[1], s22 = c2[2];
-    int i;
-    for (i = 0; i < n; i++) {
-        const kern_real x = b[i], y = b1[i], z = b2[i];
-        s00 -= a[i] * x; s01 -= a[i] * y; s02 -= a[i] * z;
-        s10 -= a1[i] * x; s11 -= a1[i] * y; s12 -= a1[i] * z;
-        s20 -= a2[i] * x; s21 -= a2[i] * y; s22 -= a2[i] * z;
-    }
-    c[0] = s00; c[1] = s01; c[2] = s02;
-    c1[0] = s10; c1[1] = s11; c1[2] = s12;
-    c2[0] = s20; c2[1] = s21; c2[2] = s22;
-}
-
-/* Cholesky's L of the matrix where it stands, block by block. */
-static void kern_least_factor(kern_part *p)
-{
-    int g, h, r, k;
-    for (g = 0; g < p->groups; g++) {
-        const int wide = 3 * (g - p->dual.first[g] + 1);
-        kern_real *row = p->dual.factor + p->dual.offset[g];
-        kern_real *d = row + wide - 3;
-        const kern_real was[3] = {d[0], d[wide + 1], d[2 * wide + 2]};
-        for (h = p->dual.first[g]; h <= g; h++) {
-            const int from = p->dual.first[g] > p->dual.first[h]
-                             ? p->dual.first[g] : p->dual.first[h];
-            const int wide_h = 3 * (h - p->dual.first[h] + 1);
-            const kern_real *other = p->dual.factor + p->dual.offset[h];
-            const kern_real *l = other + wide_h - 3;
-            kern_real *c = row + 3 * (h - p->dual.first[g]);
-            kern_least_common(c, row + 3 * (from - p->dual.first[g]), wide,
-                              other + 3 * (from - p->dual.first[h]), wide_h,
-                              3 * (h - from));
-            for (r = 0; h < g && r < 3; r++, c += wide) {
-                c[0] /= l[0];
-                c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
-                c[2] = (c[2] - c[0] * l[2 * wide_h]
-                        - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
-            }
-        }
-        for (r = 0; r < 3; r++)
-            for (k = 0; k <= r; k++) {
-                kern_real *e = d + r * wide + k;
-                for (h = 0; h < k; h++)
-                    *e -= d[r * wide + h] * d[k * wide + h];
-                if (k < r)
-                    *e /= d[k * wide + k];
-                else
-                    *e = KERN_SQRT(kern_max(*e, KERN_EPS * (KERN_EPS
-                                                            + was[r])));
-            }
-    }
-}
-
-/* out := what the matrix makes of it is b. */
-static void kern_least_solve(const kern_part *p, const kern_real *b,
-                             kern_real *out)
-{
-    int g, i;
-    for (g = 0; g < p->groups; g++) {
-        const int n = 3 * (g - p->dual.first[g]), wide = n + 3;
-        const kern_real *u = p->dual.factor + p->dual.offset[g], *v = u + wide;
-        const kern_real *w = v + wide, *x = out + 3 * p->dual.first[g];
-        kern_real s0 = b[3 * g], s1 = b[3 * g + 1], s2 = b[3 * g + 2];
-        for (i = 0; i < n; i++) {
-            s0 -= u[i] * x[i];
-            s1 -= v[i] * x[i];
-            s2 -= w[i] * x[i];
-        }
-        s0 /= u[n];
-        s1 = (s1 - v[n] * s0) / v[n + 1];
-        s2 = (s2 - w[n] * s0 - w[n + 1] * s1) / w[n + 2];
-        out[3 * g] = s0;
-        out[3 * g + 1] = s1;
-        out[3 * g + 2] = s2;
-    }
-    for (g = p->groups - 1; g >= 0; g--) {
-        const int n = 3 * (g - p->dual.first[g]), wide = n + 3;
-        const kern_real *u = p->dual.factor + p->dual.offset[g], *v = u + wide;
-        const kern_real *w = v + wide;
-        kern_real *x = out + 3 * p->dual.first[g];
-        const kern_real s2 = x[n + 2] / w[n + 2];
-        const kern_real s1 = (x[n + 1] - w[n + 1] * s2) / v[n + 1];
-        const kern_real s0 = (x[n] - w[n] * s2 - v[n] * s1) / u[n];
-        x[n] = s0;
-        x[n + 1] = s1;
-        x[n + 2] = s2;
-        for (i = 0; i < n; i++)
-            x[i] -= s0 * u[i] + s1 * v[i] + s2 * w[i];
-    }
+    kern_skyline_shift(a, KERN_LEAST_SHIFT);
 }
 
 /* The slope of the dual at u + share * step, where the loads' own part of it is
@@ -4055,7 +4168,7 @@ static kern_real kern_least_slope(const kern_part *p, kern_real push,
         const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(
             p, k, w[0] + share * w[2], w[1] + share * w[3]);
-        push -= s.f * w[2] + s.r * w[3];
+        push -= s.force.normal * w[2] + s.force.tangential * w[3];
     }
     return push;
 }
@@ -4124,8 +4237,8 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
         if (!kern_model_spend(p->m, 1 + p->dual.cost / 300))
             return KERN_LIMIT;
         kern_least_matrix(p, round == 0);
-        kern_least_factor(p);
-        kern_least_solve(p, p->dual.left, p->dual.step);
+        kern_skyline_factor(&p->dual.matrix);
+        kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
         kern_least_ways(p, p->dual.step, p->own, 2);
         p->dual.rounds = round + 1 - first;
         share = round == 0 ? KERN_R(1) : kern_least_share(p);
@@ -4181,8 +4294,9 @@ static void kern_least_write(kern_part *p)
     for (k = 0; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
-        m->answer.force[p->contact[k]].normal = s.f * m->weight;
-        m->answer.force[p->contact[k]].tangential = s.r * m->weight;
+        kern_force *to = m->answer.force + p->contact[k];
+        to->normal = s.force.normal * m->weight;
+        to->tangential = s.force.tangential * m->weight;
     }
 }
 
@@ -4230,19 +4344,18 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    balanced again; half of it is 1 + the unit that it disturbed last. */
 
 /* Writes the force of contact i, and marks what it rests on if that is new. */
-static void kern_pour_write(kern_model *m, int i, int on, kern_real f,
-                            kern_real r, kern_real tolerance)
+static void kern_pour_write(kern_model *m, int i, int on, kern_force f,
+                            kern_real tolerance)
 {
     kern_force *to = m->answer.force + i;
-    const kern_real change = kern_abs(f - to->normal)
-                             + kern_abs(r - to->tangential);
+    const kern_real change = kern_abs(f.normal - to->normal)
+                             + kern_abs(f.tangential - to->tangential);
     if (on < m->graph.groups && change > tolerance) {
         const int last = m->leader[on];
         m->dirty[last] |= 1;
         m->again = last < m->again ? last : m->again;
     }
-    to->normal = f;
-    to->tangential = r;
+    *to = f;
 }
 
 /* The load of group g and of what rests on it, but for members of its own
@@ -4255,9 +4368,10 @@ static void kern_pour_load(const kern_model *m, int g, kern_real *b)
     b[2] = m->load[3 * g + 2];
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_force *f = m->answer.force + (e >> 1);
+        const kern_row row = kern_model_row(m, e);
         const int other = m->graph.ends[e ^ 1];
         if (other < g && m->leader[other] != m->leader[g])
-            kern_model_carry(m, e >> 1, e & 1, f->normal, f->tangential, b);
+            kern_row_exert(&row, -f->normal, -f->tangential, b);
     }
 }
 
@@ -4295,46 +4409,32 @@ static void kern_pour_free(const kern_real h[6], const kern_real b[3],
     u[0] = (l1 * l4 - l3) * u[2];
 }
 
-typedef struct kern_row { /* a contact that carries the group */
-    kern_real n[3], turn, mu; /* t is (-n[1], n[0], turn)                     */
-    kern_real wn, wt;         /* its motion                                   */
-    int end, mask;
-} kern_row;
+typedef struct kern_support { /* a contact that carries the group */
+    kern_row row;
+    kern_real mu;
+    kern_real way[2];         /* its motion along n and t                     */
+    int end;                  /* at the group                                 */
+    int mask;                 /* of the rays that press: 1 plus, 2 minus      */
+} kern_support;
 
 static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-static inline kern_real kern_row_along(const kern_row *c, const kern_real *u)
-{ return -c->n[1] * u[0] + c->n[0] * u[1] + c->turn * u[2]; }
-
 /* Moves the group, which has moved by u, a step farther. */
-static inline void kern_rows_move(kern_row *row, int n,
-                                  const kern_real step[3], kern_real u[3])
+static inline void kern_support_move(kern_support *c, int n,
+                                     const kern_real step[3], kern_real u[3])
 {
     int k;
-    for (k = 0; k < n; k++, row++) {
-        row->wn += kern_three(row->n, step);
-        row->wt += kern_row_along(row, step);
-    }
+    for (k = 0; k < n; k++)
+        kern_row_speed(&c[k].row, step, c[k].way);
     for (k = 0; k < 3; k++)
         u[k] += step[k];
 }
 
-/* The contact with end e at the group. */
-static inline void kern_pour_row(const kern_model *m, int e, kern_row *row)
-{
-    kern_real t[3];
-    kern_model_rows(m, e >> 1, e & 1, row->n, t);
-    row->turn = t[2];
-    row->mu = kern_model_mu(m, e >> 1);
-    row->end = e;
-    kern_model_prior(m, e >> 1, &row->wn, &row->wt);
-}
-
 /* Lists the contacts that carry group g; returns how many, or one more than
    there is room for. */
-static int kern_pour_rows(const kern_model *m, int g,
-                          kern_row row[KERN_ROWS_MOST])
+static int kern_pour_supports(const kern_model *m, int g,
+                              kern_support c[KERN_ROWS_MOST])
 {
     int e, n = 0;
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -4342,68 +4442,69 @@ static int kern_pour_rows(const kern_model *m, int g,
             continue;
         if (n == KERN_ROWS_MOST)
             return n + 1;
-        kern_pour_row(m, e, row + n++);
+        c[n].row = kern_model_row(m, e);
+        c[n].mu = kern_model_mu(m, e >> 1);
+        c[n].end = e;
+        kern_model_prior(m, e >> 1, c[n].way, c[n].way + 1);
+        n++;
     }
     return n;
 }
 
 /* What the rays in the masks exert, less b; and their matrix. */
-static void kern_pour_sum(const kern_row *row, int n, const kern_real b[3],
-                          kern_real left[3], kern_real h[6])
+static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
+                             kern_real left[3], kern_real h[6])
 {
     int k, j;
     for (j = 0; j < 6; j++)
         h[j] = KERN_R(0);
     left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
-    for (k = 0; k < n; k++) {
-        const kern_row *c = row + k;
-        const kern_real plus = c->mask & 1 ? KERN_R(1) : KERN_R(0);
-        const kern_real minus = c->mask & 2 ? KERN_R(1) : KERN_R(0);
-        const kern_real nn = plus + minus, nt = c->mu * (plus - minus);
-        const kern_real tt = c->mu * c->mu * nn;
-        const kern_real t[3] = {-c->n[1], c->n[0], c->turn};
+    for (k = 0; k < n; k++, c++) {
+        const kern_row *row = &c->row;
+        const kern_spring s = kern_spring_rays(
+            c->mask & 1 ? KERN_R(1) : KERN_R(0),
+            c->mask & 2 ? KERN_R(1) : KERN_R(0), c->mu);
         kern_real v[3], w[3];
         if (c->mask == 0)
             continue;
-        for (j = 0; j < 3; j++) {
-            v[j] = nn * c->n[j] + nt * t[j];
-            w[j] = nt * c->n[j] + tt * t[j];
-            left[j] -= v[j] * c->wn + w[j] * c->wt;
-        }
-        h[0] += v[0] * c->n[0] + w[0] * t[0];
-        h[1] += v[1] * c->n[0] + w[1] * t[0];
-        h[2] += v[1] * c->n[1] + w[1] * t[1];
-        h[3] += v[2] * c->n[0] + w[2] * t[0];
-        h[4] += v[2] * c->n[1] + w[2] * t[1];
-        h[5] += v[2] * c->n[2] + w[2] * t[2];
+        kern_row_answer(row, &s, v, w);
+        for (j = 0; j < 3; j++)
+            left[j] -= v[j] * c->way[0] + w[j] * c->way[1];
+        h[0] += v[0] * row->n[0] - w[0] * row->n[1];
+        h[1] += v[1] * row->n[0] - w[1] * row->n[1];
+        h[2] += v[1] * row->n[1] + w[1] * row->n[0];
+        h[3] += v[2] * row->n[0] - w[2] * row->n[1];
+        h[4] += v[2] * row->n[1] + w[2] * row->n[0];
+        h[5] += v[2] * row->n[2] + w[2] * row->turn;
     }
 }
 
 /* The least change u that makes the rows exert b, by Newton's method with full
    steps. KERN_FALLS where that ends with something left: then u is how the
    group seems to move; KERN_UNDECIDED where it does not end soon. */
-static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
-                                   kern_real tolerance, kern_real u[3])
+static kern_status kern_pour_solve(kern_support *c, int n,
+                                   const kern_real b[3], kern_real tolerance,
+                                   kern_real u[3])
 {
     kern_real left[3], h[6], step[3], most;
     int k, round, changed = 1, good = 0;
     u[0] = u[1] = u[2] = KERN_R(0);
     for (k = 0; k < n; k++)
-        row[k].mask = 3;
+        c[k].mask = 3;
     for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
-        kern_pour_sum(row, n, b, left, h);
+        kern_support_sum(c, n, b, left, h);
         good = kern_pour_three(h, left, step);
-        kern_rows_move(row, n, step, u);
+        kern_support_move(c, n, step, u);
         changed = 0;
         for (k = 0; k < n; k++) {
-            const kern_real wn = row[k].wn, wt = row[k].mu * row[k].wt;
+            const kern_real wn = c[k].way[0], wt = c[k].mu * c[k].way[1];
             const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
-            changed |= mask != row[k].mask;
-            row[k].mask = mask;
+            changed |= mask != c[k].mask;
+            c[k].mask = mask;
         }
     }
     for (round = 0; round < 3 && !(good && !changed); round++) {
-        kern_pour_sum(row, n, b, left, h);
+        kern_support_sum(c, n, b, left, h);
         most = kern_largest(u, 3);
         if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
             break;
@@ -4414,7 +4515,7 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
             return KERN_FALLS;
         }
         kern_pour_three(h, left, step);
-        kern_rows_move(row, n, step, u);
+        kern_support_move(c, n, step, u);
     }
     return KERN_STANDS;
 }
@@ -4422,21 +4523,21 @@ static kern_status kern_pour_solve(kern_row *row, int n, const kern_real b[3],
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
 static kern_status kern_pour_alone(kern_model *m, int g)
 {
-    kern_row row[KERN_ROWS_MOST];
+    kern_support c[KERN_ROWS_MOST];
     kern_real b[3], u[3];
     const kern_real tolerance = KERN_POUR_TOL * m->size[g];
     kern_status status;
     int n, k;
-    n = kern_pour_rows(m, g, row);
+    n = kern_pour_supports(m, g, c);
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pour_load(m, g, b);
-    status = kern_pour_solve(row, n, b, tolerance, u);
+    status = kern_pour_solve(c, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_spring s = kern_spring_of(row[k].wn, row[k].wt, row[k].mu);
-        const int i = row[k].end >> 1;
-        kern_pour_write(m, i, m->graph.ends[row[k].end ^ 1], s.f,
-                        s.r, tolerance);
+        const kern_real *w = c[k].way;
+        const kern_spring s = kern_spring_pressed(w[0], w[1], c[k].mu);
+        kern_pour_write(m, c[k].end >> 1, m->graph.ends[c[k].end ^ 1],
+                        s.force, tolerance);
     }
     return status;
 }
@@ -4551,8 +4652,8 @@ static void kern_pour_keep(kern_part *p, kern_real tolerance)
         const int low = m->graph.ends[2 * i] > m->graph.ends[2 * i + 1] ? 0 : 1;
         const int on = m->graph.ends[2 * i + low];
         const int inside = p->ends[2 * k + low] < p->groups;
-        kern_pour_write(m, i, inside ? m->graph.groups : on, s.f, s.r,
-                        tolerance);
+        kern_pour_write(m, i, inside ? m->graph.groups : on,
+                        s.force, tolerance);
     }
 }
 
@@ -4699,9 +4800,11 @@ static void kern_pour_change(kern_model *m, kern_real shrink)
     for (g = 0; g < m->graph.groups; g++) {
         kern_real *b = m->load + 3 * (size_t)g;
         kern_real left[3] = {b[0], b[1], b[2]};
-        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e])
-            kern_model_carry(m, e >> 1, e & 1, m->answer.force[e >> 1].normal,
-                             m->answer.force[e >> 1].tangential, left);
+        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+            const kern_row row = kern_model_row(m, e);
+            kern_row_exert(&row, -m->answer.force[e >> 1].normal,
+                           -m->answer.force[e >> 1].tangential, left);
+        }
         m->leader[g] = m->next[g] = g;
         m->dirty[g] = !(kern_largest(left, 3) <= KERN_TOL / 4 * m->size[g]);
     }
@@ -4810,17 +4913,14 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         return;
     p->eq.shrink = q->shrink;
     for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
-        const kern_contact *c = m->s->contact + i;
         kern_real *f = p->eq.arc + 8 * (size_t)k;
-        kern_real mu = kern_model_mu(m, i), arm[4];
-        kern_model_arm(m, q, i, arm);
+        kern_real mu = kern_model_mu(m, p->contact[k]);
+        kern_row row[2];
+        kern_model_rows(m, q, p->contact[k], row);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
-            const kern_vec ray = kern_vec_step(c->n, mu, kern_vec_turn(c->n));
-            f[0] = ray.x;
-            f[1] = ray.y;
-            f[2] = arm[0] + mu * arm[1];
-            f[3] = arm[2] + mu * arm[3];
+            f[0] = f[1] = f[2] = KERN_R(0);
+            kern_row_exert(row, KERN_R(1), mu, f);
+            f[3] = row[1].n[2] + mu * row[1].turn;
         }
     }
 }
@@ -5386,39 +5486,21 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* The row of contact c, of which `sign` acts, by the arm of its force in its
-   unit. */
-static void kern_row_set(kern_row *row, const kern_contact *c, kern_real sign,
-                         kern_vec arm, kern_real slope)
-{
-    row->n[0] = sign * c->n.x;
-    row->n[1] = sign * c->n.y;
-    row->n[2] = sign * kern_vec_cross(arm, c->n);
-    row->turn = sign * kern_vec_dot(arm, c->n); /* arm x t */
-    row->mu = kern_friction(c, slope);
-    row->wn = row->wt = KERN_R(0);
-}
-
-/* Adds what the row exerts by f along n and r along t. */
-static void kern_row_add(const kern_row *row, kern_real f, kern_real r,
-                          kern_real b[3])
-{
-    b[0] += f * row->n[0] - r * row->n[1];
-    b[1] += f * row->n[1] + r * row->n[0];
-    b[2] += f * row->n[2] + r * row->turn;
-}
-
-/* Row of point c about the first point of its pair, the unit of torques being
-   the mean size; adds what its force exerts to b. */
+/* Point c about the first point of its pair as what carries, the unit of torques
+   being the mean size; adds what its force exerts to b. */
 static void kern_walk_row(const kern_model *m, const kern_contact *first,
                           const kern_contact *c, kern_real place,
-                          const kern_force *force, kern_row *row, kern_real *b)
+                          const kern_force *force, kern_support *to,
+                          kern_real *b)
 {
     const kern_vec arm = kern_vec_sub(kern_contact_at(c, place, m->relative),
                                       first->p);
-    kern_row_set(row, c, c->a == first->a ? KERN_R(1) : KERN_R(-1),
-                 kern_vec_scale(arm, 1 / m->mean), m->slope);
-    kern_row_add(row, force->normal, force->tangential, b);
+    to->row = kern_row_of(kern_vec_scale(c->n, c->a == first->a ? KERN_R(1)
+                                                               : KERN_R(-1)),
+                          kern_vec_scale(arm, 1 / m->mean), KERN_R(1));
+    to->mu = kern_friction(c, m->slope);
+    to->way[0] = to->way[1] = KERN_R(0);
+    kern_row_exert(&to->row, force->normal, force->tangential, b);
 }
 
 /* Whether points of a pair that lie in a row from contact i to j carry at
@@ -5427,7 +5509,7 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
                              kern_real place)
 {
     const kern_contact *c = m->s->contact + i;
-    kern_row row[KERN_ROWS_MOST];
+    kern_support row[KERN_ROWS_MOST];
     kern_real b[3] = {0, 0, 0}, none[3] = {0, 0, 0}, u[3];
     int k;
     if (j - i > KERN_ROWS_MOST)
@@ -5607,7 +5689,7 @@ static void kern_inner_ways(const kern_part *p, const kern_real *v,
     int k;
     for (k = 0; k < p->contacts; k++) {
         kern_real w[2] = {0, 0};
-        kern_part_way(p, k, v, w);
+        kern_part_speed(p, k, v, w);
         w[1] *= p->m->s->contact[p->contact[k]].mu;
         out[2 * k] = w[0] + w[1];
         out[2 * k + 1] = w[0] - w[1];
@@ -5619,22 +5701,10 @@ static void kern_inner_carry(const kern_part *p, const kern_real *x,
                              kern_real *out)
 {
     int k;
-    for (k = 0; k < p->contacts; k++) {
-        const kern_contact *c = p->m->s->contact + p->contact[k];
-        const kern_real *arm = p->m->arm + 4 * (size_t)p->contact[k];
-        const kern_real f = x[2 * k] + x[2 * k + 1];
-        const kern_real r = c->mu * (x[2 * k] - x[2 * k + 1]);
-        const kern_real fx = f * c->n.x - r * c->n.y;
-        const kern_real fy = f * c->n.y + r * c->n.x;
-        kern_real *h = out + 3 * p->ends[2 * k];
-        kern_real *t = out + 3 * p->ends[2 * k + 1];
-        h[0] += fx;
-        h[1] += fy;
-        h[2] += f * arm[0] + r * arm[1];
-        t[0] -= fx;
-        t[1] -= fy;
-        t[2] += f * arm[2] + r * arm[3];
-    }
+    for (k = 0; k < p->contacts; k++)
+        kern_part_exert(p, k, x[2 * k] + x[2 * k + 1],
+                        p->m->s->contact[p->contact[k]].mu
+                        * (x[2 * k] - x[2 * k + 1]), out);
 }
 
 /* out += share times what the shrinking of kerns makes of forces x */
@@ -5681,11 +5751,11 @@ static void kern_inner_place(kern_inner *in, kern_real place)
         const int i = p->contact[k];
         kern_shift(kern_travel(m->s->contact + i, m->mean), place, m->relative,
                    in->roll + k);
-        kern_model_arm(m, &q, i, m->arm + 4 * (size_t)i);
     }
     if (in->shrinks)
-        return;
-    kern_part_load(p, &q, p->eq.rhs);
+        kern_model_arms(m, &q);
+    else
+        kern_part_load(p, &q, p->eq.rhs);
 }
 
 /* A(s) x - b(s), and unless they are held the matrix and g. */
@@ -5707,18 +5777,14 @@ static void kern_inner_factor(kern_inner *in)
 {
     kern_part *p = in->p;
     int k;
-    kern_least_clear(p);
+    kern_skyline_clear(&p->dual.matrix);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real mu = p->m->s->contact[p->contact[k]].mu;
-        const kern_real plus = in->dz[2 * k], minus = in->dz[2 * k + 1];
-        kern_spring s;
-        s.f = s.r = KERN_R(0);
-        s.nn = plus + minus;
-        s.nt = mu * (plus - minus);
-        s.tt = mu * mu * s.nn;
-        kern_least_spring(p, k, &s);
+        const kern_spring s = kern_spring_rays(
+            in->dz[2 * k], in->dz[2 * k + 1],
+            p->m->s->contact[p->contact[k]].mu);
+        kern_part_add(p, k, &s);
     }
-    kern_least_factor(p);
+    kern_skyline_factor(&p->dual.matrix);
     p->m->budget.work->pivots++;
 }
 
@@ -5743,7 +5809,7 @@ static kern_real kern_inner_step(kern_inner *in)
     kern_real *turn = p->dual.way + rays, ds;
     int i;
     kern_inner_carry(p, in->dx, p->dual.left);
-    kern_least_solve(p, p->dual.left, p->dual.step);
+    kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
     ds = (1 - kern_dot(in->g, p->dual.u, n) - kern_dot(in->g, p->dual.step, n))
          / kern_dot(in->g, in->gain, n);
     if (in->held) /* s does not pass the place */
@@ -5817,7 +5883,7 @@ static void kern_inner_balance(kern_inner *in)
     kern_inner_factor(in);
     for (round = 0; round < 2; round++) {
         kern_inner_set(in);
-        kern_least_solve(p, in->over, p->dual.step);
+        kern_skyline_solve(&p->dual.matrix, in->over, p->dual.step);
         kern_inner_ways(p, p->dual.step, turn);
         for (i = 0; i < rays; i++)
             in->x[i] = kern_max(in->x[i] - in->dz[i] * turn[i],
@@ -5843,7 +5909,7 @@ static int kern_inner_advance(kern_inner *in)
     for (i = 0; i < rays; i++)
         in->dz[i] = in->x[i] / in->z[i];
     kern_inner_factor(in);
-    kern_least_solve(p, in->g, in->gain);
+    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
         in->gap = KERN_INFINITY;
         return 0;
@@ -5911,11 +5977,11 @@ static int kern_inner_begin(kern_inner *in)
     kern_inner_factor(in);
     for (i = 0; i < n; i++)
         p->dual.left[i] = -in->over[i];
-    kern_least_solve(p, p->dual.left, p->dual.u);
+    kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.u);
     kern_inner_ways(p, p->dual.u, in->x);
     kern_inner_lift(in->x, rays);
     kern_inner_set(in);
-    kern_least_solve(p, in->g, in->gain);
+    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
         return 0;
@@ -6190,7 +6256,7 @@ static int kern_moves(const kern_model *m, int i)
 /* The rows of what holds body g, about its block's centre; returns how many there
    are. If they are of one block it belongs to the body of that: m->leader. */
 static int kern_body_rows(kern_model *m, int g, kern_real s,
-                          kern_row row[KERN_ROWS_MOST])
+                          kern_support row[KERN_ROWS_MOST])
 {
     int e, n = 0, on = KERN_OUT;
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -6199,13 +6265,16 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
         if (other < g && m->leader[other] == g)
             continue;
         on = on == KERN_OUT || on == other ? other : m->graph.groups;
-        if (n < KERN_ROWS_MOST)
-            kern_row_set(row + n, c, e & 1 ? KERN_R(-1) : KERN_R(1),
-                         kern_vec_scale(kern_vec_sub(
-                             kern_contact_at(c, s, m->relative),
-                             m->s->block[m->graph.block[g]].centre),
-                         m->unit[g]),
-                         m->slope);
+        if (n < KERN_ROWS_MOST) {
+            row[n].row = kern_row_of(
+                kern_vec_scale(c->n, e & 1 ? KERN_R(-1) : KERN_R(1)),
+                kern_vec_scale(kern_vec_sub(
+                    kern_contact_at(c, s, m->relative),
+                    m->s->block[m->graph.block[g]].centre), m->unit[g]),
+                KERN_R(1));
+            row[n].mu = kern_friction(c, m->slope);
+            row[n].way[0] = row[n].way[1] = KERN_R(0);
+        }
         n++;
     }
     m->leader[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
@@ -6216,7 +6285,7 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
 static kern_real kern_body_power(kern_model *m, int g, kern_real s,
                                  kern_real u[3])
 {
-    kern_row row[KERN_ROWS_MOST];
+    kern_support row[KERN_ROWS_MOST];
     const kern_real *b = m->load + 3 * (size_t)g;
     const int n = kern_body_rows(m, g, s, row);
     int k;
@@ -6224,10 +6293,12 @@ static kern_real kern_body_power(kern_model *m, int g, kern_real s,
         || kern_pour_solve(row, n, b, KERN_POUR_TOL * kern_largest(b, 3), u)
            != KERN_FALLS)
         return KERN_R(0);
-    for (k = 0; k < n; k++)
-        if (kern_three(row[k].n, u) + KERN_FEAS_TOL
-            < kern_abs(row[k].mu * kern_row_along(row + k, u)))
+    for (k = 0; k < n; k++) {
+        kern_real w[2] = {0, 0};
+        kern_row_speed(&row[k].row, u, w);
+        if (w[0] + KERN_FEAS_TOL < kern_abs(row[k].mu * w[1]))
             return KERN_R(0);
+    }
     return kern_min(kern_three(b, u), KERN_R(0));
 }
 
@@ -6687,13 +6758,12 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
                            kern_real share)
 {
     const kern_real most = q->relative ? share : share * r->m->mean;
-    int i, k, raised = 1;
+    int k, raised = 1;
     q->factor = share;
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
         r->m->slope = kern_slope(q);
-        for (i = 0; i < r->m->s->contacts; i++)
-            kern_model_arm(r->m, q, i, r->m->arm + 4 * (size_t)i);
+        kern_model_arms(r->m, q);
         raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM);
     }
     return raised;

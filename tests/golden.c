@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xf81ccd61c21667c6u },
-    { 1000, 0x941ec20aaa3ce7c9u },
-    { 5000, 0x4fa3a03af6e44567u },
+    { 200, 0x1cb4c8dc8c2a6656u },
+    { 1000, 0x9f88d646aa094c86u },
+    { 5000, 0xb6e3bb00a8405268u },
 #else
-    { 200, 0xb4f2c8a7d470d937u },
-    { 1000, 0x46413943983142ddu },
-    { 5000, 0xc8abcbb9a21d916eu },
+    { 200, 0x4df12057f78d9b82u },
+    { 1000, 0x80522231e7c1f6bbu },
+    { 5000, 0x46a56395e93902a9u },
 #endif
 };
 
