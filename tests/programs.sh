@@ -61,6 +61,14 @@ output() { # output NAME: what it prints is the comment at its end
     diff "$out/want" "$out/got"
 }
 
+outputs() { # of every program with such a comment
+    local name
+    for name in one_block picture tower mechanism lp place contour push nudge
+    do
+        output $name || { echo "FAILED: example $name"; return 1; }
+    done
+}
+
 structures() { # every file of examples/structures, and which one falls
     local kern
     kern=$(program kern examples/kern.c) || return 1

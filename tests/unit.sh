@@ -25,6 +25,11 @@ audited() { # audited FLAGS...: asserts, and the engine's state after each pivot
     quick gcc -O2 -include tests/audit.h "$@"
 }
 
+golden() { # golden N: the hash of N structures
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/golden" tests/golden.c -lm && "$out/golden" "$1"
+}
+
 random() { # random N: audited, and N more structures against the twin
     audited && "$out/kern_test" --random "$1"
 }
@@ -65,6 +70,12 @@ rational() { # verdicts against exact arithmetic
         "$out/exact" families 5000
 }
 
+rational_long() { # as many as the README says
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/exact" tests/exact.c -lgmp -lm &&
+        "$out/exact" 100000 && "$out/exact" families 20000
+}
+
 regressions() { # structures on which earlier versions failed
     # shellcheck disable=SC2086
     gcc $plain -o "$out/regressions" tests/regressions.c -lm &&
@@ -74,6 +85,11 @@ regressions() { # structures on which earlier versions failed
 work() { # how much work each question takes, against tests/work.csv
     # shellcheck disable=SC2086
     gcc $plain -o "$out/work" tests/work.c -lm && "$out/work"
+}
+
+uninitialised() { # nothing is read before it is written, in all those questions
+    clang -g -O1 $exact -fsanitize=memory -fno-sanitize-recover=all \
+        -o "$out/work" tests/work.c -lm && "$out/work" --table >/dev/null
 }
 
 work_table() { # writes that table anew
