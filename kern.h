@@ -1702,6 +1702,8 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step, int even);
 static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
                                        kern_real *edge);
+static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
+                                      const kern_query *q);
 static int kern_moves(const kern_model *m, int i);
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step);
@@ -5180,7 +5182,12 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
             return KERN_FALLS;
         if (status == KERN_UNDECIDED)
             status = kern_model_hold(m, p, q);
-        if (status == KERN_STANDS || status == KERN_LIMIT)
+        if (status != KERN_STANDS && status != KERN_LIMIT
+            && m->graph.groups > KERN_SMALL)
+            status = kern_inner_verdict(m, p, q);
+        else if (status == KERN_FALLS)
+            status = KERN_UNDECIDED;
+        if (status != KERN_UNDECIDED)
             return status;
         status = kern_model_plain(m, p, q);
         if (status != KERN_OK)
@@ -5613,73 +5620,67 @@ static kern_status kern_seed_ends(kern_model *m, kern_path *path)
 }
 
 /* ---- Interior point -------------------------------------------- >>inner */
-/* The first place on a path where a large part falls, in some ten
-   factorisations. The place s is a variable of the program
+/* Solves all groups at once, in some twenty factorisations: the farthest place
+   s on a path up to which forces exist,
 
-       max s,  A(s) x = b(s),  x >= 0,
+       max s,  A(s) x = b(s),  x >= 0,  s <= most.
 
-   which is linear in x and s together where a load grows, and nearly so where
-   kerns shrink or gravity turns. With g the derivative of A(s) x - b(s) along
-   the path it is at its end where
+   Where the path is held, at a place, A and b are those of that place, and s is
+   how much of what the first forces miss there has been made up: it stands if s
+   gets there. Where the path is free, A and b change with s, linearly but where
+   kerns shrink or gravity turns. With g the derivative of A x - b in s, the
+   maximum is where
 
        A x = b,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
-   y is the mechanism, and b.y the place where it falls less s. A primal-dual
-   interior-point method follows x z = mu > 0 to mu = 0. A step is Newton's,
+   y is the mechanism, and b.y the place where it falls, less s. A primal-dual
+   method follows x z = mu > 0 to mu = 0. A step is Newton's,
 
        M dy - g ds = A x~ - A x + b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces that mu demands. M has the pattern of the least forces
-   of the part and is factored as theirs is. Each step is solved twice with one
-   factor: mu and what is not linear are corrected by what the first solution,
-   with mu = 0, predicts.
-
-   kern_inner_follow() follows the path, which kerns that close bend. A verdict
-   holds the matrix at its place: then the program is linear, and max s tells
-   whether s reaches it. */
+   with x~ the forces that mu demands; M is factored as that of least forces is.
+   Each step is solved twice with one factor, by Mehrotra's predictor and
+   corrector: the first, with mu = 0, tells how small mu may be, and what the
+   second has to correct. */
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
-#define KERN_INNER_ROUNDS  30      /* steps of the interior point             */
-#define KERN_INNER_WARM    12      /* the same from what was found before     */
-#define KERN_INNER_WIDE    256     /* groups of what is said to be large      */
-#define KERN_INNER_STEPS   300     /* of a search                             */
-#define KERN_INNER_STALLED 3       /* of them without effect                  */
-#define KERN_INNER_FAILED  5       /* verdicts that were not decided          */
-#define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to 0                  */
-/* Gaps: of lost digits; at which a prediction counts; from which a verdict
-   begins, and beside how far that is from the last; beside the power of a
-   motion, that shows its edge. */
+#define KERN_INNER_ROUNDS  60      /* steps of one question                   */
+#define KERN_INNER_STEPS   400     /* of a search                             */
+#define KERN_INNER_STALLED 8       /* of them that shorten the gap by less
+                                      than a tenth: its digits are lost       */
+#define KERN_INNER_WIDE    256     /* groups of what may have a wide bracket  */
+/* Share of the way to the bounds x, z > 0 that a step goes. */
+#define KERN_INNER_SHARE   KERN_R(0.9995)
+/* The least product x z, in means: smaller ones make steps short. */
+#define KERN_INNER_APART   KERN_R(0.03)
+/* Gap from which x and z have no digits. */
 #define KERN_INNER_LOST    KERN_R(1e6)
-#define KERN_INNER_CLEAR   KERN_R(1e-2)
-#define KERN_INNER_LIFT    KERN_R(1e-3)
-#define KERN_INNER_AWAY    KERN_R(0.1)
+/* Gap, beside how far s is from the place, at which y predicts an edge. */
 #define KERN_INNER_SHARP   KERN_R(1e-4)
+/* Gap to which a question about another place lifts x z, at the least. */
+#define KERN_INNER_LIFT    KERN_PICK(1e-7, 1e-3)
+/* Added to the diagonal of M, as a share of its mean: to begin with, where D is
+   1; and where M is singular, as in a chain of closed kerns. */
+#define KERN_INNER_SOFT    KERN_PICK(1e-7, 1e-4)
+#define KERN_INNER_SHIFT   KERN_PICK(1e-13, 1e-6)
 
 typedef struct kern_inner {
-    kern_part *p;             /* all groups; its u is y                       */
+    kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
     const kern_path *path;
-    kern_real s;              /* the place                                    */
-    kern_real low;            /* it stays between this and the path's end     */
-    kern_real ahead;          /* where the prediction sees the edge           */
-    kern_real at;             /* the place of the matrix where that is held,
-                                 else s                                       */
-    int held;                 /* nonzero: matrix and g stay, s is linear      */
-    int slow;                 /* nonzero: the last step had no effect         */
-    int failed;               /* verdicts that were not decided               */
-    int steps;                /* of the search                                */
-    int along;                /* held: nonzero: g is the path's               */
-    kern_real end, error;     /* held: where s ends, and how exactly          */
-    int shrinks;              /* nonzero: the matrix changes, else the loads  */
-    kern_real *roll;          /* of a contact: how fast its point moves       */
-    kern_real rate;           /* largest of g along the path                  */
-    kern_real gap;            /* sum of x z: how far s can be from the edge   */
+    int held;                 /* nonzero: A, b and g stay                     */
+    int steps;                /* so far                                       */
+    kern_real s;
+    kern_real at;             /* place of A, b and g                          */
+    kern_real most;           /* s goes no farther                            */
+    kern_real gap;            /* sum of x z: how far s can be from the maximum */
     kern_real least;          /* gap that is small enough                     */
-    kern_real *x, *z;         /* of a ray: force and closing, both > 0        */
-    kern_real *dx, *dz;       /* their steps; before, dx is x~ - D A'y        */
-    kern_real *over;          /* of a row: A x - b                            */
+    kern_real *z;             /* of a ray: its closing speed                  */
+    kern_real *dx, *dz;       /* of a ray: the step                           */
+    kern_real *d;             /* of a ray: D                                  */
+    kern_real *over;          /* of a row: A x - b, at s                      */
     kern_real *g;             /* of a row                                     */
-    kern_real *gain;          /* M^-1 g                                       */
+    kern_real *gain;          /* of a row: M^-1 g                             */
 } kern_inner;
 
 /* out := A'v, two rays a contact */
@@ -5687,12 +5688,12 @@ static void kern_inner_ways(const kern_part *p, const kern_real *v,
                             kern_real *out)
 {
     int k;
-    for (k = 0; k < p->contacts; k++) {
+    for (k = 0; k < p->contacts; k++, out += 2) {
         kern_real w[2] = {0, 0};
         kern_part_speed(p, k, v, w);
-        w[1] *= p->m->s->contact[p->contact[k]].mu;
-        out[2 * k] = w[0] + w[1];
-        out[2 * k + 1] = w[0] - w[1];
+        w[1] *= kern_model_mu(p->m, p->contact[k]);
+        out[0] = w[0] + w[1];
+        out[1] = w[0] - w[1];
     }
 }
 
@@ -5701,13 +5702,13 @@ static void kern_inner_carry(const kern_part *p, const kern_real *x,
                              kern_real *out)
 {
     int k;
-    for (k = 0; k < p->contacts; k++)
-        kern_part_exert(p, k, x[2 * k] + x[2 * k + 1],
-                        p->m->s->contact[p->contact[k]].mu
-                        * (x[2 * k] - x[2 * k + 1]), out);
+    for (k = 0; k < p->contacts; k++, x += 2)
+        kern_part_exert(p, k, x[0] + x[1],
+                        kern_model_mu(p->m, p->contact[k]) * (x[0] - x[1]), out);
 }
 
-/* out += share times what the shrinking of kerns makes of forces x */
+/* out += share times what the shrinking of kerns makes of forces x: a point
+   moves along t, and t x (f n + r t) = -f */
 static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
                               kern_real share, kern_real *out)
 {
@@ -5716,74 +5717,63 @@ static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
     int k;
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
-        const kern_real f = share * (x[2 * k] + x[2 * k + 1]);
-        const kern_real rate = f * in->roll[k]; /* t x (f n + r t) = -f */
-        out[3 * p->ends[2 * k] + 2] -= rate * m->unit[m->graph.ends[2 * i]];
-        out[3 * p->ends[2 * k + 1] + 2] += rate
-                                           * m->unit[m->graph.ends[2 * i + 1]];
+        kern_real f = share * (x[2 * k] + x[2 * k + 1]), rate;
+        kern_shift(kern_travel(m->s->contact + i, m->mean), in->at,
+                   m->relative, &rate);
+        f *= rate;
+        out[3 * p->ends[2 * k] + 2] -= f * m->unit[m->graph.ends[2 * i]];
+        out[3 * p->ends[2 * k + 1] + 2] += f * m->unit[m->graph.ends[2 * i + 1]];
     }
 }
 
-/* The derivative of A(s) x - b(s) along the path, to in->g. */
-static void kern_inner_rate(kern_inner *in)
-{
-    const kern_query q = kern_path_at(in->path, in->s);
-    const kern_part *p = in->p;
-    int n;
-    for (n = 0; n < 3 * p->groups && in->shrinks; n++)
-        in->g[n] = KERN_R(0);
-    for (n = 0; n < p->groups && !in->shrinks; n++)
-        kern_group_rate(in->path, p->m, &q, in->s, p->group[n], in->g + 3 * n);
-    if (in->shrinks)
-        kern_inner_shrink(in, in->x, KERN_R(1), in->g);
-    in->rate = kern_max(in->rate, kern_largest(in->g, 3 * p->groups));
-}
-
-/* What depends on the place: the matrix where kerns shrink, else the loads. */
+/* A, b and g at a place of the path. */
 static void kern_inner_place(kern_inner *in, kern_real place)
 {
+    const kern_query q = kern_path_at(in->path, place);
+    const int shrinks = in->path->kind == KERN_PATH_SHRINK;
     kern_part *p = in->p;
     kern_model *m = p->m;
-    const kern_query q = kern_path_at(in->path, place);
     int k;
     in->at = place;
-    for (k = 0; in->shrinks && k < p->contacts; k++) {
-        const int i = p->contact[k];
-        kern_shift(kern_travel(m->s->contact + i, m->mean), place, m->relative,
-                   in->roll + k);
+    m->slope = kern_slope(&q);
+    kern_part_load(p, &q, p->eq.rhs);
+    for (k = 0; k < p->groups; k++) {
+        kern_real *g = in->g + 3 * k;
+        g[0] = g[1] = g[2] = KERN_R(0);
+        if (!shrinks)
+            kern_group_rate(in->path, m, &q, place, p->group[k], g);
     }
-    if (in->shrinks)
-        kern_model_arms(m, &q);
-    else
-        kern_part_load(p, &q, p->eq.rhs);
+    if (!shrinks)
+        return;
+    kern_model_arms(m, &q);
+    kern_inner_shrink(in, p->x, KERN_R(1), in->g);
 }
 
-/* A(s) x - b(s), and unless they are held the matrix and g. */
-static void kern_inner_set(kern_inner *in)
+/* A x - b at s, and the gap */
+static void kern_inner_over(kern_inner *in)
 {
-    kern_part *p = in->p;
+    const kern_part *p = in->p;
     int i;
-    if (!in->held) {
-        kern_inner_place(in, in->s);
-        kern_inner_rate(in);
-    }
     for (i = 0; i < 3 * p->groups; i++)
         in->over[i] = (in->s - in->at) * in->g[i] - p->eq.rhs[i];
-    kern_inner_carry(p, in->x, in->over);
+    kern_inner_carry(p, p->x, in->over);
+    in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* M's factor, where D is in->dz. */
-static void kern_inner_factor(kern_inner *in)
+/* Factors M for in->d, with a share of its mean diagonal more on that. */
+static void kern_inner_factor(kern_inner *in, kern_real shift)
 {
     kern_part *p = in->p;
     int k;
     kern_skyline_clear(&p->dual.matrix);
     for (k = 0; k < p->contacts; k++) {
         const kern_spring s = kern_spring_rays(
-            in->dz[2 * k], in->dz[2 * k + 1],
-            p->m->s->contact[p->contact[k]].mu);
+            in->d[2 * k], in->d[2 * k + 1],
+            kern_model_mu(p->m, p->contact[k]));
         kern_part_add(p, k, &s);
     }
+    if (shift > 0)
+        kern_skyline_shift(&p->dual.matrix, shift);
     kern_skyline_factor(&p->dual.matrix);
     p->m->budget.work->pivots++;
 }
@@ -5800,74 +5790,126 @@ static kern_real kern_inner_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
-/* Solves for dy = dual.step, dx, and dz; returns ds. dual.left has A x - b,
-   dx has x~ - D A'y, p->dual.way has A'y. */
-static kern_real kern_inner_step(kern_inner *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real *turn = p->dual.way + rays, ds;
-    int i;
-    kern_inner_carry(p, in->dx, p->dual.left);
-    kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
-    ds = (1 - kern_dot(in->g, p->dual.u, n) - kern_dot(in->g, p->dual.step, n))
-         / kern_dot(in->g, in->gain, n);
-    if (in->held) /* s does not pass the place */
-        ds = kern_min(ds, in->at - in->s);
-    else
-        ds = kern_max(kern_min(ds, in->path->end - in->s), in->low - in->s);
-    for (i = 0; i < n; i++)
-        p->dual.step[i] += ds * in->gain[i];
-    kern_inner_ways(p, p->dual.step, turn);
-    for (i = 0; i < rays; i++) {
-        in->dx[i] -= in->x[i] / in->z[i] * turn[i];
-        in->dz[i] = p->dual.way[i] + turn[i] - in->z[i];
-    }
-    return ds;
-}
-
-/* Goes along the steps as far as x, z > 0 let it. */
-static void kern_inner_move(kern_inner *in, kern_real ds)
-{
-    kern_part *p = in->p;
-    const int rays = 2 * p->contacts;
-    const kern_real of_x = KERN_INNER_SHARE
-                           * kern_inner_share(in->x, in->dx, rays);
-    const kern_real of_z = KERN_INNER_SHARE
-                           * kern_inner_share(in->z, in->dz, rays);
-    int i;
-    in->s += of_x * ds;
-    for (i = 0; i < rays; i++) {
-        in->x[i] += of_x * in->dx[i];
-        in->z[i] += of_z * in->dz[i];
-    }
-    for (i = 0; i < 3 * p->groups; i++)
-        p->dual.u[i] += of_z * p->dual.step[i];
-    kern_inner_set(in);
-    in->gap = kern_dot(in->x, in->z, rays);
-}
-
-/* Lifts products x z that are near to 0, from where steps would be short, to a
-   share of a gap. */
+/* Lifts products x z that are near to 0 to the mean of a gap. */
 static void kern_inner_centre(kern_inner *in, kern_real gap)
 {
     const int rays = 2 * in->p->contacts;
     const kern_real mean = gap / KERN_R(rays);
-    int i, lifted = 0;
-    for (i = 0; i < rays; i++) {
-        const kern_real x = in->x[i];
-        in->dx[i] = KERN_R(0);
-        if (x * in->z[i] < mean && x > in->z[i])
-            in->z[i] = mean / x;
-        else if (x * in->z[i] < mean) {
-            in->x[i] = mean / in->z[i];
-            in->dx[i] = in->x[i] - x;
-            lifted = 1;
+    kern_real *x = in->p->x, *z = in->z;
+    int i;
+    for (i = 0; i < rays; i++)
+        if (x[i] * z[i] < mean) {
+            if (x[i] > z[i])
+                z[i] = mean / x[i];
+            else
+                x[i] = mean / z[i];
         }
+    kern_inner_over(in);
+}
+
+/* One solution of Newton's equations: dx, which has x~ - x without what dy makes
+   of it, dy = dual.step and dz; returns ds. Where kerns shrink A is not linear
+   in s, which goes half the way at the most, and little below the start. */
+static kern_real kern_inner_solve(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const kern_real *way = p->dual.way;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real *turn = p->dual.way + rays, rest = in->most - in->s, ds;
+    int i;
+    for (i = 0; i < n; i++)
+        p->dual.left[i] += in->over[i];
+    kern_inner_carry(p, in->dx, p->dual.left);
+    kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
+    ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
+         / kern_dot(in->g, in->gain, n);
+    if (!in->held && in->path->kind == KERN_PATH_SHRINK
+        && rest > KERN_R(1e-3) * in->path->unit)
+        rest /= 2;
+    ds = kern_min(ds, rest);
+    if (!in->held)
+        ds = kern_max(ds, in->path->holds - KERN_R(0.1) * in->path->unit
+                          - in->s);
+    for (i = 0; i < n; i++)
+        p->dual.step[i] += ds * in->gain[i];
+    kern_inner_ways(p, p->dual.step, turn);
+    for (i = 0; i < rays; i++) {
+        in->dx[i] -= in->d[i] * turn[i];
+        in->dz[i] = way[i] + turn[i] - in->z[i];
     }
-    in->gap = kern_dot(in->x, in->z, rays);
-    if (lifted)
-        kern_inner_carry(in->p, in->dx, in->over);
+    return ds;
+}
+
+/* The predictor: with mu = 0. Returns mu, and leaves in dx and dual.left what
+   the corrector begins with. */
+static kern_real kern_inner_predict(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real of_x, of_z, ds, left = KERN_R(0), mu;
+    int i;
+    kern_inner_ways(p, p->y, p->dual.way);
+    for (i = 0; i < n; i++)
+        p->dual.left[i] = KERN_R(0);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = -in->d[i] * p->dual.way[i];
+    ds = kern_inner_solve(in);
+    of_x = kern_inner_share(p->x, in->dx, rays);
+    of_z = kern_inner_share(in->z, in->dz, rays);
+    for (i = 0; i < rays; i++)
+        left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
+    left = in->s < in->most ? kern_max(left / in->gap, 1 - of_x)
+                            : KERN_R(1); /* nothing is left to maximise */
+    mu = kern_max(in->gap * left * left * left, kern_max(in->least / 8,
+        kern_largest(in->over, n) / kern_largest(in->g, n)));
+    mu = kern_min(mu, in->gap) / KERN_R(rays);
+    for (i = 0; i < n; i++)
+        p->dual.left[i] = KERN_R(0);
+    if (!in->held && in->path->kind == KERN_PATH_SHRINK)
+        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->dual.left);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
+                    - in->d[i] * p->dual.way[i];
+    return mu;
+}
+
+/* One step of the method; 0 if the call has no more work for it, or the digits
+   do not reach for one. */
+static int kern_inner_step(kern_inner *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real of_x, of_z, ds;
+    int i;
+    if (!(in->gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
+        || !kern_model_spend(p->m, 1 + p->dual.cost / 150))
+        return 0;
+    for (i = 0; i < rays; i++)
+        in->d[i] = p->x[i] / in->z[i];
+    kern_inner_factor(in, KERN_R(0));
+    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
+    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
+        kern_inner_factor(in, KERN_INNER_SHIFT);
+        kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
+    }
+    kern_inner_predict(in);
+    ds = kern_inner_solve(in);
+    of_x = KERN_INNER_SHARE * kern_inner_share(p->x, in->dx, rays);
+    of_z = KERN_INNER_SHARE * kern_inner_share(in->z, in->dz, rays);
+    if (in->s + ds >= in->most && of_x >= KERN_INNER_SHARE)
+        of_x = KERN_R(1);
+    in->s += of_x * ds;
+    for (i = 0; i < rays; i++) {
+        p->x[i] = kern_max(p->x[i] + of_x * in->dx[i], p->x[i] * KERN_EPS);
+        in->z[i] += of_z * in->dz[i];
+    }
+    for (i = 0; i < n; i++)
+        p->y[i] += of_z * p->dual.step[i];
+    if (!in->held)
+        kern_inner_place(in, in->s);
+    kern_inner_over(in);
+    kern_inner_centre(in, KERN_INNER_APART * in->gap);
+    return in->gap < KERN_HUGE;
 }
 
 /* Takes A x - b from the forces, of each as a share of what it is: so M is far
@@ -5879,70 +5921,15 @@ static void kern_inner_balance(kern_inner *in)
     kern_real *turn = p->dual.way + rays;
     int i, round;
     for (i = 0; i < rays; i++)
-        in->dz[i] = in->x[i];
-    kern_inner_factor(in);
-    for (round = 0; round < 2; round++) {
-        kern_inner_set(in);
+        in->d[i] = p->x[i];
+    kern_inner_factor(in, KERN_R(0));
+    for (round = 0; round < 3; round++) {
         kern_skyline_solve(&p->dual.matrix, in->over, p->dual.step);
         kern_inner_ways(p, p->dual.step, turn);
         for (i = 0; i < rays; i++)
-            in->x[i] = kern_max(in->x[i] - in->dz[i] * turn[i],
-                                in->x[i] / 1024);
+            p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
+        kern_inner_over(in);
     }
-    kern_inner_set(in);
-    in->gap = kern_dot(in->x, in->z, rays);
-}
-
-/* One step of the method; 0 if the call has no more work for it, or the digits
-   do not reach for one. */
-static int kern_inner_advance(kern_inner *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    const int shrink = in->shrinks && !in->held;
-    const kern_real gap = in->gap;
-    kern_real of_x, of_z, ds, left = KERN_R(0), mu;
-    int i;
-    if (!(gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
-        || !kern_model_spend(p->m, 1 + p->dual.cost / 150))
-        return 0;
-    for (i = 0; i < rays; i++)
-        in->dz[i] = in->x[i] / in->z[i];
-    kern_inner_factor(in);
-    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
-    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
-        in->gap = KERN_INFINITY;
-        return 0;
-    }
-    kern_inner_ways(p, p->dual.u, p->dual.way);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = -in->x[i] / in->z[i] * p->dual.way[i];
-    for (i = 0; i < n; i++)
-        p->dual.left[i] = in->over[i];
-    ds = kern_inner_step(in);
-    in->ahead = in->s + ds;
-    of_x = kern_inner_share(in->x, in->dx, rays);
-    of_z = kern_inner_share(in->z, in->dz, rays);
-    for (i = 0; i < rays; i++)
-        left += (in->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
-    left /= in->gap;
-    mu = kern_max(in->gap * left * left * left, kern_max(
-        in->least * (in->held ? KERN_INNER_SHARP / 4 : KERN_R(0.5)),
-        kern_largest(in->over, n) / kern_largest(in->g, n)));
-    mu = kern_min(mu, in->gap) / KERN_R(rays);
-    for (i = 0; i < n; i++)
-        p->dual.left[i] = in->over[i];
-    if (shrink)
-        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->dual.left);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = (mu - in->dx[i] * in->dz[i] - in->x[i] * p->dual.way[i])
-                    / in->z[i];
-    ds = kern_inner_step(in);
-    kern_inner_move(in, ds);
-    in->slow = kern_abs(in->gap - gap) < gap / 32;
-    if (in->slow)
-        kern_inner_balance(in);
-    return 1;
 }
 
 /* v += what lifts its least entry to half of what it is below 0, and a little
@@ -5958,252 +5945,230 @@ static void kern_inner_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Where the method begins: least forces of both signs, and least motions,
-   lifted above 0. Returns 0 where nothing depends on the place. */
-static int kern_inner_begin(kern_inner *in)
+/* Begins at a place, held or free: with least forces of both signs, and least
+   motions, lifted above 0 (Mehrotra). Held, g is what these forces miss. Returns
+   0 where nothing depends on s. */
+static int kern_inner_begin(kern_inner *in, kern_real place, int held)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real power, x = KERN_R(0), z = KERN_R(0);
     int i;
-    for (i = 0; i < n + 3; i++)
-        p->dual.u[i] = p->dual.step[i] = p->dual.left[i] = in->gain[i]
-                     = KERN_R(0);
+    in->held = held;
+    in->s = place;
+    in->most = held ? place : in->path->end;
     for (i = 0; i < rays; i++) {
-        in->x[i] = KERN_R(0);
-        in->dz[i] = KERN_R(1);
+        p->x[i] = in->z[i] = KERN_R(0);
+        in->d[i] = KERN_R(1);
     }
-    kern_inner_set(in);
-    kern_inner_factor(in);
-    for (i = 0; i < n; i++)
-        p->dual.left[i] = -in->over[i];
-    kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.u);
-    kern_inner_ways(p, p->dual.u, in->x);
-    kern_inner_lift(in->x, rays);
-    kern_inner_set(in);
+    kern_inner_place(in, place);
+    kern_inner_factor(in, KERN_INNER_SOFT);
+    kern_skyline_solve(&p->dual.matrix, p->eq.rhs, p->y);
+    kern_inner_ways(p, p->y, p->x);
+    kern_inner_lift(p->x, rays);
+    kern_inner_place(in, place);
+    kern_inner_over(in);
+    if (held) {
+        for (i = 0; i < n; i++)
+            in->g[i] = in->over[i];
+        in->s = place - 1;
+    }
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     power = kern_dot(in->g, in->gain, n);
     if (!(power > 0))
         return 0;
     for (i = 0; i < n; i++)
-        p->dual.u[i] = in->gain[i] / power;
-    kern_inner_ways(p, p->dual.u, in->z);
+        p->y[i] = in->gain[i] / power;
+    kern_inner_ways(p, p->y, in->z);
     kern_inner_lift(in->z, rays);
-    in->gap = kern_dot(in->x, in->z, rays);
+    in->gap = kern_dot(p->x, in->z, rays);
     for (i = 0; i < rays; i++) {
-        x += in->x[i];
+        x += p->x[i];
         z += in->z[i];
     }
     for (i = 0; i < rays; i++) {
-        in->x[i] += in->gap / z / 2;
+        p->x[i] += in->gap / z / 2;
         in->z[i] += in->gap / x / 2;
     }
-    kern_inner_set(in);
-    in->gap = kern_dot(in->x, in->z, rays);
+    kern_inner_over(in);
     return 1;
 }
 
-/* Opens all groups for a search from path->holds on; 0 if there is no room, or
-   nothing to search. */
+/* Opens all groups for questions about a path; 0 if there is no room. */
 static int kern_inner_open(kern_inner *in, kern_model *m,
                            const kern_path *path)
 {
     const kern_query q = kern_path_at(path, path->holds);
     kern_part *p = path->part;
-    int rays;
+    int rays, n, i;
     if (m->plain)
         kern_model_group(m, &q);
     kern_model_set(m, &q);
     if (!kern_least_open(p, m) || p->contacts == 0)
         return 0;
     rays = 2 * p->contacts;
+    n = 3 * p->groups;
     in->p = p;
     in->path = path;
-    p->x = in->x = kern_take_reals(&p->rest, rays);
-    p->y = p->dual.u;
+    in->steps = 0;
+    in->gap = KERN_INFINITY; /* of no question so far */
+    p->x = kern_take_reals(&p->rest, rays);
+    p->y = kern_take_reals(&p->rest, n + 3);
+    p->eq.rhs = kern_take_reals(&p->rest, n);
     in->z = kern_take_reals(&p->rest, rays);
     in->dx = kern_take_reals(&p->rest, rays);
     in->dz = kern_take_reals(&p->rest, rays);
-    p->eq.rhs = kern_take_reals(&p->rest, 3 * p->groups);
-    in->roll = kern_take_reals(&p->rest, p->contacts);
-    in->g = kern_take_reals(&p->rest, 3 * p->groups + 3);
-    in->gain = kern_take_reals(&p->rest, 3 * p->groups + 3);
-    in->over = p->dual.b;
-    in->held = in->failed = in->along = in->steps = 0;
-    in->rate = KERN_R(1e-3) / path->unit;
-    in->shrinks = path->kind == KERN_PATH_SHRINK;
-    in->s = path->holds;
-    in->ahead = KERN_INFINITY; /* the limit of work may allow no step */
-    in->low = path->holds - KERN_R(0.1) * path->unit;
-    in->least = path->tolerance * KERN_R(0.45);
+    in->d = kern_take_reals(&p->rest, rays);
+    in->over = kern_take_reals(&p->rest, n + 3);
+    in->g = kern_take_reals(&p->rest, n + 3);
+    in->gain = kern_take_reals(&p->rest, n + 3);
     if (!kern_take_fits(&p->rest))
         return 0;
-    kern_part_load(p, &q, p->eq.rhs);
-    return kern_inner_begin(in);
+    for (i = n; i < n + 3; i++) /* what is held rests */
+        p->y[i] = p->dual.step[i] = in->gain[i] = KERN_R(0);
+    return 1;
 }
 
-/* Whether the forces are a proof that it stands at the place of the matrix. */
-static int kern_inner_holds(kern_inner *in)
+/* What is proven at the place where the path is held: by forces where s is
+   there, by a motion, or what was before. */
+static kern_status kern_inner_prove(kern_inner *in, kern_status before)
 {
     kern_part *p = in->p;
+    kern_model *m = p->m;
     const kern_query q = kern_path_at(in->path, in->at);
-    kern_part_forces(p);
-    return kern_answer_holds(p->m, &q);
-}
-
-/* Whether the motion is a proof that it falls at a place. */
-static int kern_inner_falls(kern_inner *in, kern_real place)
-{
-    kern_part *p = in->p;
-    const kern_query q = kern_path_at(in->path, place);
+    if (in->s >= in->most) {
+        kern_inner_balance(in);
+        kern_part_forces(p);
+        if (kern_model_proven(m, kern_prove_forces(m->s, &q, m->answer.force,
+                                                   m->answer.sum)))
+            return KERN_STANDS;
+    }
+    if (before == KERN_FALLS
+        || !(kern_dot(p->y, p->eq.rhs, 3 * p->groups) < 0))
+        return before;
     kern_part_motion(p);
-    return kern_model_proven(
-        p->m, kern_prove_motion(p->m->s, &q, p->m->answer.motion));
-}
-
-/* Holds the matrix at a place from now on. Where the path's g is less than what
-   x misses there, that becomes g, and at - s the share of it that is still
-   missing. What has lost its digits begins anew, or what is to. */
-static void kern_inner_hold(kern_inner *in, kern_real place, int anew)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups;
-    const kern_real away = kern_abs(place - in->at);
-    kern_real way = kern_max(away, in->least);
-    int i;
-    if (anew || !(in->gap <= KERN_INNER_LOST)) {
-        in->held = 0;
-        in->s = place;
-        kern_inner_begin(in);
-    }
-    kern_inner_place(in, place);
-    kern_inner_rate(in);
-    in->held = 1;
-    kern_inner_set(in);
-    in->error = KERN_INFINITY;
-    in->end = -KERN_INFINITY;
-    in->along = kern_largest(in->over, n) < kern_largest(in->g, n) * way;
-    /* it must be able to go back from the edge, where x and z are near to 0 */
-    kern_inner_centre(in, kern_max(in->gap, !in->along ? KERN_INNER_LIFT
-        : kern_max(10 * in->least, KERN_INNER_AWAY * away / in->path->unit)));
-    kern_inner_set(in);
-    if (in->along)
-        return;
-    in->s = place;
-    kern_inner_set(in);
-    way = kern_max(way, kern_largest(in->over, n) / in->rate);
-    in->s = place - way;
-    for (i = 0; i < n; i++)
-        in->g[i] = in->over[i] / way;
-    kern_inner_set(in);
-}
-
-/* Where the held program ends: before the place where the power of the motion
-   is 0, by at most the gap and what A x - b makes of it, y.(A x - b). The
-   closest two of all steps count. */
-static void kern_inner_bound(kern_inner *in, kern_real power)
-{
-    const kern_real apart = in->at - in->s + power; /* gap - y.(A x - b) */
-    const kern_real error = in->gap + kern_abs(apart - in->gap);
-    if (power < 0 && error < in->error) {
-        in->error = error;
-        in->end = in->at + power - in->gap / 2;
-    }
-}
-
-/* Where what falls at the place of the matrix stops to fall. */
-static kern_real kern_inner_edge(const kern_inner *in)
-{
-    const kern_query q = kern_path_at(in->path, in->at);
-    return in->along ? in->end : kern_path_newton(in->path, &q, in->at);
-}
-
-/* What is proven at the place of the matrix after a step: by forces, by a
-   motion, or what was before. What is missing may be less than a proof sees. */
-static kern_status kern_inner_prove(kern_inner *in, kern_status before,
-                                    kern_real power)
-{
-    const kern_real left = in->at - in->s;
-    const kern_real missing = left * kern_largest(in->g, 3 * in->p->groups);
-    if ((left <= KERN_INNER_SHARP * in->least || missing <= KERN_TOL)
-        && kern_inner_holds(in))
-        return KERN_STANDS;
-    return before != KERN_FALLS && power < 0 && kern_inner_falls(in, in->at)
+    return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion))
            ? KERN_FALLS : before;
 }
 
-/* The verdict at a place, from what was found before or anew. A motion proves
-   that it falls as long as it parts from all contacts by more than rounding,
-   which is before it is sharp enough for Newton's method. */
-static kern_status kern_inner_steps(kern_inner *in, kern_real place, int anew)
+/* Steps until the path's end, as far as the gap and A x - b tell it, or where it
+   is held until a proof, which is sharp enough for Newton's method if `sharp`. */
+static kern_status kern_inner_run(kern_inner *in, int sharp)
 {
-    const int rounds = anew ? KERN_INNER_ROUNDS : KERN_INNER_WARM;
-    const kern_part *p = in->p;
     kern_status status = KERN_UNDECIDED;
-    int round, late = 0;
-    kern_inner_hold(in, place, anew);
-    for (round = 0; round < rounds && late < KERN_INNER_STALLED
-                    && kern_inner_advance(in); round++) {
-        const kern_real power = kern_dot(p->y, p->eq.rhs, 3 * p->groups);
-        status = kern_inner_prove(in, status, power);
-        kern_inner_bound(in, power);
-        if (status == KERN_STANDS
-            || (status == KERN_FALLS
-                && in->error <= KERN_INNER_SHARP * (place - in->s)))
-            break;
-        late += in->slow || in->gap <= KERN_INNER_SHARP * in->least;
+    const int n = 3 * in->p->groups;
+    int round, stalled = 0;
+    for (round = 0; round < KERN_INNER_ROUNDS
+                    && stalled < KERN_INNER_STALLED; round++) {
+        const kern_real before = in->gap;
+        if (!kern_inner_step(in))
+            return status;
+        if (in->held) {
+            status = kern_inner_prove(in, status);
+            if (status == KERN_STANDS
+                || (status == KERN_FALLS
+                    && (!sharp || in->gap <= KERN_INNER_SHARP
+                                             * (in->at - in->s))))
+                return status;
+        } else if (in->s >= in->most
+                   || (in->gap <= in->least && kern_largest(in->over, n)
+                                 <= in->least * kern_largest(in->g, n)))
+            return KERN_STANDS;
+        stalled = in->gap < before * KERN_R(0.9) ? 0 : stalled + 1;
     }
     return status;
 }
 
-/* The verdict at a place: by what was found before, and where that leads to
+/* The verdict at a place: from what was found before, and where that leads to
    none, from the beginning. */
 static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
                                        kern_real *edge)
 {
-    kern_status status;
-    if (in->failed == KERN_INNER_FAILED || in->steps > KERN_INNER_STEPS)
-        return KERN_UNDECIDED;
+    const kern_query q = kern_path_at(in->path, place);
+    kern_status status = KERN_UNDECIDED;
     in->p->m->budget.work->solves++;
-    status = kern_inner_steps(in, place, 0);
-    if (status == KERN_UNDECIDED)
-        status = kern_inner_steps(in, place, 1);
-    if (status == KERN_FALLS)
-        *edge = kern_inner_edge(in);
-    in->failed += status == KERN_UNDECIDED;
-    return status;
-}
-
-/* Follows the path to the first place where the whole falls, as far as it can
-   be followed. Returns nonzero where it is seen to stand to the end. */
-static int kern_inner_follow(kern_inner *in)
-{
-    int round, beyond = 0, stalled = 0;
-    for (round = 0; round < KERN_INNER_ROUNDS && !(in->gap <= in->least)
-                    && !beyond && stalled < KERN_INNER_STALLED;
-         round++) {
-        if (!kern_inner_advance(in))
-            return 0;
-        beyond = in->gap <= KERN_INNER_CLEAR
-                 && in->ahead > in->path->end - in->least;
-        stalled = in->slow ? stalled + 1 : 0;
+    in->least = KERN_R(0);
+    if (in->gap <= KERN_INNER_LOST) {
+        const kern_real away = kern_abs(place - in->s) / in->path->unit;
+        in->held = 1;
+        in->most = place;
+        kern_inner_place(in, place);
+        in->s = kern_min(in->s, place);
+        kern_inner_over(in);
+        kern_inner_centre(in, kern_max(in->gap,
+                                       kern_max(away, KERN_INNER_LIFT)));
+        status = kern_inner_run(in, edge != NULL);
     }
-    return beyond;
+    if (status == KERN_UNDECIDED && kern_inner_begin(in, place, 1))
+        status = kern_inner_run(in, edge != NULL);
+    if (status == KERN_FALLS && edge)
+        *edge = kern_path_newton(in->path, &q, place);
+    return status;
 }
 
-/* Evaluates where the path has been followed to, and beyond. */
-static kern_status kern_inner_ends(kern_inner *in, kern_model *m,
-                                   kern_path *path)
+/* An interior point moves all that can fall, and a little of what rests. Puts in
+   its place the motion of a small part, the blocks that move fastest, all others
+   held; KERN_UNDECIDED where none of them falls. */
+static kern_status kern_inner_clean(kern_model *m, kern_part *p,
+                                    const kern_query *q)
 {
-    kern_status status;
-    if (!(in->ahead >= path->holds && in->ahead <= path->end))
-        return KERN_UNDECIDED;
-    path->edge = in->ahead;
-    status = kern_path_evaluate(m, path,
-                                kern_min(in->ahead + in->least, path->end));
-    if (status == KERN_STANDS && path->holds < path->end)
-        status = kern_path_evaluate(m, path, path->end);
+    const kern_motion *v = m->answer.motion;
+    kern_real fast;
+    int before = 0;
+    for (fast = KERN_R(0.5); fast > KERN_AT_REST; fast /= 8) {
+        int g, last = 0, groups = 0;
+        for (g = 0; g < m->graph.groups; g++) {
+            const int i = m->graph.block[g];
+            m->graph.local[g] = KERN_OUT;
+            if (kern_block_speed(m->s->block + i, v + i) > fast) {
+                m->graph.local[g] = groups++;
+                last = g;
+            }
+        }
+        if (groups > KERN_SMALL)
+            break;
+        if (groups > before && kern_part_open(p, m, groups, last)
+            && kern_part_falls(p, q))
+            return KERN_FALLS;
+        before = groups;
+    }
+    return KERN_UNDECIDED;
+}
+
+/* The verdict on all groups for a query. */
+static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
+                                      const kern_query *q)
+{
+    kern_path path;
+    kern_inner in;
+    kern_status status = KERN_UNDECIDED;
+    int clean;
+    path.kind = KERN_PATH_SHRINK;
+    path.q = *q;
+    path.part = p;
+    path.unit = m->relative ? KERN_R(1) : m->mean;
+    path.holds = path.end = q->shrink;
+    for (clean = 1; clean >= 0; clean--) { /* what is not clean found again */
+        status = kern_inner_open(&in, m, &path)
+                 ? kern_inner_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
+        if (status != KERN_FALLS
+            || (clean && kern_inner_clean(m, p, q) == KERN_FALLS))
+            break;
+    }
     return status;
+}
+
+/* Follows the path from path->holds. Returns the first place where the whole
+   falls, at most its end; infinity where it cannot be followed. */
+static kern_real kern_inner_follow(kern_inner *in)
+{
+    in->p->m->budget.work->solves++;
+    in->least = in->path->tolerance / 8;
+    if (kern_inner_begin(in, in->path->holds, 0)
+        && kern_inner_run(in, 0) == KERN_STANDS)
+        return in->s;
+    in->gap = KERN_INFINITY; /* nothing to go on from */
+    return KERN_INFINITY;
 }
 
 /* Whether the bracket is proven and narrow enough. In a large structure the
@@ -6219,15 +6184,21 @@ static int kern_inner_closed(const kern_model *m, const kern_path *path)
    where it is not found. */
 static kern_status kern_inner_search(kern_model *m, kern_path *path)
 {
+    const kern_real aside = path->tolerance * KERN_R(0.45);
     kern_inner in;
-    kern_status status;
+    kern_status status = KERN_STANDS;
     if (m->narrow > 0 || !kern_inner_open(&in, m, path))
         return KERN_UNDECIDED;
     path->inner = &in;
     path->fails = path->end;
-    status = kern_inner_follow(&in)
-             ? kern_path_evaluate(m, path, path->end)
-             : kern_inner_ends(&in, m, path);
+    path->edge = kern_inner_follow(&in);
+    if (!(path->edge < KERN_INFINITY))
+        status = kern_path_evaluate(m, path, path->holds);
+    if (status == KERN_STANDS)
+        status = kern_path_evaluate(m, path,
+                                    kern_min(path->edge + aside, path->end));
+    if (status == KERN_STANDS && path->holds < path->end)
+        status = kern_path_evaluate(m, path, path->end);
     if (status == KERN_STANDS)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
@@ -6236,6 +6207,8 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
             status = KERN_UNDECIDED;
     }
     path->inner = NULL;
+    if (path->fell <= path->start)
+        return KERN_FALLS;
     return status == KERN_STANDS && path->stood >= path->holds
            ? status : KERN_UNDECIDED;
 }
@@ -6415,7 +6388,7 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
                       || m->budget.work->reals < KERN_REALS(m->s->blocks,
                                                      m->s->contacts)))
         status = kern_inner_search(m, path);
-    if (status == KERN_STANDS)
+    if (status != KERN_UNDECIDED)
         return status;
     if (!m->plain)
         status = kern_model_plain(m, path->part, &q);
