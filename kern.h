@@ -1666,6 +1666,8 @@ typedef struct kern_path {
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
+    kern_real shown;          /* where the motion of the last verdict proves as
+                                 well that it falls, just beyond the edge     */
     kern_real stood, fell;    /* the farthest that is proven to stand, the
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
@@ -2628,6 +2630,8 @@ struct kern_part {
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
 static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
+static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v);
+static void kern_basis_solve(const kern_simplex *sx, kern_real *v);
 static void kern_simplex_restart(kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
@@ -2673,7 +2677,7 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
-    path->fell = KERN_INFINITY;
+    path->fell = path->shown = KERN_INFINITY;
     path->never = 0;
 }
 
@@ -5201,6 +5205,9 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations to find one                 */
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
+#define KERN_MECHANISM_MOST 6      /* groups of a mechanism that is followed  */
+#define KERN_MECHANISM_ROUNDS 6    /* secants to its edge                     */
+#define KERN_ASIDE KERN_R(0.45)    /* of a bracket's width: from edge to end  */
 
 /* How fast y turns the two sides of contact k of the part against each other. */
 static kern_real kern_part_spin(const kern_part *p, int k)
@@ -5371,6 +5378,190 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
            ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
 }
 
+/* ---- mechanisms ---- */
+/* The motion y of a basis that falls moves some groups, and is fixed by the basic
+   columns that touch these: y.A_j = -c_j, with the prices c of kern_prices(). They
+   are as many as rows move. Solved for at other places they tell exactly where
+   this mechanism stops to fall. */
+
+/* The equation of row `row`'s basic variable at the shrinkage s, to a. Returns 0
+   where that touches no moving group. */
+static int kern_mechanism_row(const kern_part *p, kern_real s, int row,
+                              int rows, kern_real *a)
+{
+    const kern_model *m = p->m;
+    const kern_simplex *sx = &p->eq.simplex;
+    const int j = sx->base[row], cols = p->eq.lp.cols;
+    const int h = sx->link[j < cols ? p->ends[j & ~1] : (j - cols) / 3];
+    const int t = j < cols ? sx->link[p->ends[j | 1]] : KERN_OUT;
+    const kern_real *c = p->eq.arc + 4 * (size_t)j;
+    kern_real rate, shift;
+    int i;
+    if (h == KERN_OUT && t == KERN_OUT)
+        return 0;
+    for (i = 0; i < rows; i++)
+        a[i] = KERN_R(0);
+    a[rows] = -kern_infeasibility(sx, j, sx->value[row]);
+    if (j >= cols) {
+        a[3 * h + (j - cols) % 3] = KERN_R(1);
+        return 1;
+    }
+    i = p->contact[j >> 1];
+    shift = kern_travel(m->s->contact + i, m->mean);
+    shift = kern_shift(shift, s, m->relative, &rate)
+            - kern_shift(shift, p->eq.shrink, m->relative, &rate);
+    if (h != KERN_OUT) { /* the arm grows along t, and t x (n + mu t) = -1 */
+        a[3 * h] += c[0];
+        a[3 * h + 1] += c[1];
+        a[3 * h + 2] += c[2] - shift * m->unit[m->graph.ends[2 * i]];
+    }
+    if (t != KERN_OUT) {
+        a[3 * t] -= c[0];
+        a[3 * t + 1] -= c[1];
+        a[3 * t + 2] += c[3] + shift * m->unit[m->graph.ends[2 * i + 1]];
+    }
+    return 1;
+}
+
+/* Solves `rows` equations where they stand, by elimination with the largest
+   pivot of each row; the solution to y. 0: there is none. */
+static int kern_mechanism_solve(kern_real *a, int rows, kern_real *y)
+{
+    const int wide = rows + 1;
+    int i, j, k;
+    for (k = 0; k < rows; k++) {
+        kern_real *pivot = a + k * wide, one;
+        int best = k;
+        for (i = k; i < rows; i++)
+            if (kern_abs(a[i * wide + k]) > kern_abs(a[best * wide + k]))
+                best = i;
+        if (!(kern_abs(a[best * wide + k]) > KERN_PIVOT_TOL))
+            return 0;
+        for (j = k; j < wide && best != k; j++) {
+            one = pivot[j];
+            pivot[j] = a[best * wide + j];
+            a[best * wide + j] = one;
+        }
+        for (i = k + 1; i < rows; i++) {
+            kern_real *row = a + i * wide;
+            const kern_real share = row[k] / pivot[k];
+            if (row[k] < 0 || row[k] > 0)
+                for (j = k + 1; j < wide; j++)
+                    row[j] -= share * pivot[j];
+        }
+    }
+    for (k = rows - 1; k >= 0; k--) {
+        kern_real left = a[k * wide + rows];
+        for (j = k + 1; j < rows; j++)
+            left -= a[k * wide + j] * y[j];
+        y[k] = left / a[k * wide + k];
+    }
+    return 1;
+}
+
+/* Numbers the groups that move in sx->link, and returns how many do; 0 where there
+   is no basis, or no room for their equations behind its factors. */
+static int kern_mechanism_open(kern_part *p)
+{
+    kern_simplex *sx = &p->eq.simplex;
+    const kern_real least = KERN_PARTING * kern_largest(p->y, 3 * p->groups);
+    int n, moving = 0;
+    if (!sx->started || p->m->narrow > 0)
+        return 0;
+    for (n = 0; n < p->groups; n++)
+        sx->link[n] = kern_largest(p->y + 3 * n, 3) > least ? moving++
+                                                            : KERN_OUT;
+    sx->link[n] = KERN_OUT;
+    return moving <= KERN_MECHANISM_MOST
+           && 3 * moving * (moving + 1) <= sx->room - sx->first[sx->factors]
+           ? moving : 0;
+}
+
+/* The mechanism of so many groups at s, to p->y. Returns its power as a share of
+   its largest speed; infinity where it is none. */
+static kern_real kern_mechanism_at(kern_part *p, kern_real s, int groups)
+{
+    const kern_simplex *sx = &p->eq.simplex;
+    const int rows = 3 * groups;
+    kern_real *a = sx->entry + 3 * (size_t)sx->first[sx->factors];
+    kern_real *y = a + rows * (rows + 1);
+    int i, n = 0;
+    for (i = 0; i < p->eq.lp.rows && n <= rows; i++)
+        n += kern_mechanism_row(p, s, i, rows,
+                                a + (n < rows ? n : 0) * (rows + 1));
+    if (n != rows || !kern_mechanism_solve(a, rows, y))
+        return KERN_INFINITY;
+    for (i = 0; i < 3 * p->groups; i++)
+        p->y[i] = sx->link[i / 3] == KERN_OUT
+                  ? KERN_R(0) : y[3 * sx->link[i / 3] + i % 3];
+    return kern_dot(p->y, p->eq.rhs, 3 * p->groups) / kern_largest(y, rows);
+}
+
+/* Where the mechanism that falls at s stops to fall as kerns shrink less, by
+   secants from Newton's prediction on; and its motion a little beyond that. */
+static void kern_mechanism_edge(kern_part *p, kern_path *path, kern_real s)
+{
+    const kern_real same = KERN_SAME_EDGE / 8 * path->unit;
+    const int groups = kern_mechanism_open(p);
+    kern_real lo = path->holds, hi = s, at = path->edge, last = s, was, power;
+    int round, found = 0;
+    if (groups == 0)
+        return;
+    was = kern_dot(p->y, p->eq.rhs, 3 * p->groups)
+          / kern_largest(p->y, 3 * p->groups);
+    for (round = 0; round < KERN_MECHANISM_ROUNDS && !found; round++) {
+        kern_real step;
+        if (!(at > lo && at < hi))
+            at = lo + (hi - lo) / 2;
+        power = kern_mechanism_at(p, at, groups);
+        if (!(power < KERN_INFINITY))
+            break;
+        *(power < 0 ? &hi : &lo) = at;
+        step = power * (at - last) / (power - was);
+        last = at;
+        was = power;
+        at -= step;
+        found = kern_abs(step) <= same;
+    }
+    power = at + path->tolerance * KERN_ASIDE;
+    if (found && kern_mechanism_at(p, power, groups) < KERN_INFINITY) {
+        kern_part_motion(p);
+        path->edge = at;
+        path->shown = power;
+    }
+}
+
+/* Whether the forces of the basis that stands at s are those at the edge as well:
+   they change by -B^-1 A' x along the path, and none of them becomes negative. */
+static int kern_basis_reaches(kern_part *p, kern_real s, kern_real edge)
+{
+    const kern_model *m = p->m;
+    kern_simplex *sx = &p->eq.simplex;
+    const kern_real least = -KERN_FEAS_TOL * sx->unit;
+    int i;
+    for (i = 0; i < 3 * sx->groups + 3; i++)
+        sx->alpha[i] = KERN_R(0);
+    for (i = 0; i < p->contacts; i++) {
+        const int *ends = m->graph.ends + 2 * p->contact[i];
+        const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
+        kern_real rate;
+        if (!(n > 0))
+            continue;
+        kern_shift(kern_travel(m->s->contact + p->contact[i], m->mean), s,
+                   m->relative, &rate);
+        rate *= n * (edge - s); /* t x (f n + r t) = -f */
+        sx->alpha[3 * p->ends[2 * i] + 2] += rate * m->unit[ends[0]];
+        sx->alpha[3 * p->ends[2 * i + 1] + 2] -= rate * m->unit[ends[1]];
+    }
+    kern_basis_solve(sx, sx->alpha);
+    for (i = 0; i < p->eq.lp.rows; i++) {
+        const kern_real v = sx->value[i] + sx->alpha[i];
+        if (v < least || (sx->base[i] >= p->eq.lp.cols && v > -least))
+            return 0;
+    }
+    return 1;
+}
+
 /* Asks at s. Where it falls Newton's method says where that ends. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
@@ -5390,14 +5581,34 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     /* near to critical even a certificate that proves nothing tells where */
     if (!path->inner && status != KERN_STANDS && p->found == KERN_FALLS)
         path->edge = kern_path_newton(path, &q, s);
+    if (status == KERN_FALLS)
+        path->shown = path->kind == KERN_PATH_LOAD && !path->inner
+                      ? path->edge + path->tolerance * KERN_ASIDE
+                      : KERN_INFINITY;
+    if (status == KERN_FALLS && path->kind == KERN_PATH_SHRINK && !path->inner)
+        kern_mechanism_edge(p, path, s);
     return status;
+}
+
+/* Whether the motion of the last mechanism proves that it falls at s as well. */
+static int kern_path_falls(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_query q = kern_path_at(path, s);
+    if (path->inner || !kern_model_spend(m, m->budget.query_units / 2)
+        || !kern_model_proven(m, kern_prove_motion(m->s, &q,
+                                                   m->answer.motion)))
+        return 0;
+    kern_path_note(m, path, KERN_FALLS, s);
+    path->fails = s;
+    return 1;
 }
 
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
    place, where the verdict changes. With w half of the tolerance:
-   1. evaluate at the place that Newton's method predicts, plus w: where another
-      mechanism falls it predicts a farther one;
-   2. evaluate at it less w, so that both ends are proven beyond doubt;
+   1. show that it falls at the place that is predicted, plus w, by the motion
+      that was found, or else by a verdict;
+   2. evaluate at it less w, so that both ends are proven beyond doubt: where
+      another mechanism falls it predicts a nearer one;
    3. evaluate at the place itself: where yet another mechanism falls there, its
       prediction counts, else it is exact. The bracket stays. The interior point
       knows the place no better than this.
@@ -5406,10 +5617,10 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
    limit: in a jam neither proof comes nearer. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    const kern_real w = path->tolerance * KERN_R(0.45);
+    const kern_real w = path->tolerance * KERN_ASIDE;
     const kern_proof *proof = path->proof;
     kern_real aside = w, under = w, share = KERN_R(0.5), step = KERN_INFINITY;
-    int round, slow = 0;
+    int round, slow = 0, at_lo = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
         const int inside = r >= lo && r <= hi && !slow;
@@ -5421,6 +5632,15 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         if ((closed && path->inner) || hi - lo <= w / 8
             || aside + under > path->tolerance * KERN_WIDEST)
             break;
+        if (inside && path->shown > lo && path->shown < hi) {
+            at = path->shown;
+            path->shown = KERN_INFINITY;
+            if (!kern_path_falls(m, path, at) && path->kind == KERN_PATH_SHRINK)
+                path->edge = -KERN_INFINITY;
+            continue;
+        }
+        if (closed && at_lo && kern_basis_reaches(path->part, lo, r))
+            break;
         if (!close && !(inside && at < hi))
             at = lo + (hi - lo) * share;
         if (closed && (path->alone || path->stood >= lo))
@@ -5429,6 +5649,9 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         path->proof = proof;
         if (status < KERN_UNDECIDED)
             return status;
+        at_lo = status == KERN_STANDS && path->kind == KERN_PATH_SHRINK
+                && !path->inner && !(m->narrow > 0)
+                && path->part->eq.simplex.started;
         share = status == KERN_UNDECIDED ? share * KERN_R(0.7) : KERN_R(0.5);
         slow = path->inner && status == KERN_FALLS && !close
                && at - path->edge > step / 2;
@@ -6281,7 +6504,7 @@ static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
                                 kern_real power, kern_real fails)
 {
     const kern_real aside = path->tolerance * KERN_R(0.45);
-    const kern_real same = KERN_SAME_EDGE / 8 * path->unit, far = fails;
+    const kern_real same = KERN_SAME_EDGE / 8 * path->unit, none = fails;
     kern_real holds = path->holds, at = (holds + fails) / 2, edge = fails, u[3];
     int round;
     for (round = 0; round < 24; round++) {
@@ -6299,7 +6522,7 @@ static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
         if (!(at > holds && at < fails))
             at = (holds + fails) / 2;
     }
-    return far;
+    return none;
 }
 
 /* The motion u of body g, of all that belongs to it; the fastest block has speed
