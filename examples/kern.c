@@ -17,6 +17,7 @@
 #include "parts/args.h"
 #include "parts/draw.h"
 #include "parts/dxf.h"
+#include "parts/falls.h"
 #include "parts/json.h"
 #include "parts/room.h"
 #include "parts/text.h"
@@ -38,8 +39,8 @@ static const char help[] =
 "  -e, --epsilon E  step of the level, a length (-r: share of each contact);\n"
 "                   default: the file's, else 2 % of the mean block (-r: 5 %)\n"
 "  -r, --relative   shrink every contact by a share of itself, not a length\n"
-"      --mu MU      friction of contacts without a value of their own (overrides\n"
-"                   the file's)\n"
+"      --mu MU      tan(friction angle) of contacts without a value of their own\n"
+"                   (overrides the file's)\n"
 "      --gap G      widest gap that is still a contact, a length\n"
 "      --at D       verdict, forces, mechanism, loads and tilts with contacts\n"
 "                   shrunk by D; level, margin and profile count from 0\n"
@@ -79,7 +80,7 @@ static const char help_format[] =
 "Other files: one statement a line; # begins a comment. Units are yours (SI: m, kg, N).\n"
 "  fixed    NAME  X1 Y1  X2 Y2  X3 Y3 ...        ground, any simple polygon\n"
 "  block    NAME  MASS  X1 Y1  X2 Y2  X3 Y3 ...  MASS *: area x density\n"
-"  friction MU         tan of its angle; 0.4     gravity GX GY   default 0 -9.81\n"
+"  friction MU         tan(friction angle); 0.4  gravity GX GY   default 0 -9.81\n"
 "  density  D          of later blocks, 1        epsilon E       as above\n"
 "  tolerance GAP [ANGLE]  widest gap and angle (rad) of a contact; 1e-3 of the\n"
 "                      smaller block, 0.0175\n"
@@ -95,7 +96,9 @@ static const char help_format[] =
 "factor, in g; tilt_left, tilt_right: rad; saturated: stands with every contact a\n"
 "point; limited_by: contacts of a and b at x, y that limit the margin, strongest\n"
 "first: share of the strongest, and does (rests, hinges, slides, opens);\n"
-"would_fall: groups of blocks that move as one where it falls, fastest first;\n"
+"(corner_x, corner_y: the same point before contacts shrink);\n"
+"would_fall: groups of blocks that move as one where it falls, fastest first, of\n"
+"all mechanisms;\n"
 "bearing: length of the shortest contact that it needs; peak_stress: the largest\n"
 "of a line contact, its force at the margin over twice the margin (or length);\n"
 "certain (--measured): the verdict holds within the stated error;\n"
@@ -158,6 +161,7 @@ struct analysis {
     kern_force *force;      /* there, if it stands               */
     int least;              /* they are the least forces         */
     kern_motion *motion;    /* there, if it falls                */
+    kern_motion *fall;      /* the same with all other mechanisms: falls.h */
 
     kern_status measured;   /* from shrinkage 0                  */
     kern_margin m;
@@ -204,6 +208,12 @@ static kern_motion *shown_motion(const struct analysis *a)
     if (a->shown == KERN_FALLS) return a->motion;
     if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
     return NULL;
+}
+
+/* What pictures and lists of blocks show: of what falls, every mechanism. */
+static kern_motion *shown_fall(const struct analysis *a)
+{
+    return a->shown == KERN_FALLS ? a->fall : shown_motion(a);
 }
 
 static kern_real shrinkage(const struct analysis *a)
@@ -316,6 +326,7 @@ static int take_memory(struct analysis *a)
     a->critical.limit = array(contacts, sizeof *a->critical.limit);
     a->critical.meeting = array(contacts, sizeof *a->critical.meeting);
     a->motion = array(blocks, sizeof *a->motion);
+    a->fall = array(blocks, sizeof *a->fall);
     a->collapse = array(blocks, sizeof *a->collapse);
     int bad = 0;
     for (int k = 0; k < PROFILES; k++) {
@@ -324,7 +335,7 @@ static int take_memory(struct analysis *a)
     }
     bad |= !a->critical.limit || !a->critical.meeting;
     return a->work.real && a->work.index && a->force && a->last_force &&
-           a->motion && a->collapse && !bad ? 0 : fail_memory(a);
+           a->motion && a->fall && a->collapse && !bad ? 0 : fail_memory(a);
 }
 
 static void free_work(struct analysis *a)
@@ -335,6 +346,7 @@ static void free_work(struct analysis *a)
     free(a->critical.limit);
     free(a->critical.meeting);
     free(a->motion);
+    free(a->fall);
     free(a->collapse);
     for (int k = 0; k < PROFILES; k++) free(a->fate[k]);
 }
@@ -473,6 +485,10 @@ static int decide(struct analysis *a, const kern_options *options)
     a->least = a->shown == KERN_STANDS;
     if (!a->least)
         a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
+    if (a->shown == KERN_FALLS) {
+        memcpy(a->fall, a->motion, sizeof *a->fall * (size_t)a->task.s.blocks);
+        falls_all(&a->task, shrinkage(a), a->fall);
+    }
     return a->shown < 0 && !is_open(a->shown)
          ? fail_blocks(a, a->shown, &a->work.fault) : 0;
 }
@@ -768,7 +784,7 @@ static void report_margin(const struct analysis *a)
         return;
     }
     if (isinf(value)) {
-        printf("none      no longer contact would hold it\n");
+        printf("none      longer contacts would not help\n");
         return;
     }
     if (!falls && !(value > 1e-9 * mean_size(a))) {
@@ -805,8 +821,8 @@ static void report_stress(const struct analysis *a)
     const kern_contact *c = &a->task.s.contact[most];
     if (isinf(a->stress[most])) printf("  stress      any       ");
     else printf("  stress      %-8.4g  ", a->stress[most]);
-    printf("largest force of a contact over twice the margin, between %s and "
-           "%s\n", name_of(a, c->a, one), name_of(a, c->b, two));
+    printf("mean stress if the most loaded contact, between %s and %s, were only "
+           "twice the margin long\n", name_of(a, c->a, one), name_of(a, c->b, two));
 }
 
 static const char *const meeting_word[] = { "rests", "hinges", "slides",
@@ -834,9 +850,12 @@ static void report_limit(const struct analysis *a)
         const kern_contact *c = &a->task.s.contact[k];
         kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
         char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
-        printf("  %-10s  %s and %s at (%.6g, %.6g), which %s\n", head,
-               name_of(a, c->a, one), name_of(a, c->b, two), tidy(a, p.x),
-               tidy(a, p.y), meeting_word[a->critical.meeting[k]]);
+        printf("  %-10s  %s and %s at (%.6g, %.6g), which %s", head,
+               name_of(a, c->a, one), name_of(a, c->b, two), tidy(a, c->p.x),
+               tidy(a, c->p.y), meeting_word[a->critical.meeting[k]]);
+        if (a->m.margin > 0 && fabs((double)c->travel) > 0)
+            printf(" (shrunk: at %.6g, %.6g)", tidy(a, p.x), tidy(a, p.y));
+        printf("\n");
         head = "";
     }
 }
@@ -871,7 +890,7 @@ static void print_move(const struct analysis *a, const kern_motion *motion,
    the caller's to free. */
 static kern_critical find_groups(const struct analysis *a)
 {
-    kern_proof proof = { NULL, shown_motion(a) };
+    kern_proof proof = { NULL, shown_fall(a) };
     kern_critical moving = { NULL, NULL, array(a->task.s.blocks, sizeof(int)),
                              -1, 0 };
     if (proof.motion && moving.group)
@@ -898,7 +917,7 @@ static void report_collapse(const struct analysis *a)
         }
         if (names > NAMES) printf(" and %d more", names - NAMES);
         printf(" ");
-        print_move(a, shown_motion(a), lead);
+        print_move(a, shown_fall(a), lead);
     }
     for (int i = 0; i < a->task.s.blocks && moving.groups > GROUPS; i++)
         rest += moving.group[i] >= GROUPS;
@@ -1081,6 +1100,15 @@ static void report_normals(const struct analysis *a)
     }
 }
 
+/* An angle in degrees taken for its tangent: no stones stick like that. */
+static void report_friction(const struct analysis *a)
+{
+    const double mu = (double)a->task.options.mu;
+    if (mu > 2)
+        printf("  friction %g is that of %.4g degrees: MU is the tangent of the "
+               "friction angle\n", mu, 57.295779513082321 * atan(mu));
+}
+
 /* What a structure that falls may lack: ground, or contacts. */
 static void report_lack(const struct analysis *a)
 {
@@ -1124,6 +1152,7 @@ static void report_verdict(const struct analysis *a)
         printf(a->certain ? ", for certain" : ", not for certain: within the "
                                               "error it may be otherwise");
     printf("\n");
+    report_friction(a);
     report_lack(a);
     fflush(stdout);
 }
@@ -1322,6 +1351,8 @@ static void json_limits(const struct analysis *a, int good)
         json_string("b", a->text.name[c->b]);
         json_number("x", (double)p.x);
         json_number("y", (double)p.y);
+        json_number("corner_x", (double)c->p.x);
+        json_number("corner_y", (double)c->p.y);
         json_number("share", share);
         printf(", ");
         json_string("does", meeting_word[a->critical.meeting[k]]);
@@ -1572,9 +1603,9 @@ static int draw(const struct analysis *a)
     int falls = a->shown == KERN_FALLS;
     struct draw_scene scene = scene_of(a);
     scene.names = a->text.name;
-    scene.motion = falls || a->set->mechanism ? shown_motion(a) : NULL;
+    scene.motion = falls || a->set->mechanism ? shown_fall(a) : NULL;
     scene.motion_name = falls ? NULL : "collapse mechanism just past the margin";
-    scene.hinges = shown_motion(a);
+    scene.hinges = shown_fall(a);
     scene.hinged = falls ? scene.shrink : (double)a->m.fails;
     scene.limiting = a->critical.contact;
     scene.caption = caption;

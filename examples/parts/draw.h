@@ -73,6 +73,7 @@ struct draw_scene {
 #define DRAW_STONE 120.0       /* largest mean stone                          */
 #define DRAW_PAD 16.0          /* white border                                */
 #define DRAW_TURN 0.2          /* radius of a torque over the mean stone      */
+#define DRAW_VALUES 8          /* loads that have their values beside them    */
 
 static const char *const draw_stone[] = {
     "#e9e3d6", "#ddd5c5", "#e3dccf", "#d6cebf", "#e6dccb", "#dad6cc",
@@ -483,8 +484,8 @@ DRAW_API void draw_block(const struct draw_view *v, const kern_block *block,
 struct draw_sizes {
     double stone;              /* mean size of the free blocks, model         */
     double weight;             /* mean weight of the free blocks              */
-    double longest;            /* largest force or load that is shown         */
-    double force;              /* model length of a unit of force             */
+    double longest, heaviest;  /* largest resultant and load that are shown   */
+    double force, load;        /* model lengths of a unit of each             */
     double time;               /* how long the rates act for the ghosts       */
     double line, bar, arrow;   /* widths on the page                          */
 };
@@ -629,7 +630,7 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
         free_blocks++;
         z->stone += sqrt(fabs((double)k->area));
         z->weight += k->mass * g;
-        z->longest = fmax(z->longest, draw_hypot(k->load.fx, k->load.fy));
+        z->heaviest = fmax(z->heaviest, draw_hypot(k->load.fx, k->load.fy));
         draw_widen(v, k->centre.x, k->centre.y);
         for (j = 0; j < k->vertices; j++)
             draw_widen(v, k->vertex[j].x, k->vertex[j].y);
@@ -651,6 +652,8 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
         z->stone = 1;
     if (z->longest > 0)
         z->force = 0.8 * z->stone / z->longest;
+    if (z->heaviest > 0)
+        z->load = 0.8 * z->stone / z->heaviest;
 }
 
 /* The time over which motions are drawn: the fastest point moves 0.3 stones. */
@@ -699,7 +702,7 @@ static double draw_measure_blocks(const struct draw_scene *d,
                            k->vertex[j].y);
             draw_widen(v, a.x, a.y);
         }
-        c = draw_load_ends(k, z->force, &a, &b);
+        c = draw_load_ends(k, z->load, &a, &b);
         if (c > 0) {
             draw_widen(v, a.x, a.y);
             draw_widen(v, b.x, b.y);
@@ -966,6 +969,14 @@ DRAW_API int *draw_thrust_of(const struct draw_scene *d,
     return presses;
 }
 
+static void draw_thrust_style(const struct draw_sizes *z, char *out,
+                              size_t room)
+{
+    snprintf(out, room, "stroke=\"" DRAW_FORCE "\" stroke-width="
+             "\"%.2f\" stroke-opacity=\"0.6\" stroke-dasharray=\"%.1f %.1f\"",
+             0.8 * z->arrow, 5 * z->arrow, 3 * z->arrow);
+}
+
 static void draw_thrust(const struct draw_scene *d, const struct draw_view *v,
                         const struct draw_sizes *z)
 {
@@ -974,9 +985,7 @@ static void draw_thrust(const struct draw_scene *d, const struct draw_view *v,
     int *presses = through ? draw_thrust_of(d, through) : NULL, i;
     char style[120];
 
-    snprintf(style, sizeof style, "stroke=\"" DRAW_FORCE "\" stroke-width="
-             "\"%.2f\" stroke-opacity=\"0.6\" stroke-dasharray=\"%.1f %.1f\"",
-             0.8 * z->arrow, 5 * z->arrow, 3 * z->arrow);
+    draw_thrust_style(z, style, sizeof style);
     for (i = 0; presses && i < blocks; i++)
         if (presses[i] == 2 && !d->s->block[i].fixed)
             draw_line(v->out, draw_place(v, through[i][0].x, through[i][0].y),
@@ -1038,18 +1047,39 @@ static void draw_torque(const struct draw_view *v, const struct draw_sizes *z,
               + 0.55 * head), side * 0.80, 0.60, head, DRAW_LOAD);
 }
 
+/* The size of a load, at the tail of its arrow. */
+static void draw_load_value(const struct draw_view *v, const kern_block *b,
+                            struct draw_pt tail)
+{
+    const double f = draw_hypot(b->load.fx, b->load.fy);
+    char text[40];
+
+    if (!(f > 0))
+        return;
+    snprintf(text, sizeof text, "%.4g", f);
+    draw_open(v->out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_LOAD "\"");
+    draw_text(v->out, tail.x + (b->load.fx > 0 ? -4 : 4), tail.y - 2, 9.5,
+              b->load.fx > 0 ? "end" : "start", text, strlen(text));
+    draw_close(v->out);
+}
+
 static void draw_loads(const struct draw_scene *d, const struct draw_view *v,
                        const struct draw_sizes *z)
 {
     struct draw_pt a, b;
-    int i;
+    int i, loads = 0, named;
 
+    for (i = 0; i < d->s->blocks; i++)
+        loads += draw_load_ends(&d->s->block[i], 0, &a, &b) > 0;
+    named = loads <= DRAW_VALUES;
     for (i = 0; i < d->s->blocks; i++) {
-        int kind = draw_load_ends(&d->s->block[i], z->force, &a, &b);
+        int kind = draw_load_ends(&d->s->block[i], z->load, &a, &b);
 
         if (kind > 0)
             draw_arrow(v->out, draw_place(v, a.x, a.y), draw_place(v, b.x, b.y),
                        1.3 * z->arrow, DRAW_LOAD);
+        if (kind > 0 && named)
+            draw_load_value(v, &d->s->block[i], draw_place(v, a.x, a.y));
         if (kind == 2)
             draw_torque(v, z, &d->s->block[i], d->s->block[i].load.torque);
     }
@@ -1151,7 +1181,7 @@ static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
     for (i = 0; i < d->s->contacts; i++)
         if (!draw_box_clear(d, v, z, block, i, c, w, h))
             return 0;
-    i = draw_load_ends(b, z->force, &from, &to);
+    i = draw_load_ends(b, z->load, &from, &to);
     if (i > 0 && draw_box_hit(c, w + 2, h + 2, draw_place(v, from.x, from.y),
                               draw_place(v, to.x, to.y)))
         return 0;
@@ -1289,7 +1319,7 @@ static void draw_key_force(struct draw_key *key, const struct draw_view *v,
                            const struct draw_sizes *z, const char *what)
 {
     double unit = z->weight > 0 ? z->weight : 1;
-    double pixels = unit * z->force * v->scale; /* of one unit */
+    double pixels = unit * (what ? z->force : z->load) * v->scale;
     double count = draw_round(48 / pixels), w = count * pixels;
     struct draw_pt p;
     char text[160];
@@ -1301,6 +1331,16 @@ static void draw_key_force(struct draw_key *key, const struct draw_view *v,
     if (key->out)
         draw_arrow(key->out, p, draw_vec(p.x + w, p.y), z->arrow,
                    what ? DRAW_FORCE : DRAW_LOAD);
+}
+
+static void draw_key_thrust(struct draw_key *key, const struct draw_sizes *z)
+{
+    struct draw_pt p = draw_key_entry(key, 26, "thrust line");
+    char style[120];
+
+    draw_thrust_style(z, style, sizeof style);
+    if (key->out)
+        draw_line(key->out, p, draw_vec(p.x + 26, p.y), style);
 }
 
 static void draw_key_bar(struct draw_key *key, const char *colour,
@@ -1378,11 +1418,11 @@ static void draw_key_loads(struct draw_key *key, const struct draw_scene *d,
         load |= draw_load_ends(&d->s->block[i], 0, &p, &p) > 0;
     if (!load)
         return;
-    if (!d->force && z->force > 0) {
+    if (z->load > 0) {
         draw_key_force(key, v, z, NULL);
         return;
     }
-    p = draw_key_entry(key, 22, "load");
+    p = draw_key_entry(key, 22, "torque");
     if (key->out)
         draw_arrow(key->out, p, draw_vec(p.x + 22, p.y), 1.3 * z->arrow,
                    DRAW_LOAD);
@@ -1419,9 +1459,11 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
     if (d->hinges)
         draw_key_circle(&key, 4, "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
                         "stroke-width=\"1.8\"", "hinge of the mechanism");
-    if (d->force && z->force > 0)
+    if (d->force && z->force > 0) {
         draw_key_force(&key, v, z, d->force_name ? d->force_name
                                    : "one admissible set of forces");
+        draw_key_thrust(&key, z);
+    }
     draw_key_loads(&key, d, v, z);
     if (z->time > 0)
         draw_key_motion(&key, d);

@@ -206,7 +206,8 @@ _LAYOUTS = {
 
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 _HEADERS = ("kern.h", "kern_lp.h", "examples/parts/draw.h",
-            "examples/parts/dxf.h", "examples/parts/text.h")
+            "examples/parts/dxf.h", "examples/parts/falls.h",
+            "examples/parts/text.h")
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
@@ -224,6 +225,7 @@ def _source() -> str:
 #include "examples/parts/draw.h"
 #include "examples/parts/text.h"
 #include "examples/parts/dxf.h"
+#include "examples/parts/falls.h"
 #include <stddef.h>
 #define ROW(name, value, text) #name " " #value " "
 #define SIZE(type) (int)sizeof(type),
@@ -236,6 +238,8 @@ const int kern_py_layouts = sizeof kern_py_layout / sizeof(int);
 int kern_py_read(struct text_file *t, const char *data, size_t length)
 { return text_read(t, data, length); }
 void kern_py_free(struct text_file *t) { text_free(t); }
+void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
+{ falls_all(task, shrink, motion); }
 char *kern_py_dxf(const char *data, size_t length, char *message, size_t room)
 { return dxf_read(data, length, message, room); }
 void kern_py_dxf_free(char *text) { free(text); }
@@ -385,6 +389,7 @@ _free = _declare("kern_py_free", None, _p)
 _dxf = _declare("kern_py_dxf", _p, c_char_p, ctypes.c_size_t, _p,
                 ctypes.c_size_t)
 _dxf_free = _declare("kern_py_dxf_free", None, _p)
+_falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
                  _p, _r, c_char_p, _i, _p, _r, c_char_p)
 
@@ -1304,13 +1309,15 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
             profile: bool = False, caption: Optional[str] = None) -> str:
         """The picture of draw.h: stones, contacts, the least forces where it
-        stands, the motion where it falls or `mechanism` wants it; `profile`
+        stands, all mechanisms where it falls, the motion where `mechanism` wants it; `profile`
         colours the stones by their margins."""
         verdict, m = self.verdict(shrink), self.measure()
         least = self._least(shrink) if verdict else None
         force = least or (_doubles(verdict._force) if verdict else None)
         moves = _doubles(verdict._motion if not verdict
                          else None if m.saturated else m._motion)
+        if not verdict:
+            _falls(self._at_task, shrink, moves)
         critical = self.critical(m)
         limiting = critical.contact if critical else None
         values = self.profile().values if profile else None

@@ -1,0 +1,88 @@
+/* falls.h - every mechanism of a structure that falls, not the first alone.
+
+   A proof of falling is one motion: some blocks move, the others rest. Of the
+   others some may fall as well. So what moves is taken away, and what is left is
+   asked again, until it stands or nothing is left; a mason then sees all that
+   must be mended.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef FALLS_H
+#define FALLS_H
+
+#include "../../kern.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Slower than that share of the fastest counts as rest: as in
+   kern_critical_of(). */
+#define FALLS_REST 1e-4
+
+struct falls_part {          /* of the structure: what is left               */
+    kern_block *block;
+    kern_contact *contact;
+    kern_motion *motion;
+    int *place;              /* of a block of the whole in it; -1: taken     */
+};
+
+static int falls_moves(kern_motion v, const kern_block *b)
+{
+    const double size = sqrt(fabs((double)b->area));
+    return !b->fixed && (hypot((double)v.vx, (double)v.vy) > FALLS_REST ||
+                         fabs((double)v.spin) * size > FALLS_REST);
+}
+
+/* The blocks that do not move in `motion`, with the contacts between them.
+   Returns how many of the free ones have gone since the last time. */
+static int falls_left(const kern_structure *s, const kern_motion *motion,
+                      struct falls_part *left, kern_structure *part)
+{
+    int gone = 0;
+    part->blocks = part->contacts = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        int moves = falls_moves(motion[i], &s->block[i]);
+        gone += moves && left->place[i] >= 0;
+        left->place[i] = moves ? -1 : part->blocks;
+        if (!moves) left->block[part->blocks++] = s->block[i];
+    }
+    for (int k = 0; k < s->contacts; k++) {
+        kern_contact c = s->contact[k];
+        c.a = left->place[c.a];
+        c.b = left->place[c.b];
+        if (c.a >= 0 && c.b >= 0) left->contact[part->contacts++] = c;
+    }
+    part->block = left->block;
+    part->contact = left->contact;
+    return gone;
+}
+
+/* Adds to a motion, with which the structure falls at a shrinkage, those with
+   which what it leaves behind falls too, each with 1 as its fastest. The work
+   memory is the task's. Where a verdict is undecided or memory is short, the
+   motions found by then. */
+static inline void falls_all(const kern_task *task, kern_real shrink,
+                             kern_motion *motion)
+{
+    const kern_structure *s = &task->s;
+    const size_t blocks = (size_t)s->blocks;
+    struct falls_part left;
+    kern_task rest = *task;
+    kern_proof proof = { NULL, NULL };
+    left.block = malloc(blocks * sizeof *left.block + 1);
+    left.contact = malloc((size_t)s->contacts * sizeof *left.contact + 1);
+    left.motion = malloc(blocks * sizeof *left.motion + 1);
+    left.place = calloc(blocks + 1, sizeof *left.place);
+    proof.motion = left.motion;
+    if (left.block && left.contact && left.motion && left.place)
+        while (falls_left(s, motion, &left, &rest.s) > 0 &&
+               kern_verdict(&rest, shrink, &proof) == KERN_FALLS)
+            for (int i = 0; i < s->blocks; i++)
+                if (left.place[i] >= 0) motion[i] = left.motion[left.place[i]];
+    free(left.block);
+    free(left.contact);
+    free(left.motion);
+    free(left.place);
+}
+
+#endif /* FALLS_H */
