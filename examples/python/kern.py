@@ -1309,8 +1309,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     def svg(self, shrink: float = 0.0, mechanism: bool = False,
             profile: bool = False, caption: Optional[str] = None) -> str:
         """The picture of draw.h: stones, contacts, the least forces where it
-        stands, all mechanisms where it falls, the motion where `mechanism` wants it; `profile`
-        colours the stones by their margins."""
+        stands, all mechanisms where it falls, or with `mechanism` the motion
+        past the margin; `profile` colours the stones by their margins."""
         verdict, m = self.verdict(shrink), self.measure()
         least = self._least(shrink) if verdict else None
         force = least or (_doubles(verdict._force) if verdict else None)
