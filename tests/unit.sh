@@ -37,18 +37,18 @@ random() { # random N: audited, and N more structures against the twin
 glpk() { # what has more than 96 rows: no other test calls it
     libs=-lglpk
     build gcc -O2 -DKERN_USE_GLPK &&
-        "$out/kern_test" t11 t15 t18_u sensitivity_c twin status memory_l
+        "$out/kern_test" thin_arch known_walls laws_u sensitivity_c twin status memory_l
 }
 
 glpk_always() { # the cases with known answers, and small plans
     libs=-lglpk
     build gcc -O2 -DKERN_USE_GLPK -DKERN_GLPK_ROWS=0 &&
-        "$out/kern_test" t1 plan_ca plan_p plan_s
+        "$out/kern_test" known laws plan_ca plan_p plan_s
 }
 
 big_endian() { # what is quick in an emulator
     build s390x-linux-gnu-gcc -O2 -static &&
-        qemu-s390x "$out/kern_test" --quick polygon contact lp_ proof t0
+        qemu-s390x "$out/kern_test" --quick polygon contact lp_ proof known_
 }
 
 # ---- what a proof is worth
