@@ -3923,6 +3923,290 @@ static void open_joint(void)
     CHECK(clock() - start < CLOCKS_PER_SEC);
 }
 
+/* ==== The engine, room by room =================================== >>engine */
+
+/* Each tool of the engine by itself: what no answer shows, since every answer is
+   proven and a tool that is wrong only costs time. Private parts of kern.h that
+   are called here:
+
+     rows     kern_row_of, kern_row_speed, kern_row_exert
+     laws     kern_spring_pressed, kern_spring_stiff
+     factor   kern_take_open, kern_skyline_begin, _reach, _lay, _clear, _spring,
+              _shift, _factor, _solve
+     group    kern_pour_solve
+     basis    kern_simplex_lay, kern_program_solve, kern_basis_solve
+
+   With tests/audit.h included first, the state of an engine is checked wherever
+   a test of this file uses it: see there. */
+
+enum { ENGINE_GROUPS = 9, ENGINE_TIES = 24, ENGINE_ROWS = 9, ENGINE_COLS = 14 };
+
+static kern_row engine_row(kern_vec n)
+{
+    return kern_row_of(n, vec(uniform(-2, 2), uniform(-2, 2)),
+                       R(uniform(0.5, 2)));
+}
+
+static kern_vec engine_normal(void)
+{
+    const double angle = uniform(0, 2 * pi);
+    return vec(cos(angle), sin(angle));
+}
+
+/* The power of a force is the same seen from the contact and from the block. */
+static void engine_rows(void)
+{
+    const kern_real up[3] = {0, R(2), R(3)};
+    kern_real w[2] = {0, 0}, b[3] = {0, 0, 0};
+    kern_row row = kern_row_of(vec(0, 1), vec(0.5, -1), R(2));
+    int i;
+    kern_row_speed(&row, up, w); /* 2 + 3 * 2 * .5 up; t is to the left */
+    CHECK_NEAR(w[0], 5, 8 * EPS);
+    CHECK_NEAR(w[1], -6, 8 * EPS);
+    kern_row_exert(&row, R(4), R(1), b);
+    CHECK_NEAR(b[0], -1, 8 * EPS);
+    CHECK_NEAR(b[1], 4, 8 * EPS);
+    CHECK_NEAR(b[2], 4 * 2 * 0.5 - 2, 8 * EPS);
+    for (i = 0; i < 1000; i++) {
+        const kern_real f = R(uniform(0, 5)), r = R(uniform(-2, 2));
+        const kern_real v[3] = {R(uniform(-1, 1)), R(uniform(-1, 1)),
+                                R(uniform(-1, 1))};
+        row = engine_row(engine_normal());
+        w[0] = w[1] = b[0] = b[1] = b[2] = 0;
+        kern_row_speed(&row, v, w);
+        kern_row_exert(&row, f, r, b);
+        CHECK_NEAR(f * w[0] + r * w[1],
+                   b[0] * v[0] + b[1] * v[1] + b[2] * v[2], 100 * EPS);
+    }
+}
+
+/* Whatever the motion, a force lies in its cone, is what the law says of the
+   motion, and never helps it. */
+static void engine_law(kern_spring s, double wn, double wt, double mu)
+{
+    const double f = s.force.normal, r = s.force.tangential;
+    const double tol = 1e4 * EPS * (1 + fabs(wn) + fabs(wt));
+    CHECK(f >= 0 && fabs(r) <= mu * f * (1 + 4 * EPS));
+    CHECK_NEAR(f, s.nn * wn + s.nt * wt, tol);
+    CHECK_NEAR(r, s.nt * wn + s.tt * wt, tol);
+    CHECK(f * wn + r * wt >= -tol);
+    CHECK(s.nn >= 0 && s.tt >= 0 && s.nn * s.tt >= s.nt * s.nt - tol);
+}
+
+static void engine_laws(void)
+{
+    int i;
+    kern_spring s = kern_spring_pressed(R(1), 0, R(0.5));
+    CHECK_NEAR(s.force.normal, 2, 8 * EPS); /* both rays press by 1 */
+    CHECK_NEAR(s.force.tangential, 0, 8 * EPS);
+    s = kern_spring_pressed(R(1), R(4), R(0.5)); /* one by 3 */
+    CHECK_NEAR(s.force.normal, 3, 8 * EPS);
+    CHECK_NEAR(s.force.tangential, 1.5, 8 * EPS);
+    s = kern_spring_stiff(R(2), 0, R(0.5), R(3));
+    CHECK_NEAR(s.force.normal, 6, 16 * EPS);
+    s = kern_spring_stiff(R(-2), R(1), R(0.5), R(3)); /* parts */
+    CHECK_NEAR(s.force.normal, 0, 0);
+    for (i = 0; i < 2000; i++) {
+        const double wn = uniform(-1, 1), mu = uniform(0.05, 1);
+        const double wt = uniform(-1, 1) * (i % 2 ? 1 : 1e-3);
+        engine_law(kern_spring_pressed(R(wn), R(wt), R(mu)), wn, wt, mu);
+        engine_law(kern_spring_stiff(R(wn), R(wt), R(mu), R(2)), wn, wt, mu);
+    }
+}
+
+/* Groups tied to each other, and some to the ground, by contacts of a law. */
+typedef struct ties {
+    int groups, count;
+    int ends[2 * ENGINE_TIES];
+    kern_row row[2 * ENGINE_TIES];
+    kern_spring law[ENGINE_TIES];
+    kern_skyline a;
+    kern_real real[ENGINE_GROUPS * ENGINE_GROUPS * 9];
+    int index[4 * ENGINE_GROUPS];
+} ties;
+
+static void ties_open(ties *t)
+{
+    kern_take take;
+    const kern_work work = kern_work_of(
+        t->real, (int)(sizeof t->real / sizeof *t->real), t->index,
+        (int)(sizeof t->index / sizeof *t->index));
+    int k, cost = 0;
+    t->groups = random_int(1, ENGINE_GROUPS);
+    t->count = random_int(t->groups, ENGINE_TIES);
+    kern_take_open(&take, &work);
+    CHECK(kern_skyline_begin(&t->a, t->groups, &take));
+    for (k = 0; k < t->count; k++) {
+        const kern_vec n = engine_normal();
+        t->ends[2 * k] = random_int(0, t->groups - 1);
+        do /* t->groups: the ground */
+            t->ends[2 * k + 1] = random_int(0, t->groups);
+        while (t->ends[2 * k + 1] == t->ends[2 * k]);
+        t->row[2 * k] = engine_row(n);
+        t->row[2 * k + 1] = engine_row(vec(-n.x, -n.y));
+        t->law[k] = kern_spring_pressed(R(1), R(uniform(-3, 3)), R(0.6));
+        kern_skyline_reach(&t->a, t->ends + 2 * k);
+    }
+    CHECK(kern_skyline_lay(&t->a, &take, &cost));
+    CHECK(cost > 0);
+    kern_skyline_clear(&t->a);
+    for (k = 0; k < t->count; k++)
+        kern_skyline_spring(&t->a, t->ends + 2 * k, t->row + 2 * k,
+                            &t->law[k]);
+    kern_skyline_shift(&t->a, R(1e-3)); /* what hangs loose has a matrix, too */
+}
+
+/* out := the matrix times v, contact by contact, without the shift. */
+static void ties_times(const ties *t, const kern_real *v, kern_real *out)
+{
+    int k, e, i;
+    for (i = 0; i < 3 * t->groups + 3; i++)
+        out[i] = 0;
+    for (k = 0; k < t->count; k++) {
+        const kern_spring *s = &t->law[k];
+        kern_real w[2] = {0, 0};
+        for (e = 0; e < 2; e++)
+            kern_row_speed(&t->row[2 * k + e], v + 3 * t->ends[2 * k + e], w);
+        for (e = 0; e < 2; e++)
+            kern_row_exert(&t->row[2 * k + e], s->nn * w[0] + s->nt * w[1],
+                           s->nt * w[0] + s->tt * w[1],
+                           out + 3 * t->ends[2 * k + e]);
+    }
+}
+
+/* What the shift adds to the diagonal: a share of its mean. */
+static double ties_shift(const ties *t)
+{
+    kern_real v[3 * ENGINE_GROUPS + 3], out[3 * ENGINE_GROUPS + 3];
+    double trace = 0;
+    int i, k;
+    for (i = 0; i < 3 * t->groups; i++) {
+        for (k = 0; k < 3 * t->groups + 3; k++)
+            v[k] = R(k == i);
+        ties_times(t, v, out);
+        trace += (double)out[i];
+    }
+    return 1e-3 * trace / (3 * t->groups);
+}
+
+/* L L' v = M v, M from the contacts one by one, and M times the solution is
+   what was asked for. */
+static void engine_factor(void)
+{
+    static ties t;
+    kern_real v[3 * ENGINE_GROUPS + 3], b[3 * ENGINE_GROUPS + 3],
+        x[3 * ENGINE_GROUPS + 3];
+    int round, i;
+    random_seed(77);
+    for (round = 0; round < some(400); round++) {
+        double shift, size = 0;
+        ties_open(&t);
+        shift = ties_shift(&t);
+        for (i = 0; i < 3 * t.groups + 3; i++)
+            v[i] = i < 3 * t.groups ? R(uniform(-1, 1)) : 0;
+        ties_times(&t, v, b);
+        for (i = 0; i < 3 * t.groups; i++) {
+            b[i] += R(shift) * v[i];
+            size = fmax(size, fabs((double)b[i]));
+        }
+        kern_skyline_factor(&t.a);
+        kern_skyline_solve(&t.a, b, x);
+        for (i = 0; i < 3 * t.groups; i++)
+            CHECK_NEAR(x[i], v[i], (SINGLE ? 0.1 : 1e-9) * (1 + size));
+    }
+}
+
+/* A box on two points at -1 and 1, loaded at x: the forces are (1 -+ x) / 2;
+   beyond the points none hold it, and it moves as the load does. */
+static void engine_group_on(double x)
+{
+    const kern_real b[3] = {0, R(1), R(x)};
+    kern_support c[2];
+    kern_real u[3];
+    kern_status got;
+    int k;
+    memset(c, 0, sizeof c);
+    for (k = 0; k < 2; k++) {
+        c[k].row = kern_row_of(vec(0, 1), vec(k ? 1 : -1, -0.5), R(1));
+        c[k].mu = R(0.4);
+    }
+    got = kern_pour_solve(c, 2, b, R(SINGLE ? 1e-6 : 1e-11), u);
+    CHECK_INT(got, fabs(x) <= 1 ? KERN_STANDS : KERN_FALLS);
+    if (got == KERN_FALLS)
+        CHECK(b[1] * u[1] + b[2] * u[2] < 0); /* the load is -b */
+    for (k = 0; k < 2 && got == KERN_STANDS; k++) {
+        const kern_spring s = kern_spring_pressed(c[k].way[0], c[k].way[1],
+                                                  c[k].mu);
+        CHECK_NEAR(s.force.normal, (1 + (k ? x : -x)) / 2, 1e4 * EPS);
+        CHECK_NEAR(s.force.tangential, 0, 1e4 * EPS);
+    }
+}
+
+static void engine_group(void)
+{
+    static const double at[] = {0, 0.25, -0.7, 0.99, 1.01, -3};
+    int i;
+    for (i = 0; i < (int)(sizeof at / sizeof *at); i++)
+        engine_group_on(at[i]);
+}
+
+/* The basis in which a program ends: header and places are inverse to each
+   other, B x = b, and every column of B solves to a unit vector. */
+static void engine_basis_holds(const kern_simplex *sx, const kern_real *a,
+                               const kern_real *rhs)
+{
+    const int rows = sx->lp->rows, cols = sx->lp->cols;
+    double left[ENGINE_ROWS];
+    int p, i;
+    for (i = 0; i < rows; i++)
+        left[i] = (double)rhs[i];
+    for (p = 0; p < rows; p++) {
+        const int j = sx->base[p];
+        kern_real v[ENGINE_ROWS + 3] = {0};
+        for (i = 0; i < rows; i++) {
+            v[i] = j < cols ? a[j * rows + i] : R(i == j - cols);
+            left[i] -= (double)(v[i] * sx->value[p]);
+        }
+        CHECK(j >= cols || sx->place[j] == p);
+        kern_basis_solve(sx, v);
+        for (i = 0; i < rows; i++)
+            CHECK_NEAR(v[i], i == p, SINGLE ? 1e-2 : 1e-8);
+    }
+    for (i = 0; i < rows; i++)
+        CHECK_NEAR(left[i], 0, SINGLE ? 1e-3 : 1e-9);
+}
+
+static void engine_basis(void)
+{
+    static kern_real real[4000], a[ENGINE_ROWS * ENGINE_COLS];
+    static int index[2000];
+    int round, i;
+    random_seed(78);
+    for (round = 0; round < some(300); round++) {
+        kern_real rhs[ENGINE_ROWS], x[ENGINE_COLS], y[ENGINE_ROWS + 3];
+        kern_work work = kern_work_of(real, 4000, index, 2000);
+        kern_simplex sx;
+        kern_program lp;
+        kern_take take;
+        kern_status got;
+        memset(&lp, 0, sizeof lp);
+        lp.rows = random_int(1, ENGINE_ROWS);
+        lp.cols = random_int(lp.rows, ENGINE_COLS);
+        lp.a = a;
+        lp.rhs = rhs;
+        for (i = 0; i < lp.rows * lp.cols; i++)
+            a[i] = chance(0.3) ? 0 : R(uniform(-1, 1));
+        for (i = 0; i < lp.rows; i++)
+            rhs[i] = R(uniform(-1, 1));
+        kern_take_open(&take, &work);
+        kern_simplex_lay(&sx, &lp, 100, &take);
+        CHECK(kern_take_fits(&take));
+        got = kern_program_solve(&sx, 1, x, y, &work);
+        CHECK(got == KERN_LP_OPTIMAL || got == KERN_LP_INFEASIBLE);
+        engine_basis_holds(&sx, a, rhs);
+    }
+}
+
 /* ==== Linear programs ================================================ >>lp */
 
 enum { LP_ROWS = 8, LP_COLS = 24 };
@@ -9912,6 +10196,11 @@ static const test tests[] = {
     TEST(long_outlines),
     TEST(long_joint),
     TEST(open_joint),
+    TEST(engine_rows),
+    TEST(engine_laws),
+    TEST(engine_factor),
+    TEST(engine_group),
+    TEST(engine_basis),
     TEST(lp_cycling),
     TEST(lp_of_no_cost),
     TEST(lp_kinds),
