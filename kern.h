@@ -499,7 +499,8 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
 /* What a call returns: above zero a verdict, or the result of a linear program;
    zero from a call that gives no verdict, when it is done. Below zero the call
    failed, and of the caller's data only the counters and the fault of the work
-   memory have changed; with KERN_LIMIT also what the call says. */
+   memory have changed; with KERN_LIMIT also what the call says. A block that
+   kern_block_init() refused is no block: see there. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
@@ -528,13 +529,14 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_LIMIT, -19, "the limit of work was reached")                       \
     X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
     X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")   \
-    X(KERN_BAD_SHARE, -22, "relative: kerns cannot shrink by a share above 1")
+    X(KERN_BAD_SHARE, -22, "relative: kerns cannot shrink by a share above 1")\
+    X(KERN_NO_BLOCK, -23, "kern_block_init() or _ground_init() refused a block")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
     KERN_STATUS_LIST(KERN_STATUS_NAME)
 #undef KERN_STATUS_NAME
-    KERN_STATUS_LEAST = -22 /* the same number */
+    KERN_STATUS_LEAST = -23 /* the same number */
 } kern_status;
 
 /* Where the fault of a status below zero lies. */
@@ -554,7 +556,7 @@ typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none,
                                for a block whose contacts are given           */
-    int vertices;           /* >= 3; 0 with vertex NULL                       */
+    int vertices;           /* >= 3; 0 with vertex NULL; -1: it was refused   */
     int fixed;              /* nonzero: ground, exerts whatever is needed     */
     kern_real area;         /* [m^2], < 0 if the polygon runs clockwise; the
                                block's size is the square root of |area|      */
@@ -808,10 +810,12 @@ typedef struct kern_lp {
    function that takes work memory may return KERN_NO_SPACE, every one that
    takes a structure: KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000,
    contacts up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL,
-   KERN_SAME_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, where
-   the number of contacts is below -1 that status of kern_contacts(), with the
-   fault as it left it, and for a relative shrinkage above 1 KERN_BAD_SHARE. With KERN_LIMIT the number that a search was asked
-   for is the largest that is proven to stand by then, below 0 if none is.
+   KERN_SAME_BLOCK, KERN_NO_BLOCK (the block in the fault), KERN_NO_AREA,
+   KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, where the number of contacts is below
+   -1 that status of kern_contacts(), with the fault as it left it, and for a
+   relative shrinkage above 1 KERN_BAD_SHARE. With KERN_LIMIT the number that a
+   search was asked for is the largest that is proven to stand by then, below 0
+   if none is.
    Numbers that could not be squared or multiplied safely are refused, with the
    block in the fault: a centre, a place or a travel above 1e100 m
    (KERN_BAD_NUMBER), a mass as in kern_block_init() (KERN_BAD_MASS), an area
@@ -864,6 +868,8 @@ KERN_API void kern_work_need(int blocks, int contacts,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
    The vertices stay the caller's and must live as long as the block; after they
    have moved, call this again. fault may be NULL; its index is the vertex.
+   A failed call leaves no block: whatever *block was before, every call that it
+   is handed to then returns KERN_NO_BLOCK, until an init succeeds.
    KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
    above 1e100, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
    [m^2]), KERN_CROSSING (also where the last vertex repeats the first, as in
@@ -898,8 +904,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    KERN_NO_SPACE (out means nothing; while faces of a pair are merged it takes
    some seven points for each step of its outlines), KERN_OVERLAP (the first
    pair; kern_overlaps() lists all, and how deep they are), KERN_BAD_POINTER,
-   _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES, KERN_NO_AREA (the
-   block), KERN_STALE (the block: its vertices have moved, or their array was
+   _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES, KERN_NO_AREA,
+   KERN_NO_BLOCK (the block), KERN_STALE (the block: its vertices have moved, or their array was
    used for another block). Work memory: none but for the fault. Time: a test of
    boxes for each two blocks (4 ms for 2000); where they meet a few products for
    each two edges that are near, and some tens where no edge of either parts
@@ -1423,6 +1429,8 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
     const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
         + kern_abs(b->load.torque) / size
         + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
+    if (b->vertices < 0)
+        return KERN_NO_BLOCK;
     if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
         return KERN_BAD_NUMBER;
     if (b->fixed)
@@ -3483,25 +3491,23 @@ static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
     return least;
 }
 
-/* The other end of the line that contact point i ends; i where it is none. */
-static int kern_line_other(const kern_contact *contact, int i)
+/* Do contact points i and i + 1 end one line? */
+static int kern_line_begins(const kern_structure *s, int i)
 {
-    const kern_contact *c = contact + i;
-    if (!c->line)
-        return i;
-    return i > 0 && c[-1].line && c[-1].a == c->a && c[-1].b == c->b
-           && c->travel * c[-1].travel < 0 ? i - 1 : i + 1;
+    const kern_contact *c = s->contact + i;
+    return i + 1 < s->contacts && c->line && c[1].line && c->a == c[1].a
+           && c->b == c[1].b;
 }
 
-/* What the blocks of contact i move of it, as the search would find it. Line:
+/* What the blocks of contact i move of it, as the search would find it; pair is
+   the other end of its line, or i. Line:
    corners take ends along; ends stay midway between the two edges, the normal
    is the mean of both. Point: a corner takes it along, an edge turns the
    normal. The middle of a line moves by half of what an end does. */
 static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
-                           int i, kern_block_rate *out)
+                           int i, int pair, kern_block_rate *out)
 {
     const kern_contact *c = task->s.contact + i;
-    const int pair = kern_line_other(task->s.contact, i);
     const kern_vec t = kern_vec_turn(c->n);
     const kern_real along = kern_vec_dot(rate[i].p, t)
                             + (rate[pair].travel - rate[i].travel) / 2;
@@ -3520,8 +3526,8 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
         const kern_real owns = KERN_R(off[end] <= KERN_R(1e-3) * size
                                       && off[end] <= off[!end]
                                                      + KERN_TRAVEL * size);
-        const kern_real part = c->line ? KERN_R(0.5) : owns;
-        const kern_real turn = c->line ? KERN_R(0.5) : 1 - owns;
+        const kern_real part = pair != i ? KERN_R(0.5) : owns;
+        const kern_real turn = pair != i ? KERN_R(0.5) : 1 - owns;
         const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
                                            part * across, c->n);
         kern_block_rate *to = out + (end ? c->b : c->a);
@@ -3560,8 +3566,13 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         kern_contact_gain(&task->s, &q, i, proof, -1 / gain, contact + i);
     for (i = 0; i < task->s.blocks; i++)
         kern_block_gain(&task->s, i, proof->motion, -1 / gain, block + i);
-    for (i = 0; i < task->s.contacts; i++)
-        kern_pose_gain(task, contact, i, block);
+    for (i = 0; i < task->s.contacts; i++) {
+        const int line = kern_line_begins(&task->s, i);
+        kern_pose_gain(task, contact, i, i + line, block);
+        if (line)
+            kern_pose_gain(task, contact, i + 1, i, block);
+        i += line;
+    }
     return KERN_OK;
 }
 
@@ -7526,36 +7537,39 @@ static kern_status kern_vertices_check(const kern_vec *vertex, int vertices)
     return vertex ? KERN_OK : KERN_BAD_POINTER;
 }
 
-/* Fills a block from a polygon. The density of ground is not read. */
+/* Fills a block from a polygon, or leaves one that every call refuses. The
+   density of ground is not read. */
 static kern_status kern_block_fill(kern_block *block, const kern_vec *vertex,
                                    int vertices, kern_real density, int fixed,
                                    kern_fault *fault)
 {
     kern_fault ignored;
     kern_block made;
-    kern_status status;
-    if (!fault)
-        fault = &ignored;
-    kern_fault_clear(fault);
-    status = kern_vertices_check(vertex, vertices);
-    if (status >= 0 && !block)
-        status = KERN_BAD_POINTER;
-    if (status < 0)
-        return status;
-    if (!fixed && !(density > 0))
-        return KERN_BAD_MASS;
+    kern_status status = kern_vertices_check(vertex, vertices);
+    kern_fault_clear(fault ? fault : &ignored);
     made.vertex = vertex;
     made.vertices = vertices;
-    status = kern_polygon_measure(&made, fault);
-    if (status < 0)
-        return status;
     made.fixed = fixed;
-    made.mass = fixed ? 0 : density * kern_abs(made.area);
-    if (!fixed && (!(made.mass >= KERN_LIGHT) || made.mass > KERN_HEAVY))
-        return KERN_BAD_MASS;
-    made.load.fx = made.load.fy = made.load.torque = 0;
-    *block = made;
-    return KERN_OK;
+    made.area = made.mass = KERN_R(0);
+    made.centre = kern_vec_make(KERN_R(0), KERN_R(0));
+    made.load.fx = made.load.fy = made.load.torque = KERN_R(0);
+    kern_box_empty(&made.box);
+    if (status == KERN_OK && !block)
+        status = KERN_BAD_POINTER;
+    if (status == KERN_OK && !fixed && !(density > 0))
+        status = KERN_BAD_MASS;
+    if (status == KERN_OK)
+        status = kern_polygon_measure(&made, fault ? fault : &ignored);
+    if (status == KERN_OK && !fixed) {
+        made.mass = density * kern_abs(made.area);
+        if (!(made.mass >= KERN_LIGHT) || made.mass > KERN_HEAVY)
+            status = KERN_BAD_MASS;
+    }
+    if (status != KERN_OK)
+        made.vertices = -1;
+    if (block)
+        *block = made;
+    return status;
 }
 
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
@@ -8414,8 +8428,10 @@ static kern_status kern_search_check(const kern_block *block)
 {
     const kern_status status =
         kern_vertices_check(block->vertex, block->vertices);
+    if (block->vertices <= 0)
+        return block->vertices < 0 ? KERN_NO_BLOCK : KERN_OK;
     if (status < 0)
-        return block->vertices ? status : KERN_OK;
+        return status;
     if (!kern_is_finite(block->area) ||
         !(block->box.low.x <= block->box.high.x) ||
         !(block->box.low.y <= block->box.high.y) ||

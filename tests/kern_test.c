@@ -8460,8 +8460,8 @@ static void bad_geometry(void)
     CHECK(contacts_say(&w, &fault) >= 0);
     w.options = kern_defaults();
     w.block[2].vertices = -2;
-    i = contacts_say(&w, &fault);
-    CHECK(i == KERN_FEW_VERTICES || i == KERN_BAD_COUNT);
+    CHECK_INT(contacts_say(&w, &fault), KERN_NO_BLOCK);
+    CHECK_INT(fault.block, 2);
     w.block[2].vertices = 4;
     w.block[2].vertex = NULL;
     CHECK_INT(contacts_say(&w, &fault), KERN_BAD_POINTER);
@@ -8469,6 +8469,102 @@ static void bad_geometry(void)
     /* a block without a polygon touches nothing */
     w.block[2].vertices = 0;
     CHECK_INT(contacts_say(&w, &fault), 2);
+}
+
+/* An init that fails in way k. */
+static kern_status refused(kern_block *b, int k)
+{
+    static const kern_vec square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    static const kern_vec bow[] = {{0, 0}, {1, 1}, {1, 0}, {0, 1}};
+    static kern_vec hole[4];
+    memcpy(hole, square, sizeof hole);
+    hole[2].x = R(not_a_number());
+    switch (k) {
+    case 0: return kern_block_init(b, hole, 4, 1, NULL);
+    case 1: return kern_block_init(b, bow, 4, 1, NULL);
+    case 2: return kern_block_init(b, square, 2, 1, NULL);
+    case 3: return kern_block_init(b, square, -1, 1, NULL);
+    case 4: return kern_block_init(b, square, 4, 0, NULL);
+    case 5: return kern_block_init(b, NULL, 4, 1, NULL);
+    case 6: return kern_ground_init(b, hole, 4, NULL);
+    default: return kern_ground_init(b, NULL, 0, NULL);
+    }
+}
+
+/* What plans say of a block that was refused. */
+static void plans_refuse(const world *w, const kern_block *b)
+{
+    static site p;
+    kern_margin m;
+    kern_raising raising;
+    site_open(&p, w);
+    site_add(&p, 0);
+    CHECK_INT(kern_plan_add(&p.plan, b), KERN_NO_BLOCK);
+    CHECK_INT(p.work.fault.block, 1);
+    CHECK_INT(kern_plan_try(&p.plan, b, &m, NULL), KERN_NO_BLOCK);
+    CHECK_INT(kern_plan_bears(&p.plan, b, 0, NULL), KERN_NO_BLOCK);
+    CHECK_INT(kern_plan_raised(&p.plan, b, &raising, NULL, NULL),
+              KERN_NO_BLOCK);
+    CHECK_INT(p.plan.task.s.blocks, 1);
+}
+
+/* A block whose init failed was that of the call before, and its answer was
+   given again. Now every call refuses it, whatever is set in it by hand, until
+   an init succeeds. */
+static void refused_blocks(void)
+{
+    static world w;
+    static kern_overlap overlap[4];
+    kern_proof proof = proof_here();
+    kern_margin m;
+    kern_critical critical = {NULL, NULL, NULL, 0, 0};
+    kern_raising raising;
+    kern_real value = 0;
+    int k;
+    for (k = 0; k < 8; k++) {
+        kern_contact out[8];
+        kern_block good, *b = &w.block[1];
+        kern_contact_rate rate[8];
+        kern_block_rate of[3];
+        kern_structure s;
+        kern_work work;
+        kern_task *task;
+        stack_of_two(&w, 0.25);
+        good = *b;
+        work = work_of(&w);
+        s = structure_of(&w);
+        CHECK_INT(kern_measure(task_of(&s, &w.options, &work), &m, &proof),
+                  KERN_STANDS);
+        CHECK(refused(b, k) < 0);
+        CHECK_INT(b->vertices, -1);
+        CHECK_NEAR(kern_mean_size(b, 1), 0, 0);
+        b->mass = good.mass;
+        b->centre = good.centre;
+        b->area = good.area;
+        b->box = good.box;
+        all_say(&s, &w.options, &work, KERN_NO_BLOCK, 1, -2, __LINE__);
+        task = task_of(&s, &w.options, &work);
+        CHECK_INT(kern_raised(task, 0, &raising, NULL, NULL), KERN_NO_BLOCK);
+        CHECK_INT(kern_forces(task, 0, force_of), KERN_NO_BLOCK);
+        CHECK_INT(kern_bearing(task, &value, NULL), KERN_NO_BLOCK);
+        CHECK_INT(kern_critical_of(task, 0, &proof, &critical), KERN_NO_BLOCK);
+        CHECK_INT(kern_sensitivity(task, &m, &proof, rate, of),
+                  KERN_NO_BLOCK);
+        CHECK(isinf(kern_check_forces(task, 0, force_of)));
+        CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work),
+                  KERN_NO_BLOCK);
+        CHECK_INT(work.fault.block, 1);
+        CHECK_INT(kern_touch(w.block, 2, &w.options, out, 8, &work),
+                  KERN_NO_BLOCK);
+        CHECK_INT(kern_overlaps(w.block, 3, &w.options, overlap, 4, &work),
+                  KERN_NO_BLOCK);
+        task->options = kern_measured(&w.options, R(0.001), R(0.001));
+        CHECK_INT(kern_certain(task, KERN_STANDS, out, 8), KERN_NO_BLOCK);
+        plans_refuse(&w, b);
+        CHECK_INT(kern_block_init(b, good.vertex, good.vertices, 1, NULL),
+                  KERN_OK);
+        CHECK_INT(kern_contacts(w.block, 3, &w.options, out, 8, &work), 4);
+    }
 }
 
 static void bad_contact_pointers(void)
@@ -8601,6 +8697,8 @@ static void statuses_of_geometry(void)
     world_reset(&w);
     world_box(&w, 1, 0, 0, 1, 1);
     world_box(&w, 1, 0.5, 0.5, 2, 2);
+    have(world_touch(&w));
+    refused(&w.block[0], 0);
     have(world_touch(&w));
 }
 
@@ -9738,6 +9836,66 @@ static void sensitivity_by_hand(void)
         CHECK_NEAR(contact_rate[k].p.x, w.contact[k].p.x > R(0.5), SINGLE ? 0.02 : 1e-3);
 }
 
+/* Lines of which an end lost its travel, its sign or its partner, the last one
+   of the array too: an end is taken for another's only where that exists. What
+   is marked as a line and has no partner has the rates of a point. */
+static void sensitivity_of_odd_lines(void)
+{
+    static world w;
+    int seed, k, cases = 0;
+    for (seed = 0; seed < some(300); seed++) {
+        kern_contact_rate *rate;
+        kern_work work;
+        kern_task *task;
+        kern_margin m;
+        kern_proof proof = proof_here();
+        if (!random_world(&w, 7300u + (unsigned long long)seed, 8)
+            || w.contacts < 2)
+            continue;
+        for (k = 0; k < w.contacts; k++) {
+            kern_contact *c = &w.contact[k];
+            c->line = chance(0.2) ? !c->line : c->line;
+            c->travel = chance(0.2) ? 0 : chance(0.2) ? -c->travel : c->travel;
+        }
+        w.contact[w.contacts - 1].line = 1;
+        work = work_of(&w);
+        task = world_task(&w, &work);
+        if (kern_measure(task, &m, &proof) != KERN_STANDS || m.saturated)
+            continue;
+        /* an array of its own size: nothing behind it is read or written */
+        rate = malloc(sizeof *rate * (size_t)w.contacts);
+        CHECK(rate != NULL);
+        if (rate && kern_sensitivity(task, &m, &proof, rate, block_rate)
+                    == KERN_OK) {
+            cases++;
+            for (k = 0; k < w.blocks; k++)
+                CHECK(isfinite((double)block_rate[k].place.x)
+                      && isfinite((double)block_rate[k].turn));
+        }
+        free(rate);
+    }
+    CHECK(cases > some(15));
+    context[0] = 0;
+    for (k = 0; k < 2; k++) { /* the bed of sensitivity_by_hand(), as points */
+        static kern_block_rate keep[MAX_BLOCKS];
+        int b;
+        world_reset(&w);
+        world_box(&w, 0, -2, -1, 3, 0);
+        world_box(&w, 1, 0, 0, 1, 1);
+        world_touch(&w);
+        w.block[1].centre.x += R(0.1);
+        w.contact[0].line = 0;
+        w.contact[1].line = k;
+        CHECK(margin_rates(&w, 1) > 0);
+        for (b = 0; b < w.blocks && k; b++) {
+            CHECK_NEAR(block_rate[b].place.x, keep[b].place.x,
+                       SINGLE ? 0.02 : 1e-3);
+            CHECK_NEAR(block_rate[b].turn, keep[b].turn, SINGLE ? 0.02 : 1e-3);
+        }
+        memcpy(keep, block_rate, sizeof keep);
+    }
+}
+
 /* Changes one datum by a step; returns the rate that belongs to it. */
 static double nudge(world *w, int kind, int k, int b, double size, double *step)
 {
@@ -10278,6 +10436,7 @@ static const test tests[] = {
     TEST(bad_pointers),
     TEST(bad_arguments),
     TEST(bad_geometry),
+    TEST(refused_blocks),
     TEST(bad_contact_pointers),
     TEST(status_of_every_kind),
     TEST(memory_need),
@@ -10307,6 +10466,7 @@ static const test tests[] = {
     TEST(narrow_random),
     TEST(push_by_hand),
     TEST(sensitivity_by_hand),
+    TEST(sensitivity_of_odd_lines),
     TEST(sensitivity_random),
     TEST(sensitivity_of_poses),
     TEST(sensitivity_cost),
