@@ -17,7 +17,6 @@
 #include "parts/args.h"
 #include "parts/draw.h"
 #include "parts/dxf.h"
-#include "parts/falls.h"
 #include "parts/json.h"
 #include "parts/room.h"
 #include "parts/text.h"
@@ -487,7 +486,7 @@ static int decide(struct analysis *a, const kern_options *options)
         a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
     if (a->shown == KERN_FALLS) {
         memcpy(a->fall, a->motion, sizeof *a->fall * (size_t)a->task.s.blocks);
-        falls_all(&a->task, shrinkage(a), a->fall);
+        room_falls(&a->task, shrinkage(a), a->fall);
     }
     return a->shown < 0 && !is_open(a->shown)
          ? fail_blocks(a, a->shown, &a->work.fault) : 0;

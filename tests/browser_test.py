@@ -1,7 +1,8 @@
-"""Drives examples/browser/kern.html in headless Chromium.
+"""Drives the page in headless Chromium.
 
-    python3 tests/browser_test.py                   the test
-    python3 tests/browser_test.py --shots FOLDER    and pictures of the page
+    bash examples/browser/build.sh PAGE.html
+    python3 tests/browser_test.py PAGE.html                   the test
+    python3 tests/browser_test.py PAGE.html --shots FOLDER    pictures of it
 
 Chromium is spoken to over a pipe (DevTools protocol). A stone of the wall is
 dragged with the mouse over 200 places: every answer on the page must be that of
@@ -23,7 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "examples" / "python"))
 import kern  # noqa: E402
 
-PAGE = ROOT / "examples" / "browser" / "kern.html"
+PAGE = pathlib.Path(sys.argv.pop(1)).resolve()
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
          "--no-first-run", "--disable-background-networking",
          "--disable-component-update", "--disable-sync", "--hide-scrollbars",
@@ -325,6 +326,87 @@ def test_frames(browser):
     browser.frame()
 
 
+def test_settle(browser):
+    """Every irregular stone can be taken; one is let down onto the wall from
+    71 heights and places, and comes to rest."""
+    browser.ask("show(texts.get('irregular-wall'), 'irregular-wall')")
+    browser.frame()
+    stones = browser.ask("s.stones.filter(t => !t.fixed).length")
+    for i in range(1, stones + 1):
+        assert browser.ask(
+            "(() => { const [x, y] = s.stones[%d].centre, b = "
+            "svg.getBoundingClientRect(), e = document.elementFromPoint("
+            "b.left + px(x), b.top + py(y));"
+            "return stoneOfEvent({ target: e }); })()" % i) == i, i
+    rested = 0
+    for k in range(71):
+        browser.ask(
+            "(() => { const i = s.stones.findIndex(t => t.name === 's18'),"
+            " on = s.stones.find(t => t.name === 's21'), t = s.stones[i];"
+            " choose(i); press('Home');"
+            " moveStone(i, on.centre[0] - t.centre[0],"
+            " on.centre[1] - t.centre[1] + (0.9 + %d / 70) * t.size, 0, false);"
+            " press('s'); refresh(); })()" % k)
+        rested += browser.ask("shown.verdict === STANDS")
+    print("let down from 71 heights: %d come to rest" % rested)
+    assert rested >= 60
+    browser.ask("press('Home')")
+
+
+def test_changes(browser):
+    """Take away, add, undo, a link, a stone out of the frame, a drawing."""
+    browser.ask("show(texts.get('wall-30'), 'wall-30')")
+    browser.frame()
+    before = browser.ask("format(s)")
+    browser.ask("choose(30), press('Delete'), refresh()")
+    assert browser.ask("s.stones.length") == 30
+    browser.ask("choose(3), press('Insert'), refresh()")
+    assert browser.ask("s.stones.length") == 31
+    browser.ask("press('s'), refresh()")
+    browser.ask("undo(), undo(), undo(), refresh()")
+    assert browser.ask("format(s)") == before
+    assert browser.ask("past.length") == 0
+    browser.ask("copyLink()")
+    browser.wait("location.hash.length > 9")
+    browser.ask("show(texts.get('arch'), 'arch'), showLink()")
+    browser.wait("title === 'shared'")
+    assert browser.ask("format(s)") == before
+    browser.ask("moveStone(30, 12, 0, 0, false), refresh()")
+    assert browser.ask("$('outside').getAttribute('d')").startswith("M")
+    browser.ask("fitView(), refresh()")
+    assert browser.ask("$('outside').getAttribute('d')") == ""
+    square = "10 0 20 %d 10 1 20 %d 10 1 20 %d 10 0 20 %d"
+    text = "0 SECTION 2 ENTITIES " + " ".join(
+        "0 LWPOLYLINE 8 0 70 1 " + square % (y, y, y + 1, y + 1)
+        for y in (0, 1)) + " 0 ENDSEC 0 EOF"
+    browser.ask("show(%s, 'two.dxf'), refresh()" % json.dumps(
+        text.replace(" ", "\n")))
+    assert browser.ask("[s.stones.length, shown.margin]") == [2, 0.5]
+    browser.ask("show('<svg xmlns=\"http://www.w3.org/2000/svg\">"
+                "<path id=\"ground\" d=\"M0 1h1v1h-1z\"/>"
+                "<polygon id=\"a\" points=\"0,0 1,0 1,1 0,1\"/></svg>',"
+                " 'two.svg'), refresh()")
+    assert browser.ask("[s.stones.length, shown.margin]") == [2, 0.5]
+    browser.ask("show(%s, 'bad.dxf')" % json.dumps(
+        text.replace("LWPOLYLINE", "CIRCLE").replace(" ", "\n")))
+    assert "CIRCLE" in browser.ask("$('error').textContent")
+
+
+def test_phone(browser):
+    """On a phone the verdict is in sight above the whole picture."""
+    browser.send("Emulation.setDeviceMetricsOverride", width=390, height=844,
+                 deviceScaleFactor=2, mobile=True)
+    browser.ask("show(texts.get('wall-30'), 'wall-30')")
+    browser.frame()
+    verdict, stage = browser.ask(
+        "['result', 'stage'].map(id => $(id).getBoundingClientRect().bottom)")
+    print("on a phone the verdict ends at %d, the picture at %d of 844"
+          % (verdict, stage))
+    assert 0 < verdict < stage < 844
+    browser.send("Emulation.clearDeviceMetricsOverride")
+    browser.frame()
+
+
 def shots(browser, folder):
     """Pictures of what a person would see, to look at."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -370,6 +452,9 @@ def main():
             test_touch(browser)
             test_files(browser, folder)
             test_frames(browser)
+            test_settle(browser)
+            test_changes(browser)
+            test_phone(browser)
             for event in browser.events:
                 if event.get("method") == "Network.requestWillBeSent":
                     url = event["params"]["request"]["url"]

@@ -12,7 +12,7 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 exports=""
-for name in vertex force motion group centre point overlap fault answer constant; do
+for name in vertex force motion meeting group centre point overlap fault answer constant; do
     exports="$exports -Wl,--export=$name"
 done
 # shellcheck disable=SC2086
@@ -36,8 +36,10 @@ clang --target=wasm32 -std=c99 -Os -mbulk-memory \
             gzip -9n <"$out/page.wasm" | base64 -w 76
             printf '%s\n' "${line#*<!-- wasm -->}"
             ;;
-        *([[:space:]])/\**\*/) ;; # a comment of one line
-        *) printf '%s\n' "$line" ;;
+        *([[:space:]])/\**) # a comment on lines of its own
+            while [[ $line != *\*/ ]]; do IFS= read -r line; done
+            ;;
+        *) printf '%s\n' "${line##*([[:space:]])}" ;;
         esac
     done <page.html
 } >"$out/page"

@@ -11,6 +11,7 @@
 #define KERN_IMPLEMENTATION
 #define KERN_SQRT(x) __builtin_sqrt(x) /* an instruction */
 #include "../../kern.h"
+#include "../parts/falls.h"
 
 #define PAGE(name) __attribute__((export_name(#name)))
 
@@ -23,6 +24,7 @@ kern_vec vertex[VERTICES];     /* of all blocks, written by the page         */
 kern_force force[CONTACTS];    /* of the last call that found KERN_STANDS    */
 kern_motion motion[BLOCKS];    /* of the last one that found KERN_FALLS, and
                                   of measure()                               */
+int meeting[CONTACTS];         /* of contact points, by critical(): hinges 1 */
 int group[BLOCKS];             /* of blocks that move as one, by critical();
                                   -1: rests                                  */
 double centre[BLOCKS][2];
@@ -216,11 +218,23 @@ PAGE(measure) int page_measure(void)
     return report(status, &work.fault);
 }
 
+/* Adds to the motion of a verdict those with which the rest falls. */
+PAGE(falls) void page_falls(double shrink)
+{
+    static kern_block rest[BLOCKS];
+    static kern_contact touch[CONTACTS];
+    static kern_motion moved[BLOCKS];
+    static int place[BLOCKS];
+    struct falls_part left = { rest, touch, moved, place };
+    falls_all(&task, shrink, motion, &left);
+}
+
 /* After a verdict or a measure: the contact point that limits most, or -1. */
 PAGE(critical) int page_critical(double shrink, int stands)
 {
     kern_proof proof = { stands ? force : NULL, motion };
-    kern_critical out = { .group = group, .contact = -1 };
+    kern_critical out = { .meeting = (kern_meeting *)meeting, .group = group,
+                          .contact = -1 };
     kern_critical_of(&task, shrink, &proof, &out);
     return out.contact;
 }

@@ -12,14 +12,12 @@
 
 #include "../../kern.h"
 
-#include <math.h>
-#include <stdlib.h>
-
 /* Slower than that share of the fastest counts as rest: as in
    kern_critical_of(). */
 #define FALLS_REST 1e-4
 
-struct falls_part {          /* of the structure: what is left               */
+/* Arrays of the caller, as long as those of the structure: what is left. */
+struct falls_part {
     kern_block *block;
     kern_contact *contact;
     kern_motion *motion;
@@ -28,9 +26,10 @@ struct falls_part {          /* of the structure: what is left               */
 
 static int falls_moves(kern_motion v, const kern_block *b)
 {
-    const double size = sqrt(fabs((double)b->area));
-    return !b->fixed && (hypot((double)v.vx, (double)v.vy) > FALLS_REST ||
-                         fabs((double)v.spin) * size > FALLS_REST);
+    const kern_real rest = (kern_real)(FALLS_REST * FALLS_REST);
+    const kern_real area = b->area < 0 ? -b->area : b->area;
+    return !b->fixed && (v.vx * v.vx + v.vy * v.vy > rest ||
+                         v.spin * v.spin * area > rest);
 }
 
 /* The blocks that do not move in `motion`, with the contacts between them.
@@ -59,30 +58,20 @@ static int falls_left(const kern_structure *s, const kern_motion *motion,
 
 /* Adds to a motion, with which the structure falls at a shrinkage, those with
    which what it leaves behind falls too, each with 1 as its fastest. The work
-   memory is the task's. Where a verdict is undecided or memory is short, the
-   motions found by then. */
+   memory is the task's. Where a verdict is undecided, the motions found by
+   then. */
 static inline void falls_all(const kern_task *task, kern_real shrink,
-                             kern_motion *motion)
+                             kern_motion *motion, struct falls_part *left)
 {
     const kern_structure *s = &task->s;
-    const size_t blocks = (size_t)s->blocks;
-    struct falls_part left;
     kern_task rest = *task;
     kern_proof proof = { NULL, NULL };
-    left.block = malloc(blocks * sizeof *left.block + 1);
-    left.contact = malloc((size_t)s->contacts * sizeof *left.contact + 1);
-    left.motion = malloc(blocks * sizeof *left.motion + 1);
-    left.place = calloc(blocks + 1, sizeof *left.place);
-    proof.motion = left.motion;
-    if (left.block && left.contact && left.motion && left.place)
-        while (falls_left(s, motion, &left, &rest.s) > 0 &&
-               kern_verdict(&rest, shrink, &proof) == KERN_FALLS)
-            for (int i = 0; i < s->blocks; i++)
-                if (left.place[i] >= 0) motion[i] = left.motion[left.place[i]];
-    free(left.block);
-    free(left.contact);
-    free(left.motion);
-    free(left.place);
+    proof.motion = left->motion;
+    for (int i = 0; i < s->blocks; i++) left->place[i] = i;
+    while (falls_left(s, motion, left, &rest.s) > 0 &&
+           kern_verdict(&rest, shrink, &proof) == KERN_FALLS)
+        for (int i = 0; i < s->blocks; i++)
+            if (left->place[i] >= 0) motion[i] = left->motion[left->place[i]];
 }
 
 #endif /* FALLS_H */

@@ -7,6 +7,7 @@
 #define ROOM_H
 
 #include "../../kern.h"
+#include "falls.h"
 
 #include <stdlib.h>
 
@@ -60,6 +61,25 @@ static inline void room_free_plan(kern_plan *plan)
     free(plan->task.known.motion);
     free(plan->task.known.force);
     if (plan->task.work) room_free_work(plan->task.work);
+}
+
+/* falls_all() with memory of its own; where that is lacking, nothing is added. */
+static inline void room_falls(const kern_task *task, kern_real shrink,
+                              kern_motion *motion)
+{
+    const size_t b = (size_t)task->s.blocks + 1;
+    const size_t c = (size_t)task->s.contacts + 1;
+    struct falls_part left;
+    left.block = (kern_block *)malloc(b * sizeof(kern_block));
+    left.contact = (kern_contact *)malloc(c * sizeof(kern_contact));
+    left.motion = (kern_motion *)malloc(b * sizeof(kern_motion));
+    left.place = (int *)malloc(b * sizeof(int));
+    if (left.block && left.contact && left.motion && left.place)
+        falls_all(task, shrink, motion, &left);
+    free(left.block);
+    free(left.contact);
+    free(left.motion);
+    free(left.place);
 }
 
 #endif /* ROOM_H */

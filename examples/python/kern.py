@@ -207,7 +207,7 @@ _LAYOUTS = {
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 _HEADERS = ("kern.h", "kern_lp.h", "examples/parts/draw.h",
             "examples/parts/dxf.h", "examples/parts/falls.h",
-            "examples/parts/text.h")
+            "examples/parts/room.h", "examples/parts/text.h")
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
@@ -225,7 +225,7 @@ def _source() -> str:
 #include "examples/parts/draw.h"
 #include "examples/parts/text.h"
 #include "examples/parts/dxf.h"
-#include "examples/parts/falls.h"
+#include "examples/parts/room.h"
 #include <stddef.h>
 #define ROW(name, value, text) #name " " #value " "
 #define SIZE(type) (int)sizeof(type),
@@ -239,7 +239,7 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 { return text_read(t, data, length); }
 void kern_py_free(struct text_file *t) { text_free(t); }
 void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
-{ falls_all(task, shrink, motion); }
+{ room_falls(task, shrink, motion); }
 char *kern_py_dxf(const char *data, size_t length, char *message, size_t room)
 { return dxf_read(data, length, message, room); }
 void kern_py_dxf_free(char *text) { free(text); }
