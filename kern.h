@@ -1250,14 +1250,13 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* Conditions that hold whatever the caller hands in, and what looks at the whole
-   state of the engine after every pivot (tests/audit.h); off, unless a test
-   build defines them. */
+/* Conditions that hold whatever the caller hands in, and what looks at the state
+   of an engine (tests/audit.h); off, unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
 #ifndef KERN_AUDIT
-#define KERN_AUDIT(simplex) ((void)0)
+#define KERN_AUDIT(room, state) ((void)0)
 #endif
 
 #define KERN_R(x) ((kern_real)(x))
@@ -3670,6 +3669,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_part_ends(p);
+    KERN_AUDIT(part, p);
     return 1;
 }
 
@@ -3944,6 +3944,7 @@ static void kern_skyline_factor(kern_skyline *a)
                                                             + was[r])));
             }
     }
+    KERN_AUDIT(factor, a);
 }
 
 /* out := the solution of matrix times it = b, by the factor. */
@@ -4860,6 +4861,8 @@ static kern_poured kern_pour(kern_model *m, kern_part *p)
     int budget = KERN_POUR_BUDGET
                  * (size < KERN_POUR_LARGEST ? size : KERN_POUR_LARGEST);
     int at;
+    for (at = 0; at < m->graph.groups; at++)
+        m->graph.local[at] = KERN_OUT; /* a part may have been open           */
     for (at = 0; at < m->graph.groups; ) {
         kern_poured found;
         if (!(m->dirty[at] & 1)) {
@@ -9428,7 +9431,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
     sx->value[p] = step;
     sx->refined = 0;
     work->pivots++;
-    KERN_AUDIT(sx);
+    KERN_AUDIT(simplex, sx);
     if (kern_basis_full(sx) || sx->factors >= sx->factored + KERN_REFACTOR)
         kern_basis_refactorise(sx);
     return KERN_OK;

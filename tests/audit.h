@@ -1,5 +1,6 @@
-/* audit.h - kern.h with its asserts, and with the whole state of the simplex
-   method checked after every pivot.
+/* audit.h - kern.h with its asserts, and with the state of its engines checked
+   where KERN_AUDIT(room, state) stands: the simplex method after every pivot, a
+   skyline factor when it is made, a part when it is opened.
 
    Include it before everything else, as tests/unit.sh does:
 
@@ -11,12 +12,16 @@
 #include <assert.h>
 
 struct kern_simplex;
-static void audit(struct kern_simplex *sx);
+struct kern_skyline;
+struct kern_part;
+static void audit_simplex(struct kern_simplex *sx);
+static void audit_factor(const struct kern_skyline *a);
+static void audit_part(const struct kern_part *p);
 
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #define KERN_ASSERT(condition) assert(condition)
-#define KERN_AUDIT(simplex) audit(simplex)
+#define KERN_AUDIT(room, state) audit_##room(state)
 #include "../kern.h"
 
 /* Bases of float, and of jams, may be nearly singular. */
@@ -40,7 +45,7 @@ static void audit_places(const kern_simplex *sx)
 
 /* And for a network, where rounding is bounded, whether B x = b, and B^-1 B = I
    for a vector of ones of mixed signs. */
-static void audit(kern_simplex *sx)
+static void audit_simplex(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     const int m = lp->rows;
@@ -65,6 +70,38 @@ static void audit(kern_simplex *sx)
         assert(kern_abs(v[p] - (p % 3 ? KERN_R(1) : KERN_R(-1))) <= AUDIT_TOL);
     assert(kern_basis_residual(sx) <= AUDIT_TOL
            || !(kern_largest(sx->value, m) > 0));
+}
+
+/* A factor has a positive diagonal, and is finite. */
+static void audit_factor(const kern_skyline *a)
+{
+    int g, i, k;
+    for (g = 0; g < a->groups; g++) {
+        const int wide = 3 * (g - a->first[g] + 1);
+        const kern_real *row = a->entry + a->offset[g];
+        assert(a->first[g] >= 0 && a->first[g] <= g);
+        for (k = 0; k < 3; k++) {
+            assert(row[k * wide + wide - 3 + k] > 0);
+            for (i = 0; i <= wide - 3 + k; i++)
+                assert(kern_is_finite(row[k * wide + i]));
+        }
+    }
+}
+
+/* The groups that are marked are those of the part, in their order, and no
+   contact of it lies within a group. */
+static void audit_part(const kern_part *p)
+{
+    const kern_graph *graph = &p->m->graph;
+    int g, k, marked = 0;
+    for (g = 0; g < graph->groups; g++)
+        if (graph->local[g] != KERN_OUT) {
+            assert(graph->local[g] == marked && p->group[marked] == g);
+            marked++;
+        }
+    assert(marked == p->groups);
+    for (k = 0; k < p->contacts; k++)
+        assert(p->ends[2 * k] != p->ends[2 * k + 1]);
 }
 
 #endif
