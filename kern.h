@@ -5222,6 +5222,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 #define KERN_MECHANISM_MOST 6      /* groups of a mechanism that is followed  */
 #define KERN_MECHANISM_ROUNDS 6    /* secants to its edge                     */
 #define KERN_ASIDE KERN_R(0.45)    /* of a bracket's width: from edge to end  */
+#define KERN_NEAR  KERN_R(0.25)    /* of a bracket: beyond a wrong prediction */
 
 /* How fast y turns the two sides of contact k of the part against each other. */
 static kern_real kern_part_spin(const kern_part *p, int k)
@@ -5633,7 +5634,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
     const kern_real w = path->tolerance * KERN_ASIDE;
     const kern_proof *proof = path->proof;
-    kern_real aside = w, under = w, share = KERN_R(0.5), step = KERN_INFINITY;
+    kern_real aside = w, under = w, share = KERN_NEAR, step = KERN_INFINITY;
     int round, slow = 0, at_lo = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
         const kern_real lo = path->holds, hi = path->fails, r = path->edge;
@@ -5643,6 +5644,16 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         kern_real at = closed ? r : close ? kern_max(r - under, path->start)
                                           : r + aside;
         kern_status status;
+        if (!path->alone && !path->inner && path->stood < lo
+            && (r < lo + 2 * under || hi - lo <= 2 * under)) {
+            status = kern_path_evaluate(m, path, lo);
+            if (status < KERN_UNDECIDED || (status != KERN_STANDS
+                                            && !(lo > path->start)))
+                return status;
+            path->holds = status == KERN_STANDS ? lo : path->start;
+            path->edge = status == KERN_FALLS ? path->edge : r;
+            continue;
+        }
         if ((closed && path->inner) || hi - lo <= w / 8
             || aside + under > path->tolerance * KERN_WIDEST)
             break;
@@ -5650,7 +5661,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
             at = path->shown;
             path->shown = KERN_INFINITY;
             if (!kern_path_falls(m, path, at) && path->kind == KERN_PATH_SHRINK)
-                path->edge = -KERN_INFINITY;
+                path->edge = KERN_INFINITY;
             continue;
         }
         if (closed && at_lo && kern_basis_reaches(path->part, lo, r))
@@ -5666,7 +5677,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         at_lo = status == KERN_STANDS && path->kind == KERN_PATH_SHRINK
                 && !path->inner && !(m->narrow > 0)
                 && path->part->eq.simplex.started;
-        share = status == KERN_UNDECIDED ? share * KERN_R(0.7) : KERN_R(0.5);
+        share = status == KERN_UNDECIDED ? share * KERN_R(0.7)
+                : inside ? KERN_NEAR : kern_min(2 * share, KERN_R(0.5));
         slow = path->inner && status == KERN_FALLS && !close
                && at - path->edge > step / 2;
         step = status == KERN_FALLS ? at - path->edge : step;
@@ -5832,28 +5844,22 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* Whether it still proves that it falls where it did, close beyond where it is
-   known to have stood. */
-static int kern_seed_falls(kern_model *m, const kern_path *path)
-{
-    const kern_query q = kern_path_at(path, path->seed->fails);
-    if (path->seed->fails - path->seed->holds > 2 * path->tolerance)
-        return 0;
-    return kern_model_proven(
-        m, kern_prove_motion(m->s, &q, path->seed->motion));
-}
-
-/* Ends the search there. */
-static kern_status kern_seed_ends(kern_model *m, kern_path *path)
+/* Whether what is known bounds the edge: its motion proves that it falls where it
+   did, close beyond where it stood. */
+static int kern_seed_falls(kern_model *m, kern_path *path)
 {
     const kern_known *seed = path->seed;
+    const kern_query q = kern_path_at(path, seed->fails);
     int i;
+    if (seed->fails - seed->holds > 2 * path->tolerance
+        || !kern_model_proven(m, kern_prove_motion(m->s, &q, seed->motion)))
+        return 0;
     for (i = 0; i < m->s->blocks; i++)
         m->answer.motion[i] = seed->motion[i];
     kern_path_note(m, path, KERN_FALLS, seed->fails);
     path->fails = seed->fails;
     path->edge = seed->margin;
-    return KERN_STANDS;
+    return 1;
 }
 
 /* ---- Interior point -------------------------------------------- >>inner */
@@ -6611,11 +6617,30 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
     return first;
 }
 
+/* The edge of the whole where pouring came to no end at `at`: what a part that fell
+   just beyond that has left is the edge if it stands there. */
+static kern_status kern_path_below(kern_model *m, kern_path *path, kern_real at,
+                                   kern_real step)
+{
+    const kern_real fell = path->fell, edge = path->edge;
+    kern_status status = kern_path_evaluate(m, path, at);
+    if (status == KERN_STANDS && at >= path->end)
+        return kern_path_saturate(path);
+    path->edge = status == KERN_STANDS ? edge : path->edge;
+    path->fails = status == KERN_STANDS ? fell : path->fails;
+    if (status == KERN_STANDS && !(fell - at <= path->tolerance * KERN_WIDEST))
+        status = kern_path_walk(m, path, step, 0);
+    if (status == KERN_FALLS)
+        status = kern_path_edge(m, path);
+    return status == KERN_STANDS && !(path->stood >= path->holds)
+           ? KERN_UNDECIDED : status;
+}
+
 /* The edge of the whole beyond path->holds: of many groups by the interior point,
    of few, or where that finds none, by their linear program, in steps from what
    holds, or from the start. Where a part fell no step goes beyond that. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_real step, int fell)
+                                   kern_real at, kern_real step, int fell)
 {
     const kern_real edge = path->edge, end = path->end;
     const kern_query q = kern_path_at(path, path->holds);
@@ -6635,6 +6660,13 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
         holds = path->start; /* what was poured there was no proof */
     path->holds = holds;
     path->edge = edge; /* that of the interior point may not be exact */
+    if (at > path->start) {
+        status = kern_path_below(m, path, at, step);
+        if (status != KERN_UNDECIDED)
+            return status;
+        path->holds = holds;
+        path->edge = edge;
+    }
     if (fell && path->fell < end && path->fell > holds) {
         path->end = path->fell;
         step = kern_min(step, (path->fell - holds) / 2);
@@ -6689,27 +6721,26 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     const kern_real start = path->start = path->holds;
     kern_real holds = start, at;
     kern_status status = KERN_STANDS;
-    int round, hint, seeded, fell = 0;
+    kern_real edge;
+    int round, hint, fell;
     if (m->plain || path->kind != KERN_PATH_SHRINK)
-        return kern_path_plain(m, path, step, 0);
+        return kern_path_plain(m, path, start, step, 0);
     at = path->seed ? start + first : kern_body_first(m, path, start + first);
     hint = path->seed && path->seed->fails > start
            && path->seed->fails <= path->end
            && path->seed->holds <= path->seed->margin
            && path->seed->margin <= path->seed->fails;
-    seeded = hint && kern_seed_falls(m, path);
+    fell = hint && kern_seed_falls(m, path);
+    edge = path->edge;
     at = hint ? kern_max(start, path->seed->holds) : kern_min(at, path->end);
     for (round = 0; round < KERN_EDGE_ROUNDS && status == KERN_STANDS; round++) {
-        const int known = seeded && round == 0;
         path->holds = holds;
-        status = kern_path_pour(m, path, at, fell || known || at >= path->end);
+        status = kern_path_pour(m, path, at, fell || at >= path->end);
         if (status == KERN_STANDS && fell)
             return status;
         if (status == KERN_STANDS) {
             if (at >= path->end)
                 return kern_path_saturate(path);
-            if (known)
-                return kern_seed_ends(m, path);
             holds = at;
             at = hint ? at + first : start + 2 * (at - start);
             if (at > path->end * KERN_R(0.95)) /* as well the whole of it */
@@ -6724,15 +6755,16 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             status = kern_path_edge(m, path);
             path->alone = 0;
             at = path->holds;
+            edge = path->edge;
             if (status == KERN_STANDS && kern_part_is_whole(path->part)
                 && at > holds)
                 return status;
-        } else if (fell)
-            at = kern_max(start, kern_min(path->edge, at) - path->tolerance / 2);
+        }
     }
     path->holds = holds;
+    path->edge = edge;
     return status < KERN_UNDECIDED ? status
-                                   : kern_path_plain(m, path, step, fell);
+                                   : kern_path_plain(m, path, at, step, fell);
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */

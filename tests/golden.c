@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xab9a28dc14ee3bf9u },
-    { 1000, 0x20385e5c3ccf8163u },
-    { 5000, 0x18a15a5be2b71e1fu },
+    { 200, 0xcce265e0b70daf04u },
+    { 1000, 0xa30354f1a75f5715u },
+    { 5000, 0x3e904e03066c3fa6u },
 #else
-    { 200, 0x99908270723a21ffu },
-    { 1000, 0xabd1ceca5fa83d6cu },
-    { 5000, 0x538fe04b5c28102cu },
+    { 200, 0x2a80ba739a42cfebu },
+    { 1000, 0x40973a0c7e582e10u },
+    { 5000, 0x284371825820f488u },
 #endif
 };
 
