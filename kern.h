@@ -611,6 +611,8 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real turn;       /* kern_measured(); 0: places are exact             */
     kern_real narrow;     /* rate at which cones of friction narrow as kerns
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
+    kern_real reserve;    /* largest reserve that kern_raised() asks for, from 0
+                             to 0.1; 0: 0.1                                   */
 } kern_options;
 
 /* Of a contact point [N], and of a block: velocity of its centre and spin. */
@@ -996,7 +998,8 @@ KERN_API int kern_certain(const kern_task *task, kern_status verdict,
    .015, .02, .03, .05 and .1, of gravity that pushes sideways to either side,
    while kerns shrink further by that share of the mean size of the free blocks
    (relative: by that share), and leaves it raised, as far as is shown: 0 where
-   it is not raised. See >>measures. KERN_BAD_OPTION: a reserve without gravity.
+   it is not raised. No share above options.reserve is asked for: where that is
+   all that matters, one push to either side is the whole cost. See >>measures. KERN_BAD_OPTION: a reserve without gravity.
    KERN_NO_SPACE also where a structure is much wider than a wall of squares.
    Time: 1.2 times that of the margin where it is raised, 8 times where it is
    not shown; with the reserve 4 times. */
@@ -1874,12 +1877,13 @@ static kern_status kern_spent(const kern_work *work, int limit,
 static kern_status kern_options_check(const kern_options *o)
 {
     if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon + o->overlap
-                        + o->error + o->turn + o->narrow))
+                        + o->error + o->turn + o->narrow + o->reserve))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
     if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
         || o->overlap < 0 || o->error < 0 || o->turn < 0 || o->narrow < 0
+        || o->reserve < 0 || o->reserve > KERN_R(0.1)
         || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
     return KERN_OK;
@@ -6868,6 +6872,7 @@ typedef struct kern_raise {
     kern_real *last;          /* of each: what its last price led to, and how
                                  much more that was                           */
     int rounds;               /* prices since then                            */
+    kern_real enough;         /* no larger push is asked for                  */
     kern_real *begin, *best;  /* u and prices: without a push, with the largest
                                  so far                                       */
 } kern_raise;
@@ -7024,9 +7029,13 @@ static kern_real kern_raise_reserve(kern_raise *r)
     const kern_real shrink = r->q->shrink;
     kern_query q = *r->q;
     int most = (int)(sizeof share / sizeof share[0]) - 1;
+    while (r->enough > 0 && share[most] > r->enough)
+        most--;
     kern_raise_copy(r, r->begin, 1);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
-        int low = 0, high = most + 1, at = q.side > 0 ? high / 2 : most;
+        int low = 0, high = most + 1, at = most;
+        if (q.side > 0 && !(r->enough > 0))
+            at = high / 2;
         kern_raise_copy(r, r->best, 1);
         for (; high - low > 1; at = (low + high) / 2) {
             kern_raise_copy(r, r->best, 0);
@@ -7117,6 +7126,7 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
         return KERN_BAD_OPTION;
     r.m = &c.m;
     r.p = &c.part;
+    r.enough = task->options.reserve;
     status = kern_spent(task->work, task->options.limit, kern_raise_ask(
         &r, &c.path.q, &raising, reserve ? &share : NULL, proof));
     if (status == KERN_STANDS)
@@ -9774,6 +9784,7 @@ KERN_API kern_options kern_defaults(void)
     kern_options o;
     o.mu = KERN_R(0.4);
     o.narrow = KERN_R(0);
+    o.reserve = KERN_R(0);
     o.gap = KERN_R(0);
     o.angle = KERN_R(0.0174533);
     o.epsilon = KERN_R(0);

@@ -9557,6 +9557,15 @@ static void raised_reserve(void)
     w.gravity = vec(9.81 * 0.395, -9.81);
     CHECK_INT(raised(&w, &reserve), KERN_RAISED);
     CHECK_NEAR(reserve, 0.004, EXACT);
+    w.options.reserve = R(0.0055); /* no more is asked for */
+    CHECK_INT(raised(&w, &reserve), KERN_RAISED);
+    CHECK_NEAR(reserve, 0.004, EXACT);
+    w.gravity = vec(9.81 * 0.1, -9.81);
+    CHECK_INT(raised(&w, &reserve), KERN_RAISED);
+    CHECK_NEAR(reserve, 0.0055, EXACT);
+    w.options.reserve = R(0.2);
+    CHECK_INT(raised(&w, &reserve), -10 - KERN_BAD_OPTION);
+    w.options.reserve = R(0);
     w.gravity = vec(9.81 * 0.405, -9.81);
     CHECK_INT(raised(&w, &reserve), -10 - KERN_FALLS);
     w.gravity = vec(0, 0);

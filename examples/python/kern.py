@@ -113,7 +113,8 @@ class _Options(ctypes.Structure):
     _fields_ = [("mu", c_double), ("gap", c_double), ("angle", c_double),
                 ("epsilon", c_double), ("relative", c_int), ("limit", c_int),
                 ("overlap", c_double), ("error", c_double),
-                ("turn", c_double), ("narrow", c_double)]
+                ("turn", c_double), ("narrow", c_double),
+                ("reserve", c_double)]
 
 
 class _Force(ctypes.Structure):
@@ -522,6 +523,7 @@ class Options:
     error: float = _D.error
     turn: float = _D.turn
     narrow: float = _D.narrow
+    reserve: float = _D.reserve
 
     def _c(self) -> _Options:
         limit = operator.index(self.limit)
@@ -530,12 +532,13 @@ class Options:
                             "from 0 to 2,000,000,000" % limit)
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
                         bool(self.relative), limit, self.overlap, self.error,
-                        self.turn, self.narrow)
+                        self.turn, self.narrow, self.reserve)
 
     @staticmethod
     def _of(c: _Options) -> Options:
         return Options(c.mu, c.gap, c.angle, c.epsilon, bool(c.relative),
-                       c.limit, c.overlap, c.error, c.turn, c.narrow)
+                       c.limit, c.overlap, c.error, c.turn, c.narrow,
+                       c.reserve)
 
     def near(self, mean_size: float) -> Options:
         """kern_near(): also finds contacts that a first rocking closes."""
