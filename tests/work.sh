@@ -4,12 +4,13 @@
 #                                       what its units do not
 # bash tests/work.sh corpus [LIST]      tables of them, as shares of one cold LP
 #                                       of the better of GLPK and Clp
+# bash tests/work.sh lp [LIST]          instructions of that LP, a line each
 # bash tests/work.sh against COMMIT     sums beside those of kern.h at COMMIT;
 #                                       fails where one is 3 % larger
 #
 # LIST names files, tests/corpus/even.txt unless another is given. Needs
-# valgrind; corpus needs libglpk-dev and coinor-libclp-dev. Instructions depend
-# on the compiler: compare what one machine counted.
+# valgrind; corpus and lp need libglpk-dev and coinor-libclp-dev. Instructions
+# depend on the compiler: compare what one machine counted.
 . "$(dirname "$0")/lib.sh"
 
 built() { # built NAME FLAGS...: work as callgrind runs it
@@ -58,6 +59,15 @@ corpus() { # corpus [LIST]
             printf "%s,2,%s / LP,%.9g\n", at, ask[i], many[i] / lp[name[i]]
         }
     }' "$out/counts" | awk -f tests/bench.awk
+}
+
+lp() { # lp [LIST]
+    built work -DBENCH_GLPK -DBENCH_CLP -lglpk -lClp -lCoinUtils &&
+        counted work "${1:-tests/corpus/even.txt}" | awk -F, '
+        $3 == "GLPK" || $3 == "Clp" {
+            if (!($2 in lp) || $10 < lp[$2]) lp[$2] = $10
+        }
+        END { for (name in lp) print name "," lp[name] }' | sort
 }
 
 sums() { awk -F, '{ s[$1 "," $3] += $10 } END { for (k in s) print k "," s[k] }'; }
