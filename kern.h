@@ -773,8 +773,8 @@ typedef struct kern_lp {
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions, for arrays: of contact points, and of work memory for a
    structure of so many blocks (fixed ones included) and contact points or for a
-   linear program by itself. See >>memory. KERN_ROOM holds the factors of a basis
-   in which so many columns fill (see >>lp), three entries each;
+   linear program by itself. See >>memory. KERN_ROOM holds the factors of so many
+   columns that fill (see >>lp), in groups of three entries;
    KERN_LEAN_EXTRAS is what a wall needs, KERN_LP_ROOM what a dense program
    does. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
@@ -782,13 +782,12 @@ typedef struct kern_lp {
     ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
-#define KERN_ROOM(blocks, extras) \
-    (((extras) * (extras) + 5 * (extras) + 18 * (blocks)) / 3)
+#define KERN_ROOM(extras) (((extras) * (extras) + 5 * (extras)) / 3)
 #define KERN_REALS_OF(blocks, contacts, extras) \
     ((extras) * (extras) + 5 * (extras) + 48 * (blocks) + 12 * (contacts) \
      + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS_OF(blocks, contacts, extras) \
-    (KERN_ROOM(blocks, extras) + 36 * (blocks) + 9 * (contacts) + 36)
+    (KERN_ROOM(extras) + 39 * (blocks) + 9 * (contacts) + 40)
 #define KERN_REALS(blocks, contacts) \
     KERN_REALS_OF(blocks, contacts, KERN_EXTRAS(blocks))
 #define KERN_INTS(blocks, contacts) \
@@ -803,7 +802,7 @@ typedef struct kern_lp {
      + KERN_INTS_OF(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks), \
                     KERN_EXTRAS(KERN_LEAN_PART(blocks))))
 #define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
-#define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 4 * (rows) + 16)
+#define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 5 * (rows) + 16)
 #define KERN_LP_INTS(rows, cols) \
     (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
 
@@ -1703,6 +1702,8 @@ typedef struct kern_travels {
 
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q);
+static kern_status kern_model_plain(kern_model *m, kern_part *p,
+                                    const kern_query *q);
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status);
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
@@ -2564,34 +2565,52 @@ typedef struct kern_program {
     const kern_real *cost;  /* or NULL                                        */
     const int *ends;        /* network: head and tail group of columns 2 i and
                                2 i + 1, rows / 3 for none; NULL: dense        */
+    const kern_real *rate;  /* by which rhs grows with the place, or NULL     */
+    int follow;             /* 0: the place is held; 1: it grows, from that of
+                               rhs, as far as it can                          */
     kern_real most;         /* what a variable can be at the most; 0: all     */
     int limit;              /* of the work of the call                        */
 } kern_program;
 
-typedef struct kern_simplex {
-    const kern_program *lp;
-    int groups;             /* of three rows; the last may be short           */
-    int most, factors;      /* room for them, and how many there are          */
-    int factored;           /* when the basis was factored last               */
-    int room;               /* for entries of all, in groups                  */
-    int ray;                /* unbounded: the column that rises without end   */
-    int started;            /* there is a basis                               */
-    int stale;              /* the columns are not those that were factored   */
-    int refined;            /* no pivot since the values were refined         */
-    int violated;           /* variables, when prices were last made          */
-    kern_real unit;         /* what counts as 1 in the right-hand side        */
-    int *base;              /* row: its variable, a column, or cols + row of a
-                               logical, a unit vector                         */
-    int *place;             /* column: its row, or KERN_OUT                   */
+/* The inverse of a basis: B_0, by groups, and the factors E_i. */
+typedef struct kern_factors {
+    int groups;             /* of B_0: all of a network, or 0                 */
+    kern_real *block;       /* row: of the inverse of its group, three; then
+                               what its column is in its other end's rows     */
+    int *to;                /* row: the first of those rows                   */
+    int most, room;         /* for factors, and for groups of entries         */
+    int count, fresh;       /* factors; those of the last factorisation       */
     int *pivot, *first;     /* factor: the row in which it pivots, and the first
                                of its groups of entries; one more             */
     int *at;                /* group of entries: its first row                */
-    int *link;              /* scratch: groups + rows                         */
     kern_real *entry;       /* three a group                                  */
+} kern_factors;
+
+typedef enum kern_basis {
+    KERN_BASIS_NONE,        /* begins from the crash basis                    */
+    KERN_BASIS_STALE,       /* columns are not those that were factored       */
+    KERN_BASIS_READY
+} kern_basis;
+
+typedef struct kern_simplex {
+    const kern_program *lp;
+    int groups;             /* of three rows; the last may be short           */
+    kern_basis state;
+    kern_factors factors;
+    int *base;              /* row: its variable                              */
+    int *place;             /* column: its row, or KERN_OUT; then the place's */
     kern_real *value;       /* row: of its variable                           */
-    kern_real *alpha;       /* row: of the entering column                    */
-    kern_real *row;         /* row: its variable's price; then the prices y   */
-    kern_real *temp;        /* scratch, rows                                  */
+    kern_real *slope;       /* row: c, what its variable adds to violations   */
+    kern_real *price;       /* row: y                                         */
+    kern_real *alpha;       /* row: of what is solved for, as the entering
+                               column                                         */
+    kern_real *ratio;       /* of the ratio test: steps                       */
+    int *list;              /* its rows; or the columns to be factored        */
+    kern_real least;        /* violation that counts                          */
+    kern_real gain;         /* largest y.A_j - cost_j; infinity: not known    */
+    int refined;            /* no pivot since the values were refined         */
+    int violated;           /* variables                                      */
+    int ray;                /* unbounded: the column that rises without end   */
 } kern_simplex;
 
 /* A symmetric matrix of 3 x 3 blocks, a row of them a group, or its factor: of
@@ -2618,6 +2637,7 @@ typedef struct kern_dual {
 typedef struct kern_equations {
     kern_program lp;
     kern_real *arc, *rhs;
+    kern_real *rate;          /* of rhs along a path                          */
     kern_real shrink;         /* of its columns                               */
     kern_simplex simplex;
 } kern_equations;
@@ -2641,9 +2661,11 @@ struct kern_part {
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
 static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
-static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v);
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v);
 static void kern_simplex_restart(kern_simplex *sx);
+static void kern_simplex_change(kern_simplex *sx);
+static void kern_simplex_release(kern_simplex *sx);
+static kern_real kern_simplex_place(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int own,
@@ -2662,6 +2684,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 #define KERN_FIRST         KERN_R(0.48) /* first place, in mean block sizes   */
 #define KERN_CLIMB         KERN_R(0.12) /* first step of a climb, in the same */
 #define KERN_SCAN          1001    /* steps where kerns are not nested        */
+#define KERN_SMALL         64      /* groups of a small structure             */
 #define KERN_TILTS         400     /* steps of a tilt under loads             */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
@@ -3062,6 +3085,10 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
     kern_path_push(path, growth->kind, growth->pattern, growth->side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
+    if (c.m.graph.groups <= KERN_SMALL && !(tilt && kern_model_loaded(&c.m))
+        && task->work->reals >= KERN_REALS(task->s.blocks, task->s.contacts)
+        && task->work->indices >= KERN_INTS(task->s.blocks, task->s.contacts))
+        kern_model_plain(&c.m, path->part, &path->q);
     status = kern_path_evaluate(&c.m, path, KERN_R(0));
     if (status == KERN_STANDS)
         status = kern_push_search(&c.m, path, tilt);
@@ -4021,7 +4048,6 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_UNIT_MOST     20      /* groups of a unit                        */
-#define KERN_SMALL         64      /* groups of a small structure             */
 #define KERN_UNIT_SHARE    32      /* one group, one time more for so many    */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
 #define KERN_POUR_LARGEST  400000  /* of these: their product is an int       */
@@ -4903,16 +4929,19 @@ static kern_status kern_part_lay(kern_part *p)
     p->eq.lp.cols = 2 * p->contacts;
     p->eq.lp.ends = p->ends;
     p->eq.lp.cost = NULL;
+    p->eq.lp.rate = NULL;
+    p->eq.lp.follow = 0;
     p->eq.lp.most = KERN_BOUND;
     p->eq.lp.limit = p->m->budget.limit;
-    p->eq.shrink = KERN_R(0);
+    p->eq.shrink = KERN_R(-1); /* none */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
         p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
+        p->eq.rate = kern_take_reals(&take, 3 * n);
         p->x = kern_take_reals(&take, 2 * p->contacts);
         p->y = kern_take_reals(&take, 3 * n + 3);
-        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(n, room), &take);
+        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
             p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
             return KERN_OK;
@@ -4932,10 +4961,10 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, p->eq.rhs);
-    p->eq.simplex.stale |= p->eq.shrink > q->shrink || p->eq.shrink < q->shrink;
-    if (!p->eq.simplex.stale)
+    if (p->eq.shrink >= q->shrink && p->eq.shrink <= q->shrink)
         return;
     p->eq.shrink = q->shrink;
+    kern_simplex_change(&p->eq.simplex);
     for (k = 0; k < p->contacts; k++) {
         kern_real *f = p->eq.arc + 8 * (size_t)k;
         kern_real mu = kern_model_mu(m, p->contact[k]);
@@ -5056,6 +5085,21 @@ static kern_status kern_part_least(kern_part *p, int own)
     for (i = 0; i < p->eq.lp.rows; i++)
         p->y[i] = -p->y[i];
     return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
+}
+
+/* How far rhs can grow at eq.rate from where it is, to `place`: 0 if it never
+   ends. */
+static int kern_part_follow(kern_part *p, kern_real *place)
+{
+    kern_simplex *sx = &p->eq.simplex;
+    kern_status status;
+    p->eq.lp.rate = p->eq.rate;
+    p->eq.lp.follow = 1;
+    kern_simplex_release(sx);
+    status = kern_program_solve(sx, 1, p->x, p->y, p->m->budget.work);
+    p->eq.lp.follow = 0;
+    *place = kern_simplex_place(sx);
+    return status == KERN_LP_OPTIMAL;
 }
 
 /* The verdict on a part by the simplex method. */
@@ -5411,8 +5455,8 @@ static int kern_mechanism_row(const kern_part *p, kern_real s, int row,
     const kern_model *m = p->m;
     const kern_simplex *sx = &p->eq.simplex;
     const int j = sx->base[row], cols = p->eq.lp.cols;
-    const int h = sx->link[j < cols ? p->ends[j & ~1] : (j - cols) / 3];
-    const int t = j < cols ? sx->link[p->ends[j | 1]] : KERN_OUT;
+    const int h = sx->list[j < cols ? p->ends[j & ~1] : (j - cols - 1) / 3];
+    const int t = j < cols ? sx->list[p->ends[j | 1]] : KERN_OUT;
     const kern_real *c = p->eq.arc + 4 * (size_t)j;
     kern_real rate, shift;
     int i;
@@ -5420,9 +5464,9 @@ static int kern_mechanism_row(const kern_part *p, kern_real s, int row,
         return 0;
     for (i = 0; i < rows; i++)
         a[i] = KERN_R(0);
-    a[rows] = -kern_infeasibility(sx, j, sx->value[row]);
+    a[rows] = -sx->slope[row];
     if (j >= cols) {
-        a[3 * h + (j - cols) % 3] = KERN_R(1);
+        a[3 * h + (j - cols - 1) % 3] = KERN_R(1);
         return 1;
     }
     i = p->contact[j >> 1];
@@ -5478,21 +5522,22 @@ static int kern_mechanism_solve(kern_real *a, int rows, kern_real *y)
     return 1;
 }
 
-/* Numbers the groups that move in sx->link, and returns how many do; 0 where there
+/* Numbers the groups that move in sx->list, and returns how many do; 0 where there
    is no basis, or no room for their equations behind its factors. */
 static int kern_mechanism_open(kern_part *p)
 {
     kern_simplex *sx = &p->eq.simplex;
     const kern_real least = KERN_PARTING * kern_largest(p->y, 3 * p->groups);
     int n, moving = 0;
-    if (!sx->started || p->m->narrow > 0)
+    if (sx->state == KERN_BASIS_NONE || p->m->narrow > 0)
         return 0;
     for (n = 0; n < p->groups; n++)
-        sx->link[n] = kern_largest(p->y + 3 * n, 3) > least ? moving++
+        sx->list[n] = kern_largest(p->y + 3 * n, 3) > least ? moving++
                                                             : KERN_OUT;
-    sx->link[n] = KERN_OUT;
+    sx->list[n] = KERN_OUT;
     return moving <= KERN_MECHANISM_MOST
-           && 3 * moving * (moving + 1) <= sx->room - sx->first[sx->factors]
+           && 3 * moving * (moving + 1) <= sx->factors.room
+                                           - sx->factors.first[sx->factors.count]
            ? moving : 0;
 }
 
@@ -5502,7 +5547,8 @@ static kern_real kern_mechanism_at(kern_part *p, kern_real s, int groups)
 {
     const kern_simplex *sx = &p->eq.simplex;
     const int rows = 3 * groups;
-    kern_real *a = sx->entry + 3 * (size_t)sx->first[sx->factors];
+    kern_real *a = sx->factors.entry
+                   + 3 * (size_t)sx->factors.first[sx->factors.count];
     kern_real *y = a + rows * (rows + 1);
     int i, n = 0;
     for (i = 0; i < p->eq.lp.rows && n <= rows; i++)
@@ -5511,8 +5557,8 @@ static kern_real kern_mechanism_at(kern_part *p, kern_real s, int groups)
     if (n != rows || !kern_mechanism_solve(a, rows, y))
         return KERN_INFINITY;
     for (i = 0; i < 3 * p->groups; i++)
-        p->y[i] = sx->link[i / 3] == KERN_OUT
-                  ? KERN_R(0) : y[3 * sx->link[i / 3] + i % 3];
+        p->y[i] = sx->list[i / 3] == KERN_OUT
+                  ? KERN_R(0) : y[3 * sx->list[i / 3] + i % 3];
     return kern_dot(p->y, p->eq.rhs, 3 * p->groups) / kern_largest(y, rows);
 }
 
@@ -5556,7 +5602,7 @@ static int kern_basis_reaches(kern_part *p, kern_real s, kern_real edge)
 {
     const kern_model *m = p->m;
     kern_simplex *sx = &p->eq.simplex;
-    const kern_real least = -KERN_FEAS_TOL * sx->unit;
+    const kern_real least = -sx->least;
     int i;
     for (i = 0; i < 3 * sx->groups + 3; i++)
         sx->alpha[i] = KERN_R(0);
@@ -5680,7 +5726,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
             return status;
         at_lo = status == KERN_STANDS && path->kind == KERN_PATH_SHRINK
                 && !path->inner && !(m->narrow > 0)
-                && path->part->eq.simplex.started;
+                && path->part->eq.simplex.state != KERN_BASIS_NONE;
         share = status == KERN_UNDECIDED ? share * KERN_R(0.7)
                 : inside ? KERN_NEAR : kern_min(2 * share, KERN_R(0.5));
         slow = path->inner && status == KERN_FALLS && !close
@@ -6640,6 +6686,32 @@ static kern_status kern_path_below(kern_model *m, kern_path *path, kern_real at,
            ? KERN_UNDECIDED : status;
 }
 
+/* The edge of the whole where a load grows or gravity turns, which one program
+   finds: the largest place, or the tangent of the largest angle, that rhs can
+   reach. KERN_UNDECIDED where it is none. */
+static kern_status kern_path_follow(kern_model *m, kern_path *path)
+{
+    kern_part *p = path->part;
+    const kern_real s = path->holds;
+    const kern_query q = kern_path_at(path, s);
+    kern_real place;
+    int g;
+    if (path->kind == KERN_PATH_SHRINK)
+        return KERN_UNDECIDED;
+    kern_part_set(p, &q);
+    for (g = 0; g < p->groups; g++) {
+        kern_real *rate = p->eq.rate + 3 * g;
+        kern_group_rate(path, m, &q, s, p->group[g], rate);
+        rate[0] = -rate[0]; rate[1] = -rate[1]; rate[2] = -rate[2];
+    }
+    if (!kern_part_follow(p, &place))
+        return KERN_UNDECIDED;
+    path->edge = path->kind == KERN_PATH_LOAD
+        ? s + place : kern_path_turned(s, 4 / (1 + s * s) * place);
+    path->fails = path->end;
+    return path->edge < path->end ? kern_path_edge(m, path) : KERN_UNDECIDED;
+}
+
 /* The edge of the whole beyond path->holds: of many groups by the interior point,
    of few, or where that finds none, by their linear program, in steps from what
    holds, or from the start. Where a part fell no step goes beyond that. */
@@ -6675,7 +6747,9 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
         path->end = path->fell;
         step = kern_min(step, (path->fell - holds) / 2);
     }
-    status = kern_path_walk(m, path, step, 0);
+    status = kern_path_follow(m, path);
+    if (status == KERN_UNDECIDED)
+        status = kern_path_walk(m, path, step, 0);
     if (status < KERN_UNDECIDED
         || (status == KERN_STANDS && path->stood >= path->holds
             && (path->never ? path->end >= end : path->holds > holds))) {
@@ -8833,23 +8907,24 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 /* ---- The simplex method -------------------------------------------- >>lp */
 /* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
+   Variables are the columns, then the place (see kern_program), then a logical
+   for each row, a unit vector. Logicals must be zero.
 
-   The inverse of the basis B is a product of factors, one for each column that
-   has entered (the product form of the inverse):
+   The inverse of the basis B is a product of factors:
 
-       B^-1 = E_n ... E_2 E_1.
+       B^-1 = E_n ... E_2 E_1 B_0^-1.
 
-   E_i is the unit matrix but for one column: with alpha the entering column in
-   terms of the basis, and p the row in which it pivots, that is -alpha / alpha_p
-   with 1 / alpha_p in row p. Rows come in groups of three; only groups of alpha
-   that are not zero are kept.
+   Rows come in groups of three. A column of a network (`ends` given) touches one
+   or two groups; it is an own column of the first of them, in the order in which
+   groups carry each other. B_0 has three own columns of each group, or logicals:
+   it is block triangular, and for each group its inverse, 3 x 3, and what its
+   three columns do to other groups is all there is to store. Without `ends` B_0
+   is the unit matrix.
 
-   Columns of a network (`ends` given) touch one or two groups. When the basis is
-   factored they enter in the order in which groups carry each other, each in a
-   row of the first of its groups. There they meet no column of another group:
-   a tower keeps six entries a column. A column that finds no row in its group
-   would fill all that lies below, so it enters after the others. Without `ends`
-   all rows are one group.
+   E_i lets one column more enter (the product form of the inverse). It is the
+   unit matrix but for one column: with alpha the entering column in terms of the
+   basis, and p the row in which it pivots, that is -alpha / alpha_p with
+   1 / alpha_p in row p. Only groups of alpha that are not zero are kept.
 
    Vectors over the rows have three more places at their end: there lie the
    rows of the group that a column leads to which leads to none. Reading it
@@ -8901,19 +8976,29 @@ static void kern_lp_pair(const kern_program *lp, int j, const kern_real *y,
     }
 }
 
+/* y.A_j of a column, or of the place. */
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y)
 {
-    kern_real d[2];
-    kern_lp_pair(lp, j & ~1, y, d);
+    kern_real d[2] = {KERN_R(0), KERN_R(0)};
+    int i;
+    if (j < lp->cols)
+        kern_lp_pair(lp, j & ~1, y, d);
+    for (i = 0; i < lp->rows && j == lp->cols; i++)
+        d[j & 1] -= lp->rate[i] * y[i];
     return d[j & 1];
 }
 
-/* v -= s * column j */
+/* v -= s * variable j */
 static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
                              kern_real *v)
 {
     int i;
-    if (lp->ends) {
+    if (j > lp->cols)
+        v[j - lp->cols - 1] -= s;
+    else if (j == lp->cols) {
+        for (i = 0; i < lp->rows; i++)
+            v[i] += s * lp->rate[i];
+    } else if (lp->ends) {
         const kern_real *c = lp->a + 4 * (size_t)j;
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
         h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
@@ -8925,52 +9010,89 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
     }
 }
 
-/* The first of the groups of column j in the order of carrying; 0 without a
-   network. */
-static int kern_lp_first(const kern_program *lp, int j)
+/* Which end of column j of a network is first in the order of carrying: 0, its
+   head, or 1, its tail. */
+static int kern_lp_end(const kern_program *lp, int j)
+{ return lp->ends[j | 1] < lp->ends[j & ~1]; }
+
+/* The group whose own column j is; `groups` where there is none. */
+static int kern_lp_first(const kern_program *lp, int j, int groups)
 {
-    const int head = lp->ends ? lp->ends[j & ~1] : 0;
-    const int tail = lp->ends ? lp->ends[j | 1] : 0;
-    return head < tail ? head : tail;
+    return lp->ends && j < lp->cols ? lp->ends[(j & ~1) + kern_lp_end(lp, j)]
+                                    : groups;
+}
+
+/* Column j's entries in the rows of one end; returns the first of these rows. */
+static int kern_lp_part(const kern_program *lp, int j, int end,
+                        kern_real out[3])
+{
+    const kern_real *c = lp->a + 4 * (size_t)j;
+    out[0] = end ? -c[0] : c[0];
+    out[1] = end ? -c[1] : c[1];
+    out[2] = c[2 + end];
+    return 3 * lp->ends[(j & ~1) + end];
 }
 
 /* ---- the basis ---- */
 
-/* v := what the factors from `from` on make of v. */
-static void kern_basis_pass(const kern_simplex *sx, kern_real *v, int from)
+/* v := B^-1 v, from rows to variables */
+static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
-    int e, n;
-    for (e = from; e < sx->factors; e++) {
-        const kern_real x = v[sx->pivot[e]];
+    const kern_factors *f = &sx->factors;
+    int e, n, g, k;
+    for (g = 0; g < f->groups; g++) {
+        const kern_real *d = f->block + 18 * (size_t)g;
+        kern_real *own = v + 3 * g;
+        const kern_real b[3] = {own[0], own[1], own[2]};
+        if (b[0] >= 0 && b[0] <= 0 && b[1] >= 0 && b[1] <= 0
+            && b[2] >= 0 && b[2] <= 0)
+            continue;
+        for (k = 0; k < 3; k++, d += 6) {
+            const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
+            kern_real *to = v + f->to[3 * g + k];
+            own[k] = x;
+            to[0] -= x * d[3]; to[1] -= x * d[4]; to[2] -= x * d[5];
+        }
+    }
+    for (e = 0; e < f->count; e++) {
+        const kern_real x = v[f->pivot[e]];
         if (x >= 0 && x <= 0)
             continue;
-        v[sx->pivot[e]] = KERN_R(0);
-        for (n = sx->first[e]; n < sx->first[e + 1]; n++) {
-            const kern_real *a = sx->entry + 3 * (size_t)n;
-            kern_real *w = v + sx->at[n];
+        v[f->pivot[e]] = KERN_R(0);
+        for (n = f->first[e]; n < f->first[e + 1]; n++) {
+            const kern_real *a = f->entry + 3 * (size_t)n;
+            kern_real *w = v + f->at[n];
             w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
         }
     }
 }
 
-/* v := B^-1 v, from rows to variables */
-static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
-{ kern_basis_pass(sx, v, 0); }
-
 /* c := B^-T c, from variables to rows; zero where no rows are. */
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
-    int e, n;
+    const kern_factors *f = &sx->factors;
+    int e, n, g, k;
     for (e = sx->lp->rows; e < 3 * sx->groups + 3; e++)
         c[e] = KERN_R(0);
-    for (e = sx->factors - 1; e >= 0; e--) {
+    for (e = f->count - 1; e >= 0; e--) {
         kern_real sum = KERN_R(0);
-        for (n = sx->first[e]; n < sx->first[e + 1]; n++) {
-            const kern_real *a = sx->entry + 3 * (size_t)n;
-            const kern_real *w = c + sx->at[n];
+        for (n = f->first[e]; n < f->first[e + 1]; n++) {
+            const kern_real *a = f->entry + 3 * (size_t)n;
+            const kern_real *w = c + f->at[n];
             sum += a[0] * w[0] + a[1] * w[1] + a[2] * w[2];
         }
-        c[sx->pivot[e]] = sum;
+        c[f->pivot[e]] = sum;
+    }
+    for (g = f->groups - 1; g >= 0; g--) {
+        const kern_real *d = f->block + 18 * (size_t)g;
+        kern_real y0 = KERN_R(0), y1 = KERN_R(0), y2 = KERN_R(0);
+        for (k = 0; k < 3; k++, d += 6) {
+            const kern_real *to = c + f->to[3 * g + k];
+            const kern_real z = c[3 * g + k] - to[0] * d[3] - to[1] * d[4]
+                                - to[2] * d[5];
+            y0 += z * d[0]; y1 += z * d[1]; y2 += z * d[2];
+        }
+        c[3 * g] = y0; c[3 * g + 1] = y1; c[3 * g + 2] = y2;
     }
 }
 
@@ -8987,83 +9109,35 @@ static void kern_basis_column(kern_simplex *sx, int j)
 /* Whether there is no room for one more factor. */
 static int kern_basis_full(const kern_simplex *sx)
 {
-    return sx->factors == sx->most
-           || sx->first[sx->factors] + sx->groups > sx->room;
+    const kern_factors *f = &sx->factors;
+    return f->count == f->most || f->first[f->count] + sx->groups > f->room;
 }
 
 /* Column q, which is sx->alpha in terms of the basis, is basic in row p from now
-   on. It is zero but in the groups that begin in the rows `at`, or NULL: any. */
-static void kern_basis_enter(kern_simplex *sx, int q, int p, const int *at,
-                             int groups)
+   on. */
+static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
+    kern_factors *f = &sx->factors;
     const kern_real one = 1 / sx->alpha[p];
-    int n = sx->first[sx->factors], k;
-    for (k = 0; k < groups; k++) {
-        const int r = at ? at[k] : 3 * k;
+    int n = f->first[f->count], r;
+    for (r = 0; r < 3 * sx->groups; r += 3) {
         const kern_real *a = sx->alpha + r;
-        kern_real *out = sx->entry + 3 * (size_t)n;
+        kern_real *out = f->entry + 3 * (size_t)n;
         if (a[0] >= 0 && a[0] <= 0 && a[1] >= 0 && a[1] <= 0
             && a[2] >= 0 && a[2] <= 0)
             continue;
         out[0] = -a[0] * one; out[1] = -a[1] * one; out[2] = -a[2] * one;
         if (p >= r && p < r + 3)
             out[p - r] = one;
-        sx->at[n++] = r;
+        f->at[n++] = r;
     }
-    sx->pivot[sx->factors++] = p;
-    sx->first[sx->factors] = n;
+    f->pivot[f->count++] = p;
+    f->first[f->count] = n;
     sx->base[p] = q;
     sx->place[q] = p;
 }
 
-/* Lets column j, which is sx->alpha in terms of the basis, enter where it is
-   largest, of the rows [from, to) that still have their logical. 0: it is less
-   than `least` there, or there is no room. */
-static int kern_factor_enter(kern_simplex *sx, int j, int from, int to,
-                             kern_real least, const int *at, int groups)
-{
-    int p, best = KERN_OUT;
-    for (p = from; p < to; p++)
-        if (sx->base[p] >= sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
-            least = kern_abs(sx->alpha[p]);
-            best = p;
-        }
-    if (best == KERN_OUT || kern_basis_full(sx))
-        return 0;
-    kern_basis_enter(sx, j, best, at, groups);
-    return 1;
-}
-
-/* Lists the columns of each group, all or those of the basis: sx->link is the
-   first, sx->place of a column the next. */
-static void kern_simplex_list(kern_simplex *sx, int all)
-{
-    const kern_program *lp = sx->lp;
-    int g, j;
-    for (g = 0; g < sx->groups; g++)
-        sx->link[g] = KERN_OUT;
-    for (j = lp->cols - 1; j >= 0; j--) {
-        const int listed = all || sx->place[j] != KERN_OUT;
-        g = kern_lp_first(lp, j);
-        sx->place[j] = KERN_OUT;
-        if (listed && g < sx->groups) {
-            sx->place[j] = sx->link[g];
-            sx->link[g] = j;
-        }
-    }
-}
-
-/* Column j's entries in the rows of group g. */
-static void kern_crash_part(const kern_program *lp, int j, int g,
-                            kern_real out[3])
-{
-    const kern_real *c = lp->a + 4 * (size_t)j;
-    const int head = lp->ends[j & ~1];
-    const kern_real sign = head == g ? KERN_R(1) : KERN_R(-1);
-    out[0] = sign * c[0];
-    out[1] = sign * c[1];
-    out[2] = head == g ? c[2] : c[3];
-}
+/* ---- the crash basis ---- */
 
 static kern_real kern_three_det(const kern_real *a, const kern_real *b,
                                 const kern_real *c)
@@ -9077,11 +9151,11 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
    largest least share: they become basic, and pass on what they exert. */
 static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
 {
-    const kern_real *load = sx->row + 3 * g;
+    const kern_real *load = sx->alpha + 3 * g;
     kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY, share[3];
     int i, j, k, take[3] = {KERN_OUT, KERN_OUT, KERN_OUT};
     for (i = 0; i < n; i++)
-        kern_crash_part(sx->lp, mine[i], g, part[i]);
+        kern_lp_part(sx->lp, mine[i], kern_lp_end(sx->lp, mine[i]), part[i]);
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
@@ -9108,17 +9182,17 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
     for (k = 0; k < 3 && take[0] != KERN_OUT; k++) {
         sx->base[3 * g + k] = take[k];
         kern_lp_subtract(sx->lp, take[k], kern_max(share[k], KERN_R(0)),
-                         sx->row);
+                         sx->alpha);
     }
     return take[0] != KERN_OUT;
 }
 
-/* Whether column j pushes group g against its load. */
-static int kern_crash_faces(const kern_simplex *sx, int j, int g)
+/* Whether column j pushes its group against its load. */
+static int kern_crash_faces(const kern_simplex *sx, int j)
 {
-    const kern_real *load = sx->row + 3 * g;
     kern_real part[3], along;
-    kern_crash_part(sx->lp, j, g, part);
+    const kern_real *load = sx->alpha
+        + kern_lp_part(sx->lp, j, kern_lp_end(sx->lp, j), part);
     along = part[0] * load[0] + part[1] * load[1];
     return along > 0 && 4 * along * along
            >= (part[0] * part[0] + part[1] * part[1])
@@ -9126,90 +9200,136 @@ static int kern_crash_faces(const kern_simplex *sx, int j, int g)
 }
 
 /* The crash basis of a network: from top to bottom three columns of each group
-   carry what it bears, those that face its load if they can; else logicals. */
+   carry what it bears, those that face its load if they can; else logicals. Of
+   many columns every second, fourth, ... is tried. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int mine[KERN_CRASH_MOST], g, j, k, any, done;
-    for (k = 0; k < lp->rows; k++) {
-        sx->row[k] = lp->rhs[k];
-        sx->base[k] = lp->cols + k;
+    int mine[KERN_CRASH_MOST], g, j, any, done;
+    for (j = 0; j <= lp->cols; j++)
+        sx->place[j] = KERN_OUT;
+    for (j = 0; j < lp->rows; j++) {
+        sx->alpha[j] = lp->rhs[j];
+        sx->base[j] = lp->cols + 1 + j;
     }
-    kern_simplex_list(sx, 1);
-    for (g = 0; g < sx->groups && lp->ends; g++)
+    for (g = 0; g < sx->factors.groups; g++)
         for (any = done = 0; any < 2 && !done; any++) {
-            int n = 0, all = 0, step;
-            for (j = sx->link[g]; j >= 0; j = sx->place[j])
-                all += any || kern_crash_faces(sx, j, g);
-            step = 1 + (all - 1) / KERN_CRASH_MOST;
-            all = 0;
-            for (j = sx->link[g]; j >= 0; j = sx->place[j])
-                if ((any || kern_crash_faces(sx, j, g)) && all++ % step == 0)
+            int n = 0, seen = 0, stride = 1;
+            for (j = 0; j < lp->cols; j++) {
+                if (lp->ends[j & ~1] != g && lp->ends[j | 1] != g)
+                    continue;
+                if (kern_lp_first(lp, j, sx->groups) != g
+                    || !(any || kern_crash_faces(sx, j)))
+                    continue;
+                if (n == KERN_CRASH_MOST)
+                    for (n = 0, stride *= 2; n < KERN_CRASH_MOST / 2; n++)
+                        mine[n] = mine[2 * n];
+                if (seen++ % stride == 0)
                     mine[n++] = j;
+            }
             done = kern_crash_choose(sx, g, mine, n);
         }
-    for (j = 0; j < lp->cols; j++)
-        sx->place[j] = KERN_OUT;
-    for (k = 0; k < lp->rows; k++)
-        if (sx->base[k] < lp->cols)
-            sx->place[sx->base[k]] = k;
 }
 
-/* Lets column j of a network enter in a row of its own group g, where of the
-   factors only those from `from` on can meet it: nothing but the groups of these
-   is looked at. */
-static int kern_factor_own(kern_simplex *sx, int j, int g, int from)
+/* ---- factors ---- */
+
+/* Lists the basic columns in sx->list by the groups whose own they are, others
+   behind them; returns how many there are. */
+static int kern_basis_list(kern_simplex *sx)
 {
-    int at[8], rows = 1, e, n, k; /* of two columns before, and its own */
-    const int *ends = sx->lp->ends;
-    const int other = ends[j & ~1] == g ? ends[j | 1] : ends[j & ~1];
-    at[0] = 3 * g;
-    if (other < sx->groups)
-        at[rows++] = 3 * other;
-    for (e = from; e < sx->factors; e++)
-        for (n = sx->first[e]; n < sx->first[e + 1]; n++) {
-            for (k = 0; k < rows && at[k] != sx->at[n]; k++)
-                ;
-            if (k == rows)
-                at[rows++] = sx->at[n];
+    const kern_program *lp = sx->lp;
+    int *end = sx->list + lp->rows; /* of a group's, and what comes after it */
+    int g, p, n = 0;
+    for (g = 0; g < sx->groups + 2; g++)
+        end[g] = 0;
+    for (p = 0; p < lp->rows; p++)
+        if (sx->base[p] <= lp->cols)
+            end[kern_lp_first(lp, sx->base[p], sx->groups) + 1]++;
+    for (g = 0; g <= sx->groups; g++)
+        end[g + 1] += end[g];
+    for (p = 0; p < lp->rows; p++)
+        if (sx->base[p] <= lp->cols) {
+            sx->place[sx->base[p]] = KERN_OUT;
+            sx->list[end[kern_lp_first(lp, sx->base[p], sx->groups)]++]
+                = sx->base[p];
+            n++;
         }
-    for (k = 0; k < rows; k++)
-        sx->alpha[at[k]] = sx->alpha[at[k] + 1] = sx->alpha[at[k] + 2]
-            = KERN_R(0);
-    kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
-    kern_basis_pass(sx, sx->alpha, from);
-    return kern_factor_enter(sx, j, 3 * g, 3 * g + 3, KERN_OWN_TOL, at, rows);
+    return n;
 }
 
-/* Factors the basis anew: its columns, group by group, enter in rows of their
-   first groups, then in any; one that depends on those before it does not.
-   Without a network the crash basis is logicals alone. */
+/* Lets own column j of a group take one of the rows that still have their
+   logical: where it is largest in terms of the columns before it. */
+static int kern_own_enter(kern_simplex *sx, int j)
+{
+    const kern_program *lp = sx->lp;
+    const int end = kern_lp_end(lp, j), other = 1 - end;
+    kern_real part[3], alpha[3], least = KERN_OWN_TOL;
+    const int row = kern_lp_part(lp, j, end, part);
+    kern_real *block = sx->factors.block + 6 * (size_t)row, *own;
+    int i, k, best = KERN_OUT;
+    for (k = 0; k < 3; k++) {
+        alpha[k] = kern_three(block + 6 * k, part);
+        if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
+            least = kern_abs(alpha[k]);
+            best = k;
+        }
+    }
+    if (best == KERN_OUT)
+        return 0;
+    own = block + 6 * best;
+    for (i = 0; i < 3; i++)
+        own[i] /= alpha[best];
+    for (k = 0; k < 3; k++)
+        for (i = 0; i < 3 && k != best; i++)
+            block[6 * k + i] -= alpha[k] * own[i];
+    sx->factors.to[row + best] = kern_lp_part(lp, j, other, own + 3);
+    sx->base[row + best] = j;
+    sx->place[j] = row + best;
+    return 1;
+}
+
+/* Lets column j enter in any row that still has its logical, unless it depends
+   on the columns before it, or there is no room. */
+static void kern_left_enter(kern_simplex *sx, int j)
+{
+    kern_real least = KERN_RANK_TOL;
+    int p, best = KERN_OUT;
+    kern_basis_column(sx, j);
+    for (p = 0; p < sx->lp->rows; p++)
+        if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
+            least = kern_abs(sx->alpha[p]);
+            best = p;
+        }
+    if (best != KERN_OUT && !kern_basis_full(sx))
+        kern_basis_enter(sx, j, best);
+}
+
+/* Factors the basis anew: three own columns of each group, then what is left of
+   its columns. Without a network the crash basis is logicals alone. */
 static void kern_basis_factor(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
-    int *left = sx->link + sx->groups, g, i, j, n = 0;
-    if (!sx->started)
+    kern_factors *f = &sx->factors;
+    int i, p, n, left = 0;
+    if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
-    kern_simplex_list(sx, 0);
-    for (i = 0; i < lp->rows; i++)
-        sx->base[i] = lp->cols + i;
-    sx->factors = sx->first[0] = 0;
-    for (g = 0; g < sx->groups; g++) {
-        const int from = sx->factors;
-        for (j = sx->link[g]; j != KERN_OUT; j = i) {
-            i = sx->place[j];
-            sx->place[j] = KERN_OUT;
-            if (!lp->ends || sx->factors == from + 3
-                || !kern_factor_own(sx, j, g, from))
-                left[n++] = j;
-        }
+    n = kern_basis_list(sx);
+    for (p = 0; p < lp->rows; p++) {
+        kern_real *own = f->block + 6 * (size_t)p;
+        sx->base[p] = lp->cols + 1 + p;
+        for (i = 0; i < 6 && f->groups > 0; i++)
+            own[i] = KERN_R(i == p % 3);
+        if (f->groups > 0)
+            f->to[p] = lp->rows;
     }
-    for (i = 0; i < n; i++) {
-        kern_basis_column(sx, left[i]);
-        kern_factor_enter(sx, left[i], 0, lp->rows, KERN_RANK_TOL, NULL,
-                          sx->groups);
-    }
-    sx->factored = sx->factors;
+    f->count = f->first[0] = 0;
+    for (i = 0; i < n; i++)
+        if (kern_lp_first(lp, sx->list[i], sx->groups) == sx->groups
+            || !kern_own_enter(sx, sx->list[i]))
+            sx->list[left++] = sx->list[i];
+    for (i = 0; i < left; i++)
+        kern_left_enter(sx, sx->list[i]);
+    f->fresh = f->count;
 }
 
 /* What the values leave of the right-hand side, to sx->alpha: returns its
@@ -9223,13 +9343,9 @@ static kern_real kern_basis_residual(kern_simplex *sx)
         sx->alpha[p] = lp->rhs[p];
     for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
-        if (!(v > 0 || v < 0))
-            continue;
         size = kern_max(size, kern_abs(v));
-        if (sx->base[p] < lp->cols)
+        if (v > 0 || v < 0)
             kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
-        else
-            sx->alpha[p] -= v;
     }
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
 }
@@ -9260,9 +9376,9 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_REFACTOR_TOL;
 }
 
-/* Begins anew from the basic columns, or from the crash basis: for every program,
-   and when pivots have made the factors longer or less accurate than they need
-   to be. */
+/* Begins anew from the basic columns, or from the crash basis: where the matrix
+   changed, and when pivots have made the factors longer or less accurate than
+   they need to be. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const int rows = sx->lp->rows;
@@ -9270,12 +9386,12 @@ static void kern_basis_refactorise(kern_simplex *sx)
     kern_basis_factor(sx);
     for (i = 0; i < rows; i++)
         sx->value[i] = KERN_R(0);
-    if (!sx->started)
-        sx->unit = kern_largest(sx->lp->rhs, rows);
-    if (!(sx->unit > 0))
-        sx->unit = KERN_R(1);
-    sx->started = 1;
-    sx->stale = 0;
+    if (sx->state == KERN_BASIS_NONE)
+        sx->least = KERN_FEAS_TOL * kern_largest(sx->lp->rhs, rows);
+    if (!(sx->least > 0))
+        sx->least = KERN_FEAS_TOL;
+    sx->state = KERN_BASIS_READY;
+    sx->gain = KERN_INFINITY;
     kern_basis_values(sx);
 }
 
@@ -9284,44 +9400,60 @@ static void kern_basis_refactorise(kern_simplex *sx)
    logical that is not zero) what is lowered is the sum of all violations. Its
    prices
 
-       y = B^-T c,    c = -1 or +1 (in units of the loads) for what violates,
-                      else 0,
+       y = B^-T c,    c = -1 or +1 for what violates, else 0,
 
    tell by y.A_j > 0 how fast the sum falls when column j enters. When no
    column lowers it and it is not zero, -y is a Farkas certificate, and the one
    that shows the largest sum of violations: what a step of Newton's method
    needs. Where nothing violates the costs take the place of violations. */
 
-/* What a unit of variable j adds to the violations where it has the value v:
-   columns may not be negative, logicals must be zero. */
-static kern_real kern_infeasibility(const kern_simplex *sx, int j, kern_real v)
+/* Whether variable j must be zero: a logical, or the place where it is held. */
+static int kern_lp_fixed(const kern_program *lp, int j)
+{ return j >= lp->cols + lp->follow; }
+
+static int kern_lp_costs(const kern_program *lp)
+{ return lp->cost || lp->follow; }
+
+/* A free place grows as far as it can. */
+static kern_real kern_lp_cost(const kern_program *lp, int j)
 {
-    kern_real w;
-    if (v > 0 ? j < sx->lp->cols : !(v < 0))
-        return KERN_R(0);
-    w = 1 / sx->unit;
-    return v * w < -KERN_FEAS_TOL ? -w
-           : j >= sx->lp->cols && v * w > KERN_FEAS_TOL ? w : KERN_R(0);
+    return lp->follow ? KERN_R(j == lp->cols ? -1 : 0)
+           : j < lp->cols ? lp->cost[j] : KERN_R(0);
 }
 
-/* y to sx->row; returns the sum of violations. */
-static kern_real kern_prices(kern_simplex *sx)
+/* c to sx->slope; returns the sum of violations. Where c changes the prices are
+   no longer known. */
+static kern_real kern_violations(kern_simplex *sx)
 {
-    kern_real sum = KERN_R(0), part;
+    const kern_real least = sx->least;
+    kern_real sum = KERN_R(0);
     int p;
     sx->violated = 0;
     for (p = 0; p < sx->lp->rows; p++) {
-        sx->row[p] = kern_infeasibility(sx, sx->base[p], sx->value[p]);
-        part = sx->row[p] * sx->value[p];
-        sx->violated += part > 0;
-        sum += part;
+        const kern_real v = sx->value[p];
+        kern_real c = KERN_R(0);
+        if (v < -least)
+            c = KERN_R(-1);
+        else if (v > least && kern_lp_fixed(sx->lp, sx->base[p]))
+            c = KERN_R(1);
+        if (c < sx->slope[p] || c > sx->slope[p]) {
+            sx->slope[p] = c;
+            sx->gain = KERN_INFINITY;
+        }
+        sx->violated += c < 0 || c > 0;
+        sum += c * v;
     }
-    for (p = 0; p < sx->lp->rows && !sx->violated; p++)
-        sx->row[p] = sx->lp->cost && sx->base[p] < sx->lp->cols
-                     ? sx->lp->cost[sx->base[p]] : KERN_R(0);
-    if (sx->violated || sx->lp->cost)
-        kern_basis_solve_t(sx, sx->row);
     return sum;
+}
+
+/* Prices y of violations, or of costs, to sx->price. */
+static void kern_prices(kern_simplex *sx)
+{
+    int p;
+    for (p = 0; p < sx->lp->rows; p++)
+        sx->price[p] = sx->violated ? sx->slope[p]
+                                    : kern_lp_cost(sx->lp, sx->base[p]);
+    kern_basis_solve_t(sx, sx->price);
 }
 
 /* Lifts a certificate y off the columns that it touches. Rounding puts it a
@@ -9333,13 +9465,13 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(y, lp->rows);
     int p;
-    if (!sx->started)
+    if (sx->state == KERN_BASIS_NONE)
         return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
-        sx->alpha[p] = kern_infeasibility(sx, j, sx->value[p])
-            + (j >= lp->cols ? y[p] : kern_lp_dot(lp, j, y)
-               - KERN_ABOVE * size);
+        sx->alpha[p] = sx->slope[p]
+            + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y))
+            - KERN_R(j < lp->cols) * KERN_ABOVE * size;
     }
     kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
@@ -9347,62 +9479,69 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
     return 1;
 }
 
-/* The column outside of the basis that lowers what prices y = sx->row stand for
-   fastest, or the first that does: by *gain = y.A_j - cost_j. One that would
+/* The variable outside of the basis that lowers what the prices stand for
+   fastest, or the first that does: by sx->gain = y.A_j - cost_j. One that would
    have to carry more than lp->most to undo the violations is no help: the bound
-   on the forces of a jam. */
-static int kern_entering(const kern_simplex *sx, kern_real sum, int first,
-                         kern_real *gain)
+   on the forces of a jam. While the basis and c stay, so do prices and gain. */
+static int kern_entering(kern_simplex *sx, kern_real sum, int first)
 {
     const kern_program *lp = sx->lp;
-    const kern_real *cost = sx->violated ? NULL : lp->cost;
-    const kern_real size = kern_largest(sx->row, lp->rows);
-    kern_real d[2], most = KERN_PIVOT_TOL * size;
+    const int costs = !sx->violated, all = lp->cols + lp->follow;
+    kern_real d[2], least, size;
     int j, k, best = KERN_OUT;
-    if (!sx->violated && !cost)
+    if (costs && !kern_lp_costs(lp))
         return KERN_OUT;
-    if (cost || lp->most > 0)
-        most = kern_max(cost ? KERN_FEAS_TOL * kern_largest(cost, lp->cols)
-                             : sum / lp->most, KERN_ROUNDING * size);
-    for (j = 0; j < lp->cols; j += 2) {
-        kern_lp_pair(lp, j, sx->row, d);
-        for (k = 0; k < 2 && j + k < lp->cols; k++) {
-            d[k] -= cost ? cost[j + k] : KERN_R(0);
-            if (d[k] > most && sx->place[j + k] == KERN_OUT) {
+    if (!(sx->gain < KERN_INFINITY))
+        kern_prices(sx);
+    size = kern_largest(sx->price, lp->rows);
+    least = KERN_PIVOT_TOL * size;
+    if (costs || lp->most > 0)
+        least = kern_max(!costs ? sum / lp->most : KERN_FEAS_TOL
+                         * (lp->cost ? kern_largest(lp->cost, lp->cols) : 1),
+                         KERN_ROUNDING * size);
+    if (sx->gain <= least)
+        return KERN_OUT;
+    sx->gain = KERN_R(0);
+    for (j = 0; j < all && !(first && sx->gain > least); j += 2) {
+        if (j < lp->cols)
+            kern_lp_pair(lp, j, sx->price, d);
+        for (k = 0; k < 2 && j + k < all; k++) {
+            if (j + k == lp->cols)
+                d[k] = kern_lp_dot(lp, lp->cols, sx->price);
+            if (costs)
+                d[k] -= kern_lp_cost(lp, j + k);
+            if (d[k] > sx->gain && sx->place[j + k] == KERN_OUT) {
                 best = j + k;
-                *gain = most = d[k];
-                if (first)
-                    return best;
+                sx->gain = d[k];
             }
         }
     }
-    return best;
+    return sx->gain > least ? best : KERN_OUT;
 }
 
 /* How much the slope of the sum rises when the basic variable of row p, which
    falls at the rate alpha, passes zero, and in `at` where that is. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
-    const int j = sx->base[p], logical = j >= sx->lp->cols;
-    const kern_real v = sx->value[p], a = sx->alpha[p];
-    const kern_real price = kern_infeasibility(sx, j, v);
+    const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
+    const kern_real a = sx->alpha[p], c = sx->slope[p];
     *at = KERN_R(0);
-    if (price < 0 || price > 0) {
-        if ((price < 0) != (a < 0))
+    if (c < 0 || c > 0) {
+        if ((c < 0) != (a < 0))
             return KERN_R(0);
-        *at = v / a;
-        return price * a * KERN_R(logical ? 2 : 1);
+        *at = sx->value[p] / a;
+        return kern_abs(a) * KERN_R(1 + fixed);
     }
-    if (!logical && a < 0)
+    if (!fixed && a < 0)
         return KERN_R(0);
-    if (!logical)
-        *at = kern_max(v, KERN_R(0)) / a;
-    return kern_abs(a) / sx->unit;
+    if (!fixed)
+        *at = kern_max(sx->value[p], KERN_R(0)) / a;
+    return kern_abs(a);
 }
 
-/* Lists in sx->link the rows whose variables reach zero on the way on which the
-   entering column takes them, with what kern_break() says. */
-static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
+/* Lists in sx->list the rows whose variables reach zero on the way on which the
+   entering column takes them, and where, in sx->ratio. */
+static int kern_breaks(kern_simplex *sx)
 {
     const int m = sx->lp->rows;
     const kern_real least = KERN_PIVOT_TOL * kern_largest(sx->alpha, m);
@@ -9410,9 +9549,8 @@ static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
     for (p = 0; p < m; p++) {
         if (!(kern_abs(sx->alpha[p]) > least))
             continue;
-        rise[n] = kern_break(sx, p, &at[n]);
-        sx->link[n] = p;
-        n += rise[n] > 0;
+        sx->list[n] = p;
+        n += kern_break(sx, p, sx->ratio + n) > 0;
     }
     return n;
 }
@@ -9421,28 +9559,26 @@ static int kern_breaks(const kern_simplex *sx, kern_real *at, kern_real *rise)
    sum of violations still falls: a long step, which passes through degenerate
    corners. With `first`, and for costs, it stops at the first: of equals that
    of the least index (Bland), or of the largest pivot. */
-static int kern_leaving(const kern_simplex *sx, kern_real gain, int first,
-                        kern_real *step)
+static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
 {
-    const kern_real enough = gain * KERN_R(64) * KERN_EPS;
+    const kern_real enough = sx->gain * KERN_R(64) * KERN_EPS;
     const int once = first || !sx->violated;
-    kern_real *at = sx->temp, *rise = sx->row; /* neither is in use here */
-    int *list = sx->link;
-    int n = kern_breaks(sx, at, rise), best = KERN_OUT;
-    while (n > 0 && (best == KERN_OUT || (!once && gain > enough))) {
+    kern_real *at = sx->ratio, left = sx->gain, ignored;
+    int *list = sx->list, n = kern_breaks(sx), best = KERN_OUT;
+    while (n > 0 && (best == KERN_OUT || (!once && left > enough))) {
         int i, next = 0;
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
                 || (once && at[i] <= at[next]
                     && (first ? sx->base[list[i]] < sx->base[list[next]]
-                              : rise[i] > rise[next])))
+                              : kern_abs(sx->alpha[list[i]])
+                                > kern_abs(sx->alpha[list[next]]))))
                 next = i;
-        gain -= rise[next];
         *step = at[next];
         best = list[next];
+        left -= kern_break(sx, best, &ignored);
         n--;
         at[next] = at[n];
-        rise[next] = rise[n];
         list[next] = list[n];
     }
     return best;
@@ -9453,7 +9589,8 @@ static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 {
     const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
-                      1 + sx->first[sx->factors] / 8
+                      1 + (sx->factors.first[sx->factors.count]
+                           + 2 * sx->factors.groups) / 8
                       + (sx->lp->ends ? cols / 24 : rows * (cols / 256)));
 }
 
@@ -9467,14 +9604,16 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
     if (!kern_pivot_spend(sx, work))
         return KERN_LIMIT;
     kern_basis_add(sx, -step);
-    if (sx->base[p] < sx->lp->cols)
+    if (sx->base[p] <= sx->lp->cols)
         sx->place[sx->base[p]] = KERN_OUT;
-    kern_basis_enter(sx, q, p, NULL, sx->groups);
+    kern_basis_enter(sx, q, p);
     sx->value[p] = step;
+    sx->gain = KERN_INFINITY;
     sx->refined = 0;
     work->pivots++;
     KERN_AUDIT(simplex, sx);
-    if (kern_basis_full(sx) || sx->factors >= sx->factored + KERN_REFACTOR)
+    if (kern_basis_full(sx)
+        || sx->factors.count >= sx->factors.fresh + KERN_REFACTOR)
         kern_basis_refactorise(sx);
     return KERN_OK;
 }
@@ -9483,7 +9622,8 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
    falls with every step that is not of length zero; when the budget is used up
    the smallest indices are taken (Bland), which cannot cycle. The limit ends
    what rounding might keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED
-   with sx->ray, KERN_LP_INFEASIBLE (prices are in sx->row), or KERN_UNDECIDED. */
+   with sx->ray, KERN_LP_INFEASIBLE (prices are in sx->price), or
+   KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
 {
     const kern_program *lp = sx->lp;
@@ -9492,14 +9632,14 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
     int count;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
-        const kern_real sum = kern_prices(sx);
-        kern_real gain = KERN_R(0), step = KERN_R(0);
+        const kern_real sum = kern_violations(sx);
+        const int q = kern_entering(sx, sum, first);
+        kern_real step = KERN_R(0);
         kern_status status;
-        int q, p = KERN_OUT;
-        q = kern_entering(sx, sum, first, &gain);
+        int p = KERN_OUT;
         if (q != KERN_OUT) {
             kern_basis_column(sx, q);
-            p = kern_leaving(sx, gain, first, &step);
+            p = kern_leaving(sx, first, &step);
         }
         if (p == KERN_OUT && !sx->refined) {
             if (!kern_basis_values(sx))
@@ -9528,30 +9668,56 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
     const int m = lp->rows, n = (m + 2) / 3;
+    kern_factors *f = &sx->factors;
+    int p;
     sx->lp = lp;
-    sx->started = sx->violated = 0;
-    sx->stale = 1;
+    sx->state = KERN_BASIS_NONE;
     sx->groups = n;
-    sx->room = room;
-    sx->most = 2 * m + 8;
+    f->groups = lp->ends ? n : 0;
+    f->room = room;
+    f->most = 2 * m + 8;
+    f->to = kern_take_ints(take, 3 * f->groups);
+    f->pivot = kern_take_ints(take, f->most);
+    f->first = kern_take_ints(take, f->most + 1);
+    f->at = kern_take_ints(take, room);
+    f->block = kern_take_reals(take, 18 * f->groups);
+    f->entry = kern_take_reals(take, 3 * room);
     sx->base = kern_take_ints(take, m);
-    sx->place = kern_take_ints(take, lp->cols);
-    sx->pivot = kern_take_ints(take, sx->most);
-    sx->first = kern_take_ints(take, sx->most + 1);
-    sx->at = kern_take_ints(take, room);
-    sx->link = kern_take_ints(take, n + m);
-    sx->entry = kern_take_reals(take, 3 * room);
+    sx->place = kern_take_ints(take, lp->cols + 1);
+    sx->list = kern_take_ints(take, m + n + 2);
     sx->value = kern_take_reals(take, m);
+    sx->slope = kern_take_reals(take, m);
     sx->alpha = kern_take_reals(take, 3 * n + 3);
-    sx->row = kern_take_reals(take, 3 * n + 3);
-    sx->temp = kern_take_reals(take, 3 * n + 3);
+    sx->price = kern_take_reals(take, 3 * n + 3);
+    sx->ratio = kern_take_reals(take, m);
+    for (p = 0; p < m && kern_take_fits(take); p++)
+        sx->slope[p] = KERN_R(0);
 }
 
 /* The next program begins from the crash basis. */
 static void kern_simplex_restart(kern_simplex *sx)
+{ sx->state = KERN_BASIS_NONE; }
+
+/* The columns change: the next program begins from the same basis, factored
+   anew. */
+static void kern_simplex_change(kern_simplex *sx)
 {
-    sx->started = 0;
-    sx->stale = 1;
+    if (sx->state == KERN_BASIS_READY)
+        sx->state = KERN_BASIS_STALE;
+}
+
+/* Lets go of the place, whose column changes. */
+static void kern_simplex_release(kern_simplex *sx)
+{
+    if (sx->state == KERN_BASIS_READY && sx->place[sx->lp->cols] != KERN_OUT)
+        sx->state = KERN_BASIS_STALE;
+}
+
+/* The place that the last program reached. */
+static kern_real kern_simplex_place(const kern_simplex *sx)
+{
+    const int p = sx->place[sx->lp->cols];
+    return p == KERN_OUT ? KERN_R(0) : sx->value[p];
 }
 
 static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
@@ -9576,7 +9742,8 @@ static void kern_simplex_ray(kern_simplex *sx, kern_real *x)
     for (i = 0; i < sx->lp->rows; i++)
         sx->value[i] = -sx->alpha[i];
     kern_simplex_read(sx, x);
-    x[sx->ray] = KERN_R(1);
+    if (sx->ray < sx->lp->cols)
+        x[sx->ray] = KERN_R(1);
 }
 
 /* The one entry of the engine. Starts from the last basis, or from the crash
@@ -9589,22 +9756,28 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
+    const int costs = kern_lp_costs(lp);
     kern_status status;
     int i;
     work->solves++;
 #ifdef KERN_USE_GLPK
-    if (!own && lp->rows > KERN_GLPK_ROWS) {
+    if (!own && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
         kern_simplex_restart(sx);
         return kern_lp_glpk(lp, x, y, work);
     }
 #endif
     (void)own;
-    if (sx->stale || kern_basis_full(sx) || !kern_basis_values(sx))
+    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
+        || !kern_basis_values(sx))
         kern_basis_refactorise(sx);
+    if (costs)
+        sx->gain = KERN_INFINITY;
     kern_pivot_spend(sx, work);
     status = kern_spent(work, lp->limit, KERN_OK);
     if (status == KERN_OK)
         status = kern_simplex_run(sx, work);
+    if (costs)
+        sx->gain = KERN_INFINITY;
     if (status < 0)
         return status;
     if (status == KERN_LP_UNBOUNDED)
@@ -9612,9 +9785,9 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     else
         kern_simplex_read(sx, x);
     for (i = 0; i < lp->rows; i++)
-        y[i] = status == KERN_LP_INFEASIBLE ? -sx->row[i]
-               : status == KERN_LP_OPTIMAL && lp->cost ? sx->row[i]
-                                                       : KERN_R(0);
+        y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
+               : status == KERN_LP_OPTIMAL && costs ? sx->price[i]
+                                                    : KERN_R(0);
     return status;
 }
 
@@ -9755,6 +9928,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.rhs = lp->rhs;
     p.cost = lp->cost;
     p.ends = NULL;
+    p.rate = NULL;
+    p.follow = 0;
     p.most = KERN_R(0);
     p.limit = lp->limit;
     kern_take_open(&take, work);

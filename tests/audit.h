@@ -36,11 +36,11 @@ static void audit_places(const kern_simplex *sx)
 {
     const int cols = sx->lp->cols;
     int p, j;
-    for (j = 0; j < cols; j++)
+    for (j = 0; j <= cols; j++)
         assert(sx->place[j] == KERN_OUT || sx->base[sx->place[j]] == j);
     for (p = 0; p < sx->lp->rows; p++)
-        assert(sx->base[p] >= cols ? sx->base[p] == cols + p
-                                   : sx->place[sx->base[p]] == p);
+        assert(sx->base[p] > cols ? sx->base[p] == cols + 1 + p
+                                  : sx->place[sx->base[p]] == p);
 }
 
 /* And for a network, where rounding is bounded, whether B x = b, and B^-1 B = I
@@ -60,10 +60,7 @@ static void audit_simplex(kern_simplex *sx)
         v[p] = 0;
     for (p = 0; p < m; p++) {
         const kern_real want = p % 3 ? KERN_R(1) : KERN_R(-1);
-        if (sx->base[p] < lp->cols)
-            kern_lp_subtract(lp, sx->base[p], -want, v);
-        else
-            v[p] += want;
+        kern_lp_subtract(lp, sx->base[p], -want, v);
     }
     kern_basis_solve(sx, v);
     for (p = 0; p < m; p++)

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xcce265e0b70daf04u },
-    { 1000, 0xa30354f1a75f5715u },
-    { 5000, 0x3e904e03066c3fa6u },
+    { 200, 0x13b8fc16e43534ecu },
+    { 1000, 0x772a2b8ba5bbbd9eu },
+    { 5000, 0xda6a0998c95067a9u },
 #else
-    { 200, 0x2a80ba739a42cfebu },
-    { 1000, 0x40973a0c7e582e10u },
-    { 5000, 0x284371825820f488u },
+    { 200, 0x861b9548c2fdc7aau },
+    { 1000, 0xa242bee397109e23u },
+    { 5000, 0x56c6fbd19108211du },
 #endif
 };
 

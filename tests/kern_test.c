@@ -4164,7 +4164,7 @@ static void engine_basis_holds(const kern_simplex *sx, const kern_real *a,
         const int j = sx->base[p];
         kern_real v[ENGINE_ROWS + 3] = {0};
         for (i = 0; i < rows; i++) {
-            v[i] = j < cols ? a[j * rows + i] : R(i == j - cols);
+            v[i] = j < cols ? a[j * rows + i] : R(i == j - cols - 1);
             left[i] -= (double)(v[i] * sx->value[p]);
         }
         CHECK(j >= cols || sx->place[j] == p);
