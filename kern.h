@@ -5938,7 +5938,7 @@ static int kern_seed_falls(kern_model *m, kern_path *path)
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
-#define KERN_INNER_ROUNDS  60      /* steps of one question                   */
+#define KERN_INNER_ROUNDS  100     /* steps of one question                   */
 #define KERN_INNER_STEPS   400     /* of a search                             */
 #define KERN_INNER_STALLED 8       /* of them that shorten the gap by less
                                       than a tenth: its digits are lost       */
@@ -6153,8 +6153,7 @@ static kern_real kern_inner_predict(kern_inner *in)
         left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
     left = in->s < in->most ? kern_max(left / in->gap, 1 - of_x)
                             : KERN_R(1); /* nothing is left to maximise */
-    mu = kern_max(in->gap * left * left * left, kern_max(in->least / 8,
-        kern_largest(in->over, n) / kern_largest(in->g, n)));
+    mu = kern_max(in->gap * left * left * left, in->least / 8);
     mu = kern_min(mu, in->gap) / KERN_R(rays);
     for (i = 0; i < n; i++)
         p->dual.left[i] = KERN_R(0);
@@ -6202,6 +6201,7 @@ static int kern_inner_step(kern_inner *in)
         kern_inner_place(in, in->s);
     kern_inner_over(in);
     kern_inner_centre(in, KERN_INNER_APART * in->gap);
+    KERN_AUDIT(inner, in);
     return in->gap < KERN_HUGE;
 }
 
@@ -6360,8 +6360,8 @@ static kern_status kern_inner_run(kern_inner *in, int sharp)
             status = kern_inner_prove(in, status);
             if (status == KERN_STANDS
                 || (status == KERN_FALLS
-                    && (!sharp || in->gap <= KERN_INNER_SHARP
-                                             * (in->at - in->s))))
+                    && (!sharp || in->gap <= kern_max(
+                            in->least, KERN_INNER_SHARP * (in->at - in->s)))))
                 return status;
         } else if (in->s >= in->most
                    || (in->gap <= in->least && kern_largest(in->over, n)
@@ -6380,7 +6380,8 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
     const kern_query q = kern_path_at(in->path, place);
     kern_status status = KERN_UNDECIDED;
     in->p->m->budget.work->solves++;
-    in->least = KERN_R(0);
+    in->least = edge && in->p->groups > KERN_SMALL /* else exact */
+                ? in->path->tolerance / 64 : KERN_R(0);
     if (in->gap <= KERN_INNER_LOST) {
         const kern_real away = kern_abs(place - in->s) / in->path->unit;
         in->held = 1;
@@ -6392,7 +6393,8 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
                                        kern_max(away, KERN_INNER_LIFT)));
         status = kern_inner_run(in, edge != NULL);
     }
-    if (status == KERN_UNDECIDED && kern_inner_begin(in, place, 1))
+    if (status == KERN_UNDECIDED && in->steps <= KERN_INNER_STEPS
+        && kern_inner_begin(in, place, 1))
         status = kern_inner_run(in, edge != NULL);
     if (status == KERN_FALLS && edge)
         *edge = kern_path_newton(in->path, &q, place);

@@ -1,6 +1,7 @@
 /* audit.h - kern.h with its asserts, and with the state of its engines checked
    where KERN_AUDIT(room, state) stands: the simplex method after every pivot, a
-   skyline factor when it is made, a part when it is opened.
+   skyline factor when it is made, a part when it is opened, the interior point
+   after every step.
 
    Include it before everything else, as tests/unit.sh does:
 
@@ -14,9 +15,11 @@
 struct kern_simplex;
 struct kern_skyline;
 struct kern_part;
+struct kern_inner;
 static void audit_simplex(struct kern_simplex *sx);
 static void audit_factor(const struct kern_skyline *a);
 static void audit_part(const struct kern_part *p);
+static void audit_inner(const struct kern_inner *in);
 
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
@@ -69,7 +72,8 @@ static void audit_simplex(kern_simplex *sx)
            || !(kern_largest(sx->value, m) > 0));
 }
 
-/* A factor has a positive diagonal, and is finite. */
+/* A factor has a positive diagonal, and is finite up to where it overflows: the
+   interior point factors a singular matrix again. */
 static void audit_factor(const kern_skyline *a)
 {
     int g, i, k;
@@ -78,9 +82,10 @@ static void audit_factor(const kern_skyline *a)
         const kern_real *row = a->entry + a->offset[g];
         assert(a->first[g] >= 0 && a->first[g] <= g);
         for (k = 0; k < 3; k++) {
+            for (i = 0; i < wide - 3 + k; i++)
+                if (!kern_is_finite(row[k * wide + i]))
+                    return;
             assert(row[k * wide + wide - 3 + k] > 0);
-            for (i = 0; i <= wide - 3 + k; i++)
-                assert(kern_is_finite(row[k * wide + i]));
         }
     }
 }
@@ -99,6 +104,17 @@ static void audit_part(const kern_part *p)
     assert(marked == p->groups);
     for (k = 0; k < p->contacts; k++)
         assert(p->ends[2 * k] != p->ends[2 * k + 1]);
+}
+
+/* After a step that kept its digits every ray is within its bounds, and s. */
+static void audit_inner(const kern_inner *in)
+{
+    int i;
+    if (!(in->gap < KERN_HUGE))
+        return;
+    assert(in->gap > 0 && in->s <= in->most);
+    for (i = 0; i < 2 * in->p->contacts; i++)
+        assert(in->p->x[i] > 0 && in->z[i] > 0 && in->d[i] > 0);
 }
 
 #endif
