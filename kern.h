@@ -355,18 +355,22 @@
    modelling errors: kern_overlaps() lists them. Measure the stones again, or
    accept them: options.overlap.
 
-   Certainty. kern_certain() says whether a verdict holds within the error. 272
-   structures that stand and 233 from which a stone was taken (226 fall), every
-   pose with Gaussian noise of a share of the mean size and every vertex with
-   half of it, 10 times (tests/noise.c), in per cent; errors of margins in e:
+   Certainty. kern_certain() says between what the margin lies within the error,
+   and whether the verdict is certain. A gap below the error may be open, so a
+   block on two supports never stands for certain: one of them may be short. Of
+   blocks that miss a support by 0.5 to 10 errors (a beam, a plank, a stone in a
+   slot, half a block, a steep slope; 300 each) at most 0.7 % are said to stand
+   for certain, and up to 100 % to stand. 272 structures that stand and 233 from
+   which a stone was taken (226 fall), every pose with Gaussian noise of a share
+   of the mean size and every vertex with half of it (tests/noise.c), in per
+   cent; the interval in mean sizes:
 
-       noise   verdict right of       certain   of these   median error
-               those that                        wrong      of the margin
-               stand     fall
-       0.2      99.6    100.0         78.1       0.00       1.3
-       0.5      99.1     99.2         65.1       0.06       1.6
-       1        98.9     95.5         57.2       0.07       2.9
-       2        97.9     89.2         42.6       0.47       4.4
+       noise     right of        certain of     of these     interval
+               stands  falls   stands  falls     wrong     holds    width
+       0.2      99.7   100.0    16      99.6      0.0        97      0.11
+       0.5      99.5    99.1    17      94.4      0.0        96      0.17
+       1        99.1    95.3    18      86.0      0.0        93      0.23
+       2        98.2    89.2    16      74.3      0.2        92      0.38
 
 
    LIMITS                                                            >>limits
@@ -636,6 +640,14 @@ typedef struct kern_margin {
     int saturated;        /* nonzero: stands with every kern closed           */
 } kern_margin;
 
+/* The margin of a measured structure lies between these [m] (relative: shares);
+   see kern_certain(). */
+typedef struct kern_interval {
+    kern_real low;        /* 0: within the error it may fall                  */
+    kern_real high;       /* 0: it falls whatever the error was; KERN_INFINITY:
+                             not known                                        */
+} kern_interval;
+
 /* By how much the margin grows when a datum of a contact point grows by 1, all
    others as they are: its place, its normal turned [1/rad], its friction, and
    the travel of a kern that is closed there. */
@@ -841,12 +853,12 @@ KERN_API kern_options kern_near(const kern_options *options,
    a scanner: e is the standard error of a stone's place [m], theta of its angle
    [rad]; vertices within their stone are as exact as half of e. Sets, from
    *options (NULL: kern_defaults()),
-     gap      4 e; at a place r from the centre of its block 5 theta r is added
-              for both blocks, as squares: that closes gaps between two stones
-              which are both off
-     angle    6.5 theta, at least 1 degree and below 0.5; a corner may stand 2 e
+     gap      5.25 e, and 1e-3 of the size; at a place r from the centre of its
+              block 3.4 theta r is added for both blocks, as squares: 3.4
+              standard deviations, which 99.9 % of true contacts stay below
+     angle    6.8 theta, at least 1 degree and below 0.5; a corner may stand 3 e
               beyond the end of an edge
-     overlap  8 e, and 5 theta r for r half the diagonal of both blocks' boxes;
+     overlap  8 e, and 3.4 theta r for r half the diagonal of both boxes;
               contacts lie at half the depth. Set it higher to accept more
    The verdict is then that of the structure as it most likely rests. A stone
    that hovers by more than the gap carries and bears nothing. Contacts say
@@ -972,19 +984,32 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* Whether the verdict of a measured structure holds within the error that
-   kern_measured() was given: 1 yes, 0 no. It stands for certain if it also
-   stands with half the error allowed in gaps and angles, with its kerns shrunk
-   by e and with friction angles less by 4 theta, and falls for certain if it
-   also falls with three times the error allowed and with its kerns grown by 2
-   e. A larger stated error makes no fall certain; standing becomes certain
-   where it explains the gaps, and ceases to be where it is too large. verdict
-   is that of kern_verdict() at 0, KERN_STANDS or KERN_FALLS. out[0..room)
-   receives the contacts of that query. Below 0: what kern_contacts() or
-   kern_verdict() returns, KERN_BAD_OPTION where the options are not those of
-   kern_measured() or for any other verdict. */
-KERN_API int kern_certain(const kern_task *task, kern_status verdict,
-                          kern_contact *out, int room);
+/* The interval of the margin of a measured structure, and which verdict is
+   certain within the error that kern_measured() was given: KERN_STANDS,
+   KERN_FALLS, or KERN_OK where neither is. `margin` is that of kern_measure(),
+   0 where it falls, and lies between low and high.
+     low      Margin without doubtful contacts: of the blocks that carry a block
+              from below only that with the widest bed, as gravity sees it, is
+              kept, since a gap within the error may be open; kerns are shorter
+              by 3.5 e, friction angles less by 3 theta.
+     high     Margin with every contact that may exist: twice the error allowed
+              in gaps and angles, kerns longer by 3.5 e, friction angles more by
+              3 theta; where it stands at least `margin` and 3.5 e.
+   It stands for certain if low is above 0 and its forces are raised; it falls
+   for certain if it falls with all that `high` allows. What is not certain may
+   still be likely: a block on two supports is never certain to stand, since one
+   of them may be short by less than can be measured. A larger error never makes
+   a fall certain, and lowers `low` for the same contacts.
+   Absolute errors hold in relative mode too. contact[0..room) receives the
+   contacts of the second question; work memory is for `room` contact points.
+   Below 0: what kern_contacts() or kern_measure() returns: KERN_NO_SPACE also
+   where the room or the work memory for so many is too short, KERN_BAD_OPTION
+   where the options are not those of kern_measured(), KERN_LIMIT: *out holds
+   what is proven by then. options.limit bounds the whole call.
+   Time: a search for contacts, two margins and kern_raised(). */
+KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
+                                  kern_interval *out, kern_contact *contact,
+                                  int room);
 
 /* Whether the forces that hold it are such as its load raises in contacts that
    were not stressed before: blocks approach wherever a force acts, stick where
@@ -7278,19 +7303,25 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    and from 0.1 to 0.2 predicts them as well. */
 #define KERN_NEAR_GAP   KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Measured structures, in errors of place and of angle; from structures with
-   noise, see tests/noise.c. The gap of two stones that touch has a standard
-   deviation of about 1.7 errors. */
-#define KERN_ERROR_GAP     KERN_R(4.0)
-#define KERN_ERROR_SWING   KERN_R(5.0)  /* gap, by the distance from a centre */
+/* Measured structures, in errors of place and of angle: 3.4 standard deviations,
+   which 99.9 % of the gaps of stones that touch stay below, so that of 30
+   contacts which carry none is missed in 98 % of structures. The gap of a corner
+   and an edge of two stones varies by 2 e^2 for their places, 3/8 e^2 for their
+   vertices and theta^2 r^2 for each; the angle of two edges, 0.7 sizes long, by
+   2 theta^2, and as much for their ends. Checked on structures with noise
+   (tests/noise.c). */
+#define KERN_ERROR_GAP     KERN_R(5.25)
+#define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_ANGLE   KERN_R(6.5)
-#define KERN_ERROR_FOOT    KERN_R(2.0)  /* beyond the end of an edge          */
-/* Shares of the error that are allowed where a verdict is to be certain. */
-#define KERN_CERTAIN_STANDS KERN_R(0.5)
-#define KERN_CERTAIN_FALLS  KERN_R(3.0)
-#define KERN_CERTAIN_GROWTH KERN_R(2.0)  /* of kerns, in errors of place      */
-#define KERN_CERTAIN_SLOPE  KERN_R(4.0)  /* of contacts, in errors of angle   */
+#define KERN_ERROR_ANGLE   KERN_R(6.8)
+#define KERN_ERROR_FOOT    KERN_R(3.0)  /* beyond the end of an edge          */
+/* Where a verdict is to be certain: how much shorter or longer kerns may be, in
+   errors of place; how far cones are turned, in errors of angle; how many times
+   the error is allowed in gaps and angles; least cosine of a wider cone. */
+#define KERN_CERTAIN_SHIFT  KERN_R(3.5)
+#define KERN_CERTAIN_SLOPE  KERN_R(3.0)
+#define KERN_CERTAIN_WIDE   KERN_R(2.0)
+#define KERN_CERTAIN_STEEP  KERN_R(0.01)
 /* Share of the size of the smaller free block: higher steps are not simplified
    away, however wide the gap. */
 #define KERN_STEP_MOST  KERN_R(0.1)
@@ -8419,11 +8450,14 @@ static kern_status kern_pair_touch(kern_pair *pair)
 static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
 
-/* The widest gap of blocks of that size. */
+/* The widest gap of blocks of that size. What was measured may have had the gap
+   of an exact contact before. */
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
-    return kern_max(s->options->gap > 0 ? s->options->gap : KERN_GAP * size,
-                    s->floor);
+    const kern_options *o = s->options;
+    const kern_real exact = o->gap > 0 && !(o->error > 0) ? KERN_R(0)
+                                                          : KERN_GAP * size;
+    return kern_max(o->gap + exact, s->floor);
 }
 
 /* The tolerances of the pair, whose smaller free block is of that size. */
@@ -9985,32 +10019,159 @@ KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
     return o;
 }
 
-KERN_API int kern_certain(const kern_task *task, kern_status verdict,
-                          kern_contact *out, int room)
+/* Moves the points of n contacts along their ways by `by`, apart where that is
+   below 0, and turns the edges of their cones by an angle of tangent `slope`,
+   inward where that is above 0. */
+static void kern_contacts_err(kern_contact *c, int n, kern_real by,
+                              kern_real slope)
+{
+    for (; n-- > 0; c++) {
+        kern_real rate;
+        const kern_real shift = kern_shift(c->travel, by, 0, &rate);
+        c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
+        c->travel -= shift;
+        c->mu = slope > 0 ? kern_friction(c, slope)
+                          : (c->mu - slope)
+                            / kern_max(1 + c->mu * slope, KERN_CERTAIN_STEEP);
+    }
+}
+
+/* The contacts from i on of one pair of blocks end before the one returned; in
+   *held the block of the two that they carry, in *wide their bed, as gravity
+   sees it. */
+static int kern_bed_end(const kern_structure *s, int i, int *held,
+                        kern_real *wide)
+{
+    const kern_contact *c = s->contact, *first = c + i;
+    kern_real low = KERN_HUGE, high = -KERN_HUGE, up = KERN_R(0);
+    for (; i < s->contacts && ((c[i].a == first->a && c[i].b == first->b)
+                               || (c[i].a == first->b && c[i].b == first->a));
+         i++) {
+        const kern_real at = kern_vec_cross(s->gravity, c[i].p);
+        const kern_real lift = -kern_vec_dot(s->gravity, c[i].n);
+        low = kern_min(low, at);
+        high = kern_max(high, at);
+        up += c[i].a == first->a ? lift : -lift;
+    }
+    *held = up > 0 ? first->b : first->a;
+    *wide = up > 0 || up < 0 ? high - low : KERN_R(-1);
+    return i;
+}
+
+/* Keeps of the contacts those of each block's widest bed. Returns how many. */
+static int kern_beds_keep(const kern_structure *s, kern_contact *out,
+                          kern_work *work)
+{
+    kern_real *widest = work->real, wide;
+    int *bed = work->index, i, next, held, n = 0;
+    for (i = 0; i < s->blocks; i++) {
+        widest[i] = KERN_R(-0.5);
+        bed[i] = KERN_OUT;
+    }
+    for (i = 0; i < s->contacts; i = next) {
+        next = kern_bed_end(s, i, &held, &wide);
+        if (!s->block[held].fixed && wide > widest[held]) {
+            widest[held] = wide;
+            bed[held] = i;
+        }
+    }
+    for (i = 0; i < s->contacts; i = next) {
+        int k;
+        next = kern_bed_end(s, i, &held, &wide);
+        for (k = i; k < next && bed[held] == i; k++)
+            out[n++] = s->contact[k];
+    }
+    return n;
+}
+
+/* Takes the work of the last call off the limit; what a question of several
+   returns then. */
+static kern_status kern_limit_less(kern_task *task, kern_status status)
+{
+    if (task->options.limit == 0)
+        return status;
+    task->options.limit -= task->work->units;
+    if (task->options.limit < 1) {
+        task->options.limit = 1;
+        return status < KERN_UNDECIDED ? status : KERN_LIMIT;
+    }
+    return status;
+}
+
+/* The lower end; in *raised whether its forces are. */
+static kern_status kern_certain_low(kern_task *task, kern_interval *out,
+                                    kern_raising *raised)
+{
+    kern_margin m;
+    kern_status status = kern_measure(task, &m, NULL);
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        out->low = kern_max(m.holds, KERN_R(0));
+    status = kern_limit_less(task, status);
+    if (status != KERN_STANDS || !(out->low > 0))
+        return status;
+    return kern_limit_less(task, kern_raised(task, KERN_R(0), raised, NULL,
+                                             NULL));
+}
+
+/* The upper end. */
+static kern_status kern_certain_high(kern_task *task, kern_interval *out)
+{
+    kern_margin m;
+    const kern_status status = kern_measure(task, &m, NULL);
+    if (status == KERN_FALLS)
+        out->high = KERN_R(0);
+    else if (status == KERN_STANDS || status == KERN_LIMIT)
+        out->high = m.fails;
+    return status;
+}
+
+KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
+                                  kern_interval *out, kern_contact *contact,
+                                  int room)
 {
     kern_task other;
-    kern_real share, e;
-    kern_status again;
-    if (!task)
-        return (int)KERN_BAD_POINTER;
-    e = task->options.error;
-    if (!(e > 0) || (verdict != KERN_STANDS && verdict != KERN_FALLS))
-        return (int)KERN_BAD_OPTION;
-    other = kern_task_of(task->s.block, task->s.blocks, out, 0, task->work);
+    kern_query q;
+    kern_raising raised = KERN_NOT_SHOWN;
+    kern_real by, slope;
+    kern_status status = kern_query_check(task, margin, out, &q);
+    if (status == KERN_OK && !contact)
+        status = KERN_BAD_POINTER;
+    if (status == KERN_OK && !(task->options.error > 0 && margin >= 0))
+        status = KERN_BAD_OPTION;
+    if (status == KERN_OK && (task->s.contacts > room
+                              || task->work->reals < task->s.blocks
+                              || task->work->indices < task->s.blocks))
+        status = KERN_NO_SPACE;
+    if (status != KERN_OK)
+        return status;
+    by = KERN_CERTAIN_SHIFT * task->options.error;
+    slope = KERN_CERTAIN_SLOPE * task->options.turn;
+    out->low = KERN_R(0);
+    out->high = KERN_INFINITY;
+    other = kern_task_of(task->s.block, task->s.blocks, contact,
+                         kern_beds_keep(&task->s, contact, task->work),
+                         task->work);
     other.s.gravity = task->s.gravity;
-    share = verdict == KERN_STANDS ? KERN_CERTAIN_STANDS : KERN_CERTAIN_FALLS;
-    other.options = kern_measured(&task->options, share * e,
-                                  share * task->options.turn);
+    other.options = task->options;
+    kern_contacts_err(contact, other.s.contacts, by, slope);
+    status = kern_certain_low(&other, out, &raised);
+    out->low = kern_min(out->low, margin);
+    if (status < KERN_UNDECIDED)
+        return status;
+    other.options = kern_measured(&other.options,
+                                  KERN_CERTAIN_WIDE * task->options.error,
+                                  KERN_CERTAIN_WIDE * task->options.turn);
     other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
-                                     &other.options, out, room, task->work);
+                                     &other.options, contact, room, task->work);
     if (other.s.contacts < 0)
-        return other.s.contacts;
-    if (verdict == KERN_STANDS)
-        other.options.narrow += KERN_CERTAIN_SLOPE * task->options.turn / e;
-    again = kern_verdict(&other, verdict == KERN_STANDS
-                                 ? e : -KERN_CERTAIN_GROWTH * e, NULL);
-    return again == KERN_UNDECIDED || again >= 0
-        ? again == verdict : (int)again;
+        return (kern_status)other.s.contacts;
+    kern_contacts_err(contact, other.s.contacts, -by, -slope);
+    status = kern_certain_high(&other, out);
+    if (out->high > 0 && margin > 0)
+        out->high = kern_max(out->high, q.relative ? margin : margin + by);
+    if (status < KERN_UNDECIDED || status == KERN_FALLS)
+        return status;
+    return out->low > 0 && raised == KERN_RAISED ? KERN_STANDS : KERN_OK;
 }
 
 KERN_API kern_options kern_near(const kern_options *options,

@@ -62,8 +62,9 @@ static const char help[] =
 "      --sequence   the margin after each block in the order of the file\n"
 "      --measured E[,THETA]  poses were measured with the standard error E, a\n"
 "                   length, and THETA in angle (rad; default E over the mean\n"
-"                   block): gaps and overlaps of some errors are contacts, and\n"
-"                   `certain` tells whether the verdict holds within the error\n"
+"                   block): gaps and overlaps of some errors are contacts;\n"
+"                   between what the margin lies, and whether the verdict is\n"
+"                   certain\n"
 "      --overlap D  deepest overlap that is accepted as a contact, a length\n"
 "      --limit N    most work of each query, in units of some 0.1 us; what\n"
 "                   takes more is undecided, and reported as far as proven\n"
@@ -101,6 +102,7 @@ static const char help_format[] =
 "bearing: length of the shortest contact that it needs; peak_stress: the largest\n"
 "of a line contact, its force at the margin over twice the margin (or length);\n"
 "certain (--measured): the verdict holds within the stated error;\n"
+"margin_low, margin_high (--measured): between these the margin lies;\n"
 "undecided: names of the keys that are null for that; proof_error: of the worst\n"
 "proof, as a share of what is allowed; pivots, solves: work. --profile:\n"
 "progressive_* and weak_*: mean and mean of the weakest half of the blocks'\n"
@@ -155,6 +157,7 @@ struct analysis {
 
     kern_status verdict;    /* of real contacts, at the shrinkage asked for */
     int certain;            /* 1 or 0; -1: --measured tells nothing  */
+    kern_interval interval; /* of the margin, where it tells         */
     kern_status shown;      /* of the contacts that are shown: with --near
                                near ones too                     */
     kern_force *force;      /* there, if it stands               */
@@ -558,24 +561,31 @@ static int weakest_step(const struct analysis *a)
     return weakest;
 }
 
-/* Whether the verdict on measured blocks holds within their error; contacts
-   that are given have none. */
+/* Between what the margin of measured blocks lies, and whether the verdict holds
+   within their error; contacts that are given have none. Twice the error allowed
+   finds more contacts, for which there is work memory of its own. */
 static int find_certain(struct analysis *a)
 {
-    kern_contact *out = NULL;
-    int got = KERN_NO_SPACE;
+    int room = 2 * a->task.s.contacts + KERN_CONTACTS(a->text.blocks);
+    const int most = 64 * room;
+    kern_status got = KERN_NO_SPACE;
+    kern_margin m;
     if (!(a->set->error > 0) || a->text.given || is_open(a->shown) ||
-        shrinkage(a) > 0)
+        shrinkage(a) > 0 || kern_measure(&a->task, &m, NULL) < 0)
         return 0;
-    for (int room = 16 * a->text.blocks + 64;
-         got == KERN_NO_SPACE && room < INT_MAX / 4; room *= 2) {
+    for (; got == KERN_NO_SPACE && room <= most; room *= 2) {
+        kern_contact *out = malloc((size_t)room * sizeof *out);
+        kern_work work = room_work(a->text.blocks, room);
+        kern_task task = a->task;
+        const int there = out && work.real && work.index;
+        task.work = &work;
+        if (there)
+            got = kern_certain(&task, m.margin, &a->interval, out, room);
         free(out);
-        out = malloc((size_t)room * sizeof *out);
-        if (!out) return fail_memory(a);
-        got = kern_certain(&a->task, a->shown, out, room);
+        room_free_work(&work);
+        if (!there) return fail_memory(a);
     }
-    free(out);
-    if (got >= 0) a->certain = got;
+    if (got >= 0) a->certain = got > 0;
     return 0;
 }
 
@@ -1151,6 +1161,9 @@ static void report_verdict(const struct analysis *a)
         printf(a->certain ? ", for certain" : ", not for certain: within the "
                                               "error it may be otherwise");
     printf("\n");
+    if (a->certain >= 0 && a->interval.high < KERN_INFINITY)
+        printf("  within the error  margin from %.4g to %.4g\n",
+               (double)a->interval.low, (double)a->interval.high);
     report_friction(a);
     report_lack(a);
     fflush(stdout);
@@ -1480,6 +1493,11 @@ static void json_measure(const struct analysis *a, int good, int asked)
     json_count("level", a->m.level, known && a->m.level >= 0);
     json_flag("saturated", a->m.saturated, known);
     json_known("margin", (double)a->m.margin, known);
+    if (a->set->error > 0) {
+        json_known("margin_low", (double)a->interval.low, a->certain >= 0);
+        json_known("margin_high", (double)a->interval.high,
+                   a->certain >= 0 && a->interval.high < KERN_INFINITY);
+    }
     json_known("holds", (double)a->m.holds, proven && !(a->m.holds < 0));
     json_known("fails", (double)a->m.fails,
                proven && (falls || a->m.fails < a->m.most));

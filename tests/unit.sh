@@ -82,6 +82,11 @@ regressions() { # structures on which earlier versions failed
         "$out/regressions"
 }
 
+noise() { # what nearly stands is not said to stand for certain
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/noise" tests/noise.c -lm && "$out/noise"
+}
+
 work() { # how much work each question takes, against tests/work.csv
     # shellcheck disable=SC2086
     gcc $plain -o "$out/work" tests/work.c -lm && "$out/work"

@@ -245,16 +245,19 @@ PAGE(measured) int page_measured(double e)
 {
     static kern_contact measured[CONTACTS], scratch[CONTACTS];
     kern_task other = task;
+    kern_margin m = { .margin = 0 };
+    kern_interval in;
     int status;
+    other.known = kern_known_of(NULL, NULL);
     other.options = kern_measured(&task.options, e,
                                   e / kern_mean_size(block, task.s.blocks));
     other.s.contact = measured;
     other.s.contacts = kern_contacts(block, task.s.blocks, &other.options,
                                      measured, CONTACTS, &work);
     if (other.s.contacts < 0) return report(other.s.contacts, &work.fault);
-    status = kern_verdict(&other, 0, NULL);
-    answer[0] = status < 0 ? 0 : kern_certain(&other, (kern_status)status,
-                                              scratch, CONTACTS);
+    status = kern_measure(&other, &m, NULL);
+    answer[0] = status < 0 ? 0 : kern_certain(&other, m.margin, &in, scratch,
+                                              CONTACTS) > 0;
     return report(status, &work.fault);
 }
 

@@ -135,6 +135,10 @@ class _Margin(ctypes.Structure):
                 ("saturated", c_int)]
 
 
+class _Interval(ctypes.Structure):
+    _fields_ = [("low", c_double), ("high", c_double)]
+
+
 class _Collapse(ctypes.Structure):
     _fields_ = [("least", c_double), ("mean", c_double), ("weak", c_double),
                 ("drop", c_double)]
@@ -197,7 +201,8 @@ _LAYOUTS = {
     "kern_wrench": _Wrench, "kern_block": _Block, "kern_contact": _Contact,
     "kern_structure": _Structure, "kern_options": _Options,
     "kern_force": _Force, "kern_motion": _Motion, "kern_proof": _Proof,
-    "kern_margin": _Margin, "kern_collapse": _Collapse, "kern_work": _Work,
+    "kern_margin": _Margin, "kern_interval": _Interval,
+    "kern_collapse": _Collapse, "kern_work": _Work,
     "kern_contact_rate": _ContactRate, "kern_block_rate": _BlockRate,
     "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task,
     "kern_plan": _Plan, "kern_lp": _Lp, "struct text_file": _Text,
@@ -356,7 +361,7 @@ _block_load = _declare("kern_block_load", None, _p, _Vec, _Vec, _r)
 _mean_size = _declare("kern_mean_size", _r, _p, _i)
 _contacts = _declare("kern_contacts", _i, _p, _i, _p, _p, _i, _p)
 _overlaps = _declare("kern_overlaps", _i, _p, _i, _p, _p, _i, _p)
-_certain = _declare("kern_certain", _i, _p, _i, _p, _i)
+_certain = _declare("kern_certain", _i, _p, _r, _p, _p, _i)
 _touch = _declare("kern_touch", _i, _p, _i, _p, _p, _i, _p)
 _contact_make = _declare("kern_contact_make", _i, _p, _Vec, _p)
 _contact_travels = _declare("kern_contact_travels", None, _p, _i)
@@ -834,6 +839,20 @@ class Margin(Verdict):
                 else _view(self._motion, 3))
 
 
+@dataclass
+class Interval:
+    """kern_interval: between what the margin of a measured structure lies, and
+    whether it stands or falls for certain."""
+    low: float
+    high: float
+    stands: bool
+    falls: bool
+
+    @property
+    def certain(self) -> bool:
+        return self.stands or self.falls
+
+
 class Factor(float):
     """A load factor, an angle of tilt or a length, with its proof: forces hold
     the structure at it, (n, 2); motion moves it just beyond, (n, 3), None where
@@ -1137,16 +1156,29 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         return Verdict(status == _STANDS, bytes(force), bytes(motion))
 
     @_asks
+    def interval(self) -> Interval:
+        """kern_certain(): between what the margin lies, and which verdict is
+        certain, within the error that Options.measured() was told."""
+        m, out, status = _Margin(), _Interval(), int(Status.NO_SPACE)
+        self._check(_measure(self._at_task, byref(m), None))
+        task = _Task.from_buffer_copy(self._task)
+        points = 2 * self._task.s.contacts + 12 * len(self.blocks)
+        for _ in range(6):
+            room = _Held(len(self.blocks), points)
+            task.work = addressof(room.work)
+            status = _certain(byref(task), m.margin, byref(out), room.contact,
+                              points)
+            if status != Status.NO_SPACE:
+                break
+            points *= 2
+        self._check(status)
+        return Interval(out.low, out.high, status == _STANDS,
+                        status == _FALLS)
+
+    @_asks
     def certain(self) -> bool:
-        """kern_certain(): does the verdict hold within the error that
-        Options.measured() was told?"""
-        verdict = int(_STANDS if self.verdict() else _FALLS)
-        room, status = 64, int(Status.NO_SPACE)
-        while status == Status.NO_SPACE and room <= 1000000:
-            room *= 2
-            out = (_Contact * room)()
-            status = _certain(self._at_task, verdict, out, room)
-        return self._check(status) == 1
+        """Whether the verdict is certain: interval().certain."""
+        return self.interval().certain
 
     @_asks
     def raised(self, shrink: float = 0.0, reserve: bool = False) -> Raised:
