@@ -918,11 +918,11 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    some seven points for each step of its outlines), KERN_OVERLAP (the first
    pair; kern_overlaps() lists all, and how deep they are), KERN_BAD_POINTER,
    _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES, KERN_NO_AREA,
-   KERN_NO_BLOCK (the block), KERN_STALE (the block: its vertices have moved, or their array was
-   used for another block). Work memory: none but for the fault. Time: a test of
-   boxes for each two blocks (4 ms for 2000); where they meet a few products for
-   each two edges that are near, and some tens where no edge of either parts
-   them, as one does between convex stones. */
+   KERN_NO_BLOCK (the block), KERN_STALE (the block: its vertices have moved, or
+   their array was used for another block). Work memory: none but for the fault.
+   Time: a test of boxes for each two blocks (6 ms for 2,000, 0.4 s for 20,000);
+   where they meet a few products for each two edges that are near, and some
+   tens where no edge of either parts them, as one does between convex stones. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
@@ -1670,6 +1670,14 @@ static inline kern_real kern_arms(const kern_structure *s,
         arm[end] = kern_vec_add(
             kern_vec_sub(p, s->block[end ? c->b : c->a].centre), way);
     return shift;
+}
+
+/* Do contact points i and i + 1 end one line? */
+static int kern_line_begins(const kern_contact *contact, int contacts, int i)
+{
+    const kern_contact *c = contact + i;
+    return i + 1 < contacts && c->line && c[1].line && c->a == c[1].a
+           && c->b == c[1].b;
 }
 
 /* ---- The kern -------------------------------------------------- >>kern */
@@ -3546,14 +3554,6 @@ static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
     return least;
 }
 
-/* Do contact points i and i + 1 end one line? */
-static int kern_line_begins(const kern_structure *s, int i)
-{
-    const kern_contact *c = s->contact + i;
-    return i + 1 < s->contacts && c->line && c[1].line && c->a == c[1].a
-           && c->b == c[1].b;
-}
-
 /* What the blocks of contact i move of it, as the search would find it; pair is
    the other end of its line, or i. Line:
    corners take ends along; ends stay midway between the two edges, the normal
@@ -3622,7 +3622,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     for (i = 0; i < task->s.blocks; i++)
         kern_block_gain(&task->s, i, proof->motion, -1 / gain, block + i);
     for (i = 0; i < task->s.contacts; i++) {
-        const int line = kern_line_begins(&task->s, i);
+        const int line = kern_line_begins(task->s.contact, task->s.contacts, i);
         kern_pose_gain(task, contact, i, i + line, block);
         if (line)
             kern_pose_gain(task, contact, i + 1, i, block);
@@ -4834,8 +4834,7 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
                             kern_real shrink)
 {
     const kern_contact *c = m->s->contact + i;
-    const int line = c->line && i + 1 < m->s->contacts && c[1].line
-                     && c->a == c[1].a && c->b == c[1].b;
+    const int line = kern_line_begins(m->s->contact, m->s->contacts, i);
     kern_force *f = m->answer.force + i;
     const kern_real travel = kern_travel(c, m->mean);
     const kern_real mu = kern_model_mu(m, i);
@@ -7325,8 +7324,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the size of the smaller free block: higher steps are not simplified
    away, however wide the gap. */
 #define KERN_STEP_MOST  KERN_R(0.1)
-/* Gaps up to which a riser is one of a drawing and no shear key: a pixel that is
-   hardly more than the gap, or of an image of 900 pixels a stone under the
+/* Gaps up to which a riser is one of a drawing and no shear key: a pixel that
+   is hardly more than the gap, or of an image of 900 pixels a stone under the
    default gap, must not hold. At 2 a kerb of two gaps would be lost. */
 #define KERN_RISER      KERN_R(1.6)
 /* Deviation of stairs from a chord between two of their corners, in risers: the
@@ -7398,8 +7397,8 @@ static void kern_box_set(kern_box *box, kern_vec p, kern_vec q)
 /* Are they no farther apart than the gap? Below 0: do they overlap by more? */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
-    return a->low.x - gap <= b->high.x && b->low.x - gap <= a->high.x &&
-           a->low.y - gap <= b->high.y && b->low.y - gap <= a->high.y;
+    return a->low.x - gap <= b->high.x && b->low.x - gap <= a->high.x
+           && a->low.y - gap <= b->high.y && b->low.y - gap <= a->high.y;
 }
 
 /* The largest coordinate, without its sign. */
@@ -7409,9 +7408,8 @@ static kern_real kern_box_largest(const kern_box *box)
 /* ---- outlines ---- */
 
 /* A block's outline as it is looked at. A long one has runs of `each` vertices,
-   with a box around the edges from corner to corner that start there. What is
-   far from the box of a run is far from its edges, so a look costs some hundreds
-   of edges. */
+   with a box around the edges from corner to corner that start there: what is
+   far from the box is far from these, and a look costs some hundreds of edges. */
 typedef struct kern_parts {
     const kern_block *block;
     int straight, reflex;   /* are there such vertices?   */
@@ -7584,15 +7582,15 @@ static int kern_one_side(kern_vec u, kern_vec v, kern_vec p, kern_vec q)
     return (from > 0 && to > 0) || (from < 0 && to < 0);
 }
 
-/* Does the edge touch one behind it that is not its neighbour? Edges whose boxes
-   meet do, unless one lies on one side of the other. */
+/* Does the edge touch one behind it that is not its neighbour? Edges whose
+   boxes meet do, unless one lies on one side of the other. */
 static int kern_edge_meets(const kern_edge *e, const kern_parts *parts)
 {
     kern_edge f = *e;
     while (kern_edge_next(&f, parts, &e->box, 0))
-        if (f.at != e->to && f.to != e->at &&
-            !kern_one_side(e->p, e->q, f.p, f.q) &&
-            !kern_one_side(f.p, f.q, e->p, e->q))
+        if (f.at != e->to && f.to != e->at
+            && !kern_one_side(e->p, e->q, f.p, f.q)
+            && !kern_one_side(f.p, f.q, e->p, e->q))
             return 1;
     return 0;
 }
@@ -7617,8 +7615,8 @@ static kern_status kern_polygon_simple(const kern_block *block,
             return KERN_CROSSING;
         left |= turn > 0;
         right |= turn < 0;
-        lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y &&
-                  !(v[i].y > v[kern_polygon_next(block, i, 1)].y);
+        lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y
+                  && !(v[i].y > v[kern_polygon_next(block, i, 1)].y);
     }
     if (!(left && right) && lowest < 2)
         return KERN_OK;
@@ -7633,9 +7631,9 @@ static kern_status kern_polygon_simple(const kern_block *block,
     return KERN_OK;
 }
 
-/* Fills in area, centre and box. The area is added up from the triangles between
-   vertex 0 and the edges, against round-off far from the origin; returns the
-   sum without signs. */
+/* Fills in area, centre and box. The area is added up from the triangles
+   between vertex 0 and the edges, against round-off far from the origin;
+   returns the sum without signs. */
 static kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -7787,8 +7785,8 @@ static int kern_overlap_beside(const kern_block *block, kern_vec p, kern_vec d,
                                kern_real left)
 {
     int i = 0;
-    while (i < block->vertices &&
-           kern_vec_cross(d, kern_vec_sub(block->vertex[i], p)) <= left)
+    while (i < block->vertices
+           && kern_vec_cross(d, kern_vec_sub(block->vertex[i], p)) <= left)
         i++;
     return i == block->vertices;
 }
@@ -7802,8 +7800,8 @@ static int kern_overlap_parted(const kern_block *a, const kern_block *b,
     int i;
     for (i = 0; i < a->vertices; i++) {
         kern_edge_set(&e, a, i, kern_polygon_next(a, i, 0));
-        if (kern_overlap_beside(b, e.p, e.d, gap / 2) &&
-            kern_overlap_beside(a, e.p, kern_vec_scale(e.d, -1), gap / 2))
+        if (kern_overlap_beside(b, e.p, e.d, gap / 2)
+            && kern_overlap_beside(a, e.p, kern_vec_scale(e.d, -1), gap / 2))
             return 1;
     }
     return 0;
@@ -7824,39 +7822,37 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
     return low > 0 ? 0 : most;
 }
 
-/* The first depth beyond the gap in b of the boundary of a, 0: none. From some
-   number on the steps along an edge double: a gap of a few roundings takes no
-   end of them otherwise. */
-static kern_real kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
-                                       kern_real gap)
+/* Raises *deep to the depth in b of the boundary of a, but for a stride. From
+   some number on the steps along an edge double: a gap of a few roundings takes
+   no end of them otherwise. */
+static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
+                                  kern_real *deep)
 {
     kern_edge e;
     int nearest = 0;
     kern_edge_open(&e);
-    while (kern_edge_next(&e, a, &b->block->box, -gap)) {
-        kern_real s, step, stride = gap * KERN_STRIDE;
+    while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
+        kern_real s, step, stride = *deep * KERN_STRIDE;
         int left = KERN_STRIDES + 8 * b->block->vertices;
         for (s = 0; s < e.length; s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
-            if (depth > gap)
-                return depth;
-            step = kern_overlap_along(b->block, nearest, gap, at, e.d,
+            *deep = kern_max(*deep, depth);
+            step = kern_overlap_along(b->block, nearest, *deep, at, e.d,
                                       e.length - s);
-            step = kern_max(step, gap - depth + stride);
+            step = kern_max(step, *deep - depth + stride);
             if (--left < 0)
                 stride *= 2;
         }
     }
-    return 0;
 }
 
-/* The depth in b of an inner point of a, if it is beyond the gap. The points
-   are the middles of triangles of vertices, those far apart first: an outline
-   that turns left at a vertex has its triangle inside. Where no boundary is
-   deep, one point far inside a speaks for all around it. */
-static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
-                                    kern_real gap)
+/* Raises *deep to the depth in b of inner points of a. These are the middles of
+   triangles of vertices, those far apart first: an outline that turns left at a
+   vertex has its triangle inside. Where no boundary is deep, one point far
+   inside a speaks for all around it. */
+static void kern_overlap_inner(const kern_parts *a, const kern_parts *b,
+                               kern_real *deep)
 {
     const kern_vec *vertex = a->block->vertex;
     const int n = a->block->vertices;
@@ -7868,30 +7864,31 @@ static kern_real kern_overlap_inner(const kern_parts *a, const kern_parts *b,
                 vertex[(i + 2 * step) % n]);
             const kern_vec at = kern_vec_scale(sum, KERN_R(1) / 3);
             const kern_real own = kern_polygon_depth(a, at, &near_a);
-            const kern_real depth =
-                own > gap ? kern_polygon_depth(b, at, &near_b) : KERN_R(0);
-            if (depth > gap)
-                return kern_min(own, depth);
-            if (own > 2 * gap)
-                return 0;
+            if (own > *deep)
+                *deep = kern_max(*deep, kern_min(
+                    own, kern_polygon_depth(b, at, &near_b)));
+            if (own > 2 * *deep)
+                return;
         }
-    return 0;
 }
 
-/* Depth of the overlap of a and b, 0: none deeper than the gap. */
+/* Depth of the overlap of a and b, but for a stride; 0: none deeper than the
+   gap. Two blocks at one place have no deep boundary. */
 static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
                                     kern_real gap)
 {
-    kern_real depth;
-    if (!kern_box_near(&a->block->box, &b->block->box, -gap) ||
-        kern_overlap_parted(a->block, b->block, gap) ||
-        kern_overlap_parted(b->block, a->block, gap))
+    kern_real deep = gap;
+    if (!kern_box_near(&a->block->box, &b->block->box, -gap)
+        || kern_overlap_parted(a->block, b->block, gap)
+        || kern_overlap_parted(b->block, a->block, gap))
         return 0;
-    depth = kern_max(kern_overlap_boundary(a, b, gap),
-                     kern_overlap_boundary(b, a, gap));
-    if (!(depth > 0)) /* two blocks at one place have no deep boundary */
-        depth = kern_overlap_inner(a, b, gap);
-    return depth > 0 ? depth : kern_overlap_inner(b, a, gap);
+    kern_overlap_boundary(a, b, &deep);
+    kern_overlap_boundary(b, a, &deep);
+    if (!(deep > gap))
+        kern_overlap_inner(a, b, &deep);
+    if (!(deep > gap))
+        kern_overlap_inner(b, a, &deep);
+    return deep > gap ? deep : 0;
 }
 
 /* ---- simplified outlines ---- */
@@ -8103,8 +8100,8 @@ static kern_vec kern_vec_outward(kern_vec d)
 static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
                              const kern_edge *f)
 {
-    return kern_vec_dot(e->d, f->d) < 0 &&
-           kern_abs(kern_vec_cross(e->d, f->d)) <= pair->sine;
+    return kern_vec_dot(e->d, f->d) < 0
+           && kern_abs(kern_vec_cross(e->d, f->d)) <= pair->sine;
 }
 
 /* ---- steps ---- */
@@ -8131,8 +8128,9 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
         i = kern_polygon_next(block, i, back == (block->area > 0));
         way = kern_vec_sub(block->vertex[i], *p);
     } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * o->step);
-    return kern_vec_cross(chord, e->d) >= -KERN_STEP_SINE &&
-           kern_vec_cross(way, e->d) >= -KERN_STEP_SINE * kern_vec_length(way);
+    return kern_vec_cross(chord, e->d) >= -KERN_STEP_SINE
+           && kern_vec_cross(way, e->d)
+              >= -KERN_STEP_SINE * kern_vec_length(way);
 }
 
 /* Adds a contact of edges i of a and k of b, on their chords: midway between
@@ -8162,8 +8160,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
     if (kern_pair_opposed(pair, &e[0], &e[1])) {
         t = kern_vec_unit(kern_vec_sub(e[0].d, e[1].d));
         q = kern_vec_mid(kern_edge_foot(&e[0], p), kern_edge_foot(&e[1], p));
-    } else if (half > 0 ||
-               kern_chord_stands(&e[on], &e[!on], &pair->of[!on], &p)) {
+    } else if (half > 0
+               || kern_chord_stands(&e[on], &e[!on], &pair->of[!on], &p)) {
         t = on ? kern_vec_scale(e[1].d, -1) : e[0].d;
         q = kern_edge_foot(&e[on], p);
     } else {
@@ -8225,11 +8223,11 @@ static int kern_edge_bears(const kern_edge *e, const kern_block *block,
 {
     const kern_vec r = kern_vec_sub(p, e->p), t = kern_vec_sub(p, e->q);
     const kern_real along = kern_edge_along(e, p);
-    return (along > inside && along < e->length - inside) ||
-           (kern_vec_dot(r, r) <= gap * gap &&
-            kern_polygon_turn(block, e->start) < 0) ||
-           (kern_vec_dot(t, t) <= gap * gap &&
-            kern_polygon_turn(block, e->end) < 0);
+    return (along > inside && along < e->length - inside)
+           || (kern_vec_dot(r, r) <= gap * gap
+            && kern_polygon_turn(block, e->start) < 0)
+           || (kern_vec_dot(t, t) <= gap * gap
+            && kern_polygon_turn(block, e->end) < 0);
 }
 
 /* The corner where f starts stands on edge e, of a (on 0) or of b (1): it is
@@ -8242,14 +8240,14 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *f,
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *own = pair->of[!on].parts.block;
     kern_vec back, p = f->p;
-    if (high > wide || high < -kern_max(wide, pair->deep) ||
-        kern_vec_cross(f->d, e->d) < -pair->sine)
+    if (high > wide || high < -kern_max(wide, pair->deep)
+        || kern_vec_cross(f->d, e->d) < -pair->sine)
         return;
     back = kern_vec_unit(kern_vec_sub(own->vertex[kern_polygon_next(
         own, f->start, own->area > 0)], f->p));
-    if (kern_vec_cross(back, f->d) > 0 ||
-        kern_vec_cross(back, e->d) < -pair->sine ||
-        !kern_edge_bears(e, pair->of[on].parts.block, p,
+    if (kern_vec_cross(back, f->d) > 0
+        || kern_vec_cross(back, e->d) < -pair->sine
+        || !kern_edge_bears(e, pair->of[on].parts.block, p,
                          pair->foot - pair->over, wide))
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
@@ -8290,8 +8288,8 @@ static int kern_line_passes(const kern_contact *line, const kern_contact *point,
     const kern_real off = kern_vec_dot(r, line->n);
     const kern_real beyond = kern_max(
         kern_abs(kern_vec_cross(line->n, r)) - line->travel, 0);
-    return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE &&
-           off * off + beyond * beyond <= gap * gap;
+    return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE
+           && off * off + beyond * beyond <= gap * gap;
 }
 
 /* Leaves out the points that belong to a line. */
@@ -8327,8 +8325,8 @@ static int kern_face_join(kern_face *face, const kern_pair *pair,
     const kern_real sine = kern_abs(kern_vec_cross(n, c->n));
     const kern_real along = kern_vec_cross(n, r);
     const kern_real half = c->travel * cosine;
-    if (!(cosine > 0) || sine > pair->sine ||
-        kern_abs(kern_vec_dot(n, r)) + c->travel * sine > pair->gap)
+    if (!(cosine > 0) || sine > pair->sine
+        || kern_abs(kern_vec_dot(n, r)) + c->travel * sine > pair->gap)
         return 0;
     if (along - half < face->least) {
         face->least = along - half;
@@ -8367,10 +8365,11 @@ static void kern_pair_face(kern_pair *pair, int i)
 
 /* ---- travels ---- */
 
+/* Is d a point between the same blocks as c? */
 static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 {
-    return !d->line && ((c->a == d->a && c->b == d->b) ||
-                        (c->a == d->b && c->b == d->a));
+    return !d->line && ((c->a == d->a && c->b == d->b)
+                        || (c->a == d->b && c->b == d->a));
 }
 
 /* Travels of the points of the interface of the first contact: to the feet of
@@ -8383,8 +8382,8 @@ static void kern_interface_travels(kern_contact *contact, int contacts)
     kern_real widest = 0;
     int j, k;
     for (j = 0; j < contacts; j++)
-        for (k = j + 1; k < contacts &&
-                        kern_same_interface(&first, &contact[j]); k++) {
+        for (k = j + 1; k < contacts
+                        && kern_same_interface(&first, &contact[j]); k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
             if (square > widest && kern_same_interface(&first, &contact[k])) {
@@ -8392,12 +8391,10 @@ static void kern_interface_travels(kern_contact *contact, int contacts)
                 centre = kern_vec_mid(contact[j].p, contact[k].p);
             }
         }
-    for (j = 0; j < contacts; j++) {
-        kern_contact *c = &contact[j];
-        if (kern_same_interface(&first, c))
-            c->travel = widest > 0 ? kern_vec_cross(
-                c->n, kern_vec_sub(centre, c->p)) : KERN_R(0);
-    }
+    for (j = 0; j < contacts; j++)
+        if (kern_same_interface(&first, &contact[j]))
+            contact[j].travel = widest > 0 ? kern_vec_cross(
+                contact[j].n, kern_vec_sub(centre, contact[j].p)) : KERN_R(0);
 }
 
 /* Travels of all points. One is beyond all lengths until it is known. */
@@ -8417,18 +8414,14 @@ static void kern_point_travels(kern_contact *contact, int contacts)
 typedef struct kern_search {
     const kern_block *block;
     int blocks;
-    int from;               /* vertices of blocks before: see survey   */
-    kern_real reach;        /* widest gap of any pair [m]              */
-    kern_real floor;        /* places closer than that are the same [m] */
+    int from;               /* the first block that meets those before     */
     const kern_options *options;
-    kern_pair pair;
     kern_fault *fault;
-    kern_box box;           /* of all blocks                           */
-    kern_real area;         /* largest of a free block [m^2]           */
-    kern_real arm;          /* twice the longest diagonal of a box [m] */
-    int listing;            /* pairs that overlap are listed, and no   */
-    kern_overlap *overlap;  /* contacts are found                      */
-    int overlaps;
+    kern_real floor;        /* places closer than that are the same [m]    */
+    kern_real reach;        /* widest gap of any pair [m]                  */
+    int listing;            /* overlaps are found and no contacts: of them */
+    kern_overlap *overlap;  /* there are pair.count                        */
+    kern_pair pair;
 } kern_search;
 
 /* Finds the contacts of the pair. */
@@ -8460,23 +8453,27 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
     return kern_max(o->gap + exact, s->floor);
 }
 
-/* The tolerances of the pair, whose smaller free block is of that size. */
-static void kern_pair_tolerances(kern_pair *pair, const kern_search *s,
-                                 kern_real size)
+/* The tolerances of the pair. */
+static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_options *o = s->options;
+    const kern_block *a = pair->of[0].parts.block;
+    const kern_block *b = pair->of[1].parts.block;
+    const kern_real size = KERN_SQRT(
+        kern_min(a->fixed ? KERN_HUGE : kern_abs(a->area),
+                 b->fixed ? KERN_HUGE : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
     pair->swing = KERN_ERROR_SWING * o->turn;
-    pair->deep = kern_max(pair->gap, o->overlap) + pair->swing *
-                 (kern_box_half(pair->of[0].parts.block) +
-                  kern_box_half(pair->of[1].parts.block));
+    pair->deep = kern_max(pair->gap, o->overlap)
+                 + pair->swing * (kern_box_half(a) + kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_FOOT * size, s->floor);
     pair->over = KERN_ERROR_FOOT * o->error;
+    pair->sine = kern_sine(o->angle);
     pair->of[0].step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
     pair->of[1].step = pair->of[0].step;
-    pair->sine = kern_sine(o->angle);
+    pair->of[0].spans = pair->of[1].spans = 0;
 }
 
 /* Whether the vertices are no longer those that kern_block_init() saw: box or
@@ -8489,21 +8486,6 @@ static int kern_block_is_stale(const kern_block *block)
            || kern_vec_largest(kern_vec_sub(now.box.high, block->box.high)) > 0
            || !(kern_abs(now.area - block->area)
                 <= KERN_STALE_AREA * kern_abs(block->area));
-}
-
-/* Depth of the overlap of the pair, 0: none that is not allowed. Where overlaps
-   are listed each round looks for more than was found: the last depth is that
-   of the whole but for a stride. */
-static kern_real kern_search_depth(const kern_search *s)
-{
-    kern_real depth = 0, more = s->pair.deep;
-    do {
-        more = kern_overlap_depth(&s->pair.of[0].parts, &s->pair.of[1].parts,
-                                  more);
-        depth = kern_max(depth, more);
-        more *= 1 + KERN_STRIDE;
-    } while (more > 0 && s->listing);
-    return depth;
 }
 
 /* Finds the contacts of blocks i and j, which must not overlap, or lists that
@@ -8520,14 +8502,12 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_STALE;
     kern_parts_set(&pair->of[0].parts, a);
     kern_parts_set(&pair->of[1].parts, b);
-    pair->of[0].spans = pair->of[1].spans = 0;
-    kern_pair_tolerances(pair, s, KERN_SQRT(kern_min(
-        a->fixed ? KERN_HUGE : kern_abs(a->area),
-        b->fixed ? KERN_HUGE : kern_abs(b->area))));
+    kern_pair_tolerances(pair, s);
     pair->a = found.a = i;
     pair->b = found.b = j;
     found.allowed = pair->deep;
-    found.depth = kern_search_depth(s);
+    found.depth = kern_overlap_depth(&pair->of[0].parts, &pair->of[1].parts,
+                                     pair->deep);
     if (found.depth > 0 && !s->listing) {
         s->fault->other = j;
         s->fault->value = found.depth;
@@ -8537,17 +8517,9 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     s->fault->block = -1;
     if (!s->listing)
         return kern_pair_touch(pair);
-    if (found.depth > 0 && s->overlaps++ < pair->room)
-        s->overlap[s->overlaps - 1] = found;
+    if (found.depth > 0 && pair->count++ < pair->room)
+        s->overlap[pair->count - 1] = found;
     return KERN_OK;
-}
-
-/* What follows from all blocks that have been looked at. */
-static void kern_search_reach(kern_search *s)
-{
-    s->floor = KERN_FLOOR * kern_box_largest(&s->box);
-    s->reach = kern_search_gap(s, KERN_SQRT(s->area)) +
-               KERN_ERROR_SWING * s->options->turn * s->arm;
 }
 
 /* Gives every line the two places of its ends, from the last to the first.
@@ -8578,54 +8550,54 @@ static int kern_search_close(const kern_search *s)
 
 /* ---- input ---- */
 
-/* Checks what the search reads of a block. */
-static kern_status kern_search_check(const kern_block *block)
+/* Checks what the search reads of block i. The vertices of blocks before
+   s->from are looked at when a pair reads them. */
+static kern_status kern_search_check(const kern_search *s, int i)
 {
+    const kern_block *block = &s->block[i];
     const kern_status status =
         kern_vertices_check(block->vertex, block->vertices);
     if (block->vertices <= 0)
         return block->vertices < 0 ? KERN_NO_BLOCK : KERN_OK;
-    if (status < 0)
+    if (status != KERN_OK)
         return status;
-    if (!kern_is_finite(block->area) ||
-        !(block->box.low.x <= block->box.high.x) ||
-        !(block->box.low.y <= block->box.high.y) ||
-        kern_box_largest(&block->box) > KERN_FAR)
+    if (!kern_is_finite(block->area)
+        || !(block->box.low.x <= block->box.high.x)
+        || !(block->box.low.y <= block->box.high.y)
+        || kern_box_largest(&block->box) > KERN_FAR)
         return KERN_BAD_NUMBER;
-    return kern_abs(block->area) > 0 ? KERN_OK : KERN_NO_AREA;
+    if (!(kern_abs(block->area) > 0))
+        return KERN_NO_AREA;
+    return i >= s->from && kern_block_is_stale(block) ? KERN_STALE : KERN_OK;
 }
 
-/* Checks block i, and adds how far it reaches and how large it is. The vertices
-   of blocks before s->from are checked when a pair reads them. */
-static kern_status kern_search_see(kern_search *s, int i)
-{
-    const kern_block *block = &s->block[i];
-    kern_status status = kern_search_check(block);
-    if (status >= 0 && block->vertices && i >= s->from &&
-        kern_block_is_stale(block))
-        status = KERN_STALE;
-    if (status < 0)
-        s->fault->block = i;
-    if (status < 0 || !block->vertices)
-        return status;
-    kern_box_add(&s->box, block->box.low);
-    kern_box_add(&s->box, block->box.high);
-    s->arm = kern_max(s->arm, 4 * kern_box_half(block));
-    if (!block->fixed)
-        s->area = kern_max(s->area, kern_abs(block->area));
-    return status;
-}
-
-/* Looks at every block. */
+/* Looks at every block; what the tolerances of all pairs depend on. */
 static kern_status kern_search_survey(kern_search *s)
 {
-    kern_status status = KERN_OK;
+    kern_box all;
+    kern_real area = 0; /* largest of a free block            */
+    kern_real arm = 0;  /* twice the longest diagonal of a box */
     int i;
-    kern_box_empty(&s->box);
-    s->area = s->arm = 0;
-    for (i = 0; i < s->blocks && status >= 0; i++)
-        status = kern_search_see(s, i);
-    return status;
+    kern_box_empty(&all);
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *block = &s->block[i];
+        const kern_status status = kern_search_check(s, i);
+        if (status != KERN_OK) {
+            s->fault->block = i;
+            return status;
+        }
+        if (!block->vertices)
+            continue;
+        kern_box_add(&all, block->box.low);
+        kern_box_add(&all, block->box.high);
+        arm = kern_max(arm, 4 * kern_box_half(block));
+        if (!block->fixed)
+            area = kern_max(area, kern_abs(block->area));
+    }
+    s->floor = KERN_FLOOR * kern_box_largest(&all);
+    s->reach = kern_search_gap(s, KERN_SQRT(area))
+               + KERN_ERROR_SWING * s->options->turn * arm;
+    return KERN_OK;
 }
 
 /* Finds the contacts of all blocks from s->from on with those before them, of
@@ -8634,7 +8606,6 @@ static kern_status kern_search_pairs(kern_search *s)
 {
     kern_status status = KERN_OK;
     int a, b;
-    kern_search_reach(s);
     for (b = s->from; b < s->blocks; b++)
         for (a = 0; s->block[b].vertices && a < b && status >= 0; a++) {
             if (!s->block[a].vertices)
@@ -8650,55 +8621,44 @@ static kern_status kern_search_pairs(kern_search *s)
     return status;
 }
 
-/* Checks what is handed in, `out` with so much room as well. */
-static kern_status kern_search_open(kern_search *s, const kern_block *block,
-                                    int blocks, const kern_options *options,
-                                    void *out, int room, kern_work *work)
-{
-    kern_status status;
-    if (!work)
-        return KERN_BAD_POINTER;
-    s->fault = &work->fault;
-    kern_fault_clear(s->fault);
-    if (!options)
-        return KERN_BAD_POINTER;
-    status = kern_options_check(options);
-    if (status < 0)
-        return status;
-    if (options->gap > KERN_FAR || options->overlap > KERN_FAR ||
-        options->error > KERN_FAR || options->turn > KERN_FAR)
-        return KERN_BAD_OPTION;
-    if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
-        return KERN_BAD_COUNT;
-    if ((blocks > 0 && !block) || (room > 0 && !out))
-        return KERN_BAD_POINTER;
-    s->block = block;
-    s->blocks = blocks;
-    s->options = options;
-    s->pair.out = (kern_contact *)out;
-    s->overlap = (kern_overlap *)out;
-    s->pair.room = room;
-    s->pair.count = s->overlaps = s->listing = 0;
-    return KERN_OK;
-}
-
 /* Contacts of all blocks, or of the last one alone, or a list of overlaps. */
 static int kern_search_run(const kern_block *block, int blocks, int last,
                            int listing, const kern_options *options, void *out,
                            int room, kern_work *work)
 {
     kern_search s;
-    kern_status status =
-        kern_search_open(&s, block, blocks, options, out, room, work);
-    s.listing = listing;
-    s.from = last ? blocks - 1 : 0;
-    if (status >= 0)
-        status = kern_search_survey(&s);
-    if (status >= 0)
-        status = kern_search_pairs(&s);
-    if (status < 0)
+    kern_status status;
+    if (!work)
+        return (int)KERN_BAD_POINTER;
+    kern_fault_clear(&work->fault);
+    status = options ? kern_options_check(options) : KERN_BAD_POINTER;
+    if (status == KERN_OK
+        && (options->gap > KERN_FAR || options->overlap > KERN_FAR
+            || options->error > KERN_FAR || options->turn > KERN_FAR))
+        status = KERN_BAD_OPTION;
+    if (status == KERN_OK
+        && (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0))
+        status = KERN_BAD_COUNT;
+    if (status == KERN_OK && ((blocks > 0 && !block) || (room > 0 && !out)))
+        status = KERN_BAD_POINTER;
+    if (status != KERN_OK)
         return (int)status;
-    return listing ? s.overlaps : kern_search_close(&s);
+    s.block = block;
+    s.blocks = blocks;
+    s.from = last ? blocks - 1 : 0;
+    s.options = options;
+    s.fault = &work->fault;
+    s.listing = listing;
+    s.overlap = (kern_overlap *)out;
+    s.pair.out = (kern_contact *)out;
+    s.pair.room = room;
+    s.pair.count = 0;
+    status = kern_search_survey(&s);
+    if (status == KERN_OK)
+        status = kern_search_pairs(&s);
+    if (status != KERN_OK)
+        return (int)status;
+    return listing ? s.pair.count : kern_search_close(&s);
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
@@ -8768,15 +8728,13 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
     if (!contact)
         return;
     kern_point_travels(contact, contacts);
-    for (i = 0; i + 1 < contacts; i++) {
-        kern_contact *c = &contact[i];
-        if (c->line) {
+    for (i = 0; i < contacts; i++)
+        if (kern_line_begins(contact, contacts, i)) {
+            kern_contact *c = &contact[i++];
             const kern_vec d = kern_vec_sub(c[1].p, c->p);
             c->travel = kern_vec_cross(c->n, d) / 2;
             c[1].travel = -c->travel;
-            i++;
         }
-    }
 }
 
 /* ---- Planning ---------------------------------------------------- >>plan */
