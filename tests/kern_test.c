@@ -9730,6 +9730,121 @@ static void raised_memory(void)
     CHECK_INT(got, KERN_NOT_SHOWN);
 }
 
+/* kern_raised_load(), its proof checked with the loads at the factor, and that
+   it is not above the load factor. */
+static int raised_load(const world *w, const kern_wrench *pattern, int side,
+                       double *out)
+{
+    static world loaded;
+    kern_work work = work_of(w);
+    kern_task *task = world_task(w, &work);
+    const kern_proof proof = proof_here();
+    kern_real most = 0, got = -1;
+    const kern_status status = kern_raised_load(task, 0, (kern_side)side,
+                                                pattern, &got, &proof);
+    int i;
+    CHECK(work.units > 0 || status < 0);
+    *out = (double)got;
+    if (status != KERN_STANDS || !(got < HUGE_VAL))
+        return status;
+    CHECK_INT(pattern ? kern_load_factor_of(task, 0, pattern, &most, NULL)
+                      : kern_load_factor(task, 0, (kern_side)side, &most, NULL),
+              KERN_STANDS);
+    CHECK(got <= most * (1 + GEO));
+    loaded = *w;
+    for (i = 0; i < w->blocks; i++) {
+        kern_block *b = &loaded.block[i];
+        const kern_real weight = got * b->mass * side;
+        if (b->fixed)
+            continue;
+        kern_block_load(b, pattern
+            ? vec(got * pattern[i].fx, got * pattern[i].fy)
+            : vec(-weight * w->gravity.y, weight * w->gravity.x), b->centre,
+            pattern ? got * pattern[i].torque : 0);
+    }
+    CHECK(kern_check_raised(world_task(&loaded, &work), 0, KERN_RAISED, &proof)
+          <= 1);
+    return status;
+}
+
+/* Where nothing slides it is the load factor; Ferris and Tin-Loi's walls slide:
+   a simulator lets them collapse between .640 and .645, .360 and .365, .260
+   and .265. */
+static void raised_loads(void)
+{
+    static const double(*const wall[3])[10] = {wall1, wall3, wall4};
+    static const double falls[3] = {.645, .365, .265};
+    static world w;
+    double got, other;
+    int i, n;
+    for (n = 1; n <= 10; n++) {
+        world_reset(&w);
+        w.options.mu = R(0.84);
+        world_box(&w, 0, -1, -1, 2, 0);
+        for (i = 0; i < n; i++)
+            world_box(&w, 1, 0, i, 1, i + 1);
+        CHECK(world_touch(&w) > 0);
+        CHECK_INT(raised_load(&w, NULL, KERN_RIGHT, &got), KERN_STANDS);
+        CHECK_NEAR(got, n == 1 ? .84 : 1.0 / n, SINGLE ? 3e-2 : 4e-3);
+    }
+    for (i = 0; i < 3 && !SINGLE; i++) {
+        brick_wall(&w, wall[i], 0.65, 1);
+        CHECK_INT(raised_load(&w, NULL, KERN_RIGHT, &got), KERN_STANDS);
+        CHECK(got >= .97 * falls[i] && got <= falls[i]);
+        CHECK_INT(raised_load(&w, NULL, KERN_LEFT, &other), KERN_STANDS);
+        CHECK_NEAR(other / got, 1, 0.03);
+    }
+}
+
+/* A load on one block; loads without bound; what is refused. */
+static void raised_patterns(void)
+{
+    static world w;
+    kern_wrench pattern[3] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    kern_work work;
+    kern_task *task;
+    kern_real got = -7;
+    double value;
+    world_reset(&w);
+    w.options.mu = R(0.5);
+    world_box(&w, 0, -1, -1, 3, 0);
+    world_box(&w, 1, 0, 0, 2, 1);
+    CHECK_INT(world_touch(&w), 2);
+    pattern[1].fx = w.block[1].mass * R(9.81); /* slides at mu */
+    CHECK_INT(raised_load(&w, pattern, 0, &value), KERN_STANDS);
+    CHECK_NEAR(value, 0.5, 2e-3);
+    pattern[1].fx = 0;
+    pattern[1].fy = -w.block[1].mass;
+    CHECK_INT(raised_load(&w, pattern, 0, &value), KERN_STANDS);
+    CHECK(value > 1e30);
+    work = work_of(&w);
+    task = world_task(&w, &work);
+    CHECK_INT(kern_raised_load(task, 0, KERN_SHRINK, NULL, &got, NULL),
+              KERN_BAD_OPTION);
+    CHECK_INT(kern_raised_load(task, 0, KERN_RIGHT, NULL, NULL, NULL),
+              KERN_BAD_POINTER);
+    CHECK_INT(kern_raised_load(NULL, 0, KERN_RIGHT, NULL, &got, NULL),
+              KERN_BAD_POINTER);
+    pattern[1].fy = R(not_a_number());
+    CHECK_INT(kern_raised_load(task, 0, KERN_SHRINK, pattern, &got, NULL),
+              KERN_BAD_NUMBER);
+    CHECK_NEAR(got, -7, GEO);
+    task->options.limit = 3;
+    CHECK_INT(kern_raised_load(task, 0, KERN_RIGHT, NULL, &got, NULL),
+              KERN_LIMIT);
+    CHECK(got < 0);
+    world_reset(&w); /* hangs between two walls */
+    world_box(&w, 0, -1, 0, 0, 3);
+    world_box(&w, 0, 1, 0, 2, 3);
+    world_box(&w, 1, 0, 1, 1, 2);
+    CHECK(world_touch(&w) > 0);
+    CHECK_INT(raised_load(&w, NULL, KERN_RIGHT, &value), KERN_UNDECIDED);
+    CHECK_NEAR(value, -1, GEO);
+    w.block[2].centre.y = 5; /* falls over the edge */
+    w.contacts = 0;
+    CHECK_INT(raised_load(&w, NULL, KERN_RIGHT, &value), KERN_FALLS);
+}
+
 /* A cube that is tried between two walls hangs there, on the floor it does
    not. */
 static void plan_raised(void)
@@ -10566,6 +10681,8 @@ static const test tests[] = {
     TEST(raised_reserve),
     TEST(raised_random),
     TEST(raised_memory),
+    TEST(raised_loads),
+    TEST(raised_patterns),
     TEST(plan_raised),
     TEST(narrow_by_hand),
     TEST(narrow_random),
