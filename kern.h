@@ -2255,6 +2255,16 @@ typedef struct kern_budget {
                                  its proof goes over the whole                */
 } kern_budget;
 
+/* Disjoint sets of groups that are balanced together, and a list of those that
+   are to be: see >>pour. */
+typedef struct kern_clusters {
+    int *last;                /* of a group: the last group of its cluster    */
+    int *next;                /* of a group: another one of it, in a circle   */
+    int *open;                /* of a last group: nonzero: to be balanced     */
+    int at;                   /* none before this group is to be              */
+    int budget;               /* products that are left                       */
+} kern_clusters;
+
 struct kern_model {
     const kern_structure *s;
     kern_graph graph;
@@ -2268,13 +2278,11 @@ struct kern_model {
     kern_real *size;          /* of a group: magnitude of all that acts       */
     kern_real *arm;           /* two an end: torques of n and t there, as its
                                  row has them                                 */
-    const kern_force *prior;  /* of these the least change is found, or NULL  */
-    const kern_force *known;  /* forces that held a structure like it, or NULL,
-                                 at the shrinkage ...                         */
-    kern_real balanced;       /* ... that this is                             */
+    const kern_known *known;  /* forces that held a structure like it, or NULL */
     kern_real narrow, slope;  /* of the options, of the last question         */
-    int *leader, *next, *dirty; /* of a group: see >>pour                     */
-    int again;                /* the first leader that became dirty           */
+    kern_clusters cluster;
+    int *carrier;             /* of a group: the one that alone carries it: see
+                                 the bodies of >>search; or KERN_OUT          */
     int plain;                /* nonzero: all groups are one part             */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
@@ -2303,9 +2311,10 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->common = *take;
     m->graph.touch = kern_take_ints(take, groups);
     m->graph.after = kern_take_ints(take, 2 * contacts);
-    m->leader = kern_take_ints(take, groups);
-    m->next = kern_take_ints(take, groups);
-    m->dirty = kern_take_ints(take, groups);
+    m->cluster.last = kern_take_ints(take, groups);
+    m->cluster.next = kern_take_ints(take, groups);
+    m->cluster.open = kern_take_ints(take, groups);
+    m->carrier = kern_take_ints(take, groups);
     m->graph.local = kern_take_ints(take, groups + 1);
     m->arm = kern_take_reals(take, 4 * contacts);
 }
@@ -2436,8 +2445,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->weight = KERN_R(1);
-    m->prior = m->known = NULL;
-    m->balanced = KERN_R(0);
+    m->known = NULL;
     m->narrow = q->narrow;
     m->slope = KERN_R(0);
     m->graph.groups = m->plain = 0;
@@ -2895,8 +2903,7 @@ static void kern_known_set(kern_task *task, kern_status status,
 /* The measure of a task that has been opened: with what is known of a structure
    like it, and forces that held that, or NULL. */
 static kern_status kern_measure_task(kern_call *c, const kern_task *task,
-                                     const kern_known *known,
-                                     const kern_force *force, kern_margin *out,
+                                     const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
 {
     kern_travels travels;
@@ -2905,8 +2912,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     c->path.proof = proof;
     if (known && known->fails > 0 && known->fails < KERN_INFINITY) {
         c->path.seed = known;
-        c->m.known = force;
-        c->m.balanced = known->holds;
+        c->m.known = known->force ? known : NULL;
     }
     travels = kern_travels_of(&task->s, &c->path.q);
     status = kern_measure_along(&c->m, &c->path, task, &travels, &r);
@@ -2926,10 +2932,11 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         return status;
     known = task->known;
     if (!known.motion || !known.force)
-        return kern_measure_task(&c, task, NULL, NULL, out, proof);
+        return kern_measure_task(&c, task, NULL, out, proof);
     kept.force = known.force;
     kept.motion = known.motion;
-    status = kern_measure_task(&c, task, &known, NULL, out, &kept);
+    known.force = NULL;
+    status = kern_measure_task(&c, task, &known, out, &kept);
     if (status == KERN_BAD_STEP)
         return status;
     task->known.fails = KERN_R(0); /* the proof there has been written over */
@@ -4099,17 +4106,14 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 #define KERN_POUR_LARGEST  400000  /* of these: their product is an int       */
 
 /* Where the motion of contact i begins: its spring then exerts the force that
-   is known, so what is found is the least change of that. */
+   is there, so what is found is the least change of that. */
 static inline void kern_model_prior(const kern_model *m, int i,
-                                    kern_real *wn, kern_real *wt)
+                                    kern_real way[2])
 {
+    const kern_force *f = m->answer.force + i;
     const kern_real mu = kern_model_mu(m, i);
-    *wn = *wt = KERN_R(0);
-    if (!m->prior)
-        return;
-    *wn = m->prior[i].normal / 2;
-    if (mu > 0)
-        *wt = m->prior[i].tangential / (2 * mu * mu);
+    way[0] = f->normal / 2;
+    way[1] = mu > 0 ? f->tangential / (2 * mu * mu) : KERN_R(0);
 }
 
 /* A contact is as stiff as it is long, a point as one of a tenth. */
@@ -4183,7 +4187,7 @@ static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
         if (to == 0 && p->dual.price)
             way[0] = -p->dual.price[k];
         else if (to == 0)
-            kern_model_prior(p->m, p->contact[k], way, way + 1);
+            kern_model_prior(p->m, p->contact[k], way);
         kern_part_speed(p, k, v, way);
     }
 }
@@ -4384,7 +4388,7 @@ static void kern_least_write(kern_part *p)
     kern_model *m = p->m;
     int k;
     kern_least_ways(p, p->dual.u, p->contacts, 0);
-    kern_model_unload(m); /* they may be what is known */
+    kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
         const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
@@ -4399,7 +4403,6 @@ static kern_status kern_least_hold(kern_model *m, kern_part *p,
                                    const kern_query *q, int rounds)
 {
     kern_status status;
-    kern_model_set(m, q);
     if (!kern_least_open(p, m))
         return KERN_NO_SPACE;
     status = kern_least_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
@@ -4419,41 +4422,55 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     const kern_proof proof = {force, NULL};
     kern_call c;
     kern_status status = kern_call_open(&c, task, shrink, force);
-    if (status == KERN_OK)
+    if (status == KERN_OK) {
+        kern_model_set(&c.m, &c.path.q);
+        kern_model_unload(&c.m);
         status = kern_least_hold(&c.m, &c.part, &c.path.q, KERN_FORCES_ROUNDS);
+    }
     kern_proof_out(&c.m, &proof, status);
     return status;
 }
 
 /* ---- Pouring ----------------------------------------------------- >>pour */
-/* Whether a wall stands, group by group from top to bottom: each passes what
-   it carries on to what carries it by its least forces, in three unknowns.
-   Groups that cannot do so alone form a unit with those that rest on them.
-   Forces found so balance every group, and prove that the structure stands. A
-   unit that cannot be balanced, and moves away from what rests on it, is a part
-   that falls: nothing else could hold it.
+/* Whether a wall stands, by a top-down equilibrium pass: from top to bottom each
+   group passes what it carries on to what carries it, by the least change of the
+   forces that are there, in three unknowns. A group that cannot do so alone forms
+   a cluster with those that rest on it; what rests on a cluster that changes is
+   not asked again, what carries it is. Forces that balance every group prove that
+   the structure stands. A cluster that cannot be balanced, and moves away from
+   what rests on it, is a part that falls: nothing else could hold it. */
 
-   leader[g] is the last group of g's unit, next[g] another group of the unit in
-   a circle, dirty[g] says of a leader, if it is odd, that its unit must be
-   balanced again; half of it is 1 + the unit that it disturbed last. */
+/* What is found out about a cluster, or all. */
+typedef enum kern_poured {
+    KERN_POURED,              /* its groups are balanced                      */
+    KERN_POUR_FALLS,          /* a part that seems to fall is open            */
+    KERN_POUR_DRY             /* out of work memory or budget                 */
+} kern_poured;
 
-/* Writes the force of contact i, and marks what it rests on if that is new. */
+/* The cluster of a group must be balanced. */
+static void kern_pour_mark_open(kern_model *m, int g)
+{
+    const int last = m->cluster.last[g];
+    m->cluster.open[last] = 1;
+    if (last < m->cluster.at)
+        m->cluster.at = last;
+}
+
+/* Writes the force of contact i; what carries it, group `on`, must be balanced
+   if that is new. */
 static void kern_pour_write(kern_model *m, int i, int on, kern_force f,
                             kern_real tolerance)
 {
     kern_force *to = m->answer.force + i;
     const kern_real change = kern_abs(f.normal - to->normal)
                              + kern_abs(f.tangential - to->tangential);
-    if (on < m->graph.groups && change > tolerance) {
-        const int last = m->leader[on];
-        m->dirty[last] |= 1;
-        m->again = last < m->again ? last : m->again;
-    }
+    if (on < m->graph.groups && change > tolerance)
+        kern_pour_mark_open(m, on);
     *to = f;
 }
 
 /* The load of group g and of what rests on it, but for members of its own
-   unit. */
+   cluster. */
 static void kern_pour_load(const kern_model *m, int g, kern_real *b)
 {
     int e;
@@ -4464,7 +4481,7 @@ static void kern_pour_load(const kern_model *m, int g, kern_real *b)
         const kern_force *f = m->answer.force + (e >> 1);
         const kern_row row = kern_model_row(m, e);
         const int other = m->graph.ends[e ^ 1];
-        if (other < g && m->leader[other] != m->leader[g])
+        if (other < g && m->cluster.last[other] != m->cluster.last[g])
             kern_row_exert(&row, -f->normal, -f->tangential, b);
     }
 }
@@ -4539,7 +4556,7 @@ static int kern_pour_supports(const kern_model *m, int g,
         c[n].row = kern_model_row(m, e);
         c[n].mu = kern_model_mu(m, e >> 1);
         c[n].end = e;
-        kern_model_prior(m, e >> 1, c[n].way, c[n].way + 1);
+        kern_model_prior(m, e >> 1, c[n].way);
         n++;
     }
     return n;
@@ -4636,65 +4653,49 @@ static kern_status kern_pour_alone(kern_model *m, int g)
     return status;
 }
 
-/* Joins two units; returns the last group of both. */
-static int kern_pour_join(kern_model *m, int g, int h)
+/* Joins two clusters. */
+static void kern_pour_join(kern_model *m, int g, int h)
 {
-    const int swap = m->next[g];
-    const int last = m->leader[g] > m->leader[h] ? m->leader[g]
-                                                 : m->leader[h];
+    kern_clusters *c = &m->cluster;
+    const int swap = c->next[g];
+    const int last = c->last[g] > c->last[h] ? c->last[g] : c->last[h];
     int i = g;
-    m->dirty[m->leader[g]] = m->dirty[m->leader[h]] = 0;
-    m->next[g] = m->next[h];
-    m->next[h] = swap;
+    c->open[c->last[g]] = c->open[c->last[h]] = 0;
+    c->next[g] = c->next[h];
+    c->next[h] = swap;
     do {
-        m->leader[i] = last;
-        i = m->next[i];
+        c->last[i] = last;
+        i = c->next[i];
     } while (i != g);
-    return last;
 }
 
-/* Sets the mark of every group of g's unit that has none; returns how many. */
+/* Marks, or unmarks, every group of g's cluster; returns how many there are. */
 static int kern_pour_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
     do {
-        if (m->graph.local[i] == KERN_OUT) {
-            m->graph.local[i] = mark;
-            n++;
-        }
-        i = m->next[i];
+        m->graph.local[i] = mark;
+        i = m->cluster.next[i];
+        n++;
     } while (i != g);
     return n;
 }
 
-/* Adds to the unit of `last` those that rest on it, `levels` of them. Returns
-   how many groups have been added; they are marked. */
-static int kern_pour_grow(kern_model *m, int *last, int levels)
+/* Adds the clusters that rest on g's, which is marked, to it; takes the marks
+   back. */
+static void kern_pour_grow(kern_model *m, int last)
 {
-    int g, e, added = 0;
-    kern_pour_mark(m, *last, 0);
-    for (g = *last; g >= 0; g--) {
-        if (m->graph.local[g] == KERN_OUT || m->graph.local[g] >= levels)
+    int g, e;
+    for (g = last; g >= 0; g--) {
+        if (m->graph.local[g] == KERN_OUT)
             continue;
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
             const int h = m->graph.ends[e ^ 1];
-            if (h < g && m->graph.local[h] == KERN_OUT) {
-                added += kern_pour_mark(m, h, m->graph.local[g] + 1);
-                *last = kern_pour_join(m, g, h);
-            }
+            if (h < g && m->cluster.last[h] != m->cluster.last[g])
+                kern_pour_join(m, g, h);
         }
     }
-    return added;
-}
-
-/* Takes the marks of a unit back. */
-static void kern_pour_unmark(kern_model *m, int g)
-{
-    int i = g;
-    do {
-        m->graph.local[i] = KERN_OUT;
-        i = m->next[i];
-    } while (i != g);
+    kern_pour_mark(m, last, KERN_OUT);
 }
 
 /* Opens group `last`, which cannot be balanced, with all that rests on it, if
@@ -4725,14 +4726,6 @@ static int kern_pour_stack(kern_model *m, kern_part *p, int last)
         m->graph.local[g] = KERN_OUT;
     return 0;
 }
-
-/* What is found out about a unit. */
-typedef enum kern_poured {
-    KERN_POURED,              /* its groups are balanced                      */
-    KERN_POUR_FALLS,          /* a part that seems to fall is open            */
-    KERN_POUR_LATER,          /* it has grown to groups that come later       */
-    KERN_POUR_DRY             /* out of work memory or budget                 */
-} kern_poured;
 
 /* Writes the least forces of a part. */
 static void kern_pour_keep(kern_part *p, kern_real tolerance)
@@ -4773,10 +4766,10 @@ static int kern_pour_parts(kern_part *p)
     return power > 0;
 }
 
-/* Opens the part of a unit, and writes its least forces if they balance it.
+/* Opens the part of a cluster, and writes its least forces if they balance it.
    KERN_FALLS where no forces would, all else held. */
 static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
-                                  int last, int *budget)
+                                  int last)
 {
     kern_real load = KERN_R(0), least = KERN_INFINITY;
     kern_status status;
@@ -4785,7 +4778,7 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
     if (!kern_part_open(p, m, groups, last))
         return KERN_NO_SPACE;
     take = p->rest;
-    if (!kern_least_lay(p, &take) || p->dual.cost > *budget)
+    if (!kern_least_lay(p, &take) || p->dual.cost > m->cluster.budget)
         return KERN_NO_SPACE;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
@@ -4796,7 +4789,7 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
         load += kern_abs(p->dual.b[n]);
     status = kern_least_find(p, KERN_POUR_TOL * least, KERN_LEAST_MOST * load,
                              0, KERN_LEAST_ROUNDS);
-    *budget -= p->dual.rounds * p->dual.cost;
+    m->cluster.budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
         kern_pour_keep(p, KERN_POUR_TOL * least);
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
@@ -4804,36 +4797,35 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
     return status;
 }
 
-/* Balances the unit of `last`, and lets it grow until it can be balanced, or a
-   part of it is seen to fall. */
-static kern_poured kern_pour_unit(kern_model *m, kern_part *p, int last,
-                                  int failed, int *budget)
+/* Balances the cluster of `last`, and lets it grow until it can be balanced, or
+   a part of it is seen to fall. One that has grown to groups farther down comes
+   later. `failed`: it is one group that cannot be balanced alone. */
+static kern_poured kern_pour_cluster(kern_model *m, kern_part *p, int last,
+                                     int failed)
 {
-    const int begun = last;
     const int most = m->graph.groups <= KERN_SMALL ? m->graph.groups / 4 + 1
                      : KERN_UNIT_MOST + m->graph.groups / KERN_UNIT_SHARE;
-    int groups = kern_pour_mark(m, last, 0), levels;
-    for (levels = 1; ; levels *= 2) {
-        kern_status status = KERN_UNDECIDED;
-        int added;
-        if (groups > 1 || !failed)
-            status = kern_pour_part(p, m, groups, last, budget);
+    for (;;) {
+        const int groups = kern_pour_mark(m, last, 0);
+        const kern_status status = failed
+            ? KERN_UNDECIDED : kern_pour_part(p, m, groups, last);
+        int grown;
         if (status == KERN_FALLS)
             return KERN_POUR_FALLS;
-        kern_pour_unmark(m, last);
-        if (status == KERN_STANDS)
-            return KERN_POURED;
-        if (status == KERN_NO_SPACE || status == KERN_LIMIT)
-            return KERN_POUR_DRY;
-        added = kern_pour_grow(m, &last, levels);
-        groups += added;
-        if (added == 0 || groups > most)
-            return KERN_POUR_DRY;
-        if (last > begun) {
-            kern_pour_unmark(m, last);
-            m->dirty[last] = 1;
-            return KERN_POUR_LATER;
+        if (status == KERN_STANDS || status == KERN_NO_SPACE
+            || status == KERN_LIMIT) {
+            kern_pour_mark(m, last, KERN_OUT);
+            return status == KERN_STANDS ? KERN_POURED : KERN_POUR_DRY;
         }
+        kern_pour_grow(m, last);
+        if (m->cluster.last[last] > last) {
+            kern_pour_mark_open(m, last);
+            return KERN_POURED;
+        }
+        grown = kern_pour_mark(m, last, KERN_OUT);
+        if (grown == groups || grown > most)
+            return KERN_POUR_DRY;
+        failed = 0;
     }
 }
 
@@ -4842,8 +4834,8 @@ static void kern_pour_begin(kern_model *m)
 {
     int g;
     for (g = 0; g < m->graph.groups; g++) {
-        m->leader[g] = m->next[g] = g;
-        m->dirty[g] = 1;
+        m->cluster.last[g] = m->cluster.next[g] = g;
+        m->cluster.open[g] = 1;
     }
     kern_model_unload(m);
 }
@@ -4879,88 +4871,70 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
 }
 
 /* The forces that are known, in units: only groups that they do not balance must
-   be, by the least change. */
-static void kern_pour_change(kern_model *m, kern_real shrink)
+   be. */
+static void kern_pour_known(kern_model *m, kern_real shrink)
 {
+    const kern_real from = m->known->holds;
     int i, g, e;
-    m->prior = m->answer.force;
     for (i = 0; i < m->s->contacts; i++) {
-        m->answer.force[i].normal = m->known[i].normal / m->weight;
-        m->answer.force[i].tangential = m->known[i].tangential / m->weight;
+        m->answer.force[i].normal = m->known->force[i].normal / m->weight;
+        m->answer.force[i].tangential = m->known->force[i].tangential
+                                        / m->weight;
     }
-    for (i = 0; i < m->s->contacts && shrink < m->balanced; i++)
-        i += kern_force_widen(m, i, m->balanced, shrink);
+    for (i = 0; i < m->s->contacts && shrink < from; i++)
+        i += kern_force_widen(m, i, from, shrink);
     for (g = 0; g < m->graph.groups; g++) {
-        kern_real *b = m->load + 3 * (size_t)g;
-        kern_real left[3] = {b[0], b[1], b[2]};
+        kern_real left[3] = {0, 0, 0};
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+            const kern_force *f = m->answer.force + (e >> 1);
             const kern_row row = kern_model_row(m, e);
-            kern_row_exert(&row, -m->answer.force[e >> 1].normal,
-                           -m->answer.force[e >> 1].tangential, left);
+            kern_row_exert(&row, f->normal, f->tangential, left);
         }
-        m->leader[g] = m->next[g] = g;
-        m->dirty[g] = !(kern_largest(left, 3) <= KERN_TOL / 4 * m->size[g]);
+        for (i = 0; i < 3; i++)
+            left[i] -= m->load[3 * g + i];
+        m->cluster.last[g] = m->cluster.next[g] = g;
+        m->cluster.open[g] = !(kern_largest(left, 3)
+                               <= KERN_TOL / 4 * m->size[g]);
     }
 }
 
-/* The unit of `last` has disturbed one that was balanced before. If it did so
-   the last time it was balanced they rest on each other, and are joined. */
-static void kern_pour_returns(kern_model *m, int last)
-{
-    const int again = 2 * (m->again + 1);
-    if (m->dirty[last] == again)
-        m->dirty[kern_pour_join(m, last, m->again)] = 1;
-    else
-        m->dirty[last] = again;
-}
-
-/* Balances a group, by itself or with others in a unit. */
-static kern_poured kern_pour_group(kern_model *m, kern_part *p, int at,
-                                   int *budget)
+/* Balances group `at`, by itself or with others in a cluster. */
+static kern_poured kern_pour_group(kern_model *m, kern_part *p, int at)
 {
     kern_status alone = KERN_UNDECIDED;
-    if (m->next[at] == at)
+    const int single = m->cluster.next[at] == at;
+    if (single)
         alone = kern_pour_alone(m, at);
     if (alone == KERN_STANDS)
         return KERN_POURED;
     if (alone == KERN_FALLS && kern_pour_stack(m, p, at))
         return KERN_POUR_FALLS;
-    return kern_pour_unit(m, p, at, alone == KERN_FALLS, budget);
+    return kern_pour_cluster(m, p, at, alone == KERN_FALLS);
 }
 
-/* Balances all groups that must be: KERN_POURED with the forces,
+/* Balances all groups that must be: KERN_POURED with m->answer.force,
    KERN_POUR_FALLS with an open part, or KERN_POUR_DRY. */
 static kern_poured kern_pour(kern_model *m, kern_part *p)
 {
+    kern_clusters *c = &m->cluster;
     const int size = m->s->contacts + m->graph.groups;
-    int budget = KERN_POUR_BUDGET
-                 * (size < KERN_POUR_LARGEST ? size : KERN_POUR_LARGEST);
-    int at;
-    for (at = 0; at < m->graph.groups; at++)
-        m->graph.local[at] = KERN_OUT; /* a part may have been open           */
-    for (at = 0; at < m->graph.groups; ) {
-        kern_poured found;
-        if (!(m->dirty[at] & 1)) {
-            at++;
+    kern_poured found = KERN_POURED;
+    int g;
+    for (g = 0; g < m->graph.groups; g++)
+        m->graph.local[g] = KERN_OUT; /* a part may have been open            */
+    c->budget = KERN_POUR_BUDGET
+                * (size < KERN_POUR_LARGEST ? size : KERN_POUR_LARGEST);
+    for (c->at = 0; c->at < m->graph.groups && found == KERN_POURED; ) {
+        g = c->at++;
+        if (!c->open[g])
             continue;
-        }
-        if (!kern_model_spend(m, 1))
+        c->budget -= 300;
+        if (c->budget < 0 || !kern_model_spend(m, 1))
             return KERN_POUR_DRY;
-        m->dirty[at] &= ~1;
-        m->again = m->graph.groups;
-        found = kern_pour_group(m, p, at, &budget);
-        if (found == KERN_POUR_DRY || found == KERN_POUR_FALLS) {
-            m->dirty[at] |= 1;
-            return found;
-        }
-        budget -= 300;
-        if (budget < 0)
-            return KERN_POUR_DRY;
-        if (m->again < at)
-            kern_pour_returns(m, at);
-        at = m->again < at + 1 ? m->again : at + 1;
+        c->open[g] = 0;
+        found = kern_pour_group(m, p, g);
     }
-    return KERN_POURED;
+    return found;
 }
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
@@ -5210,9 +5184,7 @@ static kern_status kern_model_hold(kern_model *m, kern_part *p,
 {
     if (q->factor > 0)
         return KERN_UNDECIDED;
-    m->prior = m->answer.force;
     p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
-    m->prior = NULL;
     return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
 }
 
@@ -5243,11 +5215,10 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     kern_model_set(m, q);
     for (; change >= 0; change--) {
         if (change)
-            kern_pour_change(m, q->shrink);
+            kern_pour_known(m, q->shrink);
         else
             kern_pour_begin(m);
         poured = kern_pour(m, p);
-        m->prior = NULL;
         if (poured == KERN_POUR_FALLS)
             return KERN_FALLS;
         if (poured == KERN_POURED && kern_pour_proven(m, q, proven)) {
@@ -6567,7 +6538,7 @@ static int kern_moves(const kern_model *m, int i)
    a body. */
 
 /* The rows of what holds body g, about its block's centre; returns how many there
-   are. If they are of one block it belongs to the body of that: m->leader. */
+   are. If they are of one block it belongs to the body of that: m->carrier. */
 static int kern_body_rows(kern_model *m, int g, kern_real s,
                           kern_support row[KERN_ROWS_MOST])
 {
@@ -6575,7 +6546,7 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_contact *c = m->s->contact + (e >> 1);
         const int other = m->graph.ends[e ^ 1];
-        if (other < g && m->leader[other] == g)
+        if (other < g && m->carrier[other] == g)
             continue;
         on = on == KERN_OUT || on == other ? other : m->graph.groups;
         if (n < KERN_ROWS_MOST) {
@@ -6590,7 +6561,7 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
         }
         n++;
     }
-    m->leader[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
+    m->carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
     return n;
 }
 
@@ -6657,7 +6628,7 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
             kern_motion *v = m->answer.motion + m->graph.block[g];
             const kern_real one = i ? 1 / most : KERN_R(1);
             kern_vec arm;
-            for (h = g; h != KERN_OUT && h < body; h = m->leader[h])
+            for (h = g; h != KERN_OUT && h < body; h = m->carrier[h])
                 ;
             if (h != body)
                 continue;
@@ -6683,7 +6654,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
     for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
         const kern_real power = kern_body_power(m, g, best, u);
-        const int on = m->leader[g];
+        const int on = m->carrier[g];
         kern_real edge;
         if (power < 0) {
             edge = kern_body_edge(m, path, g, power, best);
@@ -8993,8 +8964,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
         return (kern_status)found;
     status = kern_call_open(&c, &plan->task, KERN_R(0), out);
     if (status == KERN_OK)
-        status = kern_measure_task(&c, &plan->task, &plan->task.known,
-                                   plan->task.known.force, out, proof);
+        status = kern_measure_task(&c, &plan->task, &plan->task.known, out,
+                                   proof);
     kern_plan_drop(plan, found);
     return status;
 }
@@ -9013,14 +8984,13 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     if (status != KERN_OK)
         return status;
     if (kern_travels_of(&task->s, &c.path.q).nested) {
-        c.m.known = known->fails > 0 ? known->force : NULL;
-        c.m.balanced = known->holds;
+        c.m.known = known->fails > 0 ? known : NULL;
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
         return kern_spent(task->work, task->options.limit, status);
     }
     c.path.q.shrink = KERN_R(0);
-    status = kern_measure_task(&c, task, known, known->force, &r, proof);
+    status = kern_measure_task(&c, task, known, &r, proof);
     return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS : status;
 }
 

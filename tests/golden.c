@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x54e20aa6d13abd9fu },
-    { 1000, 0xa718754145daf0e8u },
-    { 5000, 0x4befc6ae8b277353u },
+    { 200, 0xda810cb296fea279u },
+    { 1000, 0xdf9d8c41254486c8u },
+    { 5000, 0x8361b0796a00c7fdu },
 #else
-    { 200, 0x0008c534675ba0ecu },
-    { 1000, 0x3b3649084a58a6f4u },
-    { 5000, 0x6b702be1d095f84fu },
+    { 200, 0xcde91a0487208181u },
+    { 1000, 0x749801123c884493u },
+    { 5000, 0xdc9174d387b43d3fu },
 #endif
 };
 
