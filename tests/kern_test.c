@@ -3935,6 +3935,8 @@ static void open_joint(void)
               _shift, _factor, _solve
      group    kern_pour_solve
      basis    kern_simplex_lay, kern_program_solve, kern_basis_solve
+     step     kern_call_open, kern_inner_open, kern_inner_begin, kern_inner_step
+     bracket  kern_path_evaluate, kern_path_edge
 
    With tests/audit.h included first, the state of an engine is checked wherever
    a test of this file uses it: see there. */
@@ -4204,6 +4206,73 @@ static void engine_basis(void)
         got = kern_program_solve(&sx, 1, x, y, &work);
         CHECK(got == KERN_LP_OPTIMAL || got == KERN_LP_INFEASIBLE);
         engine_basis_holds(&sx, a, rhs);
+    }
+}
+
+/* A cube laid so far off another one: its load is half less that from the end of
+   their joint. */
+static void offset_cube(world *w, double off)
+{
+    world_reset(w);
+    world_box(w, 0, -9, -1, 9, 0);
+    world_box(w, 1, 0, 0, 1, 1);
+    world_box(w, 1, off, 1, 1 + off, 2);
+    world_touch(w);
+}
+
+/* There every interior point ends, with forces and speeds above 0 in each and a
+   gap that goes to 0. */
+static void engine_step(void)
+{
+    static world w;
+    kern_work work;
+    kern_call c;
+    kern_inner in;
+    int round, i;
+    offset_cube(&w, 0.25);
+    work = work_of(&w);
+    CHECK_INT(kern_call_open(&c, world_task(&w, &work), 0, &w), KERN_OK);
+    c.path.end = R(0.37);
+    CHECK(kern_inner_open(&in, &c.m, &c.path));
+    in.least = R(SINGLE ? 1e-4 : 1e-9);
+    CHECK(kern_inner_begin(&in, 0, 0));
+    for (round = 0; round < 25 && in.gap > in.least; round++) {
+        const double before = (double)in.gap;
+        CHECK(kern_inner_step(&in));
+        CHECK(in.gap < 2 * before && in.s <= in.most);
+        for (i = 0; i < 2 * in.p->contacts; i++)
+            CHECK(in.p->x[i] > 0 && in.z[i] > 0);
+    }
+    CHECK(round >= 3 && round < 25);
+    CHECK_NEAR(in.s, 0.25, SINGLE ? 2e-3 : 1e-7);
+}
+
+/* A bracket around it is narrowed to the tolerance, and both its ends are what
+   verdicts from nothing say. */
+static void engine_bracket(void)
+{
+    static const double off[] = {0.05, 0.1, 0.25, 0.3, 0.4};
+    static world w;
+    int i;
+    for (i = 0; i < (int)(sizeof off / sizeof *off); i++) {
+        const double edge = 0.5 - off[i];
+        kern_work work;
+        kern_call c;
+        kern_path *path = &c.path;
+        offset_cube(&w, off[i]);
+        work = work_of(&w);
+        CHECK_INT(kern_call_open(&c, world_task(&w, &work), 0, &w), KERN_OK);
+        path->end = R(edge * 1.04); /* within half of the joint */
+        CHECK_INT(kern_path_evaluate(&c.m, path, 0), KERN_STANDS);
+        CHECK_INT(kern_path_evaluate(&c.m, path, path->end), KERN_FALLS);
+        CHECK(kern_path_edge(&c.m, path) >= 0);
+        CHECK_NEAR(path->edge, edge, EXACT);
+        CHECK(path->holds <= path->edge && path->edge <= path->fails);
+        CHECK(path->fails - path->holds <= path->tolerance * R(1.01));
+        CHECK_INT(kern_verdict(world_task(&w, &work), path->holds, NULL),
+                  KERN_STANDS);
+        CHECK_INT(kern_verdict(world_task(&w, &work), path->fails, NULL),
+                  KERN_FALLS);
     }
 }
 
@@ -10577,6 +10646,8 @@ static const test tests[] = {
     TEST(engine_factor),
     TEST(engine_group),
     TEST(engine_basis),
+    TEST(engine_step),
+    TEST(engine_bracket),
     TEST(lp_cycling),
     TEST(lp_of_no_cost),
     TEST(lp_kinds),
