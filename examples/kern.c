@@ -11,6 +11,11 @@
 
    SPDX-License-Identifier: MIT */
 
+/* The same digits where products and sums are fused: see >>determinism. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__FMA__)
+#pragma GCC optimize("no-tree-vectorize")
+#endif
+
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
@@ -764,7 +769,10 @@ static void report_level(const struct analysis *a)
         return;
     }
     printf("  level       %-8d", a->m.level);
-    if (a->measured == KERN_FALLS)
+    if (a->measured == KERN_FALLS && a->shown == KERN_STANDS &&
+        !(shrinkage(a) > 0))
+        printf("  critical: it stands and it falls, as exactly as proofs are\n");
+    else if (a->measured == KERN_FALLS)
         printf("  falls as it is\n");
     else if (a->m.saturated)
         printf("  stands even with every kern closed (steps of %.4g%s), so\n"
