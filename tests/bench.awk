@@ -56,7 +56,7 @@ function spread(name, from, to,    list, n, i, k, m) {
 }
 
 # The files, a row for each class of sizes.
-function corpus(list,    all, m, k, i, name, unit, sum) {
+function corpus(list,    all, m, k, i, name, unit, sum, mean) {
     m = split(list, all, ";")
     if (!("verdict / LP" in of)) return
     printf("%s| stones | structures |", summary ? "" : "THE CORPUS: median, " \
@@ -81,13 +81,17 @@ function corpus(list,    all, m, k, i, name, unit, sum) {
     for (i = 1; i <= m; i++)
         cell(of[all[i]] ? sprintf("%.1f %%", 100 * above[all[i]] / of[all[i]]) : "")
     unit = "verdict ms" in of ? "ms" : "M"
+    if ("LPs" in of)
+        mean = sprintf("A measure takes %.1f verdicts by pouring and linear " \
+            "programs, and %.1f pivots, on the average.\n\n",
+            total["LPs"] / of["LPs"], total["pivots"] / of["pivots"])
     printf("\n| sum, %s | |", unit == "M" ? "million instructions" : unit)
     for (i = 1; i <= m; i++) {
         name = all[i]
         sub(/\/ LP/, unit, name)
         cell(number(total[name], 3))
     }
-    printf("\n\n")
+    printf("\n\n%s", mean)
 }
 
 # The median of list[1..n]; "" where n is 0.

@@ -138,7 +138,7 @@ def figures(folder):
 
 def functions(*names):
     """At most 60 lines, and a cyclomatic complexity of at most 16 (McCabe)."""
-    found = 0
+    found, long = 0, []
     for name in names:
         with open(name, encoding='utf-8') as file:
             text = re.sub(r'/\*.*?\*/|"(\\.|[^"\\\n])*"',
@@ -152,9 +152,11 @@ def functions(*names):
                                       f[0]))
             found += 1
             missed -= 1
-            assert lines <= 60 and ways <= 16, (f[1], lines, ways)
+            if lines > 60 or ways > 16:
+                long.append((name, f[1], lines, ways))
         assert missed == 0, (name, missed)
     assert found > 0, names
+    assert not long, long
 
 
 def walls(folder):
