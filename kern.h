@@ -7549,9 +7549,9 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline as it is looked at. A long one has runs of `each` vertices,
+/* A block's outline as it is looked at. A long one has runs of `each` vertices
    with a box around the edges from corner to corner that start there: what is
-   far from the box is far from these, and a look costs some hundreds of edges. */
+   far from the box is far from these. A look costs some hundreds of edges. */
 typedef struct kern_parts {
     const kern_block *block;
     int straight, reflex;   /* are there such vertices?   */
@@ -7660,8 +7660,9 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     const kern_vec d = kern_vec_sub(v, u);
     const kern_real whole = kern_vec_dot(d, d);
     const kern_real along =
-        kern_min(kern_max(-kern_vec_dot(u, d), 0), whole);
-    const kern_vec r = kern_vec_step(u, whole > 0 ? along / whole : 0, d);
+        kern_min(kern_max(-kern_vec_dot(u, d), KERN_R(0)), whole);
+    const kern_real share = whole > 0 ? along / whole : KERN_R(0);
+    const kern_vec r = kern_vec_step(u, share, d);
     return kern_vec_dot(r, r);
 }
 
@@ -7779,10 +7780,11 @@ static kern_status kern_polygon_simple(const kern_block *block,
 static kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
-    kern_vec moment = kern_vec_make(0, 0); /* of the area about vertex 0 */
-    kern_real spread = 0;
+    /* of the area about vertex 0 */
+    kern_vec moment = kern_vec_make(KERN_R(0), KERN_R(0));
+    kern_real spread = KERN_R(0);
     int i;
-    block->area = 0;
+    block->area = KERN_R(0);
     kern_box_empty(&block->box);
     for (i = 0; i < block->vertices; i++) {
         const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
@@ -7885,7 +7887,7 @@ KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
 
 KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 {
-    kern_real sum = 0;
+    kern_real sum = KERN_R(0);
     int i, sized = 0;
     for (i = 0; block && i < blocks; i++) {
         const kern_real size = block[i].fixed ? 0 : kern_block_size(&block[i]);
@@ -7894,7 +7896,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
             sized++;
         }
     }
-    return sized ? sum / KERN_R(sized) : 0;
+    return sized ? sum / KERN_R(sized) : KERN_R(0);
 }
 
 /* ---- Contacts ------------------------------------------------- >>contact */
@@ -7921,29 +7923,25 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 /* The search goes along the edges of one block. The depth in the other changes
    by no more than the way, so each depth gives a step that is safe. */
 
-/* Does all of the block lie right of the line through p in direction d, or left
-   of it by no more than that? */
-static int kern_overlap_beside(const kern_block *block, kern_vec p, kern_vec d,
-                               kern_real left)
-{
-    int i = 0;
-    while (i < block->vertices
-           && kern_vec_cross(d, kern_vec_sub(block->vertex[i], p)) <= left)
-        i++;
-    return i == block->vertices;
-}
-
-/* Does the line of an edge of a separate the two, within the gap? A convex
-   pair that does not overlap has such an edge, as a rule. */
+/* Does the line of an edge of a separate the two, with b right of it and a left
+   of it, but for half a gap? A convex pair that does not overlap has such an
+   edge, as a rule. */
 static int kern_overlap_parted(const kern_block *a, const kern_block *b,
                                kern_real gap)
 {
     kern_edge e;
-    int i;
+    int i, k;
     for (i = 0; i < a->vertices; i++) {
         kern_edge_set(&e, a, i, kern_polygon_next(a, i, 0));
-        if (kern_overlap_beside(b, e.p, e.d, gap / 2)
-            && kern_overlap_beside(a, e.p, kern_vec_scale(e.d, -1), gap / 2))
+        for (k = 0; k < b->vertices; k++)
+            if (kern_vec_cross(e.d, kern_vec_sub(b->vertex[k], e.p)) > gap / 2)
+                break;
+        if (k < b->vertices)
+            continue;
+        for (k = 0; k < a->vertices; k++)
+            if (kern_vec_cross(e.d, kern_vec_sub(a->vertex[k], e.p)) < -gap / 2)
+                break;
+        if (k == a->vertices)
             return 1;
     }
     return 0;
@@ -7954,14 +7952,14 @@ static int kern_overlap_parted(const kern_block *a, const kern_block *b,
 static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
                                     kern_vec p, kern_vec d, kern_real most)
 {
-    kern_real low = 0;
+    kern_real low = KERN_R(0);
     kern_edge e;
     kern_edge_set(&e, b, i, kern_polygon_next(b, i, 0));
-    kern_clip(&low, &most, kern_edge_along(&e, p), kern_vec_dot(d, e.d), 0,
-              e.length);
+    kern_clip(&low, &most, kern_edge_along(&e, p), kern_vec_dot(d, e.d),
+              KERN_R(0), e.length);
     kern_clip(&low, &most, kern_vec_cross(kern_vec_sub(p, e.p), e.d),
               kern_vec_cross(d, e.d), -gap, gap);
-    return low > 0 ? 0 : most;
+    return low > 0 ? KERN_R(0) : most;
 }
 
 /* Raises *deep to the depth in b of the boundary of a, but for a stride. From
@@ -8030,7 +8028,7 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
         kern_overlap_inner(a, b, &deep);
     if (!(deep > gap))
         kern_overlap_inner(b, a, &deep);
-    return deep > gap ? deep : 0;
+    return deep > gap ? deep : KERN_R(0);
 }
 
 /* ---- simplified outlines ---- */
@@ -8111,7 +8109,7 @@ static int kern_span_split(const kern_parts *parts, const kern_span *span,
 static kern_real kern_outline_riser(const kern_parts *parts, int start,
                                     kern_real most)
 {
-    kern_real riser = 0, before = KERN_HUGE;
+    kern_real riser = KERN_R(0), before = KERN_HUGE;
     int i = start;
     do {
         const int k = kern_parts_corner(parts, i);
@@ -8324,9 +8322,9 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
     const kern_vec v = kern_vec_sub(p, pair->of[1].parts.block->centre);
     if (!(pair->swing > 0))
         return pair->gap;
-    return KERN_SQRT(pair->gap * pair->gap +
-                     pair->swing * pair->swing *
-                         (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
+    return KERN_SQRT(pair->gap * pair->gap
+                     + pair->swing * pair->swing
+                       * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
 /* Edge e of a and edge f of b run against each other. In the frame of their
@@ -8346,7 +8344,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *e,
     cosine = kern_vec_dot(e->d, t); /* and of f the opposite */
     slope = kern_vec_dot(e->d, n) / cosine;
     at = kern_vec_dot(r, t);
-    low = kern_max(0, at);
+    low = kern_max(KERN_R(0), at);
     high = kern_min(e->length * cosine, at + f->length * cosine);
     gap = kern_vec_dot(r, n) + slope * at; /* at s = 0 */
     wide = kern_pair_gap(pair, kern_vec_step(e->p, (low + high) / 2, t));
@@ -8367,9 +8365,9 @@ static int kern_edge_bears(const kern_edge *e, const kern_block *block,
     const kern_real along = kern_edge_along(e, p);
     return (along > inside && along < e->length - inside)
            || (kern_vec_dot(r, r) <= gap * gap
-            && kern_polygon_turn(block, e->start) < 0)
+               && kern_polygon_turn(block, e->start) < 0)
            || (kern_vec_dot(t, t) <= gap * gap
-            && kern_polygon_turn(block, e->end) < 0);
+               && kern_polygon_turn(block, e->end) < 0);
 }
 
 /* The corner where f starts stands on edge e, of a (on 0) or of b (1): it is
@@ -8390,7 +8388,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *f,
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
         || !kern_edge_bears(e, pair->of[on].parts.block, p,
-                         pair->foot - pair->over, wide))
+                            pair->foot - pair->over, wide))
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
@@ -8429,7 +8427,7 @@ static int kern_line_passes(const kern_contact *line, const kern_contact *point,
     const kern_vec r = kern_vec_sub(point->p, line->p);
     const kern_real off = kern_vec_dot(r, line->n);
     const kern_real beyond = kern_max(
-        kern_abs(kern_vec_cross(line->n, r)) - line->travel, 0);
+        kern_abs(kern_vec_cross(line->n, r)) - line->travel, KERN_R(0));
     return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE
            && off * off + beyond * beyond <= gap * gap;
 }
@@ -8493,8 +8491,8 @@ static void kern_pair_face(kern_pair *pair, int i)
     int k, rest = i + 1;
     face.lead = at[i];
     face.low = face.high = face.lead.p;
-    face.least = face.most = 0;
-    face.sum = kern_vec_make(0, 0);
+    face.least = face.most = KERN_R(0);
+    face.sum = kern_vec_make(KERN_R(0), KERN_R(0));
     for (k = i; k < pair->count; k++) /* the leader itself first */
         if (!kern_face_join(&face, pair, &at[k]) && k > i)
             at[rest++] = at[k];
@@ -8521,7 +8519,7 @@ static void kern_interface_travels(kern_contact *contact, int contacts)
 {
     const kern_contact first = *contact;
     kern_vec centre = first.p;
-    kern_real widest = 0;
+    kern_real widest = KERN_R(0);
     int j, k;
     for (j = 0; j < contacts; j++)
         for (k = j + 1; k < contacts
@@ -8717,8 +8715,8 @@ static kern_status kern_search_check(const kern_search *s, int i)
 static kern_status kern_search_survey(kern_search *s)
 {
     kern_box all;
-    kern_real area = 0; /* largest of a free block            */
-    kern_real arm = 0;  /* twice the longest diagonal of a box */
+    kern_real area = KERN_R(0); /* largest of a free block            */
+    kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
     int i;
     kern_box_empty(&all);
     for (i = 0; i < s->blocks; i++) {
@@ -8832,7 +8830,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     int line;
     if (!options || !out)
         return (int)KERN_BAD_POINTER;
-    out->travel = 0;
+    out->travel = KERN_R(0);
     status = kern_options_check(options);
     if (status >= 0)
         status = kern_contact_check(out, KERN_COUNT_MOST);
@@ -8854,7 +8852,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
         return (int)KERN_BAD_LINE;
     out->n = normal;
     out->line = line;
-    out->travel = line ? kern_vec_cross(normal, d) / 2 : 0;
+    out->travel = line ? kern_vec_cross(normal, d) / 2 : KERN_R(0);
     if (line) {
         out[1] = *out;
         out[1].p = q;
