@@ -52,6 +52,7 @@ static const char help[] =
 "                   where these are not found)\n"
 "      --mechanism  list how every block moves as it falls; where it stands,\n"
 "                   just past the margin\n"
+"      --mechanism live   just past the factor of the live load\n"
 "      --profile    how far each block is from falling in a progressive\n"
 "                   collapse: contacts shrink, or a horizontal load grows;\n"
 "                   collapsed blocks are removed and the analysis goes on\n"
@@ -59,7 +60,8 @@ static const char help[] =
 "                   mean block, angles up to 0.15 rad): best predictor of\n"
 "                   shaking; the verdict still comes from real contacts\n"
 "      --raised     does the load raise the forces that hold it, or do blocks\n"
-"                   hang; and the reserve, the share of g that may push to\n"
+"                   hang; the load factors of Coulomb friction, from rest; and\n"
+"                   the reserve, the share of g that may push to\n"
 "                   either side: 0.0055 is enough for a stone that is let go\n"
 "      --error E[,THETA]  how many times the robot's error the structure bears:\n"
 "                   +-E in place (a length), +-THETA in angle (rad); and the\n"
@@ -91,6 +93,10 @@ static const char help_format[] =
 "                      smaller block, 0.0175\n"
 "  com NAME X Y        centre of mass, where it is not the centroid\n"
 "  load NAME FX FY X Y   a force at a point      torque NAME T   counter-clockwise\n"
+"  live NAME FX FY X Y   a force of the live load, whose factor is asked for\n"
+"  mass NAME M X Y     weight that is no stone (fill, snow), added to mass and\n"
+"                      centre of the block: gravity, tilt and load factor act on\n"
+"                      it. Loads stay as they are in all of these\n"
 "  contact A B  NX NY  X1 Y1 [X2 Y2] [mu MU]  a contact that is given, normal from\n"
 "                      A into B; then none are searched for\n"
 "\n"
@@ -98,7 +104,8 @@ static const char help_format[] =
 "contact_points, line_contacts, point_contacts: counts; near, relative; level;\n"
 "epsilon, margin, holds, fails (proven bracket of the margin), deficit,\n"
 "signed_margin: lengths (-r: shares); load_left, load_right: horizontal load\n"
-"factor, in g; tilt_left, tilt_right: rad; saturated: stands with every contact a\n"
+"factor, in g; tilt_left, tilt_right: rad; loads_stay: true where the file has\n"
+"loads, which none of these scales; live: factor of the live load; saturated: stands with every contact a\n"
 "point; limited_by: contacts of a and b at x, y that limit the margin, strongest\n"
 "first: share of the strongest, and does (rests, hinges, slides, opens);\n"
 "(corner_x, corner_y: the same point before contacts shrink);\n"
@@ -119,7 +126,9 @@ static const char help_format[] =
 "two others press, from resultant x1, y1 to x2, y2. --mechanism: motion with\n"
 "velocities vx, vy of the centre and spin, the angular velocity (rad,\n"
 "counter-clockwise); the fastest is 1.\n"
-"--raised: raised (raised, hangs, not shown), reserve (g). --sequence: sequence\n"
+"--raised: raised (raised, hangs, not shown), reserve (g); raised_load_left,\n"
+"raised_load_right, raised_live: as load_left, load_right, live, by equilibrium\n"
+"that the load raises from rest, null where none is shown. --sequence: sequence\n"
 "of block, margin; weakest_step: the first block with the least.\n"
 "--error: bears (margin / 2E, with cones that narrow by tan THETA / 2E),\n"
 "least_friction (of contacts without a value of their own).\n"
@@ -130,7 +139,7 @@ static const char help_format[] =
 
 enum { EXIT_STANDS, EXIT_FALLS, EXIT_BAD, EXIT_UNDECIDED };
 
-enum { LEFT, RIGHT };
+enum { LEFT, RIGHT, LIVE };
 enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
 
 /* Beyond that an int may not hold the length of the work arrays. */
@@ -141,7 +150,7 @@ struct settings {           /* of the command line; numbers < 0: not given */
     kern_real error, turn;  /* of --measured                               */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
-    int raised, sequence;
+    int raised, sequence, mechanism_live;
     const char *svg;
     char **file;
     int files;
@@ -173,9 +182,11 @@ struct analysis {
     kern_status measured;   /* from shrinkage 0                  */
     kern_margin m;
     kern_force *last_force; /* at m.holds, if it stands at 0     */
-    kern_motion *collapse;  /* just past the margin, or at 0     */
+    kern_motion *collapse;  /* just past the margin, or at 0; with
+                               --mechanism live past its factor  */
     kern_critical critical; /* what limits the margin            */
-    double deficit, bearing, load[2], tilt[2];
+    double deficit, bearing, load[2], tilt[2], live;
+    double raised_load[3];  /* left, right, live; NAN: none is shown */
     double *stress;         /* of a line contact at the margin; 0: none   */
 
     kern_status raised;     /* real contacts, if asked for       */
@@ -213,6 +224,8 @@ static int fail_memory(struct analysis *a)
 static kern_motion *shown_motion(const struct analysis *a)
 {
     if (a->shown == KERN_FALLS) return a->motion;
+    if (a->set->mechanism_live && a->text.lives > 0)
+        return isfinite(a->live) ? a->collapse : NULL;
     if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
     return NULL;
 }
@@ -414,6 +427,37 @@ static int most_stressed(const struct analysis *a, int k, int n)
 static double value_or_nan(kern_status status, kern_real value)
 {
     return status == KERN_STANDS ? (double)value : (double)NAN;
+}
+
+/* By what factor the live load may grow, and how it falls just beyond. */
+static void find_live(struct analysis *a)
+{
+    const kern_proof proof = { NULL, a->set->mechanism_live ? a->collapse : NULL };
+    kern_real value = 0;
+    kern_status status;
+    a->live = (double)NAN;
+    if (a->shown != KERN_STANDS || a->text.lives == 0) return;
+    status = kern_load_factor_of(&a->task, shrinkage(a), a->text.live, &value,
+                                 &proof);
+    a->live = value_or_nan(status, value);
+}
+
+/* The same for Coulomb friction, from rest. */
+static void find_raised_loads(struct analysis *a)
+{
+    static const kern_side side[3] = { KERN_LEFT, KERN_RIGHT, KERN_SHRINK };
+    for (int k = 0; k < 3; k++) {
+        const kern_wrench *pattern = k == LIVE ? a->text.live : NULL;
+        kern_real value = 0;
+        a->raised_load[k] = (double)NAN;
+        kern_status status;
+        if (a->raising != KERN_RAISED || a->raised != KERN_STANDS ||
+            !(pattern ? a->text.lives > 0 : gravity_of(a) > 0))
+            continue;
+        status = kern_raised_load(&a->task, shrinkage(a), side[k], pattern,
+                                  &value, NULL);
+        a->raised_load[k] = value_or_nan(status, value);
+    }
 }
 
 /* Load factors and tilts; without gravity there are neither. */
@@ -642,6 +686,7 @@ static int measure(struct analysis *a)
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
     if (a->set->raised && find_raised(a)) return -1;
+    if (a->set->raised) find_raised_loads(a);
     if (a->set->own_error > 0) find_error(a);
     if (a->set->sequence && find_sequence(a)) return -1;
     if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
@@ -660,6 +705,7 @@ static int measure(struct analysis *a)
     find_stress(a);
     show_stage(a, "  load factors ...");
     find_loads(a);
+    find_live(a);
     show_stage(a, "  profile ...");
     if (a->set->profile) find_profile(a);
     return 0;
@@ -705,7 +751,7 @@ static const char *status_word(const struct analysis *a)
    below. */
 static const char *const open_name[] = {
     "level", "margin", "deficit", "bearing", "load_left", "load_right", "tilt_left",
-    "tilt_right", "profile"
+    "tilt_right", "profile", "live"
 };
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 
@@ -718,7 +764,8 @@ static unsigned open_questions(const struct analysis *a)
         a->measured == KERN_STANDS && isnan(a->bearing),
         loaded && isnan(a->load[LEFT]), loaded && isnan(a->load[RIGHT]),
         loaded && isnan(a->tilt[LEFT]), loaded && isnan(a->tilt[RIGHT]),
-        a->set->profile && a->profiled < 0
+        a->set->profile && a->profiled < 0,
+        a->shown == KERN_STANDS && a->text.lives > 0 && isnan(a->live)
     };
     unsigned bits = 0;
     for (int k = 0; k < OPENS_MOST; k++) bits |= open[k] ? 1u << k : 0;
@@ -955,17 +1002,22 @@ static const char *factor_text(double value, double scale, const char *unit,
 static void report_loads(const struct analysis *a)
 {
     static const double degrees = 57.295779513082321;
+    const char *stay = a->text.loads > 0 ? " (loads stay as they are)" : "";
     char left[32], right[32];
-    if (a->shown != KERN_STANDS || !(gravity_of(a) > 0)) return;
-    printf("  load        %s left, %s right: horizontal load factor, in g\n",
+    if (a->shown != KERN_STANDS) return;
+    if (a->text.lives > 0)
+        printf("  live        %s: factor of the live load\n",
+               factor_text(a->live, 1, "", left));
+    if (!(gravity_of(a) > 0)) return;
+    printf("  load        %s left, %s right: horizontal load factor, in g%s\n",
            factor_text(a->load[LEFT], 1, "", left),
-           factor_text(a->load[RIGHT], 1, "", right));
+           factor_text(a->load[RIGHT], 1, "", right), stay);
     printf("  tilt        %s left, %s right, ",
            factor_text(a->tilt[LEFT], 1, "", left),
            factor_text(a->tilt[RIGHT], 1, "", right));
-    printf("in rad: %s and %s\n",
+    printf("in rad: %s and %s%s\n",
            factor_text(a->tilt[LEFT], degrees, " deg", left),
-           factor_text(a->tilt[RIGHT], degrees, " deg", right));
+           factor_text(a->tilt[RIGHT], degrees, " deg", right), stay);
 }
 
 static void report_forces(const struct analysis *a)
@@ -1196,6 +1248,26 @@ static void report_raised(const struct analysis *a)
     printf("\n");
 }
 
+static const char *shown_text(double value, char out[32])
+{
+    return isnan(value) ? "not shown" : factor_text(value, 1, "", out);
+}
+
+/* Beside the load factor: what Coulomb friction bears, from rest. */
+static void report_raised_loads(const struct analysis *a)
+{
+    char left[32], right[32];
+    if (a->raised != KERN_STANDS) return;
+    if (gravity_of(a) > 0)
+        printf("  raised load %s left, %s right: where stones slide without "
+               "parting, from rest\n",
+               shown_text(a->raised_load[LEFT], left),
+               shown_text(a->raised_load[RIGHT], right));
+    if (a->text.lives > 0)
+        printf("  raised live %s: the same for the live load\n",
+               shown_text(a->raised_load[LIVE], left));
+}
+
 static void report_error(const struct analysis *a)
 {
     printf("  bears       ");
@@ -1242,6 +1314,7 @@ static void report(const struct analysis *a)
     if (a->set->sequence) report_sequence(a);
     report_collapse(a);
     report_loads(a);
+    if (a->set->raised) report_raised_loads(a);
     if (a->set->forces) report_forces(a);
     if (a->set->forces) report_resultants(a);
     if (a->set->mechanism) report_motion(a);
@@ -1446,6 +1519,10 @@ static void json_raised(const struct analysis *a, int good)
     } else
         printf(", \"raised\": null");
     json_known("reserve", a->reserve, known);
+    json_known("raised_load_left", a->raised_load[LEFT], known);
+    json_known("raised_load_right", a->raised_load[RIGHT], known);
+    if (a->text.lives > 0)
+        json_known("raised_live", a->raised_load[LIVE], known);
 }
 
 static void json_sequence(const struct analysis *a, int good)
@@ -1522,6 +1599,8 @@ static void json_loads(const struct analysis *a, int asked)
     json_known("load_right", a->load[RIGHT], asked);
     json_known("tilt_left", a->tilt[LEFT], asked);
     json_known("tilt_right", a->tilt[RIGHT], asked);
+    if (a->text.loads > 0) json_flag("loads_stay", 1, 1);
+    if (a->text.lives > 0) json_known("live", a->live, asked);
     json_open(asked ? open_questions(a) : 0);
 }
 
@@ -1629,9 +1708,12 @@ static int draw(const struct analysis *a)
     struct draw_scene scene = scene_of(a);
     scene.names = a->text.name;
     scene.motion = falls || a->set->mechanism ? shown_fall(a) : NULL;
-    scene.motion_name = falls ? NULL : "collapse mechanism just past the margin";
+    scene.motion_name = falls ? NULL : a->set->mechanism_live
+        ? "collapse mechanism just past the factor of the live load"
+        : "collapse mechanism just past the margin";
     scene.hinges = shown_fall(a);
-    scene.hinged = falls ? scene.shrink : (double)a->m.fails;
+    scene.hinged = falls || a->set->mechanism_live ? scene.shrink
+                                                   : (double)a->m.fails;
     scene.limiting = a->critical.contact;
     scene.caption = caption;
     if (a->set->profile && a->profiled >= 0) {
@@ -1784,6 +1866,12 @@ static int read_option(void *settings, char **argv, int *i)
         { "--json", &set->json }, { "--verdict", &set->verdict_only }
     };
     const char *word = argv[*i], *value;
+    if (strcmp(word, "--mechanism") == 0 && argv[*i + 1] &&
+        strcmp(argv[*i + 1], "live") == 0) {
+        set->mechanism = set->mechanism_live = 1;
+        ++*i;
+        return 0;
+    }
     for (size_t k = 0; k < sizeof number / sizeof *number; k++)
         if (args_value(argv, i, number[k].name, &value))
             return number_option(number[k].name, value, number[k].zero,
@@ -1809,7 +1897,7 @@ static int read_option(void *settings, char **argv, int *i)
 int main(int argc, char **argv)
 {
     struct settings set = { -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0,
-                            0, 0, NULL, argv, 0 };
+                            0, 0, 0, NULL, argv, 0 };
     set.files = args_read(argc, argv, read_option, &set);
     if (set.files == ARGS_BAD) return EXIT_BAD;
     if (set.files == ARGS_HELP)

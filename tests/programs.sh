@@ -103,6 +103,33 @@ keys() { # every key of the JSON stands in the help
         $judge keys "$out/all.json" "$out/help"
 }
 
+live() { # live loads, weight that is no stone, and loads that stay
+    local kern
+    kern=$(program kern examples/kern.c) || return 1
+    {   # a wall 1 wide tips over its corner under a push at the height of 2:
+        # 2 M g .5 = f 2
+        printf 'friction 2\ngravity 0 -10\n'
+        printf 'fixed g -3 -1 3 -1 3 0 -3 0\nblock a 2 0 0 1 0 1 2 0 2\n'
+    } >"$out/wall.kern"
+    { cat "$out/wall.kern"; echo live a 1 0 0.5 2; } >"$out/live.kern"
+    { cat "$out/wall.kern"; echo mass a 2 0.5 2; } >"$out/mass.kern"
+    { cat "$out/wall.kern"; echo load a 0 -20 0.5 2; } >"$out/load.kern"
+    {   # the same weight in all, its centre at (2 1 + 2 2) / 4
+        sed 's/block a 2/block a 4/' "$out/wall.kern"
+        echo com a 0.5 1.5
+    } >"$out/heavy.kern"
+    "$kern" --raised --mechanism live "$out/live.kern" >"$out/o" || return 1
+    grep -q '^  live        5: ' "$out/o" && grep -q '^  raised live ' "$out/o" &&
+        grep -q ' -0.70711$' "$out/o" || return 1
+    "$kern" --json --raised "$out"/{live,mass,heavy,load}.kern >"$out/live.json"
+    "$kern" --help >"$out/help" && $judge keys "$out/live.json" "$out/help" &&
+        [ "$(grep -c '"load_right": 0.3333333333' "$out/live.json")" -eq 2 ] &&
+        [ "$(grep -c '"loads_stay": true' "$out/live.json")" -eq 1 ] &&
+        "$kern" "$out/load.kern" | grep -q 'loads stay as they are' || return 1
+    echo 'live g 1 0 0 0' >>"$out/live.kern"
+    "$kern" "$out/live.kern" 2>&1 | grep -q 'live.kern:6: live: a block that is'
+}
+
 kept() { # no picture is written over a structure
     local kern shake stack place bad i=0 file=$out/kept.kern
     kern=$(program kern examples/kern.c) &&

@@ -9,6 +9,10 @@
        com      NAME  X Y                             centre of mass
        load     NAME  FX FY  X Y                      force at a point
        torque   NAME  T
+       live     NAME  FX FY  X Y                      load pattern: its factor
+                                                      is asked for
+       mass     NAME  M  X Y                          weight that is no stone,
+                                                      added to mass and centre
        contact  A B  NX NY  X1 Y1 [X2 Y2] [mu MU]     normal from A into B; with
                                                       any of these none is found
        epsilon  E                                     step of Algorithm 1
@@ -45,6 +49,8 @@ struct text_file {
     kern_contact *contact; /* these, with their travels                       */
     char *own_mu;          /* nonzero: the contact has a friction of its own  */
     int contacts;
+    kern_wrench *live;     /* one a block: load pattern about its centre      */
+    int lives, loads;      /* statements of a pattern; of loads that stay     */
     kern_vec gravity;
     kern_options options;  /* the defaults, and what the file says            */
     int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
@@ -406,13 +412,24 @@ static int text_fixed(struct text_reader *r) { return text_body(r, 1); }
 static int text_block(struct text_reader *r) { return text_body(r, 0); }
 
 /* Numbers that can be read may still add up to one that cannot be held. */
-static int text_check_load(struct text_reader *r, const kern_block *b)
+static int text_check_load(struct text_reader *r, const kern_wrench *load)
 {
-    double fx = (double)b->load.fx, fy = (double)b->load.fy;
-    double torque = (double)b->load.torque;
+    double fx = (double)load->fx, fy = (double)load->fy;
+    double torque = (double)load->torque;
     if (fx - fx + (fy - fy) + (torque - torque) >= 0) return 0;
     return text_fail(r->t, "%s: the load adds up to %g %g, torque %g",
                      r->statement, fx, fy, torque);
+}
+
+/* Loads read above count about the old centre; they stay in their place. */
+static int text_centre(struct text_reader *r, kern_block *b, kern_vec c)
+{
+    kern_wrench *load[2] = { &b->load, &r->t->live[b - r->t->block] };
+    for (int k = 0; k < 2; k++)
+        load[k]->torque += (b->centre.x - c.x) * load[k]->fy
+                         - (b->centre.y - c.y) * load[k]->fx;
+    b->centre = c;
+    return text_check_load(r, load[0]) || text_check_load(r, load[1]) ? -1 : 0;
 }
 
 static int text_com(struct text_reader *r)
@@ -420,11 +437,26 @@ static int text_com(struct text_reader *r)
     kern_block *b;
     kern_vec c;
     if (text_free_block(r, &b) || text_vec(r, &c)) return -1;
-    /* Loads read above count about the old centre; they stay in their place. */
-    b->load.torque += (b->centre.x - c.x) * b->load.fy
-                    - (b->centre.y - c.y) * b->load.fx;
-    b->centre = c;
-    return text_check_load(r, b);
+    return text_centre(r, b, c);
+}
+
+/* The centre moves toward the weight. */
+static int text_mass(struct text_reader *r)
+{
+    kern_block *b;
+    kern_real mass = 0, share;
+    kern_vec at, c;
+    if (text_free_block(r, &b) || text_real(r, TEXT_POSITIVE, &mass) ||
+        text_vec(r, &at))
+        return -1;
+    if (!((double)b->mass + (double)mass <= TEXT_MOST))
+        return text_fail(r->t, "mass: it adds up to %g",
+                         (double)b->mass + (double)mass);
+    b->mass += mass;
+    share = mass / b->mass;
+    c.x = b->centre.x + share * (at.x - b->centre.x);
+    c.y = b->centre.y + share * (at.y - b->centre.y);
+    return text_centre(r, b, c);
 }
 
 static int text_load_at(struct text_reader *r)
@@ -434,7 +466,24 @@ static int text_load_at(struct text_reader *r)
     if (text_free_block(r, &b) || text_vec(r, &force) || text_vec(r, &at))
         return -1;
     kern_block_load(b, force, at, 0);
-    return text_check_load(r, b);
+    r->t->loads++;
+    return text_check_load(r, &b->load);
+}
+
+static int text_live(struct text_reader *r)
+{
+    kern_block *b, alone;
+    kern_vec force, at;
+    kern_wrench *live;
+    if (text_free_block(r, &b) || text_vec(r, &force) || text_vec(r, &at))
+        return -1;
+    live = &r->t->live[b - r->t->block];
+    alone = *b;
+    alone.load = *live;
+    kern_block_load(&alone, force, at, 0);
+    *live = alone.load;
+    r->t->lives++;
+    return text_check_load(r, live);
 }
 
 static int text_torque(struct text_reader *r)
@@ -444,7 +493,8 @@ static int text_torque(struct text_reader *r)
     kern_real torque = 0;
     if (text_free_block(r, &b) || text_real(r, TEXT_ANY, &torque)) return -1;
     kern_block_load(b, none, b->centre, torque);
-    return text_check_load(r, b);
+    r->t->loads++;
+    return text_check_load(r, &b->load);
 }
 
 static int text_contact(struct text_reader *r)
@@ -484,7 +534,8 @@ static int text_line(struct text_reader *r)
         { "block", text_block },       { "fixed", text_fixed },
         { "contact", text_contact },   { "load", text_load_at },
         { "torque", text_torque },     { "com", text_com },
-        { "density", text_density }
+        { "density", text_density },   { "live", text_live },
+        { "mass", text_mass }
     };
     char *word = text_next(r), shown[TEXT_SHOW_ROOM];
     if (*word == '\0') return 0;
@@ -528,13 +579,14 @@ static int text_make_room(struct text_reader *r, size_t length)
     r->slot = calloc((size_t)r->slots, sizeof *r->slot);
     r->contact = calloc(contacts, sizeof *r->contact);
     t->block = calloc(blocks, sizeof *t->block);
+    t->live = calloc(blocks, sizeof *t->live);
     t->name = calloc(blocks, sizeof *t->name);
     t->block_line = calloc(blocks, sizeof *t->block_line);
     t->vertex = calloc(vertices, sizeof *t->vertex);
     t->contact = calloc(2 * contacts, sizeof *t->contact);
     t->own_mu = calloc(2 * contacts, sizeof *t->own_mu);
-    return r->slot && r->contact && t->block && t->name && t->block_line &&
-           t->vertex && t->contact && t->own_mu ? 0 : text_no_memory(t);
+    return r->slot && r->contact && t->block && t->live && t->name &&
+           t->block_line && t->vertex && t->contact && t->own_mu ? 0 : text_no_memory(t);
 }
 
 static int text_lines(struct text_reader *r, size_t length)
@@ -613,6 +665,7 @@ static int text_contacts(struct text_reader *r)
 static inline void text_free(struct text_file *t)
 {
     free(t->block);
+    free(t->live);
     free(t->name);
     free(t->block_line);
     free(t->contact);
@@ -620,6 +673,7 @@ static inline void text_free(struct text_file *t)
     free(t->text);
     free(t->vertex);
     t->block = NULL;
+    t->live = NULL;
     t->name = NULL;
     t->block_line = NULL;
     t->contact = NULL;
