@@ -146,6 +146,8 @@
    KERN_SQRT(x)         in place of sqrt or sqrtf and of <math.h>
    KERN_USE_GLPK        large programs go to GLPK (under the GPL): see kern_lp.h
    KERN_GLPK_ROWS       rows above which they do (three a free block); 96
+   KERN_NO_INTERIOR     without >>inner, for firmware: above 64 groups the simplex
+                        method decides, which may take minutes
 
    Without a C library gcc is kept from calls of memcpy and memset by -Os and
    -fno-tree-loop-distribute-patterns; -fno-math-errno makes the square root an
@@ -1775,15 +1777,21 @@ static kern_travels kern_travels_of(const kern_structure *s,
                                     const kern_query *q);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step, int even);
-static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
-                                       kern_real *edge);
-static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
-                                      const kern_query *q);
 static int kern_moves(const kern_model *m, int i);
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step);
 static kern_real kern_largest(const kern_real *v, int n);
 static int kern_same_interface(const kern_contact *c, const kern_contact *d);
+#ifndef KERN_NO_INTERIOR
+static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
+                                       kern_real *edge);
+static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
+                                      const kern_query *q);
+#else /* it decides nothing */
+#define kern_inner_evaluate(in, place, edge) KERN_UNDECIDED
+#define kern_inner_verdict(m, p, q)          KERN_UNDECIDED
+#define kern_inner_search(m, path)           KERN_UNDECIDED
+#endif
 
 /* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
    half a circle by arithmetic alone. */
@@ -5968,6 +5976,8 @@ static int kern_seed_falls(kern_model *m, kern_path *path)
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
 #define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
+
+#ifndef KERN_NO_INTERIOR
 #define KERN_INNER_ROUNDS  100     /* steps of one question                   */
 #define KERN_INNER_STEPS   400     /* of a search                             */
 #define KERN_INNER_STALLED 8       /* of them that shorten the gap by less
@@ -6335,6 +6345,8 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
     in->path = path;
     in->steps = 0;
     in->gap = KERN_INFINITY; /* of no question so far */
+    p->found = KERN_UNDECIDED;
+    p->eq.simplex.state = KERN_BASIS_NONE;
     p->x = kern_take_reals(&p->rest, rays);
     p->y = kern_take_reals(&p->rest, n + 3);
     p->eq.rhs = kern_take_reals(&p->rest, n);
@@ -6476,6 +6488,7 @@ static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
     for (clean = 1; clean >= 0; clean--) { /* what is not clean found again */
         status = kern_inner_open(&in, m, &path)
                  ? kern_inner_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
+        p->found = status;
         if (status != KERN_FALLS
             || (clean && kern_inner_clean(m, p, q) == KERN_FALLS))
             break;
@@ -6537,6 +6550,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
     return status == KERN_STANDS && path->stood >= path->holds
            ? status : KERN_UNDECIDED;
 }
+#endif /* KERN_NO_INTERIOR */
 
 static int kern_moves(const kern_model *m, int i)
 {

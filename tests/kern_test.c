@@ -4220,6 +4220,7 @@ static void offset_cube(world *w, double off)
     world_touch(w);
 }
 
+#ifndef KERN_NO_INTERIOR
 /* There every interior point ends, with forces and speeds above 0 in each and a
    gap that goes to 0. */
 static void engine_step(void)
@@ -4246,6 +4247,7 @@ static void engine_step(void)
     CHECK(round >= 3 && round < 25);
     CHECK_NEAR(in.s, 0.25, SINGLE ? 2e-3 : 1e-7);
 }
+#endif
 
 /* A bracket around it is narrowed to the tolerance, and both its ends are what
    verdicts from nothing say. */
@@ -10646,7 +10648,9 @@ static const test tests[] = {
     TEST(engine_factor),
     TEST(engine_group),
     TEST(engine_basis),
+#ifndef KERN_NO_INTERIOR
     TEST(engine_step),
+#endif
     TEST(engine_bracket),
     TEST(lp_cycling),
     TEST(lp_of_no_cost),

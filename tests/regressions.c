@@ -90,7 +90,18 @@ static const struct regression {
     {"wedge_5243", KERN_STANDS, OPEN, {OPEN, OPEN}, OPEN, .1},
     /* 43 GB for kern_certain(); a slot of 4 errors that "stands for certain" */
     {"certain_no_space", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
-    {"slot_4e", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1}
+    {"slot_4e", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    /* perfect bricks: undecided verdicts, measures without end, profiles of
+       seconds; the numbers by two methods of this library, proven both ways */
+    {"bricks_45", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    {"bricks_45b", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    {"bricks_58", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    {"bricks_85", KERN_STANDS, .197541, {.446434, .197046}, OPEN, 1},
+    {"bricks_162", KERN_FALLS, NONE, {NONE, NONE}, NONE, 1},
+    {"bricks_182", KERN_STANDS, .0017316, {.421588, .0041930}, OPEN, 1},
+    {"bricks_185", KERN_FALLS, NONE, {NONE, NONE}, NONE, 1},
+    {"bricks_194", KERN_STANDS, .256095, {.391270, .233533}, OPEN, 1},
+    {"bricks_206", KERN_FALLS, NONE, {NONE, NONE}, NONE, 1}
 };
 enum { REGRESSIONS = (int)(sizeof regression / sizeof *regression) };
 
