@@ -24,6 +24,7 @@
 #include "parts/dxf.h"
 #include "parts/json.h"
 #include "parts/room.h"
+#include "parts/stays.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -67,6 +68,8 @@ static const char help[] =
 "                   +-E in place (a length), +-THETA in angle (rad); and the\n"
 "                   least friction at which it stands\n"
 "      --sequence   the margin after each block in the order of the file\n"
+"      --stays NAME the chance that the block NAME, laid last, stays where it is\n"
+"                   let go; all: that of every block in the order of the file\n"
 "      --measured E[,THETA]  poses were measured with the standard error E, a\n"
 "                   length, and THETA in angle (rad; default E over the mean\n"
 "                   block): gaps and overlaps of some errors are contacts;\n"
@@ -128,7 +131,9 @@ static const char help_format[] =
 "counter-clockwise); the fastest is 1.\n"
 "--raised: raised (raised, hangs, not shown), reserve (g); raised_load_left,\n"
 "raised_load_right, raised_live: as load_left, load_right, live, by equilibrium\n"
-"that the load raises from rest, null where none is shown. --sequence: sequence\n"
+"that the load raises from rest, null where none is shown. --stays: stays (chance\n"
+"from 0 to 1, null where it falls; with all a list of block, stays).\n"
+"--sequence: sequence\n"
 "of block, margin; weakest_step: the first block with the least.\n"
 "--error: bears (margin / 2E, with cones that narrow by tan THETA / 2E),\n"
 "least_friction (of contacts without a value of their own).\n"
@@ -151,7 +156,7 @@ struct settings {           /* of the command line; numbers < 0: not given */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live;
-    const char *svg;
+    const char *svg, *stays;
     char **file;
     int files;
 };
@@ -194,6 +199,7 @@ struct analysis {
     double reserve;
     double bears, least_friction;
     double *sequence;       /* the margin after each block       */
+    double *stays;          /* of a block: its chance, or NAN    */
 
     kern_status profiled;   /* both profiles, if asked for       */
     kern_real *fate[3];     /* of each block: its margin, and its load
@@ -375,6 +381,7 @@ static void free_analysis(struct analysis *a)
 {
     if (a->contact != a->text.contact) free(a->contact);
     free(a->sequence);
+    free(a->stays);
     free(a->stress);
     free_work(a);
     text_free(&a->text);
@@ -556,47 +563,101 @@ static int find_raised(struct analysis *a)
          ? fail_blocks(a, a->raised, &a->work.fault) : 0;
 }
 
-/* The margin after each block in the order of the file, all fixed ones there
-   from the start: 0 where it falls, NAN where that is undecided. */
-static int find_sequence(struct analysis *a)
+/* The structure as it grows in the order of the file, all fixed blocks there
+   from the start. */
+struct grown {
+    kern_task task;
+    kern_contact *contact;
+    kern_block *block;
+    int *place;             /* of a block of the whole; -1: not there yet    */
+    kern_real *value;       /* room for a number a block                     */
+};
+
+static int open_grown(const struct analysis *a, struct grown *g)
+{
+    const size_t blocks = (size_t)a->task.s.blocks;
+    g->task = a->task;
+    g->contact = array(a->task.s.contacts, sizeof *g->contact);
+    g->block = malloc(sizeof *g->block * blocks);
+    g->place = malloc(sizeof *g->place * blocks);
+    g->value = malloc(sizeof *g->value * blocks);
+    return g->contact && g->block && g->place && g->value;
+}
+
+static void close_grown(struct grown *g)
+{
+    free(g->contact);
+    free(g->block);
+    free(g->place);
+    free(g->value);
+}
+
+/* All blocks up to `last`, with the contacts between them. */
+static void grow_to(const struct analysis *a, struct grown *g, int last)
 {
     const kern_structure *s = &a->task.s;
-    kern_task part = a->task;
-    kern_contact *contact =
-        malloc(sizeof *contact * (size_t)(s->contacts + 1));
-    kern_block *block = malloc(sizeof *block * (size_t)s->blocks);
-    int *place = malloc(sizeof *place * (size_t)s->blocks), last;
-    a->sequence = malloc(sizeof *a->sequence * (size_t)s->blocks);
-    for (last = 0; last < s->blocks && contact && block && place && a->sequence;
-         last++) {
+    kern_structure *part = &g->task.s;
+    part->block = g->block;
+    part->contact = g->contact;
+    part->blocks = part->contacts = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        g->place[i] = -1;
+        if (!s->block[i].fixed && i > last) continue;
+        g->place[i] = part->blocks;
+        g->block[part->blocks++] = s->block[i];
+    }
+    for (int k = 0; k < s->contacts; k++) {
+        const kern_contact *c = &s->contact[k];
+        if (g->place[c->a] < 0 || g->place[c->b] < 0) continue;
+        g->contact[part->contacts] = *c;
+        g->contact[part->contacts].a = g->place[c->a];
+        g->contact[part->contacts++].b = g->place[c->b];
+    }
+}
+
+/* The margin after each block, 0 where it falls, NAN where that is undecided. */
+static int find_sequence(struct analysis *a)
+{
+    struct grown g = { 0 };
+    int last, there = open_grown(a, &g);
+    const int blocks = a->task.s.blocks;
+    a->sequence = malloc(sizeof *a->sequence * (size_t)blocks);
+    for (last = 0; last < blocks && there && a->sequence; last++) {
         kern_margin m;
         kern_status status;
-        part.s.block = block;
-        part.s.contact = contact;
-        part.s.blocks = part.s.contacts = 0;
-        for (int i = 0; i < s->blocks; i++) {
-            place[i] = -1;
-            if (!s->block[i].fixed && i > last) continue;
-            place[i] = part.s.blocks;
-            block[part.s.blocks++] = s->block[i];
-        }
-        for (int k = 0; k < s->contacts; k++) {
-            const kern_contact *c = &s->contact[k];
-            if (place[c->a] < 0 || place[c->b] < 0) continue;
-            contact[part.s.contacts] = *c;
-            contact[part.s.contacts].a = place[c->a];
-            contact[part.s.contacts++].b = place[c->b];
-        }
         a->sequence[last] = (double)NAN;
-        if (s->block[last].fixed) continue;
-        status = kern_measure(&part, &m, NULL);
+        if (a->task.s.block[last].fixed) continue;
+        grow_to(a, &g, last);
+        status = kern_measure(&g.task, &m, NULL);
         if (status == KERN_STANDS) a->sequence[last] = (double)m.margin;
         if (status == KERN_FALLS) a->sequence[last] = 0;
     }
-    free(contact);
-    free(block);
-    free(place);
-    return last < s->blocks ? fail_memory(a) : 0;
+    close_grown(&g);
+    return last < blocks ? fail_memory(a) : 0;
+}
+
+static int is_all(const char *word) { return strcmp(word, "all") == 0; }
+
+/* The chance of the block of --stays, laid last, or of each in the order of the
+   file, that it stays; NAN where the structure falls. */
+static int find_stays(struct analysis *a)
+{
+    struct grown g = { 0 };
+    const int all = is_all(a->set->stays), blocks = a->task.s.blocks;
+    int there = open_grown(a, &g), found = all;
+    a->stays = malloc(sizeof *a->stays * (size_t)blocks);
+    for (int i = 0; i < blocks && there && a->stays; i++) {
+        a->stays[i] = (double)NAN;
+        if (a->task.s.block[i].fixed ||
+            (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
+        found = 1;
+        grow_to(a, &g, all ? i : blocks);
+        stays_of(&g.task, g.place[i], g.value, &a->stays[i]);
+    }
+    close_grown(&g);
+    if (!there || !a->stays) return fail_memory(a);
+    return found ? 0 : fail(a, 0, "--stays: there is no free block '%s'",
+                            a->set->stays);
 }
 
 /* The first block with the least margin in the sequence; -1: none is known. */
@@ -689,6 +750,7 @@ static int measure(struct analysis *a)
     if (a->set->raised) find_raised_loads(a);
     if (a->set->own_error > 0) find_error(a);
     if (a->set->sequence && find_sequence(a)) return -1;
+    if (a->set->stays && find_stays(a)) return -1;
     if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
     limit.force = a->last_force;
     limit.motion = a->collapse;
@@ -1295,6 +1357,22 @@ static void report_sequence(const struct analysis *a)
                    a->sequence[i], i == weakest ? "  weakest" : "");
 }
 
+/* Of all blocks, or of the one that was named. */
+static void report_stays(const struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed ||
+            (!is_all(a->set->stays) &&
+             strcmp(a->text.name[i], a->set->stays) != 0)) continue;
+        printf("  stays       ");
+        if (isnan(a->stays[i])) printf("no        ");
+        else printf("%-8.3f  ", a->stays[i]);
+        printf("chance that %s, laid last, stays where it is let go\n",
+               name_of(a, i, shown));
+    }
+}
+
 static void report(const struct analysis *a)
 {
     report_structure(a);
@@ -1312,6 +1390,7 @@ static void report(const struct analysis *a)
     if (a->set->raised) report_raised(a);
     if (a->set->own_error > 0) report_error(a);
     if (a->set->sequence) report_sequence(a);
+    if (a->set->stays) report_stays(a);
     report_collapse(a);
     report_loads(a);
     if (a->set->raised) report_raised_loads(a);
@@ -1542,6 +1621,26 @@ static void json_sequence(const struct analysis *a, int good)
     else json_string("weakest_step", a->text.name[weakest]);
 }
 
+/* A number for the block that was named; a list for all. */
+static void json_stays(const struct analysis *a, int good)
+{
+    const int all = is_all(a->set->stays);
+    const char *comma = "";
+    printf(", \"stays\": %s", all ? "[" : good ? "" : "null");
+    for (int i = 0; good && i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
+        if (all) {
+            printf("%s{", comma);
+            json_string("block", a->text.name[i]);
+            json_number("stays", a->stays[i]);
+            printf("}");
+            comma = ", ";
+        } else if (strcmp(a->text.name[i], a->set->stays) == 0)
+            json_value(a->stays[i]);
+    }
+    printf("%s", all ? "]" : "");
+}
+
 static void json_open(unsigned open)
 {
     const char *comma = "";
@@ -1621,6 +1720,7 @@ static void report_json(const struct analysis *a)
         json_known("least_friction", a->least_friction, asked);
     }
     if (a->set->sequence) json_sequence(a, good && a->sequence);
+    if (a->set->stays) json_stays(a, good && a->stays);
     json_loads(a, asked);
     json_known("proof_error", (double)a->work.error, good);
     json_count("pivots", a->work.pivots, good);
@@ -1885,6 +1985,9 @@ static int read_option(void *settings, char **argv, int *i)
         return error_option("--measured", value, &set->error, &set->turn);
     if (args_value(argv, i, "--error", &value))
         return error_option("--error", value, &set->own_error, &set->own_turn);
+    if (args_value(argv, i, "--stays", &set->stays))
+        return set->stays && set->stays[0] ? 0
+             : bad_use("a block, or all, is missing after", "--stays");
     if (args_value(argv, i, "--svg", &set->svg)) {
         if (args_is_svg(set->svg)) return 0;
         return set->svg && set->svg[0]
@@ -1896,8 +1999,10 @@ static int read_option(void *settings, char **argv, int *i)
 
 int main(int argc, char **argv)
 {
-    struct settings set = { -1, -1, -1, -1, -1, -1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0,
-                            0, 0, 0, NULL, argv, 0 };
+    struct settings set = { 0 };
+    set.epsilon = set.mu = set.gap = set.at = set.limit = set.overlap = -1;
+    set.error = set.turn = set.own_error = set.own_turn = -1;
+    set.file = argv;
     set.files = args_read(argc, argv, read_option, &set);
     if (set.files == ARGS_BAD) return EXIT_BAD;
     if (set.files == ARGS_HELP)

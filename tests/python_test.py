@@ -195,6 +195,14 @@ class Calls(unittest.TestCase):
         r = Structure(two(0.7)).raised()
         self.assertEqual((bool(r), r.stands, r.raising), (False, False, None))
 
+    def test_stays(self):
+        """A stone in the middle stays, one near its edge hardly; what falls has
+        no chance."""
+        sure, hardly = (Structure(two(x)).stays("top") for x in (0.1, 0.498))
+        self.assertGreater(sure, 0.9)
+        self.assertLess(hardly, 0.5)
+        self.assertIsNone(Structure(two(0.7)).stays("top"))
+
     def test_in_place(self):
         """What is written to the vertices counts after update()."""
         s = Structure(two(0.2))
