@@ -2665,7 +2665,7 @@ typedef struct kern_factors {
 } kern_factors;
 
 typedef enum kern_basis {
-    KERN_BASIS_NONE,        /* begins from the crash basis                    */
+    KERN_BASIS_NONE,        /* begins from logicals                           */
     KERN_BASIS_STALE,       /* columns are not those that were factored       */
     KERN_BASIS_READY
 } kern_basis;
@@ -2688,7 +2688,7 @@ typedef struct kern_simplex {
     kern_real gain;         /* largest y.A_j - cost_j; infinity: not known    */
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables                                      */
-    int ray;                /* unbounded: the column that rises without end   */
+    int entered;            /* last: unbounded, it rises without end          */
 } kern_simplex;
 
 /* A symmetric matrix of 3 x 3 blocks, a row of them a group, or its factor: of
@@ -2740,9 +2740,8 @@ struct kern_part {
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
 static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v);
-static void kern_simplex_restart(kern_simplex *sx);
-static void kern_simplex_change(kern_simplex *sx);
-static void kern_simplex_release(kern_simplex *sx);
+static void kern_simplex_change(kern_simplex *sx, kern_basis to);
+static void kern_simplex_crash(kern_simplex *sx);
 static kern_real kern_simplex_place(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
@@ -5005,7 +5004,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     if (p->eq.shrink >= q->shrink && p->eq.shrink <= q->shrink)
         return;
     p->eq.shrink = q->shrink;
-    kern_simplex_change(&p->eq.simplex);
+    kern_simplex_change(&p->eq.simplex, KERN_BASIS_STALE);
     for (k = 0; k < p->contacts; k++) {
         kern_real *f = p->eq.arc + 8 * (size_t)k;
         kern_real mu = kern_model_mu(m, p->contact[k]);
@@ -5134,9 +5133,11 @@ static int kern_part_follow(kern_part *p, kern_real *place)
 {
     kern_simplex *sx = &p->eq.simplex;
     kern_status status;
+    if (p->eq.lp.rate) /* another was followed before */
+        kern_simplex_change(sx, KERN_BASIS_STALE);
     p->eq.lp.rate = p->eq.rate;
     p->eq.lp.follow = 1;
-    kern_simplex_release(sx);
+    kern_simplex_crash(sx);
     status = kern_program_solve(sx, 1, p->x, p->y, p->m->budget.work);
     p->eq.lp.follow = 0;
     *place = kern_simplex_place(sx);
@@ -5153,6 +5154,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
         return KERN_LIMIT;
     kern_part_set(p, q);
     for (own = 0; own < 2 && status != KERN_LIMIT; own++) {
+        kern_simplex_crash(&p->eq.simplex);
         status = kern_program_solve(&p->eq.simplex, own, p->x, p->y,
                                     p->m->budget.work);
         if (status == KERN_LP_OPTIMAL)
@@ -5164,7 +5166,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
             status = kern_part_prove(p, q, status);
         if (status >= 0)
             break;
-        kern_simplex_restart(&p->eq.simplex);
+        kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
     }
     return status;
 }
@@ -9284,6 +9286,17 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     sx->place[q] = p;
 }
 
+/* The basis of logicals. */
+static void kern_basis_logicals(kern_simplex *sx)
+{
+    const int cols = sx->lp->cols;
+    int i;
+    for (i = 0; i <= cols; i++)
+        sx->place[i] = KERN_OUT;
+    for (i = 0; i < sx->lp->rows; i++)
+        sx->base[i] = cols + 1 + i;
+}
+
 /* ---- the crash basis ---- */
 
 static kern_real kern_three_det(const kern_real *a, const kern_real *b,
@@ -9353,12 +9366,11 @@ static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int mine[KERN_CRASH_MOST], g, j, any, done;
-    for (j = 0; j <= lp->cols; j++)
-        sx->place[j] = KERN_OUT;
-    for (j = 0; j < lp->rows; j++) {
+    if (sx->state != KERN_BASIS_NONE)
+        return;
+    kern_basis_logicals(sx);
+    for (j = 0; j < lp->rows; j++)
         sx->alpha[j] = lp->rhs[j];
-        sx->base[j] = lp->cols + 1 + j;
-    }
     for (g = 0; g < sx->factors.groups; g++)
         for (any = done = 0; any < 2 && !done; any++) {
             int n = 0, seen = 0, stride = 1;
@@ -9376,44 +9388,24 @@ static void kern_simplex_crash(kern_simplex *sx)
             }
             done = kern_crash_choose(sx, g, mine, n);
         }
+    sx->state = KERN_BASIS_STALE;
 }
 
 /* ---- factors ---- */
 
-/* Lists the basic columns in sx->list by the groups whose own they are, others
-   behind them; returns how many there are. */
-static int kern_basis_list(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    int *end = sx->list + lp->rows; /* of a group's, and what comes after it */
-    int g, p, n = 0;
-    for (g = 0; g < sx->groups + 2; g++)
-        end[g] = 0;
-    for (p = 0; p < lp->rows; p++)
-        if (sx->base[p] <= lp->cols)
-            end[kern_lp_first(lp, sx->base[p], sx->groups) + 1]++;
-    for (g = 0; g <= sx->groups; g++)
-        end[g + 1] += end[g];
-    for (p = 0; p < lp->rows; p++)
-        if (sx->base[p] <= lp->cols) {
-            sx->place[sx->base[p]] = KERN_OUT;
-            sx->list[end[kern_lp_first(lp, sx->base[p], sx->groups)]++]
-                = sx->base[p];
-            n++;
-        }
-    return n;
-}
-
-/* Lets own column j of a group take one of the rows that still have their
-   logical: where it is largest in terms of the columns before it. */
+/* Lets column j take one of its own rows that still have their logical: where it
+   is largest in terms of the columns before it. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
-    const int end = kern_lp_end(lp, j), other = 1 - end;
+    const int own_of = kern_lp_first(lp, j, sx->groups), row = 3 * own_of;
+    const int end = own_of < sx->groups && kern_lp_end(lp, j);
     kern_real part[3], alpha[3], least = KERN_OWN_TOL;
-    const int row = kern_lp_part(lp, j, end, part);
     kern_real *block = sx->factors.block + 6 * (size_t)row, *own;
     int i, k, best = KERN_OUT;
+    if (own_of == sx->groups)
+        return 0;
+    kern_lp_part(lp, j, end, part);
     for (k = 0; k < 3; k++) {
         alpha[k] = kern_three(block + 6 * k, part);
         if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
@@ -9429,7 +9421,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
     for (k = 0; k < 3; k++)
         for (i = 0; i < 3 && k != best; i++)
             block[6 * k + i] -= alpha[k] * own[i];
-    sx->factors.to[row + best] = kern_lp_part(lp, j, other, own + 3);
+    sx->factors.to[row + best] = kern_lp_part(lp, j, 1 - end, own + 3);
     sx->base[row + best] = j;
     sx->place[j] = row + best;
     return 1;
@@ -9449,34 +9441,6 @@ static void kern_left_enter(kern_simplex *sx, int j)
         }
     if (best != KERN_OUT && !kern_basis_full(sx))
         kern_basis_enter(sx, j, best);
-}
-
-/* Factors the basis anew: three own columns of each group, then what is left of
-   its columns. Without a network the crash basis is logicals alone. */
-static void kern_basis_factor(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    kern_factors *f = &sx->factors;
-    int i, p, n, left = 0;
-    if (sx->state == KERN_BASIS_NONE)
-        kern_simplex_crash(sx);
-    n = kern_basis_list(sx);
-    for (p = 0; p < lp->rows; p++) {
-        kern_real *own = f->block + 6 * (size_t)p;
-        sx->base[p] = lp->cols + 1 + p;
-        for (i = 0; i < 6 && f->groups > 0; i++)
-            own[i] = KERN_R(i == p % 3);
-        if (f->groups > 0)
-            f->to[p] = lp->rows;
-    }
-    f->count = f->first[0] = 0;
-    for (i = 0; i < n; i++)
-        if (kern_lp_first(lp, sx->list[i], sx->groups) == sx->groups
-            || !kern_own_enter(sx, sx->list[i]))
-            sx->list[left++] = sx->list[i];
-    for (i = 0; i < left; i++)
-        kern_left_enter(sx, sx->list[i]);
-    f->fresh = f->count;
 }
 
 /* What the values leave of the right-hand side, to sx->alpha: returns its
@@ -9523,20 +9487,36 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_REFACTOR_TOL;
 }
 
-/* Begins anew from the basic columns, or from the crash basis: where the matrix
-   changed, and when pivots have made the factors longer or less accurate than
-   they need to be. */
+/* Factors the basis anew: three own columns of each group, then what is left of
+   its columns: at the start, where the matrix changed, and where pivots have made
+   the factors longer or less accurate than they need to be. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
-    const int rows = sx->lp->rows;
-    int i;
-    kern_basis_factor(sx);
-    for (i = 0; i < rows; i++)
-        sx->value[i] = KERN_R(0);
+    const kern_program *lp = sx->lp;
+    kern_factors *f = &sx->factors;
+    int i, p, left = 0;
     if (sx->state == KERN_BASIS_NONE)
-        sx->least = KERN_FEAS_TOL * kern_largest(sx->lp->rhs, rows);
-    if (!(sx->least > 0))
-        sx->least = KERN_FEAS_TOL;
+        kern_basis_logicals(sx);
+    for (p = 0; p < lp->rows; p++) {
+        kern_real *own = f->block + 6 * (size_t)p;
+        sx->list[p] = sx->base[p];
+        if (sx->base[p] <= lp->cols)
+            sx->place[sx->base[p]] = KERN_OUT;
+        sx->base[p] = lp->cols + 1 + p;
+        for (i = 0; i < 6 && f->groups > 0; i++)
+            own[i] = KERN_R(i == p % 3);
+        if (f->groups > 0)
+            f->to[p] = lp->rows;
+    }
+    f->count = f->first[0] = 0;
+    for (p = 0; p < lp->rows; p++)
+        if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
+            sx->list[left++] = sx->list[p];
+    for (i = 0; i < left; i++)
+        kern_left_enter(sx, sx->list[i]);
+    f->fresh = f->count;
+    for (p = 0; p < lp->rows; p++)
+        sx->value[p] = KERN_R(0);
     sx->state = KERN_BASIS_READY;
     sx->gain = KERN_INFINITY;
     kern_basis_values(sx);
@@ -9769,7 +9749,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
    falls with every step that is not of length zero; when the budget is used up
    the smallest indices are taken (Bland), which cannot cycle. The limit ends
    what rounding might keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED
-   with sx->ray, KERN_LP_INFEASIBLE (prices are in sx->price), or
+   with sx->entered, KERN_LP_INFEASIBLE (prices are in sx->price), or
    KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
 {
@@ -9793,7 +9773,7 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
                 kern_basis_refactorise(sx);
             continue;
         }
-        sx->ray = q;
+        sx->entered = q;
         if (q == KERN_OUT)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
@@ -9831,7 +9811,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     f->entry = kern_take_reals(take, 3 * room);
     sx->base = kern_take_ints(take, m);
     sx->place = kern_take_ints(take, lp->cols + 1);
-    sx->list = kern_take_ints(take, m + n + 2);
+    sx->list = kern_take_ints(take, m + 1);
     sx->value = kern_take_reals(take, m);
     sx->slope = kern_take_reals(take, m);
     sx->alpha = kern_take_reals(take, 3 * n + 3);
@@ -9841,23 +9821,12 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
         sx->slope[p] = KERN_R(0);
 }
 
-/* The next program begins from the crash basis. */
-static void kern_simplex_restart(kern_simplex *sx)
-{ sx->state = KERN_BASIS_NONE; }
-
-/* The columns change: the next program begins from the same basis, factored
-   anew. */
-static void kern_simplex_change(kern_simplex *sx)
+/* The next program begins without a basis, or where columns changed from the
+   same, factored anew. */
+static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 {
-    if (sx->state == KERN_BASIS_READY)
-        sx->state = KERN_BASIS_STALE;
-}
-
-/* Lets go of the place, whose column changes. */
-static void kern_simplex_release(kern_simplex *sx)
-{
-    if (sx->state == KERN_BASIS_READY && sx->place[sx->lp->cols] != KERN_OUT)
-        sx->state = KERN_BASIS_STALE;
+    if (sx->state > to)
+        sx->state = to;
 }
 
 /* The place that the last program reached. */
@@ -9867,14 +9836,15 @@ static kern_real kern_simplex_place(const kern_simplex *sx)
     return p == KERN_OUT ? KERN_R(0) : sx->value[p];
 }
 
-static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
+/* The solution to x, or the ray along which the costs fall. */
+static void kern_simplex_read(const kern_simplex *sx, int ray, kern_real *x)
 {
     int i, p;
     for (i = 0; i < sx->lp->cols; i++)
-        x[i] = KERN_R(0);
+        x[i] = KERN_R(ray && i == sx->entered);
     for (p = 0; p < sx->lp->rows; p++)
         if (sx->base[p] < sx->lp->cols)
-            x[sx->base[p]] = sx->value[p];
+            x[sx->base[p]] = ray ? -sx->alpha[p] : sx->value[p];
 }
 
 #ifdef KERN_USE_GLPK
@@ -9882,19 +9852,8 @@ static void kern_simplex_read(const kern_simplex *sx, kern_real *x)
 #include "kern_lp.h"
 #endif
 
-/* x is the ray along which the costs fall. */
-static void kern_simplex_ray(kern_simplex *sx, kern_real *x)
-{
-    int i;
-    for (i = 0; i < sx->lp->rows; i++)
-        sx->value[i] = -sx->alpha[i];
-    kern_simplex_read(sx, x);
-    if (sx->ray < sx->lp->cols)
-        x[sx->ray] = KERN_R(1);
-}
-
-/* The one entry of the engine. Starts from the last basis, or from the crash
-   basis. x is written for every verdict: one that falls leaves A x = rhs in it,
+/* The one entry of the engine. Starts from the last basis, that of
+   kern_simplex_crash(), or logicals. x is written for every verdict: one that falls leaves A x = rhs in it,
    with what is negative about it, which tells how the verdict changes with the
    matrix. y is written for KERN_LP_INFEASIBLE, and with costs for
    KERN_LP_OPTIMAL. `own` keeps the program from the backend. */
@@ -9909,11 +9868,14 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     work->solves++;
 #ifdef KERN_USE_GLPK
     if (!own && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
-        kern_simplex_restart(sx);
+        kern_simplex_change(sx, KERN_BASIS_NONE);
         return kern_lp_glpk(lp, x, y, work);
     }
 #endif
     (void)own;
+    sx->least = KERN_FEAS_TOL * kern_largest(lp->rhs, lp->rows);
+    if (!(sx->least > 0))
+        sx->least = KERN_FEAS_TOL;
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
         || !kern_basis_values(sx))
         kern_basis_refactorise(sx);
@@ -9927,10 +9889,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
         sx->gain = KERN_INFINITY;
     if (status < 0)
         return status;
-    if (status == KERN_LP_UNBOUNDED)
-        kern_simplex_ray(sx, x);
-    else
-        kern_simplex_read(sx, x);
+    kern_simplex_read(sx, status == KERN_LP_UNBOUNDED, x);
     for (i = 0; i < lp->rows; i++)
         y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
                : status == KERN_LP_OPTIMAL && costs ? sx->price[i]
@@ -9964,31 +9923,22 @@ static kern_real kern_lp_left(kern_real from, const kern_real *u,
     return from;
 }
 
-/* A x = rhs (a ray: A x = 0), each row to KERN_TOL of its own terms? */
-static int kern_lp_rows(const kern_program *lp, const kern_real *x, int ray)
+/* from = A u, row by row, or from >= u A (NULL: 0 <= u A), column by column, each
+   to KERN_TOL of its own terms? */
+static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
+                        const kern_real *from)
 {
+    const int rows = lp->rows, n = columns ? lp->cols : rows;
     kern_real left, terms = KERN_R(0);
     int i;
-    for (i = 0; i < lp->rows && kern_is_finite(terms); i++) {
-        left = kern_lp_left(ray ? KERN_R(0) : lp->rhs[i], x, lp->a + i,
-                            lp->rows, lp->cols, &terms);
-        if (!(kern_abs(left) <= KERN_TOL * terms))
-            return 0;
-    }
-    return kern_is_finite(terms);
-}
-
-/* cost - y.A >= 0, each column to KERN_TOL of its own terms? */
-static int kern_lp_columns(const kern_program *lp, const kern_real *y,
-                           const kern_real *cost)
-{
-    kern_real left, terms = KERN_R(0);
-    int j;
-    for (j = 0; j < lp->cols && kern_is_finite(terms); j++) {
-        left = kern_lp_left(cost ? cost[j] : KERN_R(0), y,
-                            lp->a + (size_t)j * (size_t)lp->rows, 1, lp->rows,
+    for (i = 0; i < n && kern_is_finite(terms); i++) {
+        left = kern_lp_left(from ? from[i] : KERN_R(0), u,
+                            lp->a + (size_t)i * (size_t)(columns ? rows : 1),
+                            columns ? 1 : rows, columns ? rows : lp->cols,
                             &terms);
-        if (!((cost ? left : -left) >= -KERN_TOL * terms))
+        if (columns && (from ? left : -left) > 0)
+            continue;
+        if (!(kern_abs(left) <= KERN_TOL * terms))
             return 0;
     }
     return kern_is_finite(terms);
@@ -10005,16 +9955,16 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
     const kern_real gain = -kern_lp_left(KERN_R(0), y, lp->rhs, 1, lp->rows,
                                          &paid);
     if (status == KERN_LP_INFEASIBLE)
-        return kern_lp_columns(lp, y, NULL) && gain < -KERN_TOL * paid
+        return kern_lp_side(lp, y, 1, NULL) && gain < -KERN_TOL * paid
                && kern_is_finite(paid);
-    if (!kern_lp_rows(lp, x, ray))
+    if (!kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
         return 0;
     if (!lp->cost)
         return 1;
     value = -kern_lp_left(KERN_R(0), lp->cost, x, 1, lp->cols, &spent);
     if (ray)
         return value < -KERN_TOL * spent && kern_is_finite(spent);
-    return kern_lp_columns(lp, y, lp->cost) && kern_is_finite(spent + paid)
+    return kern_lp_side(lp, y, 1, lp->cost) && kern_is_finite(spent + paid)
            && kern_abs(value - gain) <= KERN_TOL * (spent + paid);
 }
 

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xda810cb296fea279u },
-    { 1000, 0xdf9d8c41254486c8u },
-    { 5000, 0x8361b0796a00c7fdu },
+    { 200, 0x961b12cd7984e2f3u },
+    { 1000, 0xeb0b2028c5169467u },
+    { 5000, 0xd10ac2a47c4a8e05u },
 #else
-    { 200, 0xcde91a0487208181u },
-    { 1000, 0x749801123c884493u },
-    { 5000, 0xdc9174d387b43d3fu },
+    { 200, 0x5d114c36a36d4e18u },
+    { 1000, 0xb6dcf55d100a4cd9u },
+    { 5000, 0x5d49d054ba046f2du },
 #endif
 };
 
