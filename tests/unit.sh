@@ -82,6 +82,13 @@ regressions() { # structures on which earlier versions failed
         "$out/regressions"
 }
 
+published() { # results of the literature and closed forms
+    # shellcheck disable=SC2086
+    gcc $plain -o "$out/published" tests/published.c -lm &&
+        "$out/published" && "$out/published" --markdown |
+        cmp - tests/PUBLISHED.md
+}
+
 noise() { # what nearly stands is not said to stand for certain
     # shellcheck disable=SC2086
     gcc $plain -o "$out/noise" tests/noise.c -lm && "$out/noise"
