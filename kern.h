@@ -5957,16 +5957,14 @@ static int kern_seed_falls(kern_model *m, kern_path *path)
 }
 
 /* ---- Interior point -------------------------------------------- >>inner */
-/* Solves all groups at once, in some twenty factorisations: the farthest place
-   s on a path up to which forces exist,
+/* All groups at once, in some twenty factorisations: the farthest place s on a
+   path up to which forces exist,
 
        max s,  A(s) x = b(s),  x >= 0,  s <= most.
 
-   Where the path is held, at a place, A and b are those of that place, and s is
-   how much of what the first forces miss there has been made up: it stands if s
-   gets there. Where the path is free, A and b change with s, linearly but where
-   kerns shrink or gravity turns. With g the derivative of A x - b in s, the
-   maximum is where
+   Held at a place, A and b are those of that place, and s is how much of what
+   the first forces miss there is made up: it stands if s gets there. Free, A and
+   b change with s. With g the derivative of A x - b in s, the maximum is where
 
        A x = b,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
@@ -5975,32 +5973,26 @@ static int kern_seed_falls(kern_model *m, kern_path *path)
 
        M dy - g ds = A x~ - A x + b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
 
-   with x~ the forces that mu demands; M is factored as that of least forces is.
-   Each step is solved twice with one factor, by Mehrotra's predictor and
-   corrector: the first, with mu = 0, tells how small mu may be, and what the
-   second has to correct. */
+   with x~ the forces that mu demands, solved twice with one factor (Mehrotra):
+   the predictor, with mu = 0, tells how small mu may be, and what the corrector
+   has to take into account. */
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
-#define KERN_AT_REST     KERN_PICK(1e-6, 1e-3)
+#define KERN_AT_REST       KERN_PICK(1e-6, 1e-3)
 
 #ifndef KERN_NO_INTERIOR
-#define KERN_INNER_ROUNDS  100     /* steps of one question                   */
+#define KERN_INNER_ROUNDS  100     /* steps of a question                     */
 #define KERN_INNER_STEPS   400     /* of a search                             */
-#define KERN_INNER_STALLED 8       /* of them that shorten the gap by less
-                                      than a tenth: its digits are lost       */
+#define KERN_INNER_STALLED 8       /* that shorten the gap by less than .1    */
 #define KERN_INNER_WIDE    256     /* groups of what may have a wide bracket  */
-/* Share of the way to the bounds x, z > 0 that a step goes. */
-#define KERN_INNER_SHARE   KERN_R(0.9995)
-/* The least product x z, in means: smaller ones make steps short. */
-#define KERN_INNER_APART   KERN_R(0.03)
-/* Gap from which x and z have no digits. */
-#define KERN_INNER_LOST    KERN_R(1e6)
-/* Gap, beside how far s is from the place, at which y predicts an edge. */
-#define KERN_INNER_SHARP   KERN_R(1e-4)
-/* Gap to which a question about another place lifts x z, at the least. */
-#define KERN_INNER_LIFT    KERN_PICK(1e-7, 1e-3)
-/* Added to the diagonal of M, as a share of its mean: to begin with, where D is
-   1; and where M is singular, as in a chain of closed kerns. */
+#define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to x, z = 0 in a step */
+#define KERN_INNER_APART   KERN_R(0.03)   /* least x z, in means              */
+#define KERN_INNER_LOST    KERN_R(1e6)    /* gap that leaves no digits        */
+#define KERN_INNER_SHARP   KERN_R(1e-4)   /* gap, in what s lacks of the place,
+                                             at which y predicts an edge      */
+#define KERN_INNER_LIFT    KERN_PICK(1e-7, 1e-3) /* least gap to begin from   */
+/* On the diagonal of M, in means: to begin with, where D is 1; where M is
+   singular, as in a chain of closed kerns. */
 #define KERN_INNER_SOFT    KERN_PICK(1e-7, 1e-4)
 #define KERN_INNER_SHIFT   KERN_PICK(1e-13, 1e-6)
 
@@ -6179,9 +6171,8 @@ static kern_real kern_inner_solve(kern_inner *in)
     return ds;
 }
 
-/* The predictor: with mu = 0. Returns mu, and leaves in dx and dual.left what
-   the corrector begins with. */
-static kern_real kern_inner_predict(kern_inner *in)
+/* The predictor: leaves in dx and dual.left what the corrector begins with. */
+static void kern_inner_predict(kern_inner *in)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
@@ -6208,7 +6199,6 @@ static kern_real kern_inner_predict(kern_inner *in)
     for (i = 0; i < rays; i++)
         in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
                     - in->d[i] * p->dual.way[i];
-    return mu;
 }
 
 /* One step of the method; 0 if the call has no more work for it, or the digits
@@ -6515,20 +6505,14 @@ static kern_real kern_inner_follow(kern_inner *in)
     return KERN_INFINITY;
 }
 
-/* Whether the bracket is proven and narrow enough. In a large structure the
-   simplex method takes so long that more does. */
-static int kern_inner_closed(const kern_model *m, const kern_path *path)
-{
-    const kern_real wide = m->graph.groups > KERN_INNER_WIDE
-                           ? path->tolerance * KERN_WIDEST : path->tolerance;
-    return path->fell <= path->fails && path->fails - path->holds <= wide;
-}
-
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. */
+   where it is not found. The bracket of a large structure may be wide: the
+   simplex method takes too long. */
 static kern_status kern_inner_search(kern_model *m, kern_path *path)
 {
     const kern_real aside = path->tolerance * KERN_R(0.45);
+    const kern_real wide = m->graph.groups > KERN_INNER_WIDE
+                           ? path->tolerance * KERN_WIDEST : path->tolerance;
     kern_inner in;
     kern_status status = KERN_STANDS;
     if (m->narrow > 0 || !kern_inner_open(&in, m, path))
@@ -6547,7 +6531,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_edge(m, path);
-        if (!kern_inner_closed(m, path))
+        if (path->fell > path->fails || path->fails - path->holds > wide)
             status = KERN_UNDECIDED;
     }
     path->inner = NULL;
