@@ -133,8 +133,11 @@
    options.limit bounds the work of one call. Work that would exceed the limit
    is not begun: the call returns KERN_LIMIT and writes what is proven by then.
    Below the limit the answer is the same, to the last bit, as without. A unit
-   of work took 0.05 to 0.3 microseconds on a desktop computer; the margin of
-   examples/structures/wall-60.kern takes some 1,700 units, a load factor 14,000.
+   is some 1,000 instructions, within a factor of 3 whatever the work is; what is
+   handed in is always read, some 150 instructions a block and contact point, so
+   a call costs at most that and the limit. A unit took 0.1 to 0.6 microseconds
+   on a desktop computer; the margin of examples/structures/wall-60.kern takes
+   some 2,100 units, a load factor 41,000.
 
 
    CONFIGURATION                                                     >>config
@@ -621,8 +624,9 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
-    int limit;            /* most units of work of one call, see kern_work; 0:
-                             2,000,000,000, which is also the largest         */
+    int limit;            /* most units of work of one call, see kern_work:
+                             5,000,000, a second or two; 0: 2,000,000,000,
+                             which is also the largest                        */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real error;      /* of measured places [m] and angles [rad], see     */
     kern_real turn;       /* kern_measured(); 0: places are exact             */
@@ -727,8 +731,8 @@ typedef struct kern_work {
     /* the library adds up; the caller reads, and sets to 0 as it likes       */
     int pivots;           /* of all linear programs                           */
     int solves;           /* verdicts by pouring, and linear programs         */
-    int units;            /* work of the last call: a unit is some 300
-                             multiplications, what it takes to pour one stone.
+    int units;            /* work of the last call: a unit is some 1,000
+                             instructions, what it takes to pour one stone.
                              limit + 1 with KERN_LIMIT, else at most the limit.
                              The search for contacts is not counted           */
     kern_real error;      /* largest error of a proof, as a share of what is
@@ -1878,6 +1882,7 @@ static kern_status kern_level_nested(kern_model *m, const kern_path *path,
 #define KERN_CONTACTS_MOST 1000000
 #define KERN_COUNT_MOST    100000000
 #define KERN_WORK_MOST     2000000000 /* units of one call                    */
+#define KERN_WORK_USUAL    5000000    /* by default: a second or two          */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2461,7 +2466,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->s = s;
     m->budget.work = task->work;
     m->budget.limit = task->options.limit;
-    m->budget.query_units = 1 + (s->blocks + s->contacts) / 4;
+    m->budget.query_units = 1 + (s->blocks + s->contacts) / 3;
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->weight = KERN_R(1);
@@ -2823,6 +2828,10 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     kern_status status = kern_query_check(task, shrink, out, &q);
     if (status != KERN_OK)
         return status;
+    /* what was read and is laid out; never refused, since a call must know what
+       it was handed before it can say that it ends */
+    kern_spend(task->work, task->options.limit,
+               1 + (task->s.blocks + task->s.contacts) / 8);
     kern_path_begin(&c->path, &c->part, task, &q);
     status = kern_model_open(&c->m, task, &q);
     if (status == KERN_OK)
@@ -4357,7 +4366,7 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
         before = left;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        if (!kern_model_spend(p->m, 1 + p->dual.cost / 300))
+        if (!kern_model_spend(p->m, 1 + p->dual.cost / 180))
             return KERN_LIMIT;
         kern_least_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
@@ -4379,6 +4388,8 @@ static int kern_least_open(kern_part *p, kern_model *m)
     const kern_vec down = s->gravity, side = kern_vec_turn(down);
     kern_box box;
     int g, i;
+    if (!kern_model_spend(m, 1 + (m->graph.groups + s->contacts) / 3))
+        return 0;
     if (!kern_part_begin(p, m, m->graph.groups, &m->rest))
         return 0;
     p->contact = kern_take_ints(&p->rest, s->contacts);
@@ -4450,7 +4461,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     if (status == KERN_OK) {
         kern_model_set(&c.m, &c.path.q);
         kern_model_unload(&c.m);
-        status = kern_least_hold(&c.m, &c.part, &c.path.q, KERN_FORCES_ROUNDS);
+        status = kern_spent(task->work, task->options.limit, kern_least_hold(
+            &c.m, &c.part, &c.path.q, KERN_FORCES_ROUNDS));
     }
     kern_proof_out(&c.m, &proof, status);
     return status;
@@ -6668,6 +6680,8 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
     const kern_real start = path->holds, aside = path->tolerance * KERN_R(0.45);
     kern_real best = kern_min(first, path->end), u[3];
     int g;
+    if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
+        return first;
     kern_model_set(m, &q);
     for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
@@ -9705,8 +9719,8 @@ static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
     const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
                       1 + (sx->factors.first[sx->factors.count]
-                           + 2 * sx->factors.groups) / 8
-                      + (sx->lp->ends ? cols / 24 : rows * (cols / 256)));
+                           + 2 * sx->factors.groups) / 16
+                      + (sx->lp->ends ? cols / 48 : rows * (cols / 256)));
 }
 
 /* The pivot in which column q takes row p. KERN_NO_SPACE and KERN_LIMIT: there
@@ -9864,6 +9878,10 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     sx->least = KERN_FEAS_TOL * kern_largest(lp->rhs, lp->rows);
     if (!(sx->least > 0))
         sx->least = KERN_FEAS_TOL;
+    if (sx->state == KERN_BASIS_NONE
+        && !kern_spend(work, lp->limit, lp->ends ? lp->rows + lp->cols
+                                                 : lp->rows * (lp->cols / 64)))
+        return KERN_LIMIT;
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
         || !kern_basis_values(sx))
         kern_basis_refactorise(sx);
@@ -10049,7 +10067,7 @@ KERN_API kern_options kern_defaults(void)
     o.angle = KERN_R(0.0174533);
     o.epsilon = KERN_R(0);
     o.relative = 0;
-    o.limit = 0;
+    o.limit = KERN_WORK_USUAL;
     o.overlap = o.error = o.turn = 0;
     return o;
 }

@@ -76,8 +76,9 @@ static const char help[] =
 "                   between what the margin lies, and whether the verdict is\n"
 "                   certain\n"
 "      --overlap D  deepest overlap that is accepted as a contact, a length\n"
-"      --limit N    most work of each query, in units of some 0.1 us; what\n"
-"                   takes more is undecided, and reported as far as proven\n"
+"      --limit N    most work of each query, in units of some 0.3 us, default\n"
+"                   5 million; what takes more is undecided, and reported as\n"
+"                   far as proven; 0: no limit\n"
 "      --json       one JSON object a file, one line each\n"
 "      --svg OUT.svg  draw it, with --profile coloured by the margins of the\n"
 "                   blocks; of several files each NAME.* in OUT-NAME.svg\n"
@@ -791,7 +792,7 @@ static int analyse(struct analysis *a)
     if (set->epsilon > 0) options.epsilon = set->epsilon;
     if (set->gap > 0) options.gap = set->gap;
     if (!(set->mu < 0)) options.mu = set->mu;
-    if (set->limit > 0) options.limit = (int)set->limit;
+    if (!(set->limit < 0)) options.limit = (int)set->limit;
     if (set->error > 0)
         options = kern_measured(&options, set->error, set->turn < 0
             ? set->error / (kern_real)mean_size(a) : set->turn);
@@ -898,7 +899,7 @@ static void report_margin(const struct analysis *a)
     double value = falls ? a->deficit : (double)a->m.margin;
     printf("  %-10s  ", falls ? "deficit" : "margin");
     if (a->measured == KERN_LIMIT) {
-        printf("undecided by the limit of work (--limit): ");
+        printf("undecided by the limit of work (--limit 0 goes on): ");
         if (a->m.holds < 0) printf("not known to stand, ");
         else printf("stands at %.4g, ", (double)a->m.holds);
         printf("%s %.4g\n", a->m.fails < a->m.most ? "falls at" : "at most",
@@ -1955,7 +1956,7 @@ static int read_option(void *settings, char **argv, int *i)
     struct { const char *name; int zero; kern_real *out; } number[] = {
         { "--epsilon", 0, &set->epsilon }, { "-e", 0, &set->epsilon },
         { "--mu", 1, &set->mu }, { "--gap", 0, &set->gap },
-        { "--at", 1, &set->at }, { "--limit", 0, &set->limit },
+        { "--at", 1, &set->at }, { "--limit", 1, &set->limit },
         { "--overlap", 0, &set->overlap }
     };
     struct { const char *name; int *out; } flag[] = {
@@ -2016,7 +2017,8 @@ int main(int argc, char **argv)
         return EXIT_BAD;
     }
     if (set.limit > 2e9 || (set.limit > 0 && set.limit < 1)) {
-        fputs("kern: --limit takes a number from 1 to 2,000,000,000\n", stderr);
+        fputs("kern: --limit takes a number from 1 to 2,000,000,000, or 0\n",
+              stderr);
         return EXIT_BAD;
     }
     if (set.relative && set.at > 1) {
