@@ -5660,6 +5660,8 @@ static int kern_basis_reaches(kern_part *p, kern_real s, kern_real edge)
     kern_simplex *sx = &p->eq.simplex;
     const kern_real least = -sx->least;
     int i;
+    if (m->narrow > 0 || sx->state == KERN_BASIS_NONE)
+        return 0;
     for (i = 0; i < 3 * sx->groups + 3; i++)
         sx->alpha[i] = KERN_R(0);
     for (i = 0; i < p->contacts; i++) {
@@ -5683,7 +5685,20 @@ static int kern_basis_reaches(kern_part *p, kern_real s, kern_real edge)
     return 1;
 }
 
-/* Asks at s. Where it falls Newton's method says where that ends. */
+/* Where the mechanism that was found at s stops to fall, and whether its motion
+   proves the fall just beyond. Near to critical even a certificate that proves
+   nothing tells where. */
+static void kern_path_predict(kern_path *path, const kern_query *q, kern_real s)
+{
+    path->edge = kern_path_newton(path, q, s);
+    path->shown = KERN_INFINITY;
+    if (path->kind == KERN_PATH_LOAD)
+        path->shown = path->edge + path->tolerance * KERN_ASIDE;
+    if (path->kind == KERN_PATH_SHRINK)
+        kern_mechanism_edge(path->part, path, s);
+}
+
+/* Asks at s. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
@@ -5699,15 +5714,8 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
         path->holds = s;
     if (status == KERN_FALLS)
         path->fails = s;
-    /* near to critical even a certificate that proves nothing tells where */
     if (!path->inner && status != KERN_STANDS && p->found == KERN_FALLS)
-        path->edge = kern_path_newton(path, &q, s);
-    if (status == KERN_FALLS)
-        path->shown = path->kind == KERN_PATH_LOAD && !path->inner
-                      ? path->edge + path->tolerance * KERN_ASIDE
-                      : KERN_INFINITY;
-    if (status == KERN_FALLS && path->kind == KERN_PATH_SHRINK && !path->inner)
-        kern_mechanism_edge(p, path, s);
+        kern_path_predict(path, &q, s);
     return status;
 }
 
@@ -5715,7 +5723,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static int kern_path_falls(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
-    if (path->inner || !kern_model_spend(m, m->budget.query_units / 2)
+    if (!kern_model_spend(m, m->budget.query_units / 2)
         || !kern_model_proven(m, kern_prove_motion(m->s, &q,
                                                    m->answer.motion)))
         return 0;
@@ -5724,89 +5732,124 @@ static int kern_path_falls(kern_model *m, kern_path *path, kern_real s)
     return 1;
 }
 
+/* How a bracket is narrowed. */
+typedef struct kern_narrow {
+    kern_real aside, under;   /* from the predicted edge to where it is shown to
+                                 fall, and to stand                           */
+    kern_real share;          /* of a bracket in which nothing is predicted   */
+    int basis;                /* nonzero: the last basis stands at `holds`    */
+} kern_narrow;
+
+/* What is asked for next: a verdict at the start, which is not proven yet, at
+   the edge, beyond it, before it, or between the ends; or nothing more. */
+typedef enum kern_place {
+    KERN_AT_START, KERN_AT_EDGE, KERN_BEYOND, KERN_BEFORE, KERN_BETWEEN,
+    KERN_NOWHERE
+} kern_place;
+
+/* Whether it was not only poured that it stands where the bracket begins. */
+static int kern_path_is_sure(const kern_path *path)
+{ return path->alone || path->inner || path->stood >= path->holds; }
+
+static kern_place kern_narrow_next(const kern_path *path, const kern_narrow *n)
+{
+    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
+    const int inside = r >= lo && r <= hi;
+    const int above = inside && hi - r <= n->aside * KERN_R(1.05);
+    const int below = inside && r - lo <= n->under * KERN_R(1.05);
+    if (!kern_path_is_sure(path) && (below || r < lo || hi - lo <= 2 * n->under))
+        return KERN_AT_START;
+    if (hi - lo <= n->under / 8
+        || n->aside + n->under > path->tolerance * KERN_WIDEST)
+        return KERN_NOWHERE;
+    if (above && below)
+        return path->inner ? KERN_NOWHERE : KERN_AT_EDGE;
+    if (above)
+        return KERN_BEFORE;
+    return inside && r + n->aside < hi ? KERN_BEYOND : KERN_BETWEEN;
+}
+
+/* Narrows by a verdict at such a place, where the bracket was `was`. Returns
+   nonzero where it can be no narrower. */
+static int kern_narrow_by(kern_path *path, const kern_path *was,
+                          kern_narrow *n, kern_place place, kern_status status)
+{
+    if (status == KERN_UNDECIDED)
+        n->share *= KERN_R(0.7);
+    else if (place == KERN_BETWEEN && status == KERN_STANDS)
+        n->share = kern_min(2 * n->share, KERN_R(0.5));
+    else
+        n->share = KERN_NEAR;
+    if (place == KERN_AT_START && status == KERN_FALLS)
+        path->holds = path->start;
+    if (place == KERN_AT_EDGE) { /* the bracket stays */
+        path->fails = was->fails;
+        path->holds = was->holds;
+        if (status != KERN_FALLS
+            || path->edge > was->edge - path->unit * KERN_SAME_EDGE) {
+            path->edge = was->edge;
+            return 1;
+        }
+    }
+    if (status == KERN_UNDECIDED && place == KERN_BEFORE)
+        n->under *= 2;
+    if (status == KERN_UNDECIDED && place == KERN_BEYOND)
+        n->aside *= 2;
+    return status == KERN_UNDECIDED && place == KERN_BETWEEN
+           && was->fails - was->holds <= path->tolerance * KERN_WIDEST;
+}
+
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
    place, where the verdict changes. With w half of the tolerance:
    1. show that it falls at the place that is predicted, plus w, by the motion
       that was found, or else by a verdict;
    2. evaluate at it less w, so that both ends are proven beyond doubt: where
       another mechanism falls it predicts a nearer one;
-   3. evaluate at the place itself: where yet another mechanism falls there, its
-      prediction counts, else it is exact. The bracket stays. The interior point
-      knows the place no better than this.
-   Where nothing is predicted in the bracket, or its predictions do not come nearer
-   by half, it is halved; where no verdict can be proven, w is doubled, up to a
-   limit: in a jam neither proof comes nearer. */
+   3. evaluate at the place itself, unless the basis of 2. reaches it: where yet
+      another mechanism falls there its prediction counts, else it is exact. The
+      interior point knows the place no better than 1. and 2.
+   Where nothing is predicted in the bracket, a share of it is tried; where no
+   verdict can be proven, w is doubled, up to a limit: in a jam neither proof
+   comes nearer. KERN_FALLS where it does at the start, which was not proven. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
     const kern_real w = path->tolerance * KERN_ASIDE;
     const kern_proof *proof = path->proof;
-    kern_real aside = w, under = w, share = KERN_NEAR, step = KERN_INFINITY;
-    int round, slow = 0, at_lo = 0;
+    kern_narrow n;
+    int round;
+    n.aside = n.under = w;
+    n.share = KERN_NEAR;
+    n.basis = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-        const int inside = r >= lo && r <= hi && !slow;
-        const int close = inside && hi - r <= aside * KERN_R(1.05);
-        const int closed = close && r - lo <= under * KERN_R(1.05);
-        kern_real at = closed ? r : close ? kern_max(r - under, path->start)
-                                          : r + aside;
+        const kern_path was = *path;
+        const kern_place place = kern_narrow_next(path, &n);
+        const kern_real at = place == KERN_AT_START ? was.holds
+            : place == KERN_AT_EDGE ? was.edge
+            : place == KERN_BEFORE ? kern_max(was.edge - n.under, was.start)
+            : place == KERN_BEYOND ? was.edge + n.aside
+            : was.holds + (was.fails - was.holds) * n.share;
         kern_status status;
-        if (!path->alone && !path->inner && path->stood < lo
-            && (r < lo + 2 * under || hi - lo <= 2 * under)) {
-            status = kern_path_evaluate(m, path, lo);
-            if (status < KERN_UNDECIDED || (status != KERN_STANDS
-                                            && !(lo > path->start)))
-                return status;
-            path->holds = status == KERN_STANDS ? lo : path->start;
-            path->edge = status == KERN_FALLS ? path->edge : r;
-            continue;
-        }
-        if ((closed && path->inner) || hi - lo <= w / 8
-            || aside + under > path->tolerance * KERN_WIDEST)
+        if (place == KERN_NOWHERE
+            || (place == KERN_AT_EDGE && n.basis
+                && kern_basis_reaches(path->part, was.holds, was.edge)))
             break;
-        if (inside && path->shown > lo && path->shown < hi) {
-            at = path->shown;
+        if (place == KERN_BEYOND && !was.inner && was.shown < was.fails) {
             path->shown = KERN_INFINITY;
-            if (!kern_path_falls(m, path, at) && path->kind == KERN_PATH_SHRINK)
+            if (!kern_path_falls(m, path, was.shown))
                 path->edge = KERN_INFINITY;
             continue;
         }
-        if (closed && at_lo && kern_basis_reaches(path->part, lo, r))
-            break;
-        if (!close && !(inside && at < hi))
-            at = lo + (hi - lo) * share;
-        if (closed && (path->alone || path->stood >= lo))
+        if (place == KERN_AT_EDGE)
             path->proof = NULL;
         status = kern_path_evaluate(m, path, at);
         path->proof = proof;
-        if (status < KERN_UNDECIDED)
+        if (status < KERN_UNDECIDED
+            || (place == KERN_AT_START && status != KERN_STANDS
+                && !(was.holds > was.start)))
             return status;
-        at_lo = status == KERN_STANDS && path->kind == KERN_PATH_SHRINK
-                && !path->inner && !(m->narrow > 0)
-                && path->part->eq.simplex.state != KERN_BASIS_NONE;
-        share = status == KERN_UNDECIDED ? share * KERN_R(0.7)
-                : inside ? KERN_NEAR : kern_min(2 * share, KERN_R(0.5));
-        slow = path->inner && status == KERN_FALLS && !close
-               && at - path->edge > step / 2;
-        step = status == KERN_FALLS ? at - path->edge : step;
-        if (closed || (status == KERN_FALLS && at < lo)) {
-            path->fails = hi;
-            if (path->alone || path->stood >= lo)
-                path->holds = lo;
-        }
-        if (closed && (status != KERN_FALLS
-                       || path->edge > r - path->unit * KERN_SAME_EDGE)) {
-            path->edge = r;
-            break;
-        }
-        if (status == KERN_FALLS && at < lo) /* both proofs hold */
-            path->edge = r;
-        if (close && !closed && (status == KERN_UNDECIDED
-                                 || (status == KERN_FALLS && at < lo)))
-            under *= 2;
-        else if (inside && status == KERN_UNDECIDED)
-            aside *= 2;
-        else if (status == KERN_UNDECIDED
-                 && hi - lo <= path->tolerance * KERN_WIDEST)
+        n.basis = status == KERN_STANDS && was.kind == KERN_PATH_SHRINK
+                  && !was.inner;
+        if (kern_narrow_by(path, &was, &n, place, status))
             break;
     }
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
@@ -6717,23 +6760,29 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
     return first;
 }
 
-/* The edge of the whole where pouring came to no end at `at`: what a part that fell
-   just beyond that has left is the edge if it stands there. */
-static kern_status kern_path_below(kern_model *m, kern_path *path, kern_real at,
-                                   kern_real step)
+/* The edge of the whole by its linear program, which is asked at `at`, where
+   pouring came to no end: where it stands there, and something is known to fall
+   just beyond, that is the edge. Else, or from the start on, it climbs. */
+static kern_status kern_path_simplex(kern_model *m, kern_path *path,
+                                     kern_real at, kern_real step)
 {
     const kern_real fell = path->fell, edge = path->edge;
-    kern_status status = kern_path_evaluate(m, path, at);
-    if (status == KERN_STANDS && at >= path->end)
-        return kern_path_saturate(path);
-    path->edge = status == KERN_STANDS ? edge : path->edge;
-    path->fails = status == KERN_STANDS ? fell : path->fails;
-    if (status == KERN_STANDS && !(fell - at <= path->tolerance * KERN_WIDEST))
-        status = kern_path_walk(m, path, step, 0);
+    kern_status status;
+    if (!(path->stood >= path->holds))
+        path->holds = path->start; /* what was poured there was no proof */
+    status = at <= path->start && path->stood >= at
+             ? KERN_STANDS : kern_path_evaluate(m, path, at);
     if (status == KERN_FALLS)
-        status = kern_path_edge(m, path);
-    return status == KERN_STANDS && !(path->stood >= path->holds)
-           ? KERN_UNDECIDED : status;
+        return at > path->start ? kern_path_edge(m, path) : status;
+    if (status != KERN_STANDS)
+        return status;
+    if (at >= path->end)
+        return kern_path_saturate(path);
+    if (!(fell > at && fell - at <= path->tolerance * KERN_WIDEST))
+        return kern_path_walk(m, path, step, 0);
+    path->fails = fell;
+    path->edge = edge;
+    return status;
 }
 
 /* The edge of the whole where a load grows or gravity turns, which one program
@@ -6746,8 +6795,6 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     const kern_query q = kern_path_at(path, s);
     kern_real place;
     int g;
-    if (path->kind == KERN_PATH_SHRINK)
-        return KERN_UNDECIDED;
     kern_part_set(p, &q);
     for (g = 0; g < p->groups; g++) {
         kern_real *rate = p->eq.rate + 3 * g;
@@ -6763,55 +6810,34 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
 }
 
 /* The edge of the whole beyond path->holds: of many groups by the interior point,
-   of few, or where that finds none, by their linear program, in steps from what
-   holds, or from the start. Where a part fell no step goes beyond that. */
+   of few, or where that finds none, by their linear program, at first at `at`;
+   from the start on where that is not decided. */
 static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_real at, kern_real step, int fell)
+                                   kern_real at, kern_real step)
 {
-    const kern_real edge = path->edge, end = path->end;
+    const kern_real edge = path->edge;
     const kern_query q = kern_path_at(path, path->holds);
-    kern_real holds = path->holds;
     kern_status status = KERN_UNDECIDED;
     if (!m->plain && (m->graph.groups > KERN_SMALL
                       || m->budget.work->reals < KERN_REALS(m->s->blocks,
                                                      m->s->contacts)))
         status = kern_inner_search(m, path);
-    if (status != KERN_UNDECIDED)
-        return status;
-    if (!m->plain)
+    if (status == KERN_UNDECIDED && !m->plain) {
         status = kern_model_plain(m, path->part, &q);
-    if (!m->plain)
-        return status;
-    if (!(path->fell > holds))
-        holds = path->start; /* what was poured there was no proof */
-    path->holds = holds;
-    path->edge = edge; /* that of the interior point may not be exact */
-    if (at > path->start) {
-        status = kern_path_below(m, path, at, step);
-        if (status != KERN_UNDECIDED)
-            return status;
-        path->holds = holds;
-        path->edge = edge;
+        if (status == KERN_OK)
+            status = KERN_UNDECIDED;
+        path->edge = edge; /* that of the interior point may not be exact */
     }
-    if (fell && path->fell < end && path->fell > holds) {
-        path->end = path->fell;
-        step = kern_min(step, (path->fell - holds) / 2);
-    }
-    status = kern_path_follow(m, path);
+    if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
+        status = kern_path_follow(m, path);
     if (status == KERN_UNDECIDED)
-        status = kern_path_walk(m, path, step, 0);
-    if (status < KERN_UNDECIDED
-        || (status == KERN_STANDS && path->stood >= path->holds
-            && (path->never ? path->end >= end : path->holds > holds))) {
-        path->end = end;
-        return status;
+        status = kern_path_simplex(m, path, at, step);
+    if (status == KERN_UNDECIDED && at > path->start) {
+        path->never = 0;
+        path->holds = path->start;
+        status = kern_path_simplex(m, path, path->start, step);
     }
-    path->end = end;
-    path->never = 0;
-    path->holds = path->start;
-    path->edge = edge;
-    status = kern_path_evaluate(m, path, path->start);
-    return status == KERN_STANDS ? kern_path_walk(m, path, step, 0) : status;
+    return status;
 }
 
 /* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
@@ -6852,7 +6878,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_real edge;
     int round, hint, fell;
     if (m->plain || path->kind != KERN_PATH_SHRINK)
-        return kern_path_plain(m, path, start, step, 0);
+        return kern_path_plain(m, path, start, step);
     at = path->seed ? start + first : kern_body_first(m, path, start + first);
     hint = path->seed && path->seed->fails > start
            && path->seed->fails <= path->end
@@ -6892,7 +6918,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     path->holds = holds;
     path->edge = edge;
     return status < KERN_UNDECIDED ? status
-                                   : kern_path_plain(m, path, at, step, fell);
+                                   : kern_path_plain(m, path, at, step);
 }
 
 /* ---- Raised ----------------------------------------------------- >>raised */
