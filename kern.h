@@ -5719,16 +5719,22 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Whether the motion of the last mechanism proves that it falls at s as well. */
-static int kern_path_falls(kern_model *m, kern_path *path, kern_real s)
+/* Proves by the motion of the last mechanism that it falls just beyond the edge;
+   where that proves nothing the edge is not seen any more. 0: there is none. */
+static int kern_path_shown(kern_model *m, kern_path *path)
 {
+    const kern_real s = path->shown;
     const kern_query q = kern_path_at(path, s);
-    if (!kern_model_spend(m, m->budget.query_units / 2)
-        || !kern_model_proven(m, kern_prove_motion(m->s, &q,
-                                                   m->answer.motion)))
+    if (path->inner || !(s < path->fails))
         return 0;
-    kern_path_note(m, path, KERN_FALLS, s);
-    path->fails = s;
+    path->shown = KERN_INFINITY;
+    if (kern_model_spend(m, m->budget.query_units / 2)
+        && kern_model_proven(m, kern_prove_motion(m->s, &q,
+                                                  m->answer.motion))) {
+        kern_path_note(m, path, KERN_FALLS, s);
+        path->fails = s;
+    } else
+        path->edge = KERN_INFINITY;
     return 1;
 }
 
@@ -5738,6 +5744,7 @@ typedef struct kern_narrow {
                                  fall, and to stand                           */
     kern_real share;          /* of a bracket in which nothing is predicted   */
     int basis;                /* nonzero: the last basis stands at `holds`    */
+    kern_real holds, fails, edge; /* of the path, before the last verdict     */
 } kern_narrow;
 
 /* What is asked for next: a verdict at the start, which is not proven yet, at
@@ -5747,9 +5754,14 @@ typedef enum kern_place {
     KERN_NOWHERE
 } kern_place;
 
-/* Whether it was not only poured that it stands where the bracket begins. */
-static int kern_path_is_sure(const kern_path *path)
-{ return path->alone || path->inner || path->stood >= path->holds; }
+/* Whether it must be proven that it stands where the bracket begins, which was
+   only poured. */
+static int kern_narrow_starts(const kern_path *path, const kern_narrow *n)
+{
+    return !path->alone && !path->inner && path->stood < path->holds
+           && (path->edge < path->holds + 2 * n->under
+               || path->fails < path->holds + 2 * n->under);
+}
 
 static kern_place kern_narrow_next(const kern_path *path, const kern_narrow *n)
 {
@@ -5757,22 +5769,40 @@ static kern_place kern_narrow_next(const kern_path *path, const kern_narrow *n)
     const int inside = r >= lo && r <= hi;
     const int above = inside && hi - r <= n->aside * KERN_R(1.05);
     const int below = inside && r - lo <= n->under * KERN_R(1.05);
-    if (!kern_path_is_sure(path) && (below || r < lo || hi - lo <= 2 * n->under))
+    if (kern_narrow_starts(path, n))
         return KERN_AT_START;
     if (hi - lo <= n->under / 8
         || n->aside + n->under > path->tolerance * KERN_WIDEST)
         return KERN_NOWHERE;
     if (above && below)
-        return path->inner ? KERN_NOWHERE : KERN_AT_EDGE;
+        return path->inner || (n->basis && kern_basis_reaches(path->part, lo, r))
+               ? KERN_NOWHERE : KERN_AT_EDGE;
     if (above)
         return KERN_BEFORE;
     return inside && r + n->aside < hi ? KERN_BEYOND : KERN_BETWEEN;
 }
 
-/* Narrows by a verdict at such a place, where the bracket was `was`. Returns
-   nonzero where it can be no narrower. */
-static int kern_narrow_by(kern_path *path, const kern_path *was,
-                          kern_narrow *n, kern_place place, kern_status status)
+static kern_real kern_narrow_at(const kern_path *path, const kern_narrow *n,
+                                kern_place place)
+{
+    switch (place) {
+    case KERN_AT_START:
+        return path->holds;
+    case KERN_AT_EDGE:
+        return path->edge;
+    case KERN_BEFORE:
+        return kern_max(path->edge - n->under, path->start);
+    case KERN_BEYOND:
+        return path->edge + n->aside;
+    default:
+        return path->holds + (path->fails - path->holds) * n->share;
+    }
+}
+
+/* Narrows by a verdict at such a place. Returns nonzero where it can be no
+   narrower. */
+static int kern_narrow_by(kern_path *path, kern_narrow *n, kern_place place,
+                          kern_status status)
 {
     if (status == KERN_UNDECIDED)
         n->share *= KERN_R(0.7);
@@ -5783,11 +5813,11 @@ static int kern_narrow_by(kern_path *path, const kern_path *was,
     if (place == KERN_AT_START && status == KERN_FALLS)
         path->holds = path->start;
     if (place == KERN_AT_EDGE) { /* the bracket stays */
-        path->fails = was->fails;
-        path->holds = was->holds;
+        path->fails = n->fails;
+        path->holds = n->holds;
         if (status != KERN_FALLS
-            || path->edge > was->edge - path->unit * KERN_SAME_EDGE) {
-            path->edge = was->edge;
+            || path->edge > n->edge - path->unit * KERN_SAME_EDGE) {
+            path->edge = n->edge;
             return 1;
         }
     }
@@ -5796,7 +5826,7 @@ static int kern_narrow_by(kern_path *path, const kern_path *was,
     if (status == KERN_UNDECIDED && place == KERN_BEYOND)
         n->aside *= 2;
     return status == KERN_UNDECIDED && place == KERN_BETWEEN
-           && was->fails - was->holds <= path->tolerance * KERN_WIDEST;
+           && n->fails - n->holds <= path->tolerance * KERN_WIDEST;
 }
 
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
@@ -5821,35 +5851,26 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     n.share = KERN_NEAR;
     n.basis = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const kern_path was = *path;
         const kern_place place = kern_narrow_next(path, &n);
-        const kern_real at = place == KERN_AT_START ? was.holds
-            : place == KERN_AT_EDGE ? was.edge
-            : place == KERN_BEFORE ? kern_max(was.edge - n.under, was.start)
-            : place == KERN_BEYOND ? was.edge + n.aside
-            : was.holds + (was.fails - was.holds) * n.share;
         kern_status status;
-        if (place == KERN_NOWHERE
-            || (place == KERN_AT_EDGE && n.basis
-                && kern_basis_reaches(path->part, was.holds, was.edge)))
+        if (place == KERN_NOWHERE)
             break;
-        if (place == KERN_BEYOND && !was.inner && was.shown < was.fails) {
-            path->shown = KERN_INFINITY;
-            if (!kern_path_falls(m, path, was.shown))
-                path->edge = KERN_INFINITY;
+        if (place == KERN_BEYOND && kern_path_shown(m, path))
             continue;
-        }
         if (place == KERN_AT_EDGE)
             path->proof = NULL;
-        status = kern_path_evaluate(m, path, at);
+        n.holds = path->holds;
+        n.fails = path->fails;
+        n.edge = path->edge;
+        status = kern_path_evaluate(m, path, kern_narrow_at(path, &n, place));
         path->proof = proof;
         if (status < KERN_UNDECIDED
             || (place == KERN_AT_START && status != KERN_STANDS
-                && !(was.holds > was.start)))
+                && !(n.holds > path->start)))
             return status;
-        n.basis = status == KERN_STANDS && was.kind == KERN_PATH_SHRINK
-                  && !was.inner;
-        if (kern_narrow_by(path, &was, &n, place, status))
+        n.basis = status == KERN_STANDS && path->kind == KERN_PATH_SHRINK
+                  && !path->inner;
+        if (kern_narrow_by(path, &n, place, status))
             break;
     }
     if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
@@ -6864,55 +6885,70 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     return status == KERN_FALLS ? status : KERN_UNDECIDED;
 }
 
+/* Where a search begins: below the edge of what is known of a structure like it, or
+   of a body, or a step from the start. In *fell whether it is known to fall just
+   beyond. */
+static kern_real kern_path_first(kern_model *m, kern_path *path, kern_real step,
+                                 int *fell)
+{
+    const kern_real start = path->start;
+    kern_real at = start + step;
+    const kern_known *seed;
+    if (!path->seed)
+        at = kern_body_first(m, path, at);
+    seed = path->seed;
+    *fell = 0;
+    if (!seed || !(seed->fails > start && seed->fails <= path->end
+                   && seed->holds <= seed->margin
+                   && seed->margin <= seed->fails))
+        return kern_min(at, path->end);
+    *fell = kern_seed_falls(m, path);
+    return kern_max(start, seed->holds);
+}
+
+/* A step on; where little is left, the end. */
+static kern_real kern_path_farther(const kern_path *path, kern_real at,
+                                   kern_real step)
+{
+    at += step;
+    return at > path->end * KERN_R(0.95) ? path->end : at;
+}
+
 /* The first edge of a path on which the verdict changes but once. What falls
    at some place is a part, most often a small one, and no edge of the whole
    lies beyond that of a part, all else held. So the path is poured at the edge
-   of the part that fell last, until nothing falls there. It begins where
-   something is known, or `first` beyond path->holds. */
+   of the part that fell last, until nothing falls there, or pouring comes to no
+   end. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
     const kern_real start = path->start = path->holds;
-    kern_real holds = start, at;
+    kern_real holds = start, at, edge;
     kern_status status = KERN_STANDS;
-    kern_real edge;
-    int round, hint, fell;
+    int round, fell;
     if (m->plain || path->kind != KERN_PATH_SHRINK)
         return kern_path_plain(m, path, start, step);
-    at = path->seed ? start + first : kern_body_first(m, path, start + first);
-    hint = path->seed && path->seed->fails > start
-           && path->seed->fails <= path->end
-           && path->seed->holds <= path->seed->margin
-           && path->seed->margin <= path->seed->fails;
-    fell = hint && kern_seed_falls(m, path);
+    at = kern_path_first(m, path, first, &fell);
     edge = path->edge;
-    at = hint ? kern_max(start, path->seed->holds) : kern_min(at, path->end);
     for (round = 0; round < KERN_EDGE_ROUNDS && status == KERN_STANDS; round++) {
         path->holds = holds;
         status = kern_path_pour(m, path, at, fell || at >= path->end);
         if (status == KERN_STANDS && fell)
             return status;
-        if (status == KERN_STANDS) {
-            if (at >= path->end)
-                return kern_path_saturate(path);
-            holds = at;
-            at = hint ? at + first : start + 2 * (at - start);
-            if (at > path->end * KERN_R(0.95)) /* as well the whole of it */
-                at = path->end;
-            continue;
-        }
+        if (status == KERN_STANDS && at >= path->end)
+            return kern_path_saturate(path);
         if (status == KERN_FALLS && at <= start)
             return status;
-        path->holds = holds;
-        if (status == KERN_FALLS) {
+        if (status == KERN_STANDS) {
+            holds = at;
+            at = kern_path_farther(path, at, first);
+        } else if (status == KERN_FALLS) {
+            path->holds = holds;
             path->alone = fell = 1;
             status = kern_path_edge(m, path);
             path->alone = 0;
             at = path->holds;
             edge = path->edge;
-            if (status == KERN_STANDS && kern_part_is_whole(path->part)
-                && at > holds)
-                return status;
         }
     }
     path->holds = holds;
