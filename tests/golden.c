@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x961b12cd7984e2f3u },
-    { 1000, 0xeb0b2028c5169467u },
-    { 5000, 0xd10ac2a47c4a8e05u },
+    { 200, 0x15c5e263c279103bu },
+    { 1000, 0xec11dc19502cf832u },
+    { 5000, 0x2c1184490f041bcdu },
 #else
-    { 200, 0x5d114c36a36d4e18u },
-    { 1000, 0xb6dcf55d100a4cd9u },
-    { 5000, 0x5d49d054ba046f2du },
+    { 200, 0xe8666fd2a7dd3276u },
+    { 1000, 0xc15c202ac0019c85u },
+    { 5000, 0x4c443b71d22bfe27u },
 #endif
 };
 
