@@ -3882,24 +3882,18 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
     return s0 + s1 + (s2 + s3);
 }
 
-/* Every row reaches to its diagonal alone. */
-static void kern_skyline_narrow(kern_skyline *a)
-{
-    int g;
-    for (g = 0; g < a->groups; g++)
-        a->first[g] = g;
-}
-
 /* Takes the lists of a matrix of so many groups; 0 if there is no room. Then
    come what its rows reach, and kern_skyline_lay(). */
 static int kern_skyline_begin(kern_skyline *a, int groups, kern_take *take)
 {
+    int g;
     a->groups = groups;
     a->first = kern_take_ints(take, groups);
     a->offset = kern_take_ints(take, groups);
     if (!kern_take_fits(take))
         return 0;
-    kern_skyline_narrow(a);
+    for (g = 0; g < groups; g++)
+        a->first[g] = g;
     return 1;
 }
 
@@ -4065,77 +4059,57 @@ static void kern_skyline_factor(kern_skyline *a)
     KERN_AUDIT(factor, a);
 }
 
-/* out := the solution of matrix times it = b, by the factor. */
+/* out := the solution of matrix times it = b, by the factor, row by row. */
 static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
-                             kern_real *out)
+                               kern_real *out)
 {
-    int g, i;
-    for (g = 0; g < a->groups; g++) {
-        const int n = 3 * (g - a->first[g]), wide = n + 3;
-        const kern_real *u = a->entry + a->offset[g], *v = u + wide;
-        const kern_real *w = v + wide, *x = out + 3 * a->first[g];
-        kern_real s0 = b[3 * g], s1 = b[3 * g + 1], s2 = b[3 * g + 2];
-        for (i = 0; i < n; i++) {
-            s0 -= u[i] * x[i];
-            s1 -= v[i] * x[i];
-            s2 -= w[i] * x[i];
-        }
-        s0 /= u[n];
-        s1 = (s1 - v[n] * s0) / v[n + 1];
-        s2 = (s2 - w[n] * s0 - w[n + 1] * s1) / w[n + 2];
-        out[3 * g] = s0;
-        out[3 * g + 1] = s1;
-        out[3 * g + 2] = s2;
+    const int n = 3 * a->groups;
+    int i, k;
+    for (i = 0; i < n; i++) {
+        const int from = 3 * a->first[i / 3], wide = 3 * (i / 3) + 3 - from;
+        const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * wide;
+        out[i] = (b[i] - kern_dot(row, out + from, i - from)) / row[i - from];
     }
-    for (g = a->groups - 1; g >= 0; g--) {
-        const int n = 3 * (g - a->first[g]), wide = n + 3;
-        const kern_real *u = a->entry + a->offset[g], *v = u + wide;
-        const kern_real *w = v + wide;
-        kern_real *x = out + 3 * a->first[g];
-        const kern_real s2 = x[n + 2] / w[n + 2];
-        const kern_real s1 = (x[n + 1] - w[n + 1] * s2) / v[n + 1];
-        const kern_real s0 = (x[n] - w[n] * s2 - v[n] * s1) / u[n];
-        x[n] = s0;
-        x[n + 1] = s1;
-        x[n + 2] = s2;
-        for (i = 0; i < n; i++)
-            x[i] -= s0 * u[i] + s1 * v[i] + s2 * w[i];
+    for (i = n - 1; i >= 0; i--) {
+        const int from = 3 * a->first[i / 3], wide = 3 * (i / 3) + 3 - from;
+        const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * wide;
+        const kern_real x = out[i] /= row[i - from];
+        for (k = from; k < i; k++)
+            out[k] -= x * row[k - from];
     }
 }
 
 /* ---- Least forces ----------------------------------------------- >>least */
-/* Of all admissible forces on a part, those of least squares:
+/* Minimum-norm forces of a part, by a dual Newton method:
 
        min |x|^2 / 2,  A x = b,  x >= 0.
 
-   Its dual is max b.u - |max(0, A'u)|^2 / 2 in three unknowns a group, concave
-   and of piecewise constant curvature, and x = max(0, A'u). Newton's method
-   ends after a few steps: the matrix A_S A_S' of the rays S that are pressed
-   has the pattern of the part's groups, and is factored (Cholesky) in their
-   order, row by row from the first column that is not zero. Where no forces
+   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns a group, is concave
+   and of piecewise constant curvature; x = max(0, A'u). Newton's method ends after
+   a few steps; its matrix is A_S A_S' of the rays S that press. Where no forces
    exist the dual grows without limit. */
 
-/* Least forces and pouring. What a group may miss, as a share of its load: far
-   less than a proof allows. */
+/* Residual of a group's equilibrium, as a share of its load: far less than a
+   proof allows. */
 #define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
-/* Added to the diagonal of their matrix, as a share of its mean. */
+/* Added to the diagonal of the matrix, as a share of its mean. */
 #define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
 /* Pivot of a 3 x 3 matrix, as a share of its trace, that is rounding; and above
-   which its solution needs no second look. */
+   which its solution needs no refinement. */
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
-/* Forces, in loads of a unit, beyond which it is said to fall. Larger, and
-   units grow less often, but take more steps. */
+/* Norm of the forces, in loads of a cluster, beyond which it is infeasible.
+   Larger: clusters grow less often, Newton's method takes more steps. */
 #define KERN_LEAST_MOST  KERN_R(50)
 /* Share of the largest velocity that is no approach. */
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
-#define KERN_LEAST_ROUNDS  30      /* steps of Newton's method: of a unit     */
+#define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
-#define KERN_HOLD_ROUNDS   8       /* the same where they were not poured     */
+#define KERN_HOLD_ROUNDS   8       /* of all groups, for a verdict            */
 #define KERN_POUR_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
-#define KERN_UNIT_MOST     20      /* groups of a unit                        */
-#define KERN_UNIT_SHARE    32      /* one group, one time more for so many    */
+#define KERN_CLUSTER_MOST  20      /* groups of a cluster, and one more       */
+#define KERN_CLUSTER_SHARE 32      /* for so many groups of the structure     */
 #define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
 #define KERN_POUR_LARGEST  400000  /* of these: their product is an int       */
 
@@ -4252,12 +4226,6 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
     return value;
 }
 
-static inline int kern_part_presses(const kern_part *p, int k)
-{
-    const kern_real *w = p->dual.way + 4 * (size_t)k;
-    return w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > 0;
-}
-
 /* Adds what contact k of the part answers by a law to the matrix. */
 static void kern_part_add(kern_part *p, int k, const kern_spring *s)
 {
@@ -4268,15 +4236,11 @@ static void kern_part_add(kern_part *p, int k, const kern_spring *s)
 }
 
 /* The matrix of the contacts that press at u, or of all, with a little more on
-   its diagonal. Its profile is that of these contacts. */
+   its diagonal. */
 static void kern_least_matrix(kern_part *p, int all)
 {
     kern_skyline *a = &p->dual.matrix;
     int k;
-    kern_skyline_narrow(a);
-    for (k = 0; k < p->own; k++)
-        if (all || kern_part_presses(p, k))
-            kern_skyline_reach(a, p->ends + 2 * k);
     kern_skyline_clear(a);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
@@ -4448,8 +4412,7 @@ static kern_status kern_least_hold(kern_model *m, kern_part *p,
     if (status != KERN_STANDS)
         return KERN_UNDECIDED;
     kern_least_write(p);
-    return kern_answer_holds(m, q)
-           ? status : KERN_UNDECIDED;
+    return kern_answer_holds(m, q) ? status : KERN_UNDECIDED;
 }
 
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
@@ -4469,13 +4432,13 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Pouring ----------------------------------------------------- >>pour */
-/* Whether a wall stands, by a top-down equilibrium pass: from top to bottom each
-   group passes what it carries on to what carries it, by the least change of the
-   forces that are there, in three unknowns. A group that cannot do so alone forms
-   a cluster with those that rest on it; what rests on a cluster that changes is
-   not asked again, what carries it is. Forces that balance every group prove that
-   the structure stands. A cluster that cannot be balanced, and moves away from
-   what rests on it, is a part that falls: nothing else could hold it. */
+/* A top-down equilibrium pass: from top to bottom each group passes its load on
+   to what carries it, by the least change of the forces that are there, in three
+   unknowns. A group that cannot do so alone forms a cluster with those that rest
+   on it. Where forces change what carries them is balanced again. Forces that
+   balance every group prove that the structure stands. A cluster that cannot be
+   balanced, and moves away from what rests on it, is a part that falls: nothing
+   else could hold it. */
 
 /* What is found out about a cluster, or all. */
 typedef enum kern_poured {
@@ -4841,7 +4804,7 @@ static kern_poured kern_pour_cluster(kern_model *m, kern_part *p, int last,
                                      int failed)
 {
     const int most = m->graph.groups <= KERN_SMALL ? m->graph.groups / 4 + 1
-                     : KERN_UNIT_MOST + m->graph.groups / KERN_UNIT_SHARE;
+                     : KERN_CLUSTER_MOST + m->graph.groups / KERN_CLUSTER_SHARE;
     for (;;) {
         const int groups = kern_pour_mark(m, last, 0);
         const kern_status status = failed

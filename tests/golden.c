@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x15c5e263c279103bu },
-    { 1000, 0xec11dc19502cf832u },
-    { 5000, 0x2c1184490f041bcdu },
+    { 200, 0xf348c1ee529c773fu },
+    { 1000, 0x581d05178521879bu },
+    { 5000, 0xeed5b6f658aad687u },
 #else
-    { 200, 0xe8666fd2a7dd3276u },
-    { 1000, 0xc15c202ac0019c85u },
-    { 5000, 0x4c443b71d22bfe27u },
+    { 200, 0x34614817aaa08c0bu },
+    { 1000, 0x370731a14a3bd827u },
+    { 5000, 0xedb14bafc2c35329u },
 #endif
 };
 
