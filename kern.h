@@ -134,8 +134,8 @@
    is not begun: the call returns KERN_LIMIT and writes what is proven by then.
    Below the limit the answer is the same, to the last bit, as without. A unit
    is some 1,000 instructions, within a factor of 3 whatever the work is; what is
-   handed in is always read, some 150 instructions a block and contact point, so
-   a call costs at most that and the limit. A unit took 0.1 to 0.6 microseconds
+   handed in is always read, 170 to 550 instructions a block and contact point,
+   so a call costs at most that and the limit (tests/work.sh limits). A unit took 0.1 to 0.6 microseconds
    on a desktop computer; the margin of examples/structures/wall-60.kern takes
    some 2,100 units, a load factor 41,000.
 

@@ -1,0 +1,100 @@
+/* cc -O2 -ffp-contract=off -o limits tests/limits.c -lm
+   bash tests/work.sh limits [FILE...]
+
+   What a unit of work costs: each question to each structure, with limits of 1,
+   100, 1000, 10000 units and with none (30000), run under callgrind, which counts
+   instructions. Prints a line for each call: its name, blocks and contact points,
+   limit, units, status. work.sh makes the table of instructions a unit of it.
+   SPDX-License-Identifier: MIT */
+
+#define KERN_STATIC
+#define KERN_IMPLEMENTATION
+#include "../kern.h"
+#include "../examples/parts/room.h"
+#include "../examples/parts/text.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <valgrind/callgrind.h>
+
+enum { QUESTIONS = 12, LIMITS = 5, POINTS = 20000, STONES = 1000 };
+
+static const char *const question[QUESTIONS] = {
+    "verdict", "measure", "load", "tilt", "raised", "reserve", "bearing",
+    "deficit", "profile", "profile_load", "forces", "raised_load"
+};
+
+static kern_contact contact[POINTS];
+static kern_force force[POINTS];
+static kern_real value[STONES];
+
+static int ask(int i, kern_task *task)
+{
+    kern_margin m;
+    kern_real x;
+    kern_collapse c;
+    kern_raising raising;
+    switch (i) {
+    case 0: return kern_verdict(task, 0, NULL);
+    case 1: return kern_measure(task, &m, NULL);
+    case 2: return kern_load_factor(task, 0, KERN_RIGHT, &x, NULL);
+    case 3: return kern_tilt(task, 0, KERN_LEFT, &x, NULL);
+    case 4: return kern_raised(task, 0, &raising, NULL, NULL);
+    case 5: return kern_raised(task, 0, &raising, &x, NULL);
+    case 6: return kern_bearing(task, &x, NULL);
+    case 7: return kern_deficit(task, &x);
+    case 8: return kern_profile(task, KERN_SHRINK, value, &c);
+    case 9: return kern_profile(task, KERN_RIGHT, value, &c);
+    case 10: return kern_forces(task, 0, force);
+    default: return kern_raised_load(task, 0, KERN_RIGHT, NULL, &x, NULL);
+    }
+}
+
+static void ask_limited(const char *file, int i, kern_task *task)
+{
+    static const int limits[LIMITS] = {1, 100, 1000, 10000, 30000};
+    const char *name = strrchr(file, '/');
+    char tag[400];
+    int k, status;
+    for (k = 0; k < LIMITS; k++) {
+        snprintf(tag, sizeof tag, "%.200s/%s/%d", name ? name + 1 : file,
+                 question[i], limits[k]);
+        task->options.limit = limits[k];
+        CALLGRIND_ZERO_STATS;
+        CALLGRIND_TOGGLE_COLLECT;
+        status = ask(i, task);
+        CALLGRIND_TOGGLE_COLLECT;
+        CALLGRIND_DUMP_STATS_AT(tag);
+        printf("%s %d %d %d %d %d\n", tag, task->s.blocks, task->s.contacts,
+               limits[k], task->work->units, status);
+        if (task->work->units <= limits[k] && k > 0)
+            break;
+    }
+}
+
+int main(int argc, char **argv)
+{
+    int file, i;
+    for (file = 1; file < argc; file++) {
+        struct text_file t;
+        kern_work work = kern_work_of(NULL, 0, NULL, 0);
+        kern_task task;
+        int n;
+        if (text_load(&t, argv[file]) || t.blocks > STONES) {
+            fprintf(stderr, "%s: %s\n", argv[file], t.message);
+            return 2;
+        }
+        n = kern_contacts(t.block, t.blocks, &t.options, contact, POINTS, &work);
+        if (n < 0)
+            return 2;
+        work = room_work(t.blocks, n);
+        task = kern_task_of(t.block, t.blocks, contact, n, &work);
+        task.s.gravity = t.gravity;
+        task.options = t.options;
+        for (i = 0; i < QUESTIONS; i++)
+            ask_limited(argv[file], i, &task);
+        room_free_work(&work);
+        text_free(&t);
+    }
+    return 0;
+}
