@@ -390,9 +390,10 @@
    between two walls only by friction is held by forces that nothing raises, and
    counts as standing. kern_raised() tells these apart. Mechanisms are those of
    limit analysis: blocks that slide also part (sliding is dilatant). Where a
-   wall's own joints slide the load factor is then too high, by 9 % in the median
-   of brick walls with openings, by 43 % at most; kern_raised_load() is 2 % below
-   a simulator's collapse in the median, and was 6 % above it at most (48 walls).
+   wall's own joints slide the load factor is then too high, by 10 % in the
+   median of brick walls with openings, by 54 % at most; kern_raised_load() is
+   2 % below a simulator's collapse in the median, 4 % above it at most (48
+   walls).
    Use the lower one for what must hold.
 
    Jams of 4 to 15 blocks have brackets of 2e-6 to 2e-5 mean sizes in one of a
@@ -1137,7 +1138,7 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    proven that the load raises, as in kern_raised(), when the load grows from 0
    in 40 steps and each is found from those before. It answers for one path of
    loading: with friction equilibrium is not unique, and another path may
-   collapse earlier (seen: 6 %) or later. It is never above the load factor,
+   collapse earlier (seen: 5 %) or later. It is never above the load factor,
    which is asked for first. Where `pattern` is NULL the load is horizontal to a
    side as in kern_load_factor(), else it is that pattern, and side is not read.
    KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
@@ -1145,7 +1146,7 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
    own weight raises the forces; kern_raised() tells whether blocks hang. The
    factor is then as it was. KERN_LIMIT as above. Time: 8 times that of the load factor
-   in the median, 14 on brick walls whose joints slide. */
+   in the median of settled stones, 30 on brick walls whose joints slide. */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -6938,7 +6939,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 #define KERN_SLID        KERN_R(100)
 #define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
-#define KERN_RAISE_PATH    60      /* from those of a smaller load            */
+#define KERN_RAISE_PATH    100     /* from those of a smaller load            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 /* Along a load: steps to the load factor, what a step that fails is divided
    by, and the least step, as a share of the load factor. Longer steps are too

@@ -249,6 +249,21 @@ class Calls(unittest.TestCase):
         with self.assertRaises(ValueError):
             s.load_factor(0, 0, pattern[:1])
 
+    def test_live(self):
+        """2 kg at g 10 tip about a corner 0.5 away under 5 N at a height of 2."""
+        ground = Block("g", [(-3, -1), (3, -1), (3, 0), (-3, 0)], fixed=True)
+        pier = Block("a", [(0, 0), (1, 0), (1, 2), (0, 2)], mass=2)
+        s = Structure([ground, pier], options=kern.Options(mu=2),
+                      gravity=(0, -10))
+        load = [("a", (1, 0), (0.5, 2))]
+        self.assertAlmostEqual(s.live(load), 5, 6)
+        self.assertAlmostEqual(s.live(load).motion.tolist()[1][2], -0.5 ** 0.5,
+                               6)
+        self.assertLess(abs(s.live(load, raised=True) / 5 - 1), 0.004)
+        self.assertLess(abs(s.raised_load(kern.RIGHT) / 0.5 - 1), 0.004)
+        with self.assertRaises(ValueError):
+            s.live([("b", (1, 0), (0, 0))])
+
     def test_given_contacts(self):
         made = kern.contact_make(0, 1, (0, 1), (0, 0), (1, 0), mu=0.3)
         s = Structure(two(0)[:2], kern.contact_travels(made))

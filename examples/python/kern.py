@@ -380,6 +380,7 @@ _deficit = _declare("kern_deficit", _i, _p, _p)
 _bearing = _declare("kern_bearing", _i, _p, _p, _p)
 _load_factor = _declare("kern_load_factor", _i, _p, _r, _i, _p, _p)
 _load_factor_of = _declare("kern_load_factor_of", _i, _p, _r, _p, _p, _p)
+_raised_load = _declare("kern_raised_load", _i, _p, _r, _i, _p, _p, _p)
 _tilt = _declare("kern_tilt", _i, _p, _r, _i, _p, _p)
 _profile = _declare("kern_profile", _i, _p, _i, _p, _p)
 _sensitivity = _declare("kern_sensitivity", _i, _p, _p, _p, _p, _p)
@@ -1272,6 +1273,34 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             return self._factor(_load_factor, shrink, side)
         return self._factor(_load_factor_of, shrink, _rows(
             pattern, len(self.blocks), 3, "a load pattern"))
+
+    @_asks
+    def raised_load(self, side: int, shrink: float = 0.0,
+                    pattern: Optional[Sequence[Sequence[float]]] = None
+                    ) -> Optional[Factor]:
+        """kern_raised_load(): load_factor() of Coulomb friction, by equilibrium
+        that the load raises from rest. Undecided where none is shown."""
+        return self._factor(_raised_load, shrink, side,
+                            None if pattern is None else _rows(
+                                pattern, len(self.blocks), 3, "a load pattern"))
+
+    def live(self, loads: Iterable[Tuple[str, Point, Point]],
+             shrink: float = 0.0, raised: bool = False) -> Optional[Factor]:
+        """The factor by which a live load may grow, with its mechanism: forces
+        (name of a block, force, point). raised: as raised_load()."""
+        pattern = [[0.0, 0.0, 0.0] for _ in self.blocks]
+        index = {b.name: i for i, b in enumerate(self.blocks)}
+        for name, force, at in loads:
+            if name not in index:
+                raise ValueError("no block is named %r" % name)
+            centre = self.blocks[index[name]].body().centre
+            row = pattern[index[name]]
+            row[0] += force[0]
+            row[1] += force[1]
+            row[2] += ((at[0] - centre[0]) * force[1]
+                       - (at[1] - centre[1]) * force[0])
+        ask = self.raised_load if raised else self.load_factor
+        return ask(SHRINK, shrink, pattern)
 
     @_asks
     def tilt(self, side: int, shrink: float = 0.0) -> Optional[Factor]:
