@@ -97,8 +97,8 @@
    takes about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
-       KERN_REALS and KERN_INTS     9,132    21,600    68,200   386,712
-       both KERN_LEAN_ sizes        9,044    12,284    20,124    64,412
+       KERN_REALS and KERN_INTS     9,372    22,080    69,640   391,520
+       both KERN_LEAN_ sizes        9,188    12,428    20,268    64,652
 
    KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where a
    few blocks decide the margin, as in most walls: 0.7 MB for 1000 blocks and
@@ -787,7 +787,7 @@ typedef struct kern_lp {
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_ROOM(extras) (((extras) * (extras) + 5 * (extras)) / 3)
 #define KERN_REALS_OF(blocks, contacts, extras) \
-    ((extras) * (extras) + 5 * (extras) + 48 * (blocks) + 12 * (contacts) \
+    ((extras) * (extras) + 5 * (extras) + 54 * (blocks) + 12 * (contacts) \
      + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS_OF(blocks, contacts, extras) \
     (KERN_ROOM(extras) + 39 * (blocks) + 9 * (contacts) + 40)
