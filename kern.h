@@ -774,10 +774,10 @@ typedef struct kern_lp {
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions, for arrays: of contact points, and of work memory for a
-   structure of so many blocks (fixed ones included) and contact points or for a
-   linear program by itself. See >>memory. KERN_ROOM holds the factors of so many
-   columns that fill (see >>lp), in groups of three entries;
+/* Constant expressions, for arrays: of contact points, and of work memory for
+   a structure of so many blocks (fixed ones included) and contact points or
+   for a linear program by itself. See >>memory. KERN_ROOM holds the factors of
+   so many columns that fill (see >>lp), in groups of three entries;
    KERN_LEAN_EXTRAS is what a wall needs, KERN_LP_ROOM what a dense program
    does. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
@@ -810,23 +810,21 @@ typedef struct kern_lp {
     (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
 
 /* ---- Functions ----------------------------------------------------- >>api */
-/* Pointers must not be NULL where it does not say so: KERN_BAD_POINTER. Every
-   function that takes work memory may return KERN_NO_SPACE, every one that
-   takes a structure: KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000,
-   contacts up to 1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL,
-   KERN_SAME_BLOCK, KERN_NO_BLOCK (the block in the fault), KERN_NO_AREA,
-   KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, where the number of contacts is below
-   -1 that status of kern_contacts(), with the fault as it left it, and for a
-   relative shrinkage above 1 KERN_BAD_SHARE. With KERN_LIMIT the number that a
-   search was asked for is the largest that is proven to stand by then, below 0
-   if none is.
-   Numbers that could not be squared or multiplied safely are refused, with the
-   block in the fault: a centre, a place or a travel above 1e100 m
-   (KERN_BAD_NUMBER), a mass as in kern_block_init() (KERN_BAD_MASS), an area
-   below that or above 1e200 m^2 (KERN_NO_AREA, KERN_BAD_NUMBER), and where
-   weight and load of a free block together are above 1e100 N, or below 1e-100 N
-   and not 0 (KERN_BAD_NUMBER; float: 1e15, 1e-15). B is the number of blocks, C
-   of contact points. */
+/* B is the number of blocks, C of contact points. A pointer must not be NULL
+   unless it says so: KERN_BAD_POINTER. Every function that takes work memory
+   may return KERN_NO_SPACE, every one that takes a structure:
+   KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
+   1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
+   shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
+   KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, and where the number of contacts is
+   below -1 that status of kern_contacts(), with its fault. With KERN_LIMIT a
+   measure is the largest that is proven to stand by then, below 0 if none is.
+   Numbers that cannot be squared or multiplied safely are refused, with the
+   block in the fault: a centre, place or travel above 1e100 m
+   (KERN_BAD_NUMBER), a mass or area out of the range of kern_block_init()
+   (KERN_BAD_MASS, KERN_NO_AREA; above 1e200 m^2 KERN_BAD_NUMBER), weight and
+   load of a free block together above 1e100 N, or below 1e-100 N and not 0
+   (KERN_BAD_NUMBER; float: 1e15, 1e-15). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -834,16 +832,15 @@ KERN_API const char *kern_status_text(kern_status status);
 /* The defaults that stand beside each field of kern_options. */
 KERN_API kern_options kern_defaults(void);
 
-/* Options that also find the contacts which a little rocking would close (see
-   >>measures): a gap of 4 % of the mean size [m] and an angle of 0.15 rad,
-   where *options has less; NULL stands for kern_defaults(). */
+/* Options that also find the contacts which a little rocking would close
+   (>>measures): *options (NULL: the defaults) with a gap of at least 4 % of the
+   mean size [m] and an angle of at least 0.15 rad. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
-/* Options for structures whose poses and outlines were measured, by a camera or
-   a scanner: e is the standard error of a stone's place [m], theta of its angle
-   [rad]; vertices within their stone are as exact as half of e. Sets, from
-   *options (NULL: kern_defaults()),
+/* Options for measured structures (>>measured), from *options (NULL: the
+   defaults): e is the standard error of a stone's place [m], theta of its angle
+   [rad]; vertices within their stone are as exact as half of e. Sets
      gap      5.25 e, and 1e-3 of the size; at a place r from the centre of its
               block 3.4 theta r is added for both blocks, as squares: 3.4
               standard deviations, which 99.9 % of true contacts stay below
@@ -851,9 +848,9 @@ KERN_API kern_options kern_near(const kern_options *options,
               beyond the end of an edge
      overlap  8 e, and 3.4 theta r for r half the diagonal of both boxes;
               contacts lie at half the depth. Set it higher to accept more
-   The verdict is then that of the structure as it most likely rests. A stone
+   Verdicts are then those of the structure as it most likely rests. A stone
    that hovers by more than the gap carries and bears nothing. Contacts say
-   KERN_BAD_OPTION unless e is above 0 and theta not below. */
+   KERN_BAD_OPTION unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
                                     kern_real theta);
 
@@ -861,8 +858,8 @@ KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
 KERN_API kern_work kern_work_of(kern_real *real, int reals,
                                 int *index, int indices);
 
-/* What KERN_REALS and KERN_INTS are, for numbers known at run time. Zero in
-   both where the numbers are out of range. */
+/* KERN_REALS and KERN_INTS of numbers known at run time; zero in both where
+   these are out of range. */
 KERN_API void kern_work_need(int blocks, int contacts,
                              int *reals, int *indices);
 
@@ -871,17 +868,14 @@ KERN_API void kern_work_need(int blocks, int contacts,
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
    The vertices stay the caller's and must live as long as the block; after they
-   have moved, call this again. fault may be NULL; its index is the vertex.
-   A failed call leaves no block: whatever *block was before, every call that it
-   is handed to then returns KERN_NO_BLOCK, until an init succeeds.
-   KERN_FEW_VERTICES, KERN_BAD_COUNT (n above 1,000,000), KERN_BAD_NUMBER (also
+   have moved, call this again. fault may be NULL; its index is the vertex. A
+   failed call leaves no block: others return KERN_NO_BLOCK for it.
+   KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER (also
    above 1e100, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
    [m^2]), KERN_CROSSING (also where the last vertex repeats the first, as in
-   closed rings of other formats), KERN_BAD_MASS (density
-   not above 0, or a mass below 1e-100 or above 1e100 [kg]; float: 1e-15 and
-   1e15).
-   Time: O(n) for n vertices of a convex polygon, a test of boxes for each two
-   edges of another: 0.2 s for 10,000 vertices. */
+   closed rings of other formats), KERN_BAD_MASS (density not above 0, or a mass
+   below 1e-100 or above 1e100 [kg]; float: 1e-15, 1e15). Time: O(n) for n
+   vertices of a convex polygon, else a test of boxes for each two edges. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
@@ -901,53 +895,49 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
 
-/* Finds the contacts between all blocks and writes them to out[0..room): those
-   of block 1 with block 0, of block 2 with 0 and with 1, and so on, so that
-   what the last block touches comes last. Two fixed blocks have none, nor has a
-   block without vertices. Returns how many contact points there are, or
-   KERN_NO_SPACE (out means nothing; while faces of a pair are merged it takes
-   some seven points for each step of its outlines), KERN_OVERLAP (the first
-   pair; kern_overlaps() lists all, and how deep they are), KERN_BAD_POINTER,
-   _COUNT, _NUMBER, _FRICTION, _OPTION, KERN_FEW_VERTICES, KERN_NO_AREA,
-   KERN_NO_BLOCK (the block), KERN_STALE (the block: its vertices have moved, or
-   their array was used for another block). Work memory: none but for the fault.
-   Time: a test of boxes for each two blocks (6 ms for 2,000, 0.4 s for 20,000);
-   where they meet a few products for each two edges that are near, and some
-   tens where no edge of either parts them, as one does between convex stones. */
+/* Finds the contacts between all blocks (>>rules) and writes them to
+   out[0..room): those of block 1 with block 0, of block 2 with 0 and with 1,
+   and so on. A block without vertices has none. Returns how many contact
+   points there are, or KERN_NO_SPACE (out means nothing; on the way it takes
+   some seven points for each step of an outline), KERN_OVERLAP (the first
+   pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
+   KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
+   vertices have moved, or their array was used for another block). Work
+   memory: none but for the fault. Time: a test of boxes for each two blocks;
+   where they meet a few products for each two edges that are near, some tens
+   where no edge of either parts them. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
 
 /* Lists all pairs of blocks that overlap too deep for contacts. Returns how
-   many there are, of which no more than room are written, or what
-   kern_contacts() returns but for KERN_OVERLAP. Memory and time: as there. */
+   many there are, of which no more than room are written, or below 0 what
+   kern_contacts() returns. */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
 
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
-   but where a later block lies so far out that the rounding of its coordinates
-   counts. Returns the same; KERN_STALE is found of block b, of blocks that it
-   may touch, and where one array of vertices serves two blocks. Time: O(b), and
-   the edges as above. */
+   unless a later block lies so far out that the rounding of its coordinates
+   counts. Returns the same; KERN_STALE is found of block b and of blocks that
+   it may touch. Time: O(b), and the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
 
-/* Makes a contact that is given rather than found. *out has a, b, p, mu and the
-   normal n, from a into b and of any length; the contact goes from p to q, or
-   is the point p where q equals p. Fills in one or two contact points from out
-   on and returns how many, or KERN_SAME_BLOCK, KERN_BAD_BLOCK (an index below
-   0), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (zero, or so short
-   that its inverse is no number), KERN_BAD_LINE (p to q leaves the tangent by
-   more than options->angle), KERN_BAD_OPTION. At the end:
-   kern_contact_travels(). */
+/* Makes a contact that is given rather than found. *out has a, b, p, mu and
+   the normal n, from a into b and of any length; the contact goes from p to q,
+   or is the point p where q equals p. Writes one or two contact points from
+   out on and returns how many, or KERN_SAME_BLOCK, KERN_BAD_BLOCK (an index
+   below 0), KERN_BAD_NUMBER, KERN_BAD_FRICTION, KERN_BAD_NORMAL (no length),
+   KERN_BAD_LINE (p to q leaves the tangent by more than options->angle),
+   KERN_BAD_OPTION. When all are made: kern_contact_travels(). */
 KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
-/* Sets the travel of every contact point by the rules (>>rules), a point's from
-   the others of its interface: the same two blocks, in either order. Nothing
-   for NULL. Time: O(C) for each interface, and O(C) for each of its points. */
+/* Sets the travel of every contact point (>>rules), a point's from the others
+   of its interface: the same two blocks, in either order. Nothing for NULL.
+   Time: O(C) for each interface, and O(C) for each of its points. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage; grown, where it is negative;
@@ -956,6 +946,8 @@ KERN_API kern_vec kern_contact_at(const kern_contact *contact,
                                   kern_real shrink, int relative);
 
 /* -- verdicts and measures -- */
+/* `shrink` [m] (relative: a share, at most 1): kerns are shrunk by so much, and
+   grown where it is negative. proof may be NULL. */
 
 /* A task: the structure of so many blocks and contact points under gravity
    (0, -9.81), kern_defaults(), nothing known. */
@@ -967,34 +959,29 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
    will have blocks, as many forces as it will have contact points. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
-/* Whether the structure stands with its kerns shrunk by `shrink` (grown, if
-   negative): KERN_STANDS, KERN_FALLS or KERN_UNDECIDED. proof may be NULL.
+/* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
    Time: O(B + C) where forces can be passed on from the top down, as in most
-   walls; else for each pivot of the simplex method C and the entries of its
-   factors (>>lp), B^2 at the most. */
+   walls; else for each pivot C and the entries of its factors (>>lp), B^2 at
+   the most. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* The interval of the margin of a measured structure, and which verdict is
-   certain within the error that kern_measured() was given: KERN_STANDS,
-   KERN_FALLS, or KERN_OK where neither is. `margin` is that of kern_measure(),
-   0 where it falls, and lies between low and high.
-     low      Margin without doubtful contacts: of the blocks that carry a block
-              from below only that with the widest bed, as gravity sees it, is
-              kept, since a gap within the error may be open; kerns are shorter
-              by 3.5 e, friction angles less by 3 theta.
-     high     Margin with every contact that may exist: twice the error allowed
-              in gaps and angles, kerns longer by 3.5 e, friction angles more by
-              3 theta; where it stands at least `margin` and 3.5 e.
-   It stands for certain if low is above 0 and its forces are raised; it falls
-   for certain if it falls with all that `high` allows. What is not certain may
-   still be likely: a block on two supports is never certain to stand, since one
-   of them may be short by less than can be measured. A larger error never makes
-   a fall certain, and lowers `low` for the same contacts.
-   Absolute errors hold in relative mode too. contact[0..room) receives the
-   contacts of the second question; work memory is for `room` contact points.
-   Below 0: what kern_contacts() or kern_measure() returns: KERN_NO_SPACE also
-   where the room or the work memory for so many is too short, KERN_BAD_OPTION
+/* Between what the margin of a measured structure lies within the error that
+   kern_measured() was given, and which verdict is certain: KERN_STANDS (low is
+   above 0 and its forces are raised), KERN_FALLS (it falls with all that high
+   allows), or KERN_OK, neither. `margin` is that of kern_measure(), 0 where it
+   falls.
+     low   Margin without doubtful contacts: of the blocks that carry a block
+           only that with the widest bed, as gravity sees it, is kept, since a
+           gap within the error may be open; kerns are shorter by 3.5 e,
+           friction angles less by 3 theta.
+     high  Margin with every contact that may exist: twice the error allowed in
+           gaps and angles, kerns longer by 3.5 e, friction angles more by 3
+           theta; where it stands at least `margin` and 3.5 e.
+   A larger error never makes a fall certain, and lowers `low` for the same
+   contacts. Errors are absolute in relative mode too. contact[0..room) receives
+   the contacts for `high`; work memory is for `room` contact points.
+   Below 0: what kern_contacts() or kern_measure() returns, KERN_BAD_OPTION also
    where the options are not those of kern_measured(), KERN_LIMIT: *out holds
    what is proven by then. options.limit bounds the whole call.
    Time: a search for contacts, two margins and kern_raised(). */
@@ -1004,17 +991,16 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 
 /* Whether the forces that hold it are such as its load raises in contacts that
    were not stressed before: blocks approach wherever a force acts, stick where
-   there is friction to spare, and slide against it where there is not. A jam
-   whose forces nothing presses is not raised. Kerns are shrunk by `shrink`.
+   there is friction to spare, and slide against it where there is not.
    KERN_STANDS: *out, and the proof as kern_check_raised() takes it, both its
-   arrays (KERN_NOT_SHOWN: forces alone). KERN_FALLS: it does not stand; motion
-   as in kern_verdict(), *out as it was. `reserve` may be NULL; else *reserve is
-   the largest share, among 0, .001 ... .005, .0055, .006, .007, .008, .01,
-   .015, .02, .03, .05 and .1, of gravity that pushes sideways to either side,
-   while kerns shrink further by that share of the mean size of the free blocks
-   (relative: by that share), and leaves it raised, as far as is shown: 0 where
-   it is not raised. No share above options.reserve is asked for: where that is
-   all that matters, one push to either side is the whole cost. See >>measures. KERN_BAD_OPTION: a reserve without gravity.
+   arrays (KERN_NOT_SHOWN: forces alone). KERN_FALLS: motion as in
+   kern_verdict(), *out as it was.
+   *reserve (may be NULL) is the largest share of gravity, among 0, .001 ...
+   .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1, that may push
+   to either side, kerns being shrunk further by that share of the mean size
+   (relative: by that share), so that it is still shown to be raised; 0 where it
+   is not raised. No share above options.reserve is asked for; KERN_BAD_OPTION:
+   a reserve without gravity.
    KERN_NO_SPACE also where a structure is much wider than a wall of squares.
    Time: 1.2 times that of the margin where it is raised, 8 times where it is
    not shown; with the reserve 4 times. */
@@ -1022,49 +1008,47 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
 
-/* The least forces: of all that hold the structure, with kerns shrunk by
-   `shrink`, those of least sum of f^2 + (r / mu)^2 over the contact points; see
-   >>measures. KERN_STANDS: force[0..contacts), checked like those of a proof.
-   KERN_UNDECIDED: there are none, as kern_verdict() tells, or none so exact, as
-   where jams are critical or sizes differ by 1e4. KERN_NO_SPACE as in
-   kern_raised(). Time: a fourth to a third of that of the margin. */
+/* The least forces (>>measures): of all that hold the structure those of least
+   sum of f^2 + (r / mu)^2 over the contact points. KERN_STANDS:
+   force[0..contacts), checked like those of a proof. KERN_UNDECIDED: there are
+   none, as kern_verdict() tells, or none so exact, as where jams are critical
+   or sizes differ by 1e4. KERN_NO_SPACE as in kern_raised(). Time: a third of
+   that of the margin. */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
-/* Margin and level. KERN_STANDS: all of *out; proof->force holds the structure
-   at out->holds, so with its kerns shrunk, and proof->motion (unless saturated)
-   moves it at out->fails. KERN_FALLS: level, margin, holds, fails are 0, most
-   and epsilon are set, and proof->motion says how it falls. KERN_LIMIT: level
-   -1, saturated 0; holds and margin are the largest shrinkage that is proven to
-   stand, -1 if none is yet; fails is the smallest that is proven to fall,
-   `most` if none is; the proof's contents mean nothing. KERN_UNDECIDED, and
-   KERN_BAD_STEP where most / epsilon is above 1,000,000: *out is as it was.
-   [holds, fails] is at most 2e-6 of the mean block size wide, more only where
-   no proof can be completed nearer to critical. Where kerns are nested
-   (>>rules) the proof of the margin proves the level; elsewhere the path is
-   searched in steps of most/1001, and each step of the level has a proof of its
-   own that is verified and not handed out. With options.narrow = k every cone
-   narrows as kerns shrink: at shrinkage d > 0 friction mu is max(0, (mu - k d)
-   / (1 + mu k d)), the tangent of its angle less that of the slope k d, in
-   every question about shrunk kerns. A robot that places stones within e and
-   theta asks with k = tan(theta) / (2 e): margin / (2 e) is how many times its
-   own error the structure bears; a measure, not a bound. Where k is so large
-   that kerns hardly shrink, k margin is the slope to spare: the least friction
-   at which it stands is that mu. Warm start: from task->known, and the result
-   is remembered there; after KERN_UNDECIDED, KERN_LIMIT and KERN_NO_SPACE
-   nothing is known any longer. */
+/* Margin and level.
+     KERN_STANDS    All of *out. proof->force holds the structure at out->holds,
+                    so with its kerns shrunk; proof->motion moves it at
+                    out->fails (saturated: is not written).
+     KERN_FALLS     level, margin, holds, fails are 0, most and epsilon are set;
+                    proof->motion says how it falls.
+     KERN_LIMIT     level -1, saturated 0; margin and holds are the largest
+                    shrinkage proven to stand, -1: none yet; fails the smallest
+                    proven to fall, `most`: none. The proof means nothing.
+     KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon above 1,000,000): *out is as
+                    it was.
+   [holds, fails] is at most 2e-6 of the mean size wide, more only where no
+   proof can be completed nearer to critical (>>limits). The level is proven
+   with the margin where kerns are nested, else by a proof of each step.
+   options.narrow = k: at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1
+   + mu k d)), the tangent of its angle less that of the slope k d, in every
+   question about shrunk kerns. A robot that places stones within e and theta
+   asks with k = tan(theta) / (2 e): margin / (2 e) is how many times its own
+   error the structure bears; a measure, not a bound. Where k is so large that
+   kerns hardly shrink, mu less the slope k margin is the least friction. Warm
+   start: from task->known, where the result is remembered; after
+   KERN_UNDECIDED, KERN_LIMIT and KERN_NO_SPACE nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
 /* How the margin depends on every contact point and block, from the proof that
-   kern_measure() wrote, without any search: contact[0..contacts) and
-   block[0..blocks). It is the derivative where one mechanism alone is critical,
-   contacts stay and no kern that carries is about to close; else that of the
-   mechanism of the proof. Where corners of two blocks end a contact together,
-   either is taken to move it. KERN_OK, or KERN_UNDECIDED where the margin is
-   saturated or does not move. With narrow 0.
-   Time: O(B + C), and the corners of the blocks at each contact that bears and
-   moves: 0.03 of that of the margin. */
+   kern_measure() wrote: contact[0..contacts) and block[0..blocks). It is the
+   derivative where one mechanism alone is critical, contacts stay and no kern
+   that carries is about to close; else that of the mechanism of the proof.
+   Where corners of two blocks end a contact together, either is taken to move
+   it. KERN_OK, or KERN_UNDECIDED where the margin is saturated or does not
+   move. With narrow 0. Time: O(B + C), 0.03 of that of the margin. */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
@@ -1080,26 +1064,25 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 /* The length [m] of the shortest contact that the structure needs: it stands on
    its contacts of this length and longer ones alone, and not on longer ones
    alone. A point of an interface of several counts with twice its travel; a
-   lone point has no length and is never left out. KERN_STANDS: *length,
-   KERN_INFINITY where it needs no contact that has a length; proof->force holds
-   the structure by those contacts, proof->motion moves it without the shortest
-   of them. KERN_FALLS: it falls with all contacts. What is undecided without a
-   contact needs it; the motion is then 0. Time: C, and one verdict for each time that the search
-   halves the interval of lengths, on a logarithmic scale. */
+   lone point is never left out. KERN_STANDS: *length, KERN_INFINITY where it
+   needs no contact that has a length; proof->force holds the structure by those
+   contacts, proof->motion moves it without the shortest of them (0 where that
+   is undecided: it counts as needed). KERN_FALLS: it falls with all contacts.
+   Time: a verdict for each halving of the lengths, on a logarithmic scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
-/* The largest factor of a horizontal load on top of weights and loads, with
-   kerns shrunk by `shrink`. KERN_STANDS: *factor, KERN_INFINITY where it stands
-   at 1,000,000; proof as in kern_measure(), for the loads at the factor.
-   KERN_FALLS: it falls at 0. KERN_BAD_OPTION: no gravity, or neither KERN_LEFT
-   nor KERN_RIGHT. */
+/* The largest factor of a horizontal load to a side on top of weights and
+   loads. KERN_STANDS: *factor, KERN_INFINITY where it stands at 1,000,000;
+   proof as in kern_measure(), for the loads at the factor. KERN_FALLS: it
+   falls at 0. KERN_BAD_OPTION: no gravity, or neither KERN_LEFT nor
+   KERN_RIGHT. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
 
-/* The same for any load: one wrench a block, about its centre; those of fixed
-   blocks are not read. */
+/* The same for any load: pattern[0..blocks), a wrench about the centre of each
+   block; those of fixed blocks are not read. */
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real shrink,
                                          const kern_wrench *pattern,
@@ -1109,17 +1092,16 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
 /* The load factor of Coulomb friction, from rest: stones that slide need not
    part. *factor is the largest multiple of the load at which equilibrium is
    proven that the load raises, as in kern_raised(), when the load grows from 0
-   in 40 steps and each is found from those before. It answers for one path of
-   loading: with friction equilibrium is not unique, and another path may
-   collapse earlier (seen: 5 %) or later. It is never above the load factor,
-   which is asked for first. Where `pattern` is NULL the load is horizontal to a
-   side as in kern_load_factor(), else it is that pattern, and side is not read.
-   KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
+   in 40 steps and each is found from those before. With friction equilibrium
+   is not unique: another path of loading may collapse earlier (seen: 5 %) or
+   later. It is never above the load factor, which is asked for first. The load
+   is `pattern`, or where that is NULL horizontal to the side. KERN_STANDS:
+   *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; kern_raised() tells whether blocks hang. The
-   factor is then as it was. KERN_LIMIT as above. Time: 8 times that of the load factor
-   in the median of settled stones, 30 on brick walls whose joints slide. */
+   own weight raises the forces; *factor is as it was. Time: 8 times that of
+   the load factor in the median of settled stones, 30 on brick walls whose
+   joints slide. */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1127,42 +1109,42 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof);
 
 /* The first angle [rad] at which it falls when gravity turns toward a side.
-   With loads, gaps between angles that stand are seen if wider than 1/100.
-   KERN_FALLS: it falls at 0. KERN_BAD_OPTION as above. */
+   KERN_STANDS: *angle; proof as in kern_load_factor(). KERN_FALLS: it falls at
+   0. KERN_BAD_OPTION as there. */
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
 
-/* The profile: how far each block is from falling in a progressive collapse, in
-   value[0..blocks), shrinkages [m] (KERN_SHRINK) or factors of a horizontal
-   load to a side; of a fixed block KERN_INFINITY. A structure that falls as it
-   is has a profile too. KERN_OK: all was written; below 0: *out is as it was,
-   and value means nothing. KERN_BAD_OPTION: no such side, or a load and no
-   gravity. KERN_UNDECIDED: a verdict it depends on is. KERN_LIMIT: value of the
-   blocks that have been taken away by then is as it will be, of others -1.
-   Time: for each mechanism a few solutions, with fewer and fewer blocks;
-   altogether 3 to 5 times that of the margin. */
+/* The profile (>>rules), in value[0..blocks): shrinkages [m] (KERN_SHRINK) or
+   factors of a horizontal load to a side; of a fixed block KERN_INFINITY. A
+   structure that falls as it is has a profile too. KERN_OK: all was written;
+   below 0: *out is as it was, and value means nothing. KERN_BAD_OPTION: no such
+   side, or a load and no gravity. KERN_UNDECIDED: a verdict it depends on is.
+   KERN_LIMIT: value of the blocks that have been taken away by then is as it
+   will be, of others -1. Time: 3 to 5 times that of the margin. */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
 /* What a measure hinges on, from its proof: proof->motion, not NULL, moves the
-   structure at about the shrinkage `shrink`, proof->force holds it there or is
-   NULL. After kern_measure(): out.margin and its proof; where it falls, 0 and
-   the motion alone. A contact point limits by the power that the mechanism
-   gains per length by which the point moves inward; without forces, or where
-   none gains, by its turning, and where nothing turns, by its sliding. Slower
-   than 1e-4 of the fastest counts as rest. KERN_OK: out's arrays are filled,
-   contact and groups are set. KERN_BAD_POINTER also for no motion,
-   KERN_BAD_NUMBER for one that is not finite (the block).
-   Time: O(C), and O(B) for each group. */
+   structure at about `shrink`, proof->force holds it there or is NULL. After
+   kern_measure(): out.margin and its proof; where it falls, 0 and the motion
+   alone. A contact point limits by the power that the mechanism gains per
+   length by which the point moves inward; without forces, or where none gains,
+   by its turning, and where nothing turns, by its sliding. Slower than 1e-4 of
+   the fastest counts as rest. KERN_OK: out's arrays are filled, contact and
+   groups are set. KERN_BAD_POINTER also for no motion, KERN_BAD_NUMBER for one
+   that is not finite (the block). Time: O(C), and O(B) for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
 
 /* -- planning -- */
-/* A planner compares structures that differ by a stone. No contact is searched
-   twice. kern_measure(&plan.task, ...) measures the plan from its last measure
-   on. Answers are those without a warm start. */
+/* Structures that differ by a stone: no contact is searched twice, and
+   kern_measure(&plan.task, ...) and the questions below go on from its last
+   measure. Measure first: answers are the same without, but slower. Questions
+   leave the plan as it is; below 0 they also return what kern_plan_add() does,
+   and their proof is of the structure with the block: one motion more, and the
+   forces of the block's contacts, which lie behind the plan's, last. */
 
 /* An empty plan: arrays for so many blocks and contact points, kern_known_of()
    arrays as long as these, and work memory for a structure of that size.
@@ -1182,28 +1164,20 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
    KERN_BAD_BLOCK: there is none. Time: O(B + C). */
 KERN_API kern_status kern_plan_remove(kern_plan *plan, int i);
 
-/* What kern_measure() would say with the block added; the plan stays as it is.
-   Below 0 also as kern_plan_add(). The proof is of the structure with the
-   block: one motion more, and the forces of the block's contacts, which then
-   lie behind the plan's, last. If the plan has not been measured since it was
-   changed, do that first: every try then starts from it.
-   Time: that of one verdict, where the block does not change which stones are
-   the weakest. */
+/* What kern_measure() would say with the block added. Time: that of one
+   verdict, where the block does not change which stones are the weakest. */
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof);
 
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
    Where kerns are not nested it is kern_plan_try() that tells, with its proof.
-   KERN_BAD_NUMBER also for a margin below 0. The plan stays as it is.
-   Time: that of one verdict. */
+   KERN_BAD_NUMBER also for a margin below 0. Time: that of one verdict. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
 
-/* kern_raised() of the plan, or with a block added (NULL: as it is). Below 0
-   also as kern_plan_add(). The plan stays as it is; the proof as in
-   kern_plan_try(). */
+/* kern_raised() with a block added; of the plan as it is for NULL. */
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
                                       const kern_proof *proof);
@@ -1212,11 +1186,11 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 /* The error of a proof as a share of what is allowed: up to 1 it holds.
    KERN_INFINITY where it proves nothing, and for bad input: NULL, what is not
-   a number. Time: O(B + C), work memory: 4 B reals for forces, none for a
-   motion. Allowed is: for forces, 1e-9 (float: 1e-4) of what acts on a block in
-   each of its equilibrium equations; for a motion, that forces up to 1e6 (1e3)
-   times the weight could not stop it, whatever rounding does to the sums of the
-   check. */
+   a number. Allowed is: for forces, 1e-9 (float: 1e-4) of what acts on a block
+   in each of its equilibrium equations; for a motion, that forces up to 1e6
+   (1e3) times the weight could not stop it, whatever rounding does to the sums
+   of the check. Time: O(B + C), work memory: 4 B reals for forces, none for a
+   motion. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
@@ -1235,13 +1209,15 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* -- the linear program alone -- */
 
 /* Solves a small dense program. x has cols, y rows numbers.
-   KERN_LP_OPTIMAL: x is a solution, of least cost if there are costs, and then
-   y are its prices: cost - y.A >= 0. KERN_LP_INFEASIBLE: no x exists: y.A >= 0
-   and y.rhs < 0. KERN_LP_UNBOUNDED: along x the cost falls: A x = 0, x >= 0,
-   cost.x < 0. Each is checked against A, every row and column by its own
-   terms, so that units do not matter. KERN_UNDECIDED: the method does not end,
-   or the check failed, as it may where units differ by more than 1e4.
-   KERN_LIMIT: lp->limit was reached. Below 0 x and y mean nothing. Work memory:
+     KERN_LP_OPTIMAL     x is a solution, of least cost if there are costs, and
+                         then y are its prices: cost - y.A >= 0
+     KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
+     KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
+     KERN_UNDECIDED      the method does not end, or the check failed, as it may
+                         where units differ by more than 1e4
+     KERN_LIMIT          lp->limit was reached
+   Each is checked against A, every row and column by its own terms, so that
+   units do not matter. Below 0 x and y mean nothing. Work memory:
    KERN_LP_REALS(rows, cols), KERN_LP_INTS(...). Time: rows^2 + rows cols for a
    pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
