@@ -105,6 +105,7 @@ static void row(const char *what, const kern_vec *vertex, int n, double e)
                                   ints, KERN_INTS(BLOCKS, CONTACTS));
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_margin m = { 0, 0, 0, 0, 0, 0, 0 };
+    kern_interval within;
     kern_status status = kern_ground_init(&block[0], ground, 4, NULL);
     if (status == KERN_OK)
         status = kern_block_init(&block[1], vertex, n, density * thickness,
@@ -119,7 +120,8 @@ static void row(const char *what, const kern_vec *vertex, int n, double e)
     }
     if (status == KERN_STANDS)
         printf(" %8.1f %9.4f %9.4f%s\n", block[1].mass, e, m.margin,
-               e > 0 && kern_certain(&task, status, contact, CONTACTS) == 1
+               e > 0 && kern_certain(&task, m.margin, &within, contact,
+                                     CONTACTS) == KERN_STANDS
                    ? "  certain" : "");
     else
         printf("   %s\n", kern_status_text(status));
@@ -164,5 +166,5 @@ untold                200   2669.3    0.0000    0.1445
 untold               1000   2669.8    0.0000    0.2598
 told                   40   2656.9    0.0200    0.4113  certain
 told                  200   2669.3    0.0200    0.4113  certain
-told                 1000   2669.8    0.0200    0.4042  certain
+told                 1000   2669.8    0.0200    0.4113  certain
 */

@@ -10,6 +10,8 @@
 #ifndef FALLS_H
 #define FALLS_H
 
+#include <stddef.h>
+
 #include "../../kern.h"
 
 /* Slower than that share of the fastest counts as rest: as in

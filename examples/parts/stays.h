@@ -24,6 +24,8 @@
 #ifndef STAYS_H
 #define STAYS_H
 
+#include <stddef.h>
+
 #include "../../kern.h"
 
 #include <math.h>
