@@ -1679,8 +1679,10 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
    verdicts half a tolerance to each side of the critical place are then proven:
    they are the bracket.
 
-   As long as possible the search evaluates a small part (kern_path_search()),
-   and the whole only where it finds none (kern_path_plain()). */
+   Where a load grows or gravity turns s is a variable of the linear program, and
+   the edge its largest value (kern_path_follow()). Where kerns shrink the search
+   evaluates a small part as long as possible (kern_path_search()), and the whole
+   only where it finds none (kern_path_plain()). */
 
 typedef struct kern_model kern_model; /* the structure in units: >>model      */
 typedef struct kern_part kern_part;   /* some of its blocks: >>part           */
@@ -2647,7 +2649,6 @@ typedef struct kern_simplex {
     kern_real gain;         /* largest y.A_j - cost_j; infinity: not known    */
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables                                      */
-    int entered;            /* last: unbounded, it rises without end          */
 } kern_simplex;
 
 /* A symmetric matrix of 3 x 3 blocks, a row of them a group, or its factor: of
@@ -9583,41 +9584,48 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
     return 1;
 }
 
+/* Gain below which no column enters. One that would have to carry more than
+   lp->most to undo the violations is no help: the bound on the forces of a jam. */
+static kern_real kern_gain_least(const kern_simplex *sx, kern_real sum)
+{
+    const kern_program *lp = sx->lp;
+    const kern_real size = kern_largest(sx->price, lp->rows);
+    kern_real least = KERN_PIVOT_TOL * size;
+    if (!sx->violated)
+        least = KERN_FEAS_TOL
+                * (lp->cost ? kern_largest(lp->cost, lp->cols) : KERN_R(1));
+    else if (lp->most > 0)
+        least = sum / lp->most;
+    return kern_max(least, KERN_ROUNDING * size);
+}
+
 /* The variable outside of the basis that lowers what the prices stand for
-   fastest, or the first that does: by sx->gain = y.A_j - cost_j. One that would
-   have to carry more than lp->most to undo the violations is no help: the bound
-   on the forces of a jam. While the basis and c stay, so do prices and gain. */
+   fastest, or the first that does: by sx->gain = y.A_j - cost_j. While the basis
+   and c stay, so do prices and gain. */
 static int kern_entering(kern_simplex *sx, kern_real sum, int first)
 {
     const kern_program *lp = sx->lp;
     const int costs = !sx->violated, all = lp->cols + lp->follow;
-    kern_real d[2], least, size;
-    int j, k, best = KERN_OUT;
+    kern_real d[2], least;
+    int j, best = KERN_OUT;
     if (costs && !kern_lp_costs(lp))
         return KERN_OUT;
     if (!(sx->gain < KERN_INFINITY))
         kern_prices(sx);
-    size = kern_largest(sx->price, lp->rows);
-    least = KERN_PIVOT_TOL * size;
-    if (costs || lp->most > 0)
-        least = kern_max(!costs ? sum / lp->most : KERN_FEAS_TOL
-                         * (lp->cost ? kern_largest(lp->cost, lp->cols) : 1),
-                         KERN_ROUNDING * size);
+    least = kern_gain_least(sx, sum);
     if (sx->gain <= least)
         return KERN_OUT;
     sx->gain = KERN_R(0);
-    for (j = 0; j < all && !(first && sx->gain > least); j += 2) {
-        if (j < lp->cols)
+    for (j = 0; j < all && !(first && sx->gain > least); j++) {
+        if (j == lp->cols)
+            d[j & 1] = kern_lp_dot(lp, j, sx->price);
+        else if (j % 2 == 0)
             kern_lp_pair(lp, j, sx->price, d);
-        for (k = 0; k < 2 && j + k < all; k++) {
-            if (j + k == lp->cols)
-                d[k] = kern_lp_dot(lp, lp->cols, sx->price);
-            if (costs)
-                d[k] -= kern_lp_cost(lp, j + k);
-            if (d[k] > sx->gain && sx->place[j + k] == KERN_OUT) {
-                best = j + k;
-                sx->gain = d[k];
-            }
+        if (costs)
+            d[j & 1] -= kern_lp_cost(lp, j);
+        if (d[j & 1] > sx->gain && sx->place[j] == KERN_OUT) {
+            best = j;
+            sx->gain = d[j & 1];
         }
     }
     return sx->gain > least ? best : KERN_OUT;
@@ -9726,9 +9734,9 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
    falls with every step that is not of length zero; when the budget is used up
    the smallest indices are taken (Bland), which cannot cycle. The limit ends
    what rounding might keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED
-   with sx->entered, KERN_LP_INFEASIBLE (prices are in sx->price), or
+   with the column *ray, KERN_LP_INFEASIBLE (prices are in sx->price), or
    KERN_UNDECIDED. */
-static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
+static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
     const int limit = 200 + 20 * (lp->rows + lp->cols);
@@ -9750,7 +9758,7 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
                 kern_basis_refactorise(sx);
             continue;
         }
-        sx->entered = q;
+        *ray = q;
         if (q == KERN_OUT)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
@@ -9813,21 +9821,39 @@ static kern_real kern_simplex_place(const kern_simplex *sx)
     return p == KERN_OUT ? KERN_R(0) : sx->value[p];
 }
 
-/* The solution to x, or the ray along which the costs fall. */
+/* The solution to x, or where column `ray` is not KERN_OUT the ray along which
+   the costs fall. */
 static void kern_simplex_read(const kern_simplex *sx, int ray, kern_real *x)
 {
     int i, p;
     for (i = 0; i < sx->lp->cols; i++)
-        x[i] = KERN_R(ray && i == sx->entered);
+        x[i] = KERN_R(i == ray);
     for (p = 0; p < sx->lp->rows; p++)
         if (sx->base[p] < sx->lp->cols)
-            x[sx->base[p]] = ray ? -sx->alpha[p] : sx->value[p];
+            x[sx->base[p]] = ray == KERN_OUT ? sx->value[p] : -sx->alpha[p];
 }
 
 #ifdef KERN_USE_GLPK
 #define KERN_LP_H_ALLOWED
 #include "kern_lp.h"
 #endif
+
+/* The basic solution of a program, of a basis that is factored if need be. */
+static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
+{
+    const kern_program *lp = sx->lp;
+    sx->least = KERN_FEAS_TOL * kern_largest(lp->rhs, lp->rows);
+    sx->least = sx->least > 0 ? sx->least : KERN_FEAS_TOL;
+    if (sx->state != KERN_BASIS_READY
+        && !kern_spend(work, lp->limit, lp->ends ? (lp->rows + lp->cols) / 4
+                                                 : lp->rows * (lp->cols / 64)))
+        return KERN_LIMIT;
+    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
+        || !kern_basis_values(sx))
+        kern_basis_refactorise(sx);
+    kern_pivot_spend(sx, work);
+    return kern_spent(work, lp->limit, KERN_OK);
+}
 
 /* The one entry of the engine. Starts from the last basis, that of
    kern_simplex_crash(), or logicals. x is written for every verdict: one that falls leaves A x = rhs in it,
@@ -9841,7 +9867,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     const kern_program *lp = sx->lp;
     const int costs = kern_lp_costs(lp);
     kern_status status;
-    int i;
+    int i, ray = KERN_OUT;
     work->solves++;
 #ifdef KERN_USE_GLPK
     if (!own && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
@@ -9850,31 +9876,16 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     }
 #endif
     (void)own;
-    sx->least = KERN_FEAS_TOL * kern_largest(lp->rhs, lp->rows);
-    if (!(sx->least > 0))
-        sx->least = KERN_FEAS_TOL;
-    if (sx->state == KERN_BASIS_NONE
-        && !kern_spend(work, lp->limit, lp->ends ? lp->rows + lp->cols
-                                                 : lp->rows * (lp->cols / 64)))
-        return KERN_LIMIT;
-    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
-        || !kern_basis_values(sx))
-        kern_basis_refactorise(sx);
-    if (costs)
-        sx->gain = KERN_INFINITY;
-    kern_pivot_spend(sx, work);
-    status = kern_spent(work, lp->limit, KERN_OK);
+    status = kern_simplex_begin(sx, work);
     if (status == KERN_OK)
-        status = kern_simplex_run(sx, work);
-    if (costs)
-        sx->gain = KERN_INFINITY;
+        status = kern_simplex_run(sx, work, &ray);
+    sx->gain = costs ? KERN_INFINITY : sx->gain;
     if (status < 0)
         return status;
-    kern_simplex_read(sx, status == KERN_LP_UNBOUNDED, x);
+    kern_simplex_read(sx, status == KERN_LP_UNBOUNDED ? ray : KERN_OUT, x);
     for (i = 0; i < lp->rows; i++)
         y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
-               : status == KERN_LP_OPTIMAL && costs ? sx->price[i]
-                                                    : KERN_R(0);
+               : costs ? sx->price[i] : KERN_R(0);
     return status;
 }
 

@@ -4209,6 +4209,46 @@ static void engine_basis(void)
     }
 }
 
+/* The place of a program: x = rhs + s rate stays above 0 up to s = 4 / 1.5, and
+   without the second row for ever; held beyond that it is infeasible. */
+static void engine_place(void)
+{
+    static const kern_real a[4] = {1, 0, 0, 1};
+    static kern_real real[400];
+    static int index[400];
+    kern_real rhs[2] = {1, 4}, rate[2] = {R(0.5), R(-1.5)};
+    kern_real x[2], y[2];
+    kern_work work = kern_work_of(real, 400, index, 400);
+    kern_simplex sx;
+    kern_program lp;
+    kern_take take;
+    memset(&lp, 0, sizeof lp);
+    lp.rows = lp.cols = 2;
+    lp.a = a;
+    lp.rhs = rhs;
+    lp.rate = rate;
+    lp.follow = 1;
+    kern_take_open(&take, &work);
+    kern_simplex_lay(&sx, &lp, 20, &take);
+    CHECK(kern_take_fits(&take));
+    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_OPTIMAL);
+    CHECK_NEAR(kern_simplex_place(&sx), 4 / 1.5, 8 * EPS);
+    CHECK_NEAR(x[0], 1 + 2 / 1.5, 8 * EPS);
+    lp.follow = 0;
+    rhs[0] = R(2.5);
+    rhs[1] = R(-0.5);
+    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_INFEASIBLE);
+    CHECK(y[0] >= 0 && y[1] > 0);
+    rhs[0] = R(2.0);
+    rhs[1] = R(1.0);
+    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_OPTIMAL);
+    CHECK_NEAR(x[1], 1, 8 * EPS);
+    lp.rows = lp.cols = 1;
+    lp.follow = 1;
+    kern_simplex_change(&sx, KERN_BASIS_NONE);
+    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_UNBOUNDED);
+}
+
 /* A cube laid so far off another one: its load is half less that from the end of
    their joint. */
 static void offset_cube(world *w, double off)
@@ -10648,6 +10688,7 @@ static const test tests[] = {
     TEST(engine_factor),
     TEST(engine_group),
     TEST(engine_basis),
+    TEST(engine_place),
 #ifndef KERN_NO_INTERIOR
     TEST(engine_step),
 #endif
