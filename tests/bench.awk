@@ -1,5 +1,5 @@
 # ./bench | awk -f tests/bench.awk                        every table
-# ./bench --quick | awk -v summary=1 -f tests/bench.awk   those of the README
+# ./bench --quick | awk -v summary=1 -f tests/bench.awk   those of BENCH.md
 #
 # Tables of the CSV that tests/bench.c prints, and tests/work.sh. First the files
 # of the corpus by size: median, p90 and worst of each ratio, over all tries where

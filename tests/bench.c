@@ -21,11 +21,11 @@
 
        ./bench >times.csv && awk -f tests/bench.awk times.csv
 
-   and those of the README are made anew by
+   and those of tests/BENCH.md are made anew by
 
        ./bench --quick | awk -v summary=1 -f tests/bench.awk >summary.md &&
            sed -i -e '/^<!-- bench/,/^<!-- end/{//!d}' \
-               -e '/^<!-- bench/r summary.md' README.md
+               -e '/^<!-- bench/r summary.md' tests/BENCH.md
 
    Instructions instead of times: bash tests/work.sh corpus.
 

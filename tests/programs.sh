@@ -38,9 +38,8 @@ three_stones() { # its output, its file and its functions in C
 }
 
 firmware() { # its commands; pivots, ticks and bytes are not compared
-    awk '/^## / { here = /In firmware/ }
-        here && /^```sh/ { on = 1; next } /^```/ { on = 0 } on' \
-        README.md >"$out/firmware.sh"
+    awk '/^```sh/ { on = 1; next } /^```/ { on = 0 } on' \
+        examples/firmware/README.md >"$out/firmware.sh"
     grep -q qemu-system-arm "$out/firmware.sh" || return 1
     in_a_copy "$out/firmware.sh" >"$out/firmware.out" 2>&1 || return 1
     awk '/^\/\* Output,/ { on = 1; next } /^\*\// { on = 0 } on' \

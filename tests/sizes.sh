@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# bash tests/sizes.sh              the README's tables; fails above a limit
+# bash tests/sizes.sh              tables of examples/firmware; fails above a limit
 # bash tests/sizes.sh --goals      the same; fails where a goal is missed as well
 # bash tests/sizes.sh --chapters   what each chapter of kern.h takes
 # bash tests/sizes.sh --functions  every function: code, frame, deepest stack

@@ -70,7 +70,7 @@ rational() { # verdicts against exact arithmetic
         "$out/exact" families 5000
 }
 
-rational_long() { # as many as the README says
+rational_long() { # as many as TRUST.md says
     # shellcheck disable=SC2086
     gcc $plain -o "$out/exact" tests/exact.c -lgmp -lm &&
         "$out/exact" 100000 && "$out/exact" families 20000
