@@ -2900,25 +2900,39 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     return status;
 }
 
+/* The same of a task that has not; once the input is accepted `forget`, unless
+   NULL, holds nothing any longer: the proof may be written over what it had. */
+static kern_status kern_measure_anew(const kern_task *task,
+                                     const kern_known *known,
+                                     kern_known *forget, kern_margin *out,
+                                     const kern_proof *proof)
+{
+    kern_call c;
+    const kern_status status = kern_call_open(&c, task, KERN_R(0), out);
+    if (status != KERN_OK)
+        return status;
+    if (forget)
+        forget->fails = KERN_R(0);
+    return kern_measure_task(&c, task, known, out, proof);
+}
+
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof)
 {
-    kern_call c;
     kern_known known;
     kern_proof kept;
-    kern_status status = kern_call_open(&c, task, KERN_R(0), out);
-    if (status != KERN_OK)
-        return status;
+    kern_status status;
+    if (!task)
+        return KERN_BAD_POINTER;
     known = task->known;
     if (!known.motion || !known.force)
-        return kern_measure_task(&c, task, NULL, out, proof);
+        return kern_measure_anew(task, NULL, NULL, out, proof);
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL;
-    status = kern_measure_task(&c, task, &known, out, &kept);
+    status = kern_measure_anew(task, &known, &task->known, out, &kept);
     if (status == KERN_BAD_STEP)
-        return status;
-    task->known.fails = KERN_R(0); /* the proof there has been written over */
+        task->known.fails = known.fails;
     if (status >= 0)
         kern_known_set(task, status, out, proof);
     return status;
@@ -3116,28 +3130,27 @@ static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
 
 /* How a load grows or gravity turns: a verdict where the path begins, the
    search, the proofs. */
-static kern_status kern_push(const kern_task *task, kern_real shrink,
-                             const kern_growth *growth, kern_real *out,
-                             const kern_proof *proof)
+static kern_status kern_push_call(kern_call *c, const kern_task *task,
+                                  kern_real shrink, const kern_growth *growth,
+                                  kern_real *out, const kern_proof *proof)
 {
     const int tilt = growth->kind == KERN_PATH_TILT;
-    kern_call c;
-    kern_path *const path = &c.path;
-    kern_status status = kern_call_open(&c, task, shrink, out);
+    kern_path *const path = &c->path;
+    kern_status status = kern_call_open(c, task, shrink, out);
     if (status == KERN_OK)
-        status = kern_growth_check(growth, &c.m);
+        status = kern_growth_check(growth, &c->m);
     if (status != KERN_OK)
         return status;
     kern_path_push(path, growth->kind, growth->pattern, growth->side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
-    if (c.m.graph.groups <= KERN_SMALL && !(tilt && kern_model_loaded(&c.m))
+    if (c->m.graph.groups <= KERN_SMALL && !(tilt && kern_model_loaded(&c->m))
         && task->work->reals >= KERN_REALS(task->s.blocks, task->s.contacts)
         && task->work->indices >= KERN_INTS(task->s.blocks, task->s.contacts))
-        kern_model_plain(&c.m, path->part, &path->q);
-    status = kern_path_evaluate(&c.m, path, KERN_R(0));
+        kern_model_plain(&c->m, path->part, &path->q);
+    status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = kern_push_search(&c.m, path, tilt);
+        status = kern_push_search(&c->m, path, tilt);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
         path->edge = path->stood;
@@ -3145,6 +3158,14 @@ static kern_status kern_push(const kern_task *task, kern_real shrink,
         *out = tilt ? 4 * kern_angle_of(path->edge)
                     : path->never ? KERN_INFINITY : path->edge;
     return status;
+}
+
+static kern_status kern_push(const kern_task *task, kern_real shrink,
+                             const kern_growth *growth, kern_real *out,
+                             const kern_proof *proof)
+{
+    kern_call c;
+    return kern_push_call(&c, task, shrink, growth, out, proof);
 }
 
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
@@ -7354,7 +7375,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_real most = KERN_R(-1), stood = most;
     kern_call c;
     kern_raise r;
-    kern_status status = factor ? kern_push(task, shrink, &growth, &most, proof)
+    kern_status status = factor ? kern_push_call(&c, task, shrink, &growth,
+                                                 &most, proof)
                                 : KERN_BAD_POINTER;
     const int spent = status == KERN_STANDS ? task->work->units : 0;
     if (status == KERN_STANDS)
@@ -8755,6 +8777,24 @@ static kern_status kern_search_pairs(kern_search *s)
     return status;
 }
 
+/* What the search was handed, but for the blocks themselves. */
+static kern_status kern_search_asked(const kern_block *block, int blocks,
+                                     const kern_options *options,
+                                     const void *out, int room)
+{
+    const kern_status status = options ? kern_options_check(options)
+                                       : KERN_BAD_POINTER;
+    if (status != KERN_OK)
+        return status;
+    if (options->gap > KERN_FAR || options->overlap > KERN_FAR
+        || options->error > KERN_FAR || options->turn > KERN_FAR)
+        return KERN_BAD_OPTION;
+    if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
+        return KERN_BAD_COUNT;
+    return (blocks > 0 && !block) || (room > 0 && !out) ? KERN_BAD_POINTER
+                                                        : KERN_OK;
+}
+
 /* Contacts of all blocks, or of the last one alone, or a list of overlaps. */
 static int kern_search_run(const kern_block *block, int blocks, int last,
                            int listing, const kern_options *options, void *out,
@@ -8765,16 +8805,7 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
     if (!work)
         return (int)KERN_BAD_POINTER;
     kern_fault_clear(&work->fault);
-    status = options ? kern_options_check(options) : KERN_BAD_POINTER;
-    if (status == KERN_OK
-        && (options->gap > KERN_FAR || options->overlap > KERN_FAR
-            || options->error > KERN_FAR || options->turn > KERN_FAR))
-        status = KERN_BAD_OPTION;
-    if (status == KERN_OK
-        && (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0))
-        status = KERN_BAD_COUNT;
-    if (status == KERN_OK && ((blocks > 0 && !block) || (room > 0 && !out)))
-        status = KERN_BAD_POINTER;
+    status = kern_search_asked(block, blocks, options, out, room);
     if (status != KERN_OK)
         return (int)status;
     s.block = block;
@@ -8963,15 +8994,12 @@ static void kern_plan_drop(kern_plan *plan, int found)
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
-    kern_call c;
     kern_status status;
     const int found = kern_plan_add(plan, block);
     if (found < 0)
         return (kern_status)found;
-    status = kern_call_open(&c, &plan->task, KERN_R(0), out);
-    if (status == KERN_OK)
-        status = kern_measure_task(&c, &plan->task, &plan->task.known, out,
-                                   proof);
+    status = kern_measure_anew(&plan->task, &plan->task.known, NULL, out,
+                               proof);
     kern_plan_drop(plan, found);
     return status;
 }
@@ -10166,16 +10194,44 @@ static kern_status kern_certain_low(kern_task *task, kern_interval *out,
                                              NULL));
 }
 
-/* The upper end. */
-static kern_status kern_certain_high(kern_task *task, kern_interval *out)
+/* The upper end, at least `least`, with every contact that may exist; `by` and
+   `slope` are what kerns and cones gain. */
+static kern_status kern_certain_high(kern_task *task, kern_contact *contact,
+                                     int room, kern_real by, kern_real slope,
+                                     kern_real least, kern_interval *out)
 {
     kern_margin m;
-    const kern_status status = kern_measure(task, &m, NULL);
+    kern_status status;
+    task->options = kern_measured(&task->options,
+                                  KERN_CERTAIN_WIDE * task->options.error,
+                                  KERN_CERTAIN_WIDE * task->options.turn);
+    task->s.contacts = kern_contacts(task->s.block, task->s.blocks,
+                                     &task->options, contact, room, task->work);
+    if (task->s.contacts < 0)
+        return (kern_status)task->s.contacts;
+    kern_contacts_err(contact, task->s.contacts, -by, -slope);
+    status = kern_measure(task, &m, NULL);
     if (status == KERN_FALLS)
         out->high = KERN_R(0);
     else if (status == KERN_STANDS || status == KERN_LIMIT)
-        out->high = m.fails;
+        out->high = kern_max(m.fails, least);
     return status;
+}
+
+static kern_status kern_certain_check(const kern_task *task, kern_real margin,
+                                      const kern_interval *out,
+                                      const kern_contact *contact, int room)
+{
+    kern_query q;
+    const kern_status status = kern_query_check(task, margin, out, &q);
+    if (status != KERN_OK)
+        return status;
+    if (!contact)
+        return KERN_BAD_POINTER;
+    if (!(task->options.error > 0 && margin >= 0))
+        return KERN_BAD_OPTION;
+    return task->s.contacts > room || task->work->reals < task->s.blocks
+           || task->work->indices < task->s.blocks ? KERN_NO_SPACE : KERN_OK;
 }
 
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
@@ -10183,18 +10239,9 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   int room)
 {
     kern_task other;
-    kern_query q;
     kern_raising raised = KERN_NOT_SHOWN;
     kern_real by, slope;
-    kern_status status = kern_query_check(task, margin, out, &q);
-    if (status == KERN_OK && !contact)
-        status = KERN_BAD_POINTER;
-    if (status == KERN_OK && !(task->options.error > 0 && margin >= 0))
-        status = KERN_BAD_OPTION;
-    if (status == KERN_OK && (task->s.contacts > room
-                              || task->work->reals < task->s.blocks
-                              || task->work->indices < task->s.blocks))
-        status = KERN_NO_SPACE;
+    kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
     by = KERN_CERTAIN_SHIFT * task->options.error;
@@ -10211,17 +10258,10 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     out->low = kern_min(out->low, margin);
     if (status < KERN_UNDECIDED)
         return status;
-    other.options = kern_measured(&other.options,
-                                  KERN_CERTAIN_WIDE * task->options.error,
-                                  KERN_CERTAIN_WIDE * task->options.turn);
-    other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
-                                     &other.options, contact, room, task->work);
-    if (other.s.contacts < 0)
-        return (kern_status)other.s.contacts;
-    kern_contacts_err(contact, other.s.contacts, -by, -slope);
-    status = kern_certain_high(&other, out);
-    if (out->high > 0 && margin > 0)
-        out->high = kern_max(out->high, q.relative ? margin : margin + by);
+    status = kern_certain_high(
+        &other, contact, room, by, slope,
+        !(margin > 0) ? KERN_R(0)
+        : task->options.relative ? margin : margin + by, out);
     if (status < KERN_UNDECIDED || status == KERN_FALLS)
         return status;
     return out->low > 0 && raised == KERN_RAISED ? KERN_STANDS : KERN_OK;

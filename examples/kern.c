@@ -741,17 +741,23 @@ static void find_lengths(struct analysis *a)
     }
 }
 
+/* What options ask for, of the real contacts. */
+static int find_what_is_asked(struct analysis *a)
+{
+    if (a->set->raised && find_raised(a)) return -1;
+    if (a->set->raised) find_raised_loads(a);
+    if (a->set->own_error > 0) find_error(a);
+    if (a->set->sequence && find_sequence(a)) return -1;
+    return a->set->stays ? find_stays(a) : 0;
+}
+
 /* What follows the verdict. */
 static int measure(struct analysis *a)
 {
     kern_proof limit = { a->last_force, a->collapse };
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
-    if (a->set->raised && find_raised(a)) return -1;
-    if (a->set->raised) find_raised_loads(a);
-    if (a->set->own_error > 0) find_error(a);
-    if (a->set->sequence && find_sequence(a)) return -1;
-    if (a->set->stays && find_stays(a)) return -1;
+    if (find_what_is_asked(a)) return -1;
     if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
     limit.force = a->last_force;
     limit.motion = a->collapse;
@@ -1801,6 +1807,17 @@ static void write_caption(const struct analysis *a, char *out, size_t room)
              status_word(a), shrunk, level);
 }
 
+/* Stones in the colours of their margins. */
+static void colour(const struct analysis *a, struct draw_scene *scene)
+{
+    scene->value = a->fate[MARGIN];
+    scene->value_name = a->set->relative ? "margin of a stone, a share"
+                                         : "margin of a stone, a length";
+    for (int i = 0; i < a->task.s.blocks; i++)
+        if (!a->task.s.block[i].fixed)
+            scene->most = fmax(scene->most, (double)a->fate[MARGIN][i]);
+}
+
 static int draw(const struct analysis *a)
 {
     char caption[256];
@@ -1817,15 +1834,7 @@ static int draw(const struct analysis *a)
                                                    : (double)a->m.fails;
     scene.limiting = a->critical.contact;
     scene.caption = caption;
-    if (a->set->profile && a->profiled >= 0) {
-        scene.value = a->fate[MARGIN];
-        scene.value_name = a->set->relative ? "margin of a stone, a share"
-                                            : "margin of a stone, a length";
-        for (int i = 0; i < a->task.s.blocks; i++)
-            if (!a->task.s.block[i].fixed)
-                scene.most = fmax(scene.most, (double)a->fate[MARGIN][i]);
-    }
-
+    if (a->set->profile && a->profiled >= 0) colour(a, &scene);
     char *path = svg_name(a);
     FILE *out = path ? fopen(path, "w") : NULL;
     int bad = !out || draw_svg(out, &scene);
@@ -1949,6 +1958,21 @@ static int error_option(const char *name, const char *value, kern_real *error,
         || number_option(name, comma + 1, 1, turn) ? -1 : 0;
 }
 
+/* An option with a name behind it. */
+static int name_option(struct settings *set, char **argv, int *i)
+{
+    const char *word = argv[*i];
+    if (args_value(argv, i, "--stays", &set->stays))
+        return set->stays && set->stays[0] ? 0
+             : bad_use("a block, or all, is missing after", "--stays");
+    if (!args_value(argv, i, "--svg", &set->svg))
+        return bad_use("unknown option", word);
+    if (args_is_svg(set->svg)) return 0;
+    return set->svg && set->svg[0]
+         ? bad_use("--svg takes a name that ends in .svg, read", set->svg)
+         : bad_use("a file name is missing after", "--svg");
+}
+
 /* Reads argv[*i], with what belongs to it; 0 where it is fine. */
 static int read_option(void *settings, char **argv, int *i)
 {
@@ -1986,16 +2010,7 @@ static int read_option(void *settings, char **argv, int *i)
         return error_option("--measured", value, &set->error, &set->turn);
     if (args_value(argv, i, "--error", &value))
         return error_option("--error", value, &set->own_error, &set->own_turn);
-    if (args_value(argv, i, "--stays", &set->stays))
-        return set->stays && set->stays[0] ? 0
-             : bad_use("a block, or all, is missing after", "--stays");
-    if (args_value(argv, i, "--svg", &set->svg)) {
-        if (args_is_svg(set->svg)) return 0;
-        return set->svg && set->svg[0]
-             ? bad_use("--svg takes a name that ends in .svg, read", set->svg)
-             : bad_use("a file name is missing after", "--svg");
-    }
-    return bad_use("unknown option", word);
+    return name_option(set, argv, i);
 }
 
 int main(int argc, char **argv)

@@ -9397,37 +9397,46 @@ static void certain_verdicts(void)
 /* Supports that may be short within the error: nothing below, a beam, a plank;
    and one bed, which no error of place takes away. The interval holds the margin
    and widens as the error grows. */
+enum { SLOT, BEAM, PLANK, STACK, SUPPORTS };
+
+/* A slot with nothing below, a beam on two columns, a plank over a gap, two
+   blocks on each other. */
+static void support_of(world *w, int kind)
+{
+    world_reset(w);
+    if (kind == SLOT) {
+        world_box(w, 0, -2, -1, 0, 2);
+        world_box(w, 0, 1 + 1e-3, -1, 3, 2);
+        world_box(w, 1, 5e-4, 0, 1 + 5e-4, 1);
+    } else if (kind == PLANK) {
+        world_box(w, 0, -2, -1, 0.3, 0);
+        world_box(w, 0, 1.001, -1, 4, 0);
+        world_box(w, 1, 0, 0, 1, 1);
+    } else {
+        world_box(w, 0, -2, -1, 6, 0);
+        world_box(w, 1, 0, 0, 1, 1);
+        if (kind == BEAM)
+            world_box(w, 1, 3, 0, 4, 1);
+        world_box(w, 1, 0, 1, kind == BEAM ? 4 : 1, 1.25);
+    }
+}
+
 static void certain_supports(void)
 {
     static world w;
     kern_interval in, last = {0, 0};
     int kind, step;
-    for (kind = 0; kind < 4; kind++)
+    for (kind = 0; kind < SUPPORTS; kind++)
         for (step = 1; step <= 4; step++) {
             const double e = 0.002 * step;
-            int got;
-            world_reset(&w);
-            if (kind == 0) { /* a slot */
-                world_box(&w, 0, -2, -1, 0, 2);
-                world_box(&w, 0, 1 + 1e-3, -1, 3, 2);
-                world_box(&w, 1, 5e-4, 0, 1 + 5e-4, 1);
-            } else {
-                world_box(&w, 0, -2, -1, kind == 2 ? 0.3 : 6, 0);
-                world_box(&w, kind == 2 ? 0 : 1, kind == 2 ? 1.001 : 0,
-                          kind == 2 ? -1 : 0, kind == 2 ? 4 : 1,
-                          kind == 2 ? 0 : 1);
-                if (kind == 1)
-                    world_box(&w, 1, 3, 0, 4, 1);
-                world_box(&w, 1, 0, kind == 2 ? 0 : 1, kind == 1 ? 4 : 1,
-                          kind == 2 ? 1 : 1.25);
-            }
+            support_of(&w, kind);
             w.options = kern_measured(NULL, R(e), R(e));
             CHECK(world_touch(&w) > 0);
             CHECK_INT(verdict(&w, 0), KERN_STANDS);
-            got = certain_world(&w, &in, 100);
-            CHECK_INT(got, kind == 3 ? KERN_STANDS : KERN_OK);
+            CHECK_INT(certain_world(&w, &in, 100),
+                      kind == STACK ? KERN_STANDS : KERN_OK);
             CHECK(in.low >= 0 && in.high >= in.low);
-            CHECK((in.low > 0) == (kind == 3));
+            CHECK((in.low > 0) == (kind == STACK));
             CHECK(step == 1 || (in.low <= last.low && in.high >= last.high));
             last = in;
         }
@@ -10205,7 +10214,14 @@ static void sensitivity_of_odd_lines(void)
     }
     CHECK(cases > some(15));
     context[0] = 0;
-    for (k = 0; k < 2; k++) { /* the bed of sensitivity_by_hand(), as points */
+}
+
+/* The bed of sensitivity_by_hand() as points: the same rates. */
+static void sensitivity_of_points(void)
+{
+    static world w;
+    int k;
+    for (k = 0; k < 2; k++) {
         static kern_block_rate keep[MAX_BLOCKS];
         int b;
         world_reset(&w);
@@ -10805,6 +10821,7 @@ static const test tests[] = {
     TEST(push_by_hand),
     TEST(sensitivity_by_hand),
     TEST(sensitivity_of_odd_lines),
+    TEST(sensitivity_of_points),
     TEST(sensitivity_random),
     TEST(sensitivity_of_poses),
     TEST(sensitivity_cost),
