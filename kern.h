@@ -1745,6 +1745,9 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 #ifndef KERN_NO_INTERIOR
 static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
                                        kern_real *edge);
+#if defined(__GNUC__) /* its frame is not to lie below all other verdicts */
+__attribute__((noinline))
+#endif
 static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
                                       const kern_query *q);
 #else /* it decides nothing */
