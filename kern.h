@@ -22,7 +22,6 @@
      VI   Linear programs   >>lp, and >>words
      VII  Sources           >>references >>changes, and the licence
 
-
    WHAT IT COMPUTES                                                    >>what
 
         +-----------+               A stone on two others. Each bed is a line
@@ -40,7 +39,6 @@
    forces in equilibrium still exist; the level counts it in steps of size
    epsilon. A structure that falls has a deficit: how much longer its contacts
    would have to be.
-
 
    HOW TO USE IT                                                        >>use
 
@@ -72,7 +70,6 @@
    kern_...": KERN_IMPLEMENTATION is in more than one file; "undefined
    reference": in none, or in one of the other precision.
 
-
    CONVENTIONS                                                  >>conventions
 
    Length, mass and time are in units of your choice, used throughout; comments
@@ -82,7 +79,6 @@
    in the block again. Contacts are found from polygons, or given. The contacts
    of a new stone (kern_touch()) are appended; to take the last stone back,
    make `blocks` and `contacts` smaller.
-
 
    MEMORY                                                            >>memory
 
@@ -105,7 +101,6 @@
    7000 points instead of 23. Where many blocks move at the margin, as in
    arches, a call needs more and returns KERN_NO_SPACE.
 
-
    VERDICTS AND PROOFS                                             >>verdicts
 
    A call that returns KERN_STANDS found forces which pass kern_check_forces(),
@@ -120,24 +115,21 @@
    microseconds of a desktop computer; on top a call reads what is handed in,
    170 to 550 instructions a block and contact point (tests/work.sh limits).
 
-
    CONFIGURATION                                                     >>config
 
-   KERN_IMPLEMENTATION  in one file: the implementation KERN_STATIC          in
-   a file that wants a private copy of everything KERN_API             linkage
-   of public functions; extern KERN_SINGLE          kern_real is float; the
-   same in every file KERN_SQRT(x)         in place of sqrt or sqrtf and of
-   <math.h> KERN_NO_INTERIOR     without >>inner, for firmware: above 64 groups
-   the simplex
-                        method decides, which may take minutes
-   KERN_USE_GLPK        large programs go to GLPK (under the GPL): see
-   kern_lp.h KERN_GLPK_ROWS       rows above which they do (three a free
-   block); 96
+   KERN_IMPLEMENTATION  in one file: the implementation
+   KERN_STATIC          in a file that wants a private copy of everything
+   KERN_API             linkage of public functions; extern
+   KERN_SINGLE          kern_real is float; the same in every file
+   KERN_SQRT(x)         in place of sqrt or sqrtf and of <math.h>
+   KERN_NO_INTERIOR     without >>inner, for firmware: above 64 free blocks the
+                        simplex method decides, which may take minutes
+   KERN_USE_GLPK        large programs go to GLPK (under the GPL): see kern_lp.h
+   KERN_GLPK_ROWS       rows above which they do (three a free block); 96
 
    Without a C library gcc is kept from calls of memcpy and memset by -Os and
    -fno-tree-loop-distribute-patterns; -fno-math-errno makes the square root an
    instruction where there is one.
-
 
    METHOD                                                            >>method
 
@@ -161,19 +153,17 @@
          |-- some blocks cannot be held, all others fixed:
          |   simplex method on these (>>lp) --------------> FALLS
        least change >>least   minimum-norm change of all forces -> STANDS
-       whole        >>inner   above 64 groups the interior-point method,
+       whole        >>inner   above 64 free blocks the interior-point method,
                     >>lp      else, and last, the simplex method
 
    A measure is the first place on a path (kerns shrink, a load grows, gravity
    turns) at which it falls. No edge of the whole lies beyond that of a part
-   with all other blocks fixed: the search (>>search) begins at the first body
-   (a block with what rests on it alone) that falls, pours at that edge, goes
-   on to that of the part that falls there, and ends where none does. Where
-   pouring gives no proof the whole is asked, by the interior-point method
-   above 64 groups. Load factor and tilt of up to 64 groups are one linear
-   program with the place as a column. A verdict on each side of the edge
+   with all others fixed: the search (>>search) begins at the edge of the first
+   body (a block with what rests on it alone), pours there, and goes on to the
+   edge of the part that falls, until none does; where pouring gives no proof
+   the whole is asked. Load factor and tilt of up to 64 free blocks are one
+   linear program with the place as a column. A verdict to each side of the edge
    proves the bracket.
-
 
    RULES                                                               >>rules
 
@@ -244,16 +234,14 @@
      mechanism Where it falls: velocities of all free blocks, the largest of a
                centre or of a spin times the block's size being 1.
 
-
    WHAT EACH NUMBER IS GOOD FOR                                    >>measures
 
-   level       comparing structures and places for a stone, as in the paper
-   margin      the same, exact: how far the worst stone is from the edge of
-               what carries it. In metres, so large stones weigh more; relative
-               mode counts shares of each contact instead
+   margin      comparing structures and places for a stone: how far the worst
+               stone is from the edge of what carries it, in metres, so that
+               large stones weigh more; relative: a share. level: the paper's
    load factor the largest sideways acceleration, in units of gravity
-   tilt        the angle to which the ground may turn; without loads
-               tan(tilt) is the load factor, below 90 degrees
+   tilt        the angle to which the ground may turn: without loads the
+               arctangent of the load factor
    raised load the load factor without dilatant sliding: see >>limits
    deficit     how much is missing, where it falls
    bearing     the length of the shortest contact that it needs
@@ -297,8 +285,8 @@
    another simulator, 205 moved, of 121 its noise decided) this keeps 0.941
    [0.92, 0.96] of what stays and rejects 0.888 [0.84, 0.93] of what moves and
    0.636 of what is unclear; area under the ROC curve 0.979 [0.969, 0.987],
-   load factor 0.90, margin 0.87. In sample (969 placements, tests/truth.c):
-   0.96, 0.91, 0.70. Most that stay and are rejected stand on walls that were
+   load factor 0.90, margin 0.87 (measured with 0.1.0). In sample (969
+   placements, tests/truth.c): 0.95, 0.90, 0.70. Most that stay and are rejected stand on walls that were
    below 0.0055 before. examples/parts/stays.h asks about the new stone
    besides. "Not shown" is no proof of falling.
 
@@ -308,7 +296,6 @@
    that can carry and uses no more friction than it must. Those of
    kern_raised() are closer to friction, but not unique. Neither says how
    stones of some stiffness share a load.
-
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
@@ -334,7 +321,6 @@
    % of that wrongly; the interval holds the exact margin in 96 (92) %, its
    median width is 0.17 (0.38) mean sizes. Near misses, which lack a support by
    0.5 to 10 errors, stand for certain in 0.7 % at most: tests/noise.c.
-
 
    LIMITS                                                            >>limits
 
@@ -378,7 +364,6 @@
              sizes, and near to critical more is undecided; where wedges jam a
              margin may be off by a third of a size; coordinates should not be
              far from the origin.
-
 
    DETERMINISM                                                  >>determinism
 
@@ -493,8 +478,7 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
 /* What a call returns: above zero a verdict, or the result of a linear program;
    zero from a call that gives no verdict, when it is done. Below zero the call
    failed, and of the caller's data only the counters and the fault of the work
-   memory have changed; with KERN_LIMIT also what the call says. A block that
-   kern_block_init() refused is no block: see there. */
+   memory have changed; with KERN_LIMIT also what the call says. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
@@ -598,9 +582,8 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
-    int limit;            /* most units of work of one call, see kern_work:
-                             5,000,000, a second or two; 0: 2,000,000,000,
-                             which is also the largest                        */
+    int limit;            /* most units of work of one call (>>verdicts);
+                             5,000,000; 0: 2,000,000,000, also the largest    */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real error;      /* of measured places [m] and angles [rad], see     */
     kern_real turn;       /* kern_measured(); 0: places are exact             */
@@ -631,12 +614,10 @@ typedef struct kern_margin {
     int saturated;        /* nonzero: stands with every kern closed           */
 } kern_margin;
 
-/* The margin of a measured structure lies between these [m] (relative: shares);
-   see kern_certain(). */
+/* Of the margin of a measured structure: kern_certain() [m; relative: 1]. */
 typedef struct kern_interval {
-    kern_real low;        /* 0: within the error it may fall                  */
-    kern_real high;       /* 0: it falls whatever the error was; KERN_INFINITY:
-                             not known                                        */
+    kern_real low;        /* 0: it may fall                                   */
+    kern_real high;       /* 0: it falls; KERN_INFINITY: not known            */
 } kern_interval;
 
 /* By how much the margin grows when a datum of a contact point grows by 1, all
@@ -659,16 +640,14 @@ typedef struct kern_block_rate {
 typedef enum kern_raising {
     KERN_NOT_SHOWN,       /* neither of these: no proof of falling            */
     KERN_RAISED,          /* its load raises forces that hold it              */
-    KERN_HANGS            /* some blocks rest on nothing: the others stand
-                             without them                                     */
+    KERN_HANGS            /* some blocks rest on nothing, others stand alone  */
 } kern_raising;
 
-/* A profile in three numbers: of the values of all free blocks [m], or of
-   their load factors. */
+/* A profile in four numbers: of the values of all free blocks [m], or of their
+   load factors. */
 typedef struct kern_collapse {
     kern_real least;      /* the weakest block's: the margin, the load factor */
-    kern_real mean;       /* the progressive margin, one side's progressive
-                             load factor                                      */
+    kern_real mean;       /* progressive margin, or progressive load factor   */
     kern_real weak;       /* mean of the lower half                           */
     kern_real drop;       /* loads: expected drop, the mean over blocks of
                              h exp(-value / 0.07), h the height of the centre
@@ -705,28 +684,23 @@ typedef struct kern_work {
     /* the library adds up; the caller reads, and sets to 0 as it likes       */
     int pivots;           /* of all linear programs                           */
     int solves;           /* verdicts by pouring, and linear programs         */
-    int units;            /* work of the last call: a unit is some 1,000
-                             instructions, what it takes to pour one stone.
-                             limit + 1 with KERN_LIMIT, else at most the limit.
-                             The search for contacts is not counted           */
+    int units;            /* work of the last call but searches for contacts;
+                             limit + 1 with KERN_LIMIT, else within the limit */
     kern_real error;      /* largest error of a proof, as a share of what is
                              allowed: <= 1                                    */
     kern_fault fault;     /* of the last call that returned less than 0       */
 } kern_work;
 
-/* Warm start: what kern_measure() remembers for the next kern_measure() of
-   nearly the same structure. Two arrays of the caller, both or none. Whatever
-   stands there, even if out of date or never set, changes the time of a measure
-   and not its answer: all of it is verified before it is used. */
+/* Warm start: what kern_measure() remembers for the next one of nearly the same
+   structure. Two arrays of the caller, both or none. Whatever stands there
+   changes the time of a measure and not its answer: it is verified first. */
 typedef struct kern_known {
     kern_motion *motion;  /* one a block: of the mechanism, at fails          */
     kern_force *force;    /* one a contact point: at holds                    */
-    kern_real holds, margin, fails; /* of the last measure; fails 0: there
-                                       was none                               */
+    kern_real holds, margin, fails; /* of the last measure; fails 0: none     */
 } kern_known;
 
-/* What a call needs. kern_task_of() fills it; each field may be changed between
-   calls. */
+/* What a call needs: kern_task_of(). Fields may be changed between calls. */
 typedef struct kern_task {
     kern_structure s;
     kern_options options; /* kern_defaults()                                  */
@@ -734,10 +708,9 @@ typedef struct kern_task {
     kern_known known;     /* arrays NULL: nothing is remembered               */
 } kern_task;
 
-/* A structure that a planner changes by one block at a time. kern_plan_of()
-   makes an empty one; task.options and task.s.gravity may then be set, before
-   blocks are added. Everything may be read at any time; contacts that are given
-   rather than found may be appended to contact[task.s.contacts]. */
+/* A structure that a planner changes by one block at a time: kern_plan_of().
+   Set task.options and task.s.gravity before blocks are added. Contacts that
+   are given rather than found may be appended to contact[task.s.contacts]. */
 typedef struct kern_plan {
     kern_task task;       /* the structure as it is now                       */
     kern_block *block;    /* arrays of the caller, which task.s reads         */
@@ -762,9 +735,7 @@ typedef struct kern_lp {
     const kern_real *cost; /* one a column; NULL: any solution will do        */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
-/* Elsewhere a product that overflows, in the precision it is written in:
-   compilers leave it to the machine, and in double it would be emulated where
-   float is not. */
+/* Elsewhere a product that overflows, in the precision it is written in. */
 #if defined(__GNUC__)
 #define KERN_INFINITY ((kern_real)__builtin_inff())
 #elif defined(KERN_SINGLE)
