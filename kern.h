@@ -1007,8 +1007,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    question about shrunk kerns. A robot that places stones within e and theta
    asks with k = tan(theta) / (2 e): margin / (2 e) is how many times its own
    error the structure bears; a measure, not a bound. Where k is so large that
-   kerns hardly shrink, mu less the slope k margin is the least friction. Warm
-   start: from task->known, where the result is remembered; after
+   kerns hardly shrink, this mu at the margin is the least that it stands with.
+   Warm start: from task->known, where the result is remembered; after
    KERN_UNDECIDED, KERN_LIMIT and KERN_NO_SPACE nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
