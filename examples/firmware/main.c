@@ -160,12 +160,12 @@ int main(void)
 }
 
 /* Output, where pivots and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 3 pivots; 75977 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 7731 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 48 pivots; 128640 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 7 pivots; 41031 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 3917 ticks
+wall of 30 stones:    level 31, margin 0.1518 m; 3 pivots; 76011 ticks
+candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 7733 ticks
+candidate at  0.20 m: level 34, margin 0.1663 m; 48 pivots; 130064 ticks
+candidate at  0.40 m: level 34, margin 0.1663 m; 7 pivots; 41064 ticks
+candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 3918 ticks
 memory: 46376 bytes of work memory, 9256 of blocks and contacts,
-        55640 of variables in all, 3080 of 9896 of stack, 52780 of flash
+        55640 of variables in all, 2488 of 9896 of stack, 52792 of flash
 best place: 0.20 m
 */
