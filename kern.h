@@ -5371,14 +5371,17 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
             proof->motion[i] = m->answer.motion[i];
 }
 
-/* Notes a verdict about the whole at s, and hands its proof to the caller. */
+/* Notes a verdict about the whole at s, and hands its proof to the caller: the
+   motion there belongs to the nearest place that is known to fall. */
 static void kern_path_note(const kern_model *m, kern_path *path,
                            kern_status status, kern_real s)
 {
     if (status == KERN_STANDS)
         path->stood = kern_max(path->stood, s);
+    if (status == KERN_FALLS && !(s <= path->fell))
+        return;
     if (status == KERN_FALLS)
-        path->fell = kern_min(path->fell, s);
+        path->fell = s;
     kern_proof_out(m, path->proof, status);
 }
 
@@ -5755,6 +5758,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     const kern_real w = path->tolerance * KERN_ASIDE;
     const kern_proof *proof = path->proof;
     kern_narrow n;
+    kern_real fell;
     int round;
     n.aside = n.under = w;
     n.share = KERN_NEAR;
@@ -5771,8 +5775,11 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         n.holds = path->holds;
         n.fails = path->fails;
         n.edge = path->edge;
+        fell = path->fell;
         status = kern_path_evaluate(m, path, kern_narrow_at(path, &n, place));
         path->proof = proof;
+        if (place == KERN_AT_EDGE)
+            path->fell = fell; /* its motion was not handed out */
         if (status < KERN_UNDECIDED
             || (place == KERN_AT_START && status != KERN_STANDS
                 && !(n.holds > path->start)))
