@@ -4933,8 +4933,41 @@ static void damage_motion(const world *w, kern_motion *y, int trial, double by)
         y[k].spin = R(huge_value());
 }
 
+/* What the speeds of a motion at the contacts lose by roundings in the library's
+   precision, in its measure of a proof: a share of what is allowed. */
+static double rounded_share(const world *w, const kern_motion *y)
+{
+    wide power = 0, weight = 0, most = 0;
+    int i, k, end;
+    for (i = 0; i < w->blocks; i++) {
+        const kern_block *b = &w->block[i];
+        if (b->fixed)
+            continue;
+        weight += own_weight(w, i);
+        power += ((wide)b->mass * w->gravity.x + b->load.fx) * y[i].vx +
+                 ((wide)b->mass * w->gravity.y + b->load.fy) * y[i].vy +
+                 (wide)b->load.torque * y[i].spin;
+    }
+    for (k = 0; k < w->contacts; k++) {
+        const kern_contact *c = &w->contact[k];
+        wide gap = 0;
+        for (end = 0; end < 2; end++) {
+            const kern_motion *v = &y[end ? c->b : c->a];
+            const kern_vec centre = w->block[end ? c->b : c->a].centre;
+            gap += fabs((double)v->vx) + fabs((double)v->vy) +
+                   fabs((double)v->spin) *
+                       (fabs((double)(c->p.x - centre.x)) +
+                        fabs((double)(c->p.y - centre.y)));
+        }
+        gap *= (1 + c->mu) * 4;
+        most = gap > most ? gap : most;
+    }
+    return power > 0 ? (double)((SINGLE ? 1e3 : 1e6) * weight * EPS * most /
+                                power) : huge_value();
+}
+
 /* A damaged proof, measured by the test (*own) and by the library (*theirs).
-   Nonzero: there is nothing to damage. */
+   Nonzero: there is nothing to damage, or roundings decide. */
 static int damaged(const world *w, int verdict_was, int trial, double *own,
                    double *theirs)
 {
@@ -4954,6 +4987,7 @@ static int damaged(const world *w, int verdict_was, int trial, double *own,
         damage_motion(w, y, trial, by);
         *own = share_of_motion(w, 0, y);
         *theirs = (double)kern_check_motion(world_task(w, &work), 0, y);
+        return *own < 0.5 && rounded_share(w, y) > 0.5;
     }
     return 0;
 }
