@@ -193,7 +193,7 @@ function over_all() {
            "| lean work memory, 1000 blocks with 3500 points, KB | %.0f |\n",
            memory[31, "lean KB"], memory[31, "whole KB"],
            memory[1001, "lean KB"])
-    printf("| structures that fall, in the columns of the verdict alone |%s |" \
+    printf("| structures that fall or reach the limit, in columns of the verdict alone |%s |" \
            "\n\n", fallen)
 }
 

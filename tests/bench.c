@@ -23,7 +23,7 @@
 
    and those of tests/BENCH.md are made anew by
 
-       ./bench --quick | awk -v summary=1 -f tests/bench.awk >summary.md &&
+       ./bench --quick --release | awk -v summary=1 -f tests/bench.awk >summary.md &&
            sed -i -e '/^<!-- bench/,/^<!-- end/{//!d}' \
                -e '/^<!-- bench/r summary.md' tests/BENCH.md
 
