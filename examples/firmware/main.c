@@ -166,6 +166,6 @@ candidate at  0.20 m: level 34, margin 0.1663 m; 48 pivots; 130064 ticks
 candidate at  0.40 m: level 34, margin 0.1663 m; 7 pivots; 41064 ticks
 candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 3918 ticks
 memory: 46376 bytes of work memory, 9256 of blocks and contacts,
-        55640 of variables in all, 2488 of 9896 of stack, 52792 of flash
+        55640 of variables in all, 2488 of 9896 of stack, 52864 of flash
 best place: 0.20 m
 */
