@@ -286,9 +286,10 @@
    [0.92, 0.96] of what stays and rejects 0.888 [0.84, 0.93] of what moves and
    0.636 of what is unclear; area under the ROC curve 0.979 [0.969, 0.987],
    load factor 0.90, margin 0.87 (measured with 0.1.0). In sample (969
-   placements, tests/truth.c): 0.95, 0.90, 0.70. Most that stay and are rejected stand on walls that were
-   below 0.0055 before. examples/parts/stays.h asks about the new stone
-   besides. "Not shown" is no proof of falling.
+   placements, tests/truth.c): 0.95, 0.90, 0.70. Most that stay and are
+   rejected stand on walls that were below 0.0055 before.
+   examples/parts/stays.h asks about the new stone besides. "Not shown" is no
+   proof of falling.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the least forces
