@@ -16,7 +16,7 @@ for name in vertex force motion meeting group centre point overlap fault answer 
     exports="$exports -Wl,--export=$name"
 done
 # shellcheck disable=SC2086
-clang --target=wasm32 -std=c99 -Os -mbulk-memory \
+clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
     -ffp-contract=off -nostdlib -Wall -Wextra -Werror \
     -Wl,--no-entry -Wl,--strip-all $exports \
     -o "$out/page.wasm" page.c
