@@ -584,7 +584,7 @@ typedef struct kern_options { /* always start from kern_defaults()            */
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
     int limit;            /* most units of work of one call (>>verdicts);
-                             5,000,000; 0: 2,000,000,000, also the largest    */
+                             10,000,000; 0: 2,000,000,000, also the largest   */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
     kern_real error;      /* of measured places [m] and angles [rad], see     */
     kern_real turn;       /* kern_measured(); 0: places are exact             */
@@ -1809,7 +1809,7 @@ static kern_status kern_level_nested(kern_model *m, const kern_path *path,
 #define KERN_CONTACTS_MOST 1000000
 #define KERN_COUNT_MOST    100000000
 #define KERN_WORK_MOST     2000000000 /* units of one call                    */
-#define KERN_WORK_USUAL    5000000    /* by default: a second or two          */
+#define KERN_WORK_USUAL    10000000   /* by default: a second or two          */
 
 typedef struct kern_take {
     kern_real *real;
@@ -6203,7 +6203,7 @@ static int kern_inner_step(kern_inner *in)
     kern_real of_x, of_z, ds;
     int i;
     if (!(in->gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
-        || !kern_model_spend(p->m, 1 + p->dual.cost / 150))
+        || !kern_model_spend(p->m, 1 + p->dual.cost / 450))
         return 0;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i] / in->z[i];
@@ -10316,7 +10316,7 @@ KERN_API kern_options kern_near(const kern_options *options,
           kern_interval; fields of kern_known and kern_plan that callers had no
           use for are gone, and with them the duty to clear task.known.fails
           after a contact was changed by hand.
-          Behaves otherwise: options.limit is 5,000,000 units by default (was
+          Behaves otherwise: options.limit is 10,000,000 units by default (was
           no limit); a relative shrinkage above 1 is refused, KERN_BAD_SHARE; a
           block that kern_block_init() refused is no block, KERN_NO_BLOCK;
           steps in outlines carry as their chords (>>rules), knees keep their
