@@ -1722,6 +1722,7 @@ __attribute__((noinline))
 #endif
 static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
                                       const kern_query *q);
+static kern_status kern_inner_search(kern_model *m, kern_path *path);
 #else /* it decides nothing */
 #define kern_inner_evaluate(in, place, edge) KERN_UNDECIDED
 #define kern_inner_verdict(m, p, q)          KERN_UNDECIDED
@@ -5949,6 +5950,350 @@ static int kern_seed_falls(kern_model *m, kern_path *path)
     return 1;
 }
 
+/* A block this slow rests, where the fastest of a mechanism has speed 1. */
+#define KERN_AT_REST       KERN_PICK(1e-6, 1e-3)
+
+static int kern_moves(const kern_model *m, int i)
+{
+    const kern_motion *v = m->answer.motion + i;
+    const kern_real size = kern_block_size(m->s->block + i);
+    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
+           || kern_abs(v->spin) * size > KERN_AT_REST;
+}
+
+/* ---- bodies ---- */
+/* A block is a body with what rests on it alone. Where it falls, all else held,
+   the whole falls: three equations tell. The edge of most structures is that of
+   a body. */
+
+/* The rows of what holds body g, about its block's centre; returns how many there
+   are. If they are of one block it belongs to the body of that: m->carrier. */
+static int kern_body_rows(kern_model *m, int g, kern_real s,
+                          kern_support row[KERN_ROWS_MOST])
+{
+    int e, n = 0, on = KERN_OUT;
+    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        const kern_contact *c = m->s->contact + (e >> 1);
+        const int other = m->graph.ends[e ^ 1];
+        if (other < g && m->carrier[other] == g)
+            continue;
+        on = on == KERN_OUT || on == other ? other : m->graph.groups;
+        if (n < KERN_ROWS_MOST) {
+            row[n].row = kern_row_of(
+                kern_vec_scale(c->n, e & 1 ? KERN_R(-1) : KERN_R(1)),
+                kern_vec_scale(kern_vec_sub(
+                    kern_contact_at(c, s, m->relative),
+                    m->s->block[m->graph.block[g]].centre), m->unit[g]),
+                KERN_R(1));
+            row[n].mu = kern_friction(c, m->slope);
+            row[n].way[0] = row[n].way[1] = KERN_R(0);
+        }
+        n++;
+    }
+    m->carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
+    return n;
+}
+
+/* The power of the motion u by which body g falls at s; 0: it does not. */
+static kern_real kern_body_power(kern_model *m, int g, kern_real s,
+                                 kern_real u[3])
+{
+    kern_support row[KERN_ROWS_MOST];
+    const kern_real *b = m->load + 3 * (size_t)g;
+    const int n = kern_body_rows(m, g, s, row);
+    int k;
+    if (n == 0 || n > KERN_ROWS_MOST
+        || kern_pour_solve(row, n, b, KERN_POUR_TOL * kern_largest(b, 3), u)
+           != KERN_FALLS)
+        return KERN_R(0);
+    for (k = 0; k < n; k++) {
+        kern_real w[2] = {0, 0};
+        kern_row_speed(&row[k].row, u, w);
+        if (w[0] + KERN_FEAS_TOL < kern_abs(row[k].mu * w[1]))
+            return KERN_R(0);
+    }
+    return kern_min(kern_three(b, u), KERN_R(0));
+}
+
+/* Where body g, which falls at `fails`, stops to, by secants: to 4 EPS of the path;
+   at most `start` where it falls there, `fails` where that is not found. */
+static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
+                                kern_real power, kern_real fails)
+{
+    const kern_real aside = path->tolerance * KERN_R(0.45);
+    const kern_real same = KERN_SAME_EDGE / 8 * path->unit, none = fails;
+    kern_real holds = path->holds, at = (holds + fails) / 2, edge = fails, u[3];
+    int round;
+    for (round = 0; round < 24; round++) {
+        const kern_real now = kern_body_power(m, g, at, u), before = edge;
+        if (now < 0) {
+            edge = at - now * (fails - at) / (power - now);
+            fails = at;
+            power = now;
+            if (kern_abs(edge - before) <= same
+                || fails <= path->holds + aside)
+                return edge;
+        } else
+            holds = at;
+        at = edge + aside;
+        if (!(at > holds && at < fails))
+            at = (holds + fails) / 2;
+    }
+    return none;
+}
+
+/* The motion u of body g, of all that belongs to it; the fastest block has speed
+   1. */
+static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
+{
+    const kern_real spin = u[2] * m->unit[body];
+    kern_real most = KERN_R(0);
+    int i, g, h;
+    for (i = 0; i < m->s->blocks; i++)
+        kern_motion_clear(m->answer.motion + i);
+    for (i = 0; i < 2; i++)
+        for (g = 0; g <= body; g++) {
+            const kern_block *b = m->s->block + m->graph.block[g];
+            kern_motion *v = m->answer.motion + m->graph.block[g];
+            const kern_real one = i ? 1 / most : KERN_R(1);
+            kern_vec arm;
+            for (h = g; h != KERN_OUT && h < body; h = m->carrier[h])
+                ;
+            if (h != body)
+                continue;
+            arm = kern_vec_sub(b->centre,
+                               m->s->block[m->graph.block[body]].centre);
+            v->vx = (u[0] - spin * arm.y) * one;
+            v->vy = (u[1] + spin * arm.x) * one;
+            v->spin = spin * one;
+            most = i ? most : kern_max(most, kern_block_speed(b, v));
+        }
+}
+
+/* The first body that falls nearer than `first` becomes the path's seed. Returns
+   that place, or the start where one falls there. */
+static kern_real kern_body_first(kern_model *m, kern_path *path,
+                                 kern_real first)
+{
+    const kern_query q = kern_path_at(path, path->holds);
+    const kern_real start = path->holds, aside = path->tolerance * KERN_R(0.45);
+    kern_real best = kern_min(first, path->end), u[3];
+    int g;
+    if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
+        return first;
+    kern_model_set(m, &q);
+    for (g = 0; g < m->graph.groups; g++) {
+        const kern_real *load = m->load + 3 * (size_t)g;
+        const kern_real power = kern_body_power(m, g, best, u);
+        const int on = m->carrier[g];
+        kern_real edge;
+        if (power < 0) {
+            edge = kern_body_edge(m, path, g, power, best);
+            if (edge <= start + 2 * aside)
+                return start;
+            if (edge + aside < best
+                && kern_body_power(m, g, edge + aside, u) < 0) {
+                best = edge + aside;
+                path->body.holds = edge - aside;
+                path->body.margin = edge;
+                path->body.fails = best;
+                path->body.motion = m->answer.motion;
+                path->seed = &path->body;
+                kern_body_moves(m, g, u);
+            }
+        }
+        if (on != KERN_OUT) {
+            kern_real *to = m->load + 3 * (size_t)on;
+            const kern_vec arm = kern_vec_sub(
+                m->s->block[m->graph.block[g]].centre,
+                m->s->block[m->graph.block[on]].centre);
+            to[0] += load[0];
+            to[1] += load[1];
+            to[2] += (load[2] / m->unit[g] + arm.x * load[1]
+                      - arm.y * load[0]) * m->unit[on];
+        }
+    }
+    return first;
+}
+
+/* ---- the search: which method is asked when ---- */
+
+/* The edge of the whole by its linear program, which is asked at `at`, where
+   pouring came to no end: where it stands there, and something is known to fall
+   just beyond, that is the edge. Else, or from the start on, it climbs. */
+static kern_status kern_path_simplex(kern_model *m, kern_path *path,
+                                     kern_real at, kern_real step)
+{
+    const kern_real fell = path->fell, edge = path->edge;
+    kern_status status;
+    if (!(path->stood >= path->holds))
+        path->holds = path->start; /* what was poured there was no proof */
+    status = at <= path->start && path->stood >= at
+             ? KERN_STANDS : kern_path_evaluate(m, path, at);
+    if (status == KERN_FALLS)
+        return at > path->start ? kern_path_edge(m, path) : status;
+    if (status != KERN_STANDS)
+        return status;
+    if (at >= path->end)
+        return kern_path_saturate(path);
+    if (!(fell > at && fell - at <= path->tolerance * KERN_WIDEST))
+        return kern_path_walk(m, path, step, 0);
+    path->fails = fell;
+    path->edge = edge;
+    return status;
+}
+
+/* The edge of the whole where a load grows or gravity turns, which one program
+   finds: the largest place, or the tangent of the largest angle, that rhs can
+   reach. KERN_UNDECIDED where it is none. */
+static kern_status kern_path_follow(kern_model *m, kern_path *path)
+{
+    kern_part *p = path->part;
+    const kern_real s = path->holds;
+    const kern_query q = kern_path_at(path, s);
+    kern_real place;
+    int g;
+    kern_part_set(p, &q);
+    for (g = 0; g < p->groups; g++) {
+        kern_real *rate = p->eq.rate + 3 * g;
+        kern_group_rate(path, m, &q, s, p->group[g], rate);
+        rate[0] = -rate[0]; rate[1] = -rate[1]; rate[2] = -rate[2];
+    }
+    if (!kern_part_follow(p, &place))
+        return KERN_UNDECIDED;
+    path->edge = path->kind == KERN_PATH_LOAD
+        ? s + place : kern_path_turned(s, 4 / (1 + s * s) * place);
+    path->fails = path->end;
+    return path->edge < path->end ? kern_path_edge(m, path) : KERN_UNDECIDED;
+}
+
+/* The edge of the whole beyond path->holds: of many groups by the interior point,
+   of few, or where that finds none, by their linear program, at first at `at`;
+   from the start on where that is not decided. */
+static kern_status kern_path_plain(kern_model *m, kern_path *path,
+                                   kern_real at, kern_real step)
+{
+    const kern_real edge = path->edge;
+    const kern_query q = kern_path_at(path, path->holds);
+    kern_status status = KERN_UNDECIDED;
+    if (!m->plain && (m->graph.groups > KERN_SMALL
+                      || m->budget.work->reals < KERN_REALS(m->s->blocks,
+                                                     m->s->contacts)))
+        status = kern_inner_search(m, path);
+    if (status == KERN_UNDECIDED && !m->plain) {
+        status = kern_model_plain(m, path->part, &q);
+        if (status == KERN_OK)
+            status = KERN_UNDECIDED;
+        path->edge = edge; /* that of the interior point may not be exact */
+    }
+    if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
+        status = kern_path_follow(m, path);
+    if (status == KERN_UNDECIDED)
+        status = kern_path_simplex(m, path, at, step);
+    if (status == KERN_UNDECIDED && at > path->start) {
+        path->never = 0;
+        path->holds = path->start;
+        status = kern_path_simplex(m, path, path->start, step);
+    }
+    return status;
+}
+
+/* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
+   shows neither. */
+static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
+                                  int proven)
+{
+    const kern_query q = kern_path_at(path, s);
+    kern_status status = kern_model_pour(m, path->part, &q, proven);
+    if (status == KERN_STANDS) {
+        if (proven)
+            kern_path_note(m, path, status, s);
+        path->holds = s;
+    }
+    if (status != KERN_FALLS)
+        return status;
+    if ((2 * m->graph.groups > KERN_SMALL
+         && 2 * path->part->groups > m->graph.groups)
+        || kern_part_lay(path->part) != KERN_OK)
+        return KERN_UNDECIDED;
+    path->alone = 1;
+    status = kern_path_evaluate(m, path, s);
+    path->alone = 0;
+    return status == KERN_FALLS ? status : KERN_UNDECIDED;
+}
+
+/* Where a search begins: below the edge of what is known of a structure like it, or
+   of a body, or a step from the start. In *fell whether it is known to fall just
+   beyond. */
+static kern_real kern_path_first(kern_model *m, kern_path *path, kern_real step,
+                                 int *fell)
+{
+    const kern_real start = path->start;
+    kern_real at = start + step;
+    const kern_known *seed;
+    if (!path->seed)
+        at = kern_body_first(m, path, at);
+    seed = path->seed;
+    *fell = 0;
+    if (!seed || !(seed->fails > start && seed->fails <= path->end
+                   && seed->holds <= seed->margin
+                   && seed->margin <= seed->fails))
+        return kern_min(at, path->end);
+    *fell = kern_seed_falls(m, path);
+    return kern_max(start, seed->holds);
+}
+
+/* A step on; where little is left, the end. */
+static kern_real kern_path_farther(const kern_path *path, kern_real at,
+                                   kern_real step)
+{
+    at += step;
+    return at > path->end * KERN_R(0.95) ? path->end : at;
+}
+
+/* The first edge of a path on which the verdict changes but once. What falls
+   at some place is a part, most often a small one, and no edge of the whole
+   lies beyond that of a part, all else held. So the path is poured at the edge
+   of the part that fell last, until nothing falls there, or pouring comes to no
+   end. */
+static kern_status kern_path_search(kern_model *m, kern_path *path,
+                                    kern_real first, kern_real step)
+{
+    const kern_real start = path->start = path->holds;
+    kern_real holds = start, at, edge;
+    kern_status status = KERN_STANDS;
+    int round, fell;
+    if (m->plain || path->kind != KERN_PATH_SHRINK)
+        return kern_path_plain(m, path, start, step);
+    at = kern_path_first(m, path, first, &fell);
+    edge = path->edge;
+    for (round = 0; round < KERN_EDGE_ROUNDS && status == KERN_STANDS; round++) {
+        path->holds = holds;
+        status = kern_path_pour(m, path, at, fell || at >= path->end);
+        if (status == KERN_STANDS && fell)
+            return status;
+        if (status == KERN_STANDS && at >= path->end)
+            return kern_path_saturate(path);
+        if (status == KERN_FALLS && at <= start)
+            return status;
+        if (status == KERN_STANDS) {
+            holds = at;
+            at = kern_path_farther(path, at, first);
+        } else if (status == KERN_FALLS) {
+            path->holds = holds;
+            path->alone = fell = 1;
+            status = kern_path_edge(m, path);
+            path->alone = 0;
+            at = path->holds;
+            edge = path->edge;
+        }
+    }
+    path->holds = holds;
+    path->edge = edge;
+    return status < KERN_UNDECIDED ? status
+                                   : kern_path_plain(m, path, at, step);
+}
+
 /* ---- Interior point -------------------------------------------- >>inner */
 /* All groups at once, in some twenty factorisations: the farthest place s on a
    path up to which forces exist,
@@ -5969,9 +6314,6 @@ static int kern_seed_falls(kern_model *m, kern_path *path)
    with x~ the forces that mu demands, solved twice with one factor (Mehrotra):
    the predictor, with mu = 0, tells how small mu may be, and what the corrector
    has to take into account. */
-
-/* A block this slow rests, where the fastest of a mechanism has speed 1. */
-#define KERN_AT_REST       KERN_PICK(1e-6, 1e-3)
 
 #ifndef KERN_NO_INTERIOR
 #define KERN_INNER_ROUNDS  100     /* steps of a question                     */
@@ -6534,345 +6876,6 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
            ? status : KERN_UNDECIDED;
 }
 #endif /* KERN_NO_INTERIOR */
-
-static int kern_moves(const kern_model *m, int i)
-{
-    const kern_motion *v = m->answer.motion + i;
-    const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
-           || kern_abs(v->spin) * size > KERN_AT_REST;
-}
-
-/* ---- bodies ---- */
-/* A block is a body with what rests on it alone. Where it falls, all else held,
-   the whole falls: three equations tell. The edge of most structures is that of
-   a body. */
-
-/* The rows of what holds body g, about its block's centre; returns how many there
-   are. If they are of one block it belongs to the body of that: m->carrier. */
-static int kern_body_rows(kern_model *m, int g, kern_real s,
-                          kern_support row[KERN_ROWS_MOST])
-{
-    int e, n = 0, on = KERN_OUT;
-    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-        const kern_contact *c = m->s->contact + (e >> 1);
-        const int other = m->graph.ends[e ^ 1];
-        if (other < g && m->carrier[other] == g)
-            continue;
-        on = on == KERN_OUT || on == other ? other : m->graph.groups;
-        if (n < KERN_ROWS_MOST) {
-            row[n].row = kern_row_of(
-                kern_vec_scale(c->n, e & 1 ? KERN_R(-1) : KERN_R(1)),
-                kern_vec_scale(kern_vec_sub(
-                    kern_contact_at(c, s, m->relative),
-                    m->s->block[m->graph.block[g]].centre), m->unit[g]),
-                KERN_R(1));
-            row[n].mu = kern_friction(c, m->slope);
-            row[n].way[0] = row[n].way[1] = KERN_R(0);
-        }
-        n++;
-    }
-    m->carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
-    return n;
-}
-
-/* The power of the motion u by which body g falls at s; 0: it does not. */
-static kern_real kern_body_power(kern_model *m, int g, kern_real s,
-                                 kern_real u[3])
-{
-    kern_support row[KERN_ROWS_MOST];
-    const kern_real *b = m->load + 3 * (size_t)g;
-    const int n = kern_body_rows(m, g, s, row);
-    int k;
-    if (n == 0 || n > KERN_ROWS_MOST
-        || kern_pour_solve(row, n, b, KERN_POUR_TOL * kern_largest(b, 3), u)
-           != KERN_FALLS)
-        return KERN_R(0);
-    for (k = 0; k < n; k++) {
-        kern_real w[2] = {0, 0};
-        kern_row_speed(&row[k].row, u, w);
-        if (w[0] + KERN_FEAS_TOL < kern_abs(row[k].mu * w[1]))
-            return KERN_R(0);
-    }
-    return kern_min(kern_three(b, u), KERN_R(0));
-}
-
-/* Where body g, which falls at `fails`, stops to, by secants: to 4 EPS of the path;
-   at most `start` where it falls there, `fails` where that is not found. */
-static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
-                                kern_real power, kern_real fails)
-{
-    const kern_real aside = path->tolerance * KERN_R(0.45);
-    const kern_real same = KERN_SAME_EDGE / 8 * path->unit, none = fails;
-    kern_real holds = path->holds, at = (holds + fails) / 2, edge = fails, u[3];
-    int round;
-    for (round = 0; round < 24; round++) {
-        const kern_real now = kern_body_power(m, g, at, u), before = edge;
-        if (now < 0) {
-            edge = at - now * (fails - at) / (power - now);
-            fails = at;
-            power = now;
-            if (kern_abs(edge - before) <= same
-                || fails <= path->holds + aside)
-                return edge;
-        } else
-            holds = at;
-        at = edge + aside;
-        if (!(at > holds && at < fails))
-            at = (holds + fails) / 2;
-    }
-    return none;
-}
-
-/* The motion u of body g, of all that belongs to it; the fastest block has speed
-   1. */
-static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
-{
-    const kern_real spin = u[2] * m->unit[body];
-    kern_real most = KERN_R(0);
-    int i, g, h;
-    for (i = 0; i < m->s->blocks; i++)
-        kern_motion_clear(m->answer.motion + i);
-    for (i = 0; i < 2; i++)
-        for (g = 0; g <= body; g++) {
-            const kern_block *b = m->s->block + m->graph.block[g];
-            kern_motion *v = m->answer.motion + m->graph.block[g];
-            const kern_real one = i ? 1 / most : KERN_R(1);
-            kern_vec arm;
-            for (h = g; h != KERN_OUT && h < body; h = m->carrier[h])
-                ;
-            if (h != body)
-                continue;
-            arm = kern_vec_sub(b->centre,
-                               m->s->block[m->graph.block[body]].centre);
-            v->vx = (u[0] - spin * arm.y) * one;
-            v->vy = (u[1] + spin * arm.x) * one;
-            v->spin = spin * one;
-            most = i ? most : kern_max(most, kern_block_speed(b, v));
-        }
-}
-
-/* The first body that falls nearer than `first` becomes the path's seed. Returns
-   that place, or the start where one falls there. */
-static kern_real kern_body_first(kern_model *m, kern_path *path,
-                                 kern_real first)
-{
-    const kern_query q = kern_path_at(path, path->holds);
-    const kern_real start = path->holds, aside = path->tolerance * KERN_R(0.45);
-    kern_real best = kern_min(first, path->end), u[3];
-    int g;
-    if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
-        return first;
-    kern_model_set(m, &q);
-    for (g = 0; g < m->graph.groups; g++) {
-        const kern_real *load = m->load + 3 * (size_t)g;
-        const kern_real power = kern_body_power(m, g, best, u);
-        const int on = m->carrier[g];
-        kern_real edge;
-        if (power < 0) {
-            edge = kern_body_edge(m, path, g, power, best);
-            if (edge <= start + 2 * aside)
-                return start;
-            if (edge + aside < best
-                && kern_body_power(m, g, edge + aside, u) < 0) {
-                best = edge + aside;
-                path->body.holds = edge - aside;
-                path->body.margin = edge;
-                path->body.fails = best;
-                path->body.motion = m->answer.motion;
-                path->seed = &path->body;
-                kern_body_moves(m, g, u);
-            }
-        }
-        if (on != KERN_OUT) {
-            kern_real *to = m->load + 3 * (size_t)on;
-            const kern_vec arm = kern_vec_sub(
-                m->s->block[m->graph.block[g]].centre,
-                m->s->block[m->graph.block[on]].centre);
-            to[0] += load[0];
-            to[1] += load[1];
-            to[2] += (load[2] / m->unit[g] + arm.x * load[1]
-                      - arm.y * load[0]) * m->unit[on];
-        }
-    }
-    return first;
-}
-
-/* The edge of the whole by its linear program, which is asked at `at`, where
-   pouring came to no end: where it stands there, and something is known to fall
-   just beyond, that is the edge. Else, or from the start on, it climbs. */
-static kern_status kern_path_simplex(kern_model *m, kern_path *path,
-                                     kern_real at, kern_real step)
-{
-    const kern_real fell = path->fell, edge = path->edge;
-    kern_status status;
-    if (!(path->stood >= path->holds))
-        path->holds = path->start; /* what was poured there was no proof */
-    status = at <= path->start && path->stood >= at
-             ? KERN_STANDS : kern_path_evaluate(m, path, at);
-    if (status == KERN_FALLS)
-        return at > path->start ? kern_path_edge(m, path) : status;
-    if (status != KERN_STANDS)
-        return status;
-    if (at >= path->end)
-        return kern_path_saturate(path);
-    if (!(fell > at && fell - at <= path->tolerance * KERN_WIDEST))
-        return kern_path_walk(m, path, step, 0);
-    path->fails = fell;
-    path->edge = edge;
-    return status;
-}
-
-/* The edge of the whole where a load grows or gravity turns, which one program
-   finds: the largest place, or the tangent of the largest angle, that rhs can
-   reach. KERN_UNDECIDED where it is none. */
-static kern_status kern_path_follow(kern_model *m, kern_path *path)
-{
-    kern_part *p = path->part;
-    const kern_real s = path->holds;
-    const kern_query q = kern_path_at(path, s);
-    kern_real place;
-    int g;
-    kern_part_set(p, &q);
-    for (g = 0; g < p->groups; g++) {
-        kern_real *rate = p->eq.rate + 3 * g;
-        kern_group_rate(path, m, &q, s, p->group[g], rate);
-        rate[0] = -rate[0]; rate[1] = -rate[1]; rate[2] = -rate[2];
-    }
-    if (!kern_part_follow(p, &place))
-        return KERN_UNDECIDED;
-    path->edge = path->kind == KERN_PATH_LOAD
-        ? s + place : kern_path_turned(s, 4 / (1 + s * s) * place);
-    path->fails = path->end;
-    return path->edge < path->end ? kern_path_edge(m, path) : KERN_UNDECIDED;
-}
-
-/* The edge of the whole beyond path->holds: of many groups by the interior point,
-   of few, or where that finds none, by their linear program, at first at `at`;
-   from the start on where that is not decided. */
-static kern_status kern_path_plain(kern_model *m, kern_path *path,
-                                   kern_real at, kern_real step)
-{
-    const kern_real edge = path->edge;
-    const kern_query q = kern_path_at(path, path->holds);
-    kern_status status = KERN_UNDECIDED;
-    if (!m->plain && (m->graph.groups > KERN_SMALL
-                      || m->budget.work->reals < KERN_REALS(m->s->blocks,
-                                                     m->s->contacts)))
-        status = kern_inner_search(m, path);
-    if (status == KERN_UNDECIDED && !m->plain) {
-        status = kern_model_plain(m, path->part, &q);
-        if (status == KERN_OK)
-            status = KERN_UNDECIDED;
-        path->edge = edge; /* that of the interior point may not be exact */
-    }
-    if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
-        status = kern_path_follow(m, path);
-    if (status == KERN_UNDECIDED)
-        status = kern_path_simplex(m, path, at, step);
-    if (status == KERN_UNDECIDED && at > path->start) {
-        path->never = 0;
-        path->holds = path->start;
-        status = kern_path_simplex(m, path, path->start, step);
-    }
-    return status;
-}
-
-/* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
-   shows neither. */
-static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
-                                  int proven)
-{
-    const kern_query q = kern_path_at(path, s);
-    kern_status status = kern_model_pour(m, path->part, &q, proven);
-    if (status == KERN_STANDS) {
-        if (proven)
-            kern_path_note(m, path, status, s);
-        path->holds = s;
-    }
-    if (status != KERN_FALLS)
-        return status;
-    if ((2 * m->graph.groups > KERN_SMALL
-         && 2 * path->part->groups > m->graph.groups)
-        || kern_part_lay(path->part) != KERN_OK)
-        return KERN_UNDECIDED;
-    path->alone = 1;
-    status = kern_path_evaluate(m, path, s);
-    path->alone = 0;
-    return status == KERN_FALLS ? status : KERN_UNDECIDED;
-}
-
-/* Where a search begins: below the edge of what is known of a structure like it, or
-   of a body, or a step from the start. In *fell whether it is known to fall just
-   beyond. */
-static kern_real kern_path_first(kern_model *m, kern_path *path, kern_real step,
-                                 int *fell)
-{
-    const kern_real start = path->start;
-    kern_real at = start + step;
-    const kern_known *seed;
-    if (!path->seed)
-        at = kern_body_first(m, path, at);
-    seed = path->seed;
-    *fell = 0;
-    if (!seed || !(seed->fails > start && seed->fails <= path->end
-                   && seed->holds <= seed->margin
-                   && seed->margin <= seed->fails))
-        return kern_min(at, path->end);
-    *fell = kern_seed_falls(m, path);
-    return kern_max(start, seed->holds);
-}
-
-/* A step on; where little is left, the end. */
-static kern_real kern_path_farther(const kern_path *path, kern_real at,
-                                   kern_real step)
-{
-    at += step;
-    return at > path->end * KERN_R(0.95) ? path->end : at;
-}
-
-/* The first edge of a path on which the verdict changes but once. What falls
-   at some place is a part, most often a small one, and no edge of the whole
-   lies beyond that of a part, all else held. So the path is poured at the edge
-   of the part that fell last, until nothing falls there, or pouring comes to no
-   end. */
-static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real first, kern_real step)
-{
-    const kern_real start = path->start = path->holds;
-    kern_real holds = start, at, edge;
-    kern_status status = KERN_STANDS;
-    int round, fell;
-    if (m->plain || path->kind != KERN_PATH_SHRINK)
-        return kern_path_plain(m, path, start, step);
-    at = kern_path_first(m, path, first, &fell);
-    edge = path->edge;
-    for (round = 0; round < KERN_EDGE_ROUNDS && status == KERN_STANDS; round++) {
-        path->holds = holds;
-        status = kern_path_pour(m, path, at, fell || at >= path->end);
-        if (status == KERN_STANDS && fell)
-            return status;
-        if (status == KERN_STANDS && at >= path->end)
-            return kern_path_saturate(path);
-        if (status == KERN_FALLS && at <= start)
-            return status;
-        if (status == KERN_STANDS) {
-            holds = at;
-            at = kern_path_farther(path, at, first);
-        } else if (status == KERN_FALLS) {
-            path->holds = holds;
-            path->alone = fell = 1;
-            status = kern_path_edge(m, path);
-            path->alone = 0;
-            at = path->holds;
-            edge = path->edge;
-        }
-    }
-    path->holds = holds;
-    path->edge = edge;
-    return status < KERN_UNDECIDED ? status
-                                   : kern_path_plain(m, path, at, step);
-}
 
 /* ---- Raised ----------------------------------------------------- >>raised */
 /* Forces that a load puts on unstressed contacts of some stiffness. They are
