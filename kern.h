@@ -7963,11 +7963,11 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
     return low > 0 ? KERN_R(0) : most;
 }
 
-/* Raises *deep to the depth in b of the boundary of a, but for a stride. From
-   some number on the steps along an edge double: a gap of a few roundings takes
-   no end of them otherwise. */
+/* Raises *deep to the depth in b of the boundary of a, but for a stride; beyond
+   `enough` it goes no further. From some number on the steps along an edge
+   double: a gap of a few roundings takes no end of them otherwise. */
 static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
-                                  kern_real *deep)
+                                  kern_real enough, kern_real *deep)
 {
     kern_edge e;
     int nearest = 0;
@@ -7979,6 +7979,8 @@ static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
             *deep = kern_max(*deep, depth);
+            if (*deep > enough)
+                return;
             step = kern_overlap_along(b->block, nearest, *deep, at, e.d,
                                       e.length - s);
             step = kern_max(step, *deep - depth + stride);
@@ -8013,18 +8015,19 @@ static void kern_overlap_inner(const kern_parts *a, const kern_parts *b,
         }
 }
 
-/* Depth of the overlap of a and b, but for a stride; 0: none deeper than the
-   gap. Two blocks at one place have no deep boundary. */
+/* Depth of the overlap of a and b, but for a stride, or one beyond `enough`; 0:
+   none deeper than the gap. Two blocks at one place have no deep boundary. */
 static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
-                                    kern_real gap)
+                                    kern_real gap, kern_real enough)
 {
     kern_real deep = gap;
     if (!kern_box_near(&a->block->box, &b->block->box, -gap)
         || kern_overlap_parted(a->block, b->block, gap)
         || kern_overlap_parted(b->block, a->block, gap))
         return 0;
-    kern_overlap_boundary(a, b, &deep);
-    kern_overlap_boundary(b, a, &deep);
+    kern_overlap_boundary(a, b, enough, &deep);
+    if (!(deep > enough))
+        kern_overlap_boundary(b, a, enough, &deep);
     if (!(deep > gap))
         kern_overlap_inner(a, b, &deep);
     if (!(deep > gap))
@@ -8648,7 +8651,8 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     pair->b = found.b = j;
     found.allowed = pair->deep;
     found.depth = kern_overlap_depth(&pair->of[0].parts, &pair->of[1].parts,
-                                     pair->deep);
+                                     pair->deep, s->listing ? KERN_INFINITY
+                                                            : pair->deep);
     if (found.depth > 0 && !s->listing) {
         s->fault->other = j;
         s->fault->value = found.depth;

@@ -560,7 +560,7 @@ class Options:
         """kern_measured(): for poses with errors e [m] and theta [rad].
 
         >>> round(Options().measured(0.01, 0.01).gap, 6)
-        0.04
+        0.0525
         """
         return Options._of(_measured(byref(self._c()), e, theta))
 
@@ -961,6 +961,15 @@ class _Held:
                           ints)
 
 
+def _depth(held: _Held, n: int, options: _Options, fault: _Fault) -> float:
+    """How deep the two blocks of a fault overlap."""
+    pair, other = (_Block * 2)(), _Fault()
+    pair[0], pair[1] = held.block[fault.block], held.block[fault.other]
+    out, work = (_Overlap * 1)(), _Work(None, 0, None, 0, 0, 0, 0, 0, other)
+    found = _overlaps(pair, 2, byref(options), out, 1, byref(work))
+    return out[0].depth if found == 1 else fault.value
+
+
 class _Kept(Block):
     """A block of a plan: it stays as it was when it was added."""
 
@@ -1090,7 +1099,10 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                     found = room
                     held.contact[:] = [contact._c() for contact in given]
             if found < 0:
-                raise KernError(found, names, held.work.fault)
+                fault = held.work.fault
+                if found == Status.OVERLAP:  # the search stops at the first
+                    fault.value = _depth(held, n, options, fault)
+                raise KernError(found, names, fault)
             task = _task_of(held.block, n, held.contact, found,
                             byref(held.work))
             task.options = options
