@@ -4235,7 +4235,7 @@ static kern_real kern_least_share(const kern_part *p)
     at = hi;
     for (round = 0; round < 16 && at_hi < -first / 8; round++) {
         kern_real slope;
-        at = lo + (hi - lo) * at_lo / (at_lo - at_hi);
+        at = (hi * at_lo - lo * at_hi) / (at_lo - at_hi);
         slope = kern_least_slope(p, push, at);
         if (kern_abs(slope) <= first / 8)
             break;

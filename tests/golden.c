@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x085a6020954ea3c1u },
-    { 1000, 0xda089cb08ffb4f51u },
-    { 5000, 0x15dbb9317de26da9u },
+    { 200, 0x2aa210d99842b4bbu },
+    { 1000, 0x5a67bbf3eb71d178u },
+    { 5000, 0x9655099608dd2597u },
 #else
-    { 200, 0x34614817aaa08c0bu },
-    { 1000, 0x370731a14a3bd827u },
-    { 5000, 0x37ab203bfdc5d368u },
+    { 200, 0x349b37d32b278e29u },
+    { 1000, 0xbd954d24bee85978u },
+    { 5000, 0x17e4b66cd4a42395u },
 #endif
 };
 
