@@ -4249,14 +4249,13 @@ static void engine_place(void)
     CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_UNBOUNDED);
 }
 
-/* A cube laid so far off another one: its load is half less that from the end of
-   their joint. */
-static void offset_cube(world *w, double off)
+/* A wide floor, a cube on it, and a cube shifted by s: d* = 1/2 - s. */
+static void stack_of_two(world *w, double s)
 {
     world_reset(w);
-    world_box(w, 0, -9, -1, 9, 0);
+    world_box(w, 0, -5, -1, 5, 0);
     world_box(w, 1, 0, 0, 1, 1);
-    world_box(w, 1, off, 1, 1 + off, 2);
+    world_box(w, 1, s, 1, 1 + s, 2);
     world_touch(w);
 }
 
@@ -4270,7 +4269,7 @@ static void engine_step(void)
     kern_call c;
     kern_inner in;
     int round, i;
-    offset_cube(&w, 0.25);
+    stack_of_two(&w, 0.25);
     work = work_of(&w);
     CHECK_INT(kern_call_open(&c, world_task(&w, &work), 0, &w), KERN_OK);
     c.path.end = R(0.37);
@@ -4301,7 +4300,7 @@ static void engine_bracket(void)
         kern_work work;
         kern_call c;
         kern_path *path = &c.path;
-        offset_cube(&w, off[i]);
+        stack_of_two(&w, off[i]);
         work = work_of(&w);
         CHECK_INT(kern_call_open(&c, world_task(&w, &work), 0, &w), KERN_OK);
         path->end = R(edge * 1.04); /* within half of the joint */
@@ -5322,16 +5321,6 @@ static void proof_of_small_stones(void)
 }
 
 /* ==== Level and margin =========================================== >>margin */
-
-/* A wide floor, a cube on it, and a cube shifted by s: d* = 1/2 - s. */
-static void stack_of_two(world *w, double s)
-{
-    world_reset(w);
-    world_box(w, 0, -5, -1, 5, 0);
-    world_box(w, 1, 0, 0, 1, 1);
-    world_box(w, 1, s, 1, 1 + s, 2);
-    world_touch(w);
-}
 
 static void margin_relative(void)
 {
