@@ -77,7 +77,7 @@ static const char help[] =
 "                   certain\n"
 "      --overlap D  deepest overlap that is accepted as a contact, a length\n"
 "      --limit N    most work of each query, in units of some 0.3 us, default\n"
-"                   5 million; what takes more is undecided, and reported as\n"
+"                   10 million; what takes more is undecided, and reported as\n"
 "                   far as proven; 0: no limit\n"
 "      --json       one JSON object a file, one line each\n"
 "      --svg OUT.svg  draw it, with --profile coloured by the margins of the\n"
