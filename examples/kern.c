@@ -568,9 +568,7 @@ static int find_raised(struct analysis *a)
    from the start. */
 struct grown {
     kern_task task;
-    kern_contact *contact;
-    kern_block *block;
-    int *place;             /* of a block of the whole; -1: not there yet    */
+    struct falls_part part;
     kern_real *value;       /* room for a number a block                     */
 };
 
@@ -578,18 +576,18 @@ static int open_grown(const struct analysis *a, struct grown *g)
 {
     const size_t blocks = (size_t)a->task.s.blocks;
     g->task = a->task;
-    g->contact = array(a->task.s.contacts, sizeof *g->contact);
-    g->block = malloc(sizeof *g->block * blocks);
-    g->place = malloc(sizeof *g->place * blocks);
+    g->part.contact = array(a->task.s.contacts, sizeof *g->part.contact);
+    g->part.block = malloc(sizeof *g->part.block * blocks);
+    g->part.place = malloc(sizeof *g->part.place * blocks);
     g->value = malloc(sizeof *g->value * blocks);
-    return g->contact && g->block && g->place && g->value;
+    return g->part.contact && g->part.block && g->part.place && g->value;
 }
 
 static void close_grown(struct grown *g)
 {
-    free(g->contact);
-    free(g->block);
-    free(g->place);
+    free(g->part.contact);
+    free(g->part.block);
+    free(g->part.place);
     free(g->value);
 }
 
@@ -597,23 +595,9 @@ static void close_grown(struct grown *g)
 static void grow_to(const struct analysis *a, struct grown *g, int last)
 {
     const kern_structure *s = &a->task.s;
-    kern_structure *part = &g->task.s;
-    part->block = g->block;
-    part->contact = g->contact;
-    part->blocks = part->contacts = 0;
-    for (int i = 0; i < s->blocks; i++) {
-        g->place[i] = -1;
-        if (!s->block[i].fixed && i > last) continue;
-        g->place[i] = part->blocks;
-        g->block[part->blocks++] = s->block[i];
-    }
-    for (int k = 0; k < s->contacts; k++) {
-        const kern_contact *c = &s->contact[k];
-        if (g->place[c->a] < 0 || g->place[c->b] < 0) continue;
-        g->contact[part->contacts] = *c;
-        g->contact[part->contacts].a = g->place[c->a];
-        g->contact[part->contacts++].b = g->place[c->b];
-    }
+    for (int i = 0; i < s->blocks; i++)
+        g->part.place[i] = s->block[i].fixed || i <= last ? 0 : -1;
+    falls_take(s, &g->part, &g->task.s);
 }
 
 /* The margin after each block, 0 where it falls, NAN where that is undecided. */
@@ -653,7 +637,7 @@ static int find_stays(struct analysis *a)
             (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
         found = 1;
         grow_to(a, &g, all ? i : blocks);
-        stays_of(&g.task, g.place[i], g.value, &a->stays[i]);
+        stays_of(&g.task, g.part.place[i], g.value, &a->stays[i]);
     }
     close_grown(&g);
     if (!there || !a->stays) return fail_memory(a);

@@ -26,7 +26,7 @@ struct falls_part {
     int *place;              /* of a block of the whole in it; -1: taken     */
 };
 
-static int falls_moves(kern_motion v, const kern_block *b)
+static inline int falls_moves(kern_motion v, const kern_block *b)
 {
     const kern_real rest = (kern_real)(FALLS_REST * FALLS_REST);
     const kern_real area = b->area < 0 ? -b->area : b->area;
@@ -34,18 +34,16 @@ static int falls_moves(kern_motion v, const kern_block *b)
                          v.spin * v.spin * area > rest);
 }
 
-/* The blocks that do not move in `motion`, with the contacts between them.
-   Returns how many of the free ones have gone since the last time. */
-static int falls_left(const kern_structure *s, const kern_motion *motion,
-                      struct falls_part *left, kern_structure *part)
+/* Those of place[] that are not negative, renumbered, with the contacts between
+   them. */
+static inline void falls_take(const kern_structure *s, struct falls_part *left,
+                              kern_structure *part)
 {
-    int gone = 0;
     part->blocks = part->contacts = 0;
     for (int i = 0; i < s->blocks; i++) {
-        int moves = falls_moves(motion[i], &s->block[i]);
-        gone += moves && left->place[i] >= 0;
-        left->place[i] = moves ? -1 : part->blocks;
-        if (!moves) left->block[part->blocks++] = s->block[i];
+        if (left->place[i] < 0) continue;
+        left->place[i] = part->blocks;
+        left->block[part->blocks++] = s->block[i];
     }
     for (int k = 0; k < s->contacts; k++) {
         kern_contact c = s->contact[k];
@@ -55,6 +53,19 @@ static int falls_left(const kern_structure *s, const kern_motion *motion,
     }
     part->block = left->block;
     part->contact = left->contact;
+}
+
+/* Takes away what moves in `motion`; returns how many blocks that are. */
+static inline int falls_left(const kern_structure *s, const kern_motion *motion,
+                             struct falls_part *left, kern_structure *part)
+{
+    int gone = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        if (left->place[i] < 0 || !falls_moves(motion[i], &s->block[i])) continue;
+        left->place[i] = -1;
+        gone++;
+    }
+    falls_take(s, left, part);
     return gone;
 }
 

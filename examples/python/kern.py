@@ -580,9 +580,10 @@ class Block:
     [i, j], shape and tolist(). A numpy array of float64 in C order is not
     copied: what is written there later counts at the next update(). A closed
     ring loses its last vertex; an object with `exterior.coords`, as a polygon
-    of shapely has, stands for these. mass and centre None: those of a homogeneous polygon of this density; a centre that
-    is given stays where it is unless move() moves it. load: force and torque
-    (fx, fy, torque) that act at the centre besides the weight.
+    of shapely has, stands for these. mass and centre None: those of a
+    homogeneous polygon of this density; a centre that is given stays where it is
+    unless move() moves it. load: force and torque (fx, fy, torque) that act at
+    the centre besides the weight.
 
     >>> b = Block("b", [(0, 0), (2, 0), (2, 1), (0, 1)], density=2)
     >>> b.body()
