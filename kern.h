@@ -16,8 +16,8 @@
      III  The argument      >>impl >>vec >>statics >>kern (Algorithm 1)
                             >>work >>check >>proof >>model >>engine
                             >>measure >>profile >>critical >>sensitivity
-     IV   Forces, motions   >>part >>skyline >>least >>pour >>verdict
-                            >>search >>inner >>raised
+     IV   Forces, motions   >>part >>skyline >>norm >>pass >>verdict
+                            >>search >>ipm >>raised
      V    Geometry          >>tol >>polygon >>contact, and >>plan
      VI   Linear programs   >>lp, and >>words
      VII  Sources           >>references >>changes, and the licence
@@ -122,7 +122,7 @@
    KERN_API             linkage of public functions; extern
    KERN_SINGLE          kern_real is float; the same in every file
    KERN_SQRT(x)         in place of sqrt or sqrtf and of <math.h>
-   KERN_NO_INTERIOR     without >>inner, for firmware: above 64 free blocks the
+   KERN_NO_INTERIOR     without >>ipm, for firmware: above 64 free blocks the
                         simplex method decides, which may take minutes
    KERN_USE_GLPK        large programs go to GLPK (under the GPL): see kern_lp.h
    KERN_GLPK_ROWS       rows above which they do (three a free block); 96
@@ -147,21 +147,21 @@
 
    A verdict asks, in this order, until one gives a proof:
 
-       pouring      >>pour    forces are passed on from top to bottom, a block
+       top-down     >>pass    forces are passed on from top to bottom, a block
          |                    by three equations, a cluster where it cannot
          |-- every block balanced ------------------------> STANDS
          |-- some blocks cannot be held, all others fixed:
          |   simplex method on these (>>lp) --------------> FALLS
-       least change >>least   minimum-norm change of all forces -> STANDS
-       whole        >>inner   above 64 free blocks the interior-point method,
+       least change >>norm    minimum-norm change of all forces -> STANDS
+       whole        >>ipm     above 64 free blocks the interior-point method,
                     >>lp      else, and last, the simplex method
 
    A measure is the first place on a path (kerns shrink, a load grows, gravity
    turns) at which it falls. No edge of the whole lies beyond that of a part
    with all others fixed: the search (>>search) begins at the edge of the first
-   body (a block with what rests on it alone), pours there, and goes on to the
-   edge of the part that falls, until none does; where pouring gives no proof
-   the whole is asked. Load factor and tilt of up to 64 free blocks are one
+   body (a block with what rests on it alone), runs the pass there, and goes on
+   to the edge of the part that falls, until none does; where the pass gives no
+   proof the whole is asked. Load factor and tilt of up to 64 free blocks are one
    linear program with the place as a column. A verdict to each side of the edge
    proves the bracket.
 
@@ -292,11 +292,11 @@
    proof of falling.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
-   and a proof has the first that was found. To look at, take the least forces
-   (kern_forces()): one set, symmetric where the structure is, which loads all
-   that can carry and uses no more friction than it must. Those of
-   kern_raised() are closer to friction, but not unique. Neither says how
-   stones of some stiffness share a load.
+   and a proof has the first that was found. To look at, take the minimum-norm
+   forces (kern_forces()): one set, symmetric where the structure is, which loads
+   all that can carry and uses no more friction than it must. Those of
+   kern_raised() are closer to friction, but not unique. Neither says how stones
+   of some stiffness share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
@@ -684,7 +684,7 @@ typedef struct kern_work {
     int indices;          /* KERN_INTS(blocks, contacts)                      */
     /* the library adds up; the caller reads, and sets to 0 as it likes       */
     int pivots;           /* of all linear programs                           */
-    int solves;           /* verdicts by pouring, and linear programs         */
+    int solves;           /* top-down passes and linear programs              */
     int units;            /* work of the last call but searches for contacts;
                              limit + 1 with KERN_LIMIT, else within the limit */
     kern_real error;      /* largest error of a proof, as a share of what is
@@ -980,8 +980,8 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
 
-/* The least forces (>>measures): of all that hold the structure those of least
-   sum of f^2 + (r / mu)^2 over the contact points. KERN_STANDS:
+/* The minimum-norm forces (>>measures): of all that hold the structure those of
+   least sum of f^2 + (r / mu)^2 over the contact points. KERN_STANDS:
    force[0..contacts), checked like those of a proof. KERN_UNDECIDED: there are
    none, as kern_verdict() tells, or none so exact, as where jams are critical
    or sizes differ by 1e4. KERN_NO_SPACE as in kern_raised(). Time: a third of
@@ -1236,8 +1236,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 extern "C" {
 #endif
 
-/* Conditions that hold whatever the caller hands in, and what looks at the state
-   of an engine (tests/audit.h); off, unless a test build defines them. */
+/* Conditions that hold whatever the caller hands in, and what looks at the
+   state of an engine (tests/audit.h); off, unless a test build defines them. */
 #ifndef KERN_ASSERT
 #define KERN_ASSERT(condition) ((void)0)
 #endif
@@ -1454,9 +1454,9 @@ static void kern_box_add(kern_box *box, kern_vec p)
 
    so forces exist just if A x = -w has a solution x >= 0: three rows a free
    block (force, torque about its centre), two columns a contact point. Else
-   there is a motion y with y.A >= 0 and y.w > 0 (>>method). Lengths are measured
-   in the size of the block, forces in the weight of all, so tolerances have no
-   units. */
+   there is a motion y with y.A >= 0 and y.w > 0 (>>method). Lengths are
+   measured in the size of the block, forces in the weight of all, so tolerances
+   have no units. */
 
 /* A query: the weights and loads to carry, and how far kerns shrink. */
 typedef struct kern_query {
@@ -1651,10 +1651,10 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
    verdicts half a tolerance to each side of the critical place are then proven:
    they are the bracket.
 
-   Where a load grows or gravity turns s is a variable of the linear program, and
-   the edge its largest value (kern_path_follow()). Where kerns shrink the search
-   evaluates a small part as long as possible (kern_path_search()), and the whole
-   only where it finds none (kern_path_plain()). */
+   Where a load grows or gravity turns s is a variable of the linear program,
+   and the edge its largest value (kern_path_follow()). Where kerns shrink the
+   search evaluates a small part as long as possible (kern_path_search()), and
+   the whole only where it finds none (kern_path_whole()). */
 
 typedef struct kern_model kern_model; /* the structure in units: >>model      */
 typedef struct kern_part kern_part;   /* some of its blocks: >>part           */
@@ -1677,10 +1677,10 @@ typedef struct kern_path {
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
     kern_part *part;          /* that fell last                               */
-    const kern_known *seed;   /* of a structure like it, of `body`, or NULL   */
+    const kern_known *warm;   /* of a structure like it, of `body`, or NULL   */
     kern_known body;          /* the body that falls first                    */
     int alone;                /* nonzero: the part is evaluated alone         */
-    struct kern_inner *inner; /* evaluates the whole, or NULL                 */
+    struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
@@ -1694,11 +1694,11 @@ typedef struct kern_travels {
 
 /* ---- what finds forces and motions ---- */
 /* Declared here, defined and told behind the argument: >>verdict, >>search,
-   >>inner. */
+   >>ipm. */
 
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q);
-static kern_status kern_model_plain(kern_model *m, kern_part *p,
+static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q);
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status);
@@ -1715,18 +1715,18 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 static kern_real kern_largest(const kern_real *v, int n);
 static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 #ifndef KERN_NO_INTERIOR
-static kern_status kern_inner_evaluate(struct kern_inner *in, kern_real place,
+static kern_status kern_ipm_evaluate(struct kern_ipm *in, kern_real place,
                                        kern_real *edge);
 #if defined(__GNUC__) /* its frame is not to lie below all other verdicts */
 __attribute__((noinline))
 #endif
-static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
+static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                       const kern_query *q);
-static kern_status kern_inner_search(kern_model *m, kern_path *path);
+static kern_status kern_ipm_search(kern_model *m, kern_path *path);
 #else /* it decides nothing */
-#define kern_inner_evaluate(in, place, edge) KERN_UNDECIDED
-#define kern_inner_verdict(m, p, q)          KERN_UNDECIDED
-#define kern_inner_search(m, path)           KERN_UNDECIDED
+#define kern_ipm_evaluate(in, place, edge) KERN_UNDECIDED
+#define kern_ipm_verdict(m, p, q)          KERN_UNDECIDED
+#define kern_ipm_search(m, path)           KERN_UNDECIDED
 #endif
 
 /* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
@@ -2209,7 +2209,7 @@ typedef struct kern_budget {
 } kern_budget;
 
 /* Disjoint sets of groups that are balanced together, and a list of those that
-   are to be: see >>pour. */
+   are to be: see >>pass. */
 typedef struct kern_clusters {
     int *last;                /* of a group: the last group of its cluster    */
     int *next;                /* of a group: another one of it, in a circle   */
@@ -2236,7 +2236,7 @@ struct kern_model {
     kern_clusters cluster;
     int *carrier;             /* of a group: the one that alone carries it: see
                                  the bodies of >>search; or KERN_OUT          */
-    int plain;                /* nonzero: all groups are one part             */
+    int whole;                /* nonzero: all groups are one part             */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
 };
@@ -2353,7 +2353,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->graph.block[none++] = i;
     m->graph.groups = none;
-    m->plain = 0;
+    m->whole = 0;
     kern_model_order(m, s->gravity, m->graph.block);
     for (i = 0; i < s->blocks; i++)
         m->graph.group[i] = none;
@@ -2401,7 +2401,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->known = NULL;
     m->narrow = q->narrow;
     m->slope = KERN_R(0);
-    m->graph.groups = m->plain = 0;
+    m->graph.groups = m->whole = 0;
     return KERN_OK;
 }
 
@@ -2636,7 +2636,7 @@ typedef struct kern_skyline {
     kern_real *entry;
 } kern_skyline;
 
-/* Least forces of a part, by Newton's method on their dual: see >>least. */
+/* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
     kern_skyline matrix;      /* of the contacts that carry                   */
     kern_real *u, *step, *left; /* three a group, and three of 0              */
@@ -2661,7 +2661,7 @@ struct kern_part {
     int groups, contacts;
     int own;                  /* contacts that carry a group of the part come
                                  first, then those by which others rest on it */
-    int *group;               /* of the part; ascending but in >>least        */
+    int *group;                /* of the part; ascending but in >>norm        */
     int *contact;             /* of the part                                  */
     int *ends;                /* of a contact: groups of the part, or none    */
     kern_take rest;           /* work memory behind these                     */
@@ -2716,9 +2716,9 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->part = part;
     path->proof = NULL;
     path->q = *q;
-    path->seed = NULL;
+    path->warm = NULL;
     path->alone = 0;
-    path->inner = NULL;
+    path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
@@ -2866,7 +2866,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     kern_status status;
     c->path.proof = proof;
     if (known && known->fails > 0 && known->fails < KERN_INFINITY) {
-        c->path.seed = known;
+        c->path.warm = known;
         c->m.known = known->force ? known : NULL;
     }
     travels = kern_travels_of(&task->s, &c->path.q);
@@ -3123,7 +3123,7 @@ static kern_status kern_push_call(kern_call *c, const kern_task *task,
     if (c->m.graph.groups <= KERN_SMALL && !(tilt && kern_model_loaded(&c->m))
         && task->work->reals >= KERN_REALS(task->s.blocks, task->s.contacts)
         && task->work->indices >= KERN_INTS(task->s.blocks, task->s.contacts))
-        kern_model_plain(&c->m, path->part, &path->q);
+        kern_model_whole(&c->m, path->part, &path->q);
     status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
         status = kern_push_search(&c->m, path, tilt);
@@ -3716,7 +3716,7 @@ static int kern_part_begin(kern_part *p, kern_model *m, int groups,
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
     int g, e, n = groups, most = 0;
-    KERN_ASSERT(groups > 0 && !m->plain);
+    KERN_ASSERT(groups > 0 && !m->whole);
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
     for (g = last; n > 0; g--)
@@ -3743,22 +3743,22 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 /* What a contact answers to a motion (wn, wt) along n and t is linear between
    bends: f = nn wn + nt wt, r = nt wn + tt wt. A x = b then asks for a matrix
    with the pattern of the groups, which is factored (skyline Cholesky) in their
-   order. Least forces, >>inner and >>raised differ in the law alone. */
+   order. Minimum-norm forces, >>ipm and >>raised differ in the law alone. */
 
 /* How much stiffer contacts are along t than along n, for >>raised: what sticks
    then slides by 1/KERN_STIFF of its approach at the most. */
 #define KERN_STIFF       KERN_PICK(550, 10)
 
-typedef struct kern_spring {
+typedef struct kern_law {
     kern_real nn, nt, tt;
     kern_force force;         /* in the cone to the last digit                */
-} kern_spring;
+} kern_law;
 
 /* The law of rays n + mu t and n - mu t of stiffness plus and minus. */
-static inline kern_spring kern_spring_rays(kern_real plus, kern_real minus,
+static inline kern_law kern_law_rays(kern_real plus, kern_real minus,
                                            kern_real mu)
 {
-    kern_spring s;
+    kern_law s;
     s.nn = plus + minus;
     s.nt = mu * (plus - minus);
     s.tt = mu * mu * s.nn;
@@ -3767,12 +3767,12 @@ static inline kern_spring kern_spring_rays(kern_real plus, kern_real minus,
 }
 
 /* The law of rays of stiffness 1 that only press. */
-static inline kern_spring kern_spring_pressed(kern_real wn, kern_real wt,
+static inline kern_law kern_law_pressed(kern_real wn, kern_real wt,
                                               kern_real mu)
 {
     const kern_real plus = kern_max(wn + mu * wt, KERN_R(0));
     const kern_real minus = kern_max(wn - mu * wt, KERN_R(0));
-    kern_spring s = kern_spring_rays(plus > 0 ? KERN_R(1) : KERN_R(0),
+    kern_law s = kern_law_rays(plus > 0 ? KERN_R(1) : KERN_R(0),
                                      minus > 0 ? KERN_R(1) : KERN_R(0), mu);
     s.force.normal = plus + minus;
     s.force.tangential = mu * (plus - minus);
@@ -3781,11 +3781,11 @@ static inline kern_spring kern_spring_pressed(kern_real wn, kern_real wt,
 
 /* The law of a contact that answers what presses it by `stiff`, and what shears
    it by KERN_STIFF times as much until it slides. */
-static inline kern_spring kern_spring_stiff(kern_real wn, kern_real wt,
+static inline kern_law kern_law_stiff(kern_real wn, kern_real wt,
                                             kern_real mu, kern_real stiff)
 {
     const kern_real side = wt > 0 ? mu : -mu;
-    kern_spring s = {0, 0, 0, {0, 0}};
+    kern_law s = {0, 0, 0, {0, 0}};
     if (wn > 0 && KERN_STIFF * kern_abs(wt) <= wn) {
         s.nn = stiff;
         s.tt = KERN_STIFF * mu * stiff;
@@ -3803,7 +3803,7 @@ static inline kern_spring kern_spring_stiff(kern_real wn, kern_real wt,
 
 /* The wrenches v and w that n and t of a row answer by a law: its stiffness is
    n v' + t w'. */
-static inline void kern_row_answer(const kern_row *c, const kern_spring *s,
+static inline void kern_row_answer(const kern_row *c, const kern_law *s,
                                    kern_real v[3], kern_real w[3])
 {
     v[0] = s->nn * c->n[0] - s->nt * c->n[1];
@@ -3877,9 +3877,10 @@ static void kern_skyline_clear(kern_skyline *a)
             a->entry[a->offset[g] + i] = KERN_R(0);
 }
 
-/* Adds to the block of groups g and h <= g: what moving h does to the forces on g
-   (xx, xy, yy, times a sign), what turning h does (f and r along n and t of g),
-   and what either does to the torque on g. Above the diagonal nothing is read. */
+/* Adds to the block of groups g and h <= g: what moving h does to the forces on
+   g (xx, xy, yy, times a sign), what turning h does (f and r along n and t of
+   g), and what either does to the torque on g. Above the diagonal nothing is
+   read. */
 static inline void kern_skyline_add(kern_skyline *a, int g, int h,
                                     kern_real sign, const kern_real k[3],
                                     const kern_row *of_g, const kern_row *of_h,
@@ -3902,8 +3903,8 @@ static inline void kern_skyline_add(kern_skyline *a, int g, int h,
 }
 
 /* Adds what the two groups of a contact exert on each other by its law. */
-static void kern_skyline_spring(kern_skyline *a, const int ends[2],
-                                const kern_row row[2], const kern_spring *s)
+static void kern_skyline_law(kern_skyline *a, const int ends[2],
+                                const kern_row row[2], const kern_law *s)
 {
     const kern_real x = row->n[0], y = row->n[1];
     const kern_real xx = x * x, yy = y * y, xy = x * y;
@@ -4027,41 +4028,41 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     }
 }
 
-/* ---- Least forces ----------------------------------------------- >>least */
+/* ---- Minimum-norm forces ----------------------------------------- >>norm */
 /* Minimum-norm forces of a part, by a dual Newton method:
 
        min |x|^2 / 2,  A x = b,  x >= 0.
 
-   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns a group, is concave
-   and of piecewise constant curvature; x = max(0, A'u). Newton's method ends after
-   a few steps; its matrix is A_S A_S' of the rays S that press. Where no forces
-   exist the dual grows without limit. */
+   The dual, max b.u - |max(0, A'u)|^2 / 2, has three unknowns a group, is
+   concave and of piecewise constant curvature; x = max(0, A'u). Newton's method
+   ends after a few steps; its matrix is A_S A_S' of the rays S that press.
+   Where no forces exist the dual grows without limit. */
 
 /* Residual of a group's equilibrium, as a share of its load: far less than a
    proof allows. */
-#define KERN_POUR_TOL    KERN_PICK(1e-11, 1e-6)
+#define KERN_PASS_TOL    KERN_PICK(1e-11, 1e-6)
 /* Added to the diagonal of the matrix, as a share of its mean. */
-#define KERN_LEAST_SHIFT KERN_PICK(1e-13, 1e-6)
+#define KERN_NORM_SHIFT KERN_PICK(1e-13, 1e-6)
 /* Pivot of a 3 x 3 matrix, as a share of its trace, that is rounding; and above
    which its solution needs no refinement. */
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
 #define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it is infeasible.
    Larger: clusters grow less often, Newton's method takes more steps. */
-#define KERN_LEAST_MOST  KERN_R(50)
+#define KERN_NORM_MOST  KERN_R(50)
 /* Share of the largest velocity that is no approach. */
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
 #define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
 #define KERN_HOLD_ROUNDS   8       /* of all groups, for a verdict            */
-#define KERN_POUR_ROUNDS   8       /* of one group                            */
+#define KERN_PASS_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_CLUSTER_MOST  20      /* groups of a cluster, and one more       */
 #define KERN_CLUSTER_SHARE 32      /* for so many groups of the structure     */
-#define KERN_POUR_BUDGET   1500    /* products for each group and contact     */
-#define KERN_POUR_LARGEST  400000  /* of these: their product is an int       */
+#define KERN_PASS_BUDGET   1500    /* products for each group and contact     */
+#define KERN_PASS_LARGEST  400000  /* of these: their product is an int       */
 
-/* Where the motion of contact i begins: its spring then exerts the force that
+/* Where the motion of contact i begins: its law then exerts the force that
    is there, so what is found is the least change of that. */
 static inline void kern_model_prior(const kern_model *m, int i,
                                     kern_real way[2])
@@ -4077,18 +4078,19 @@ static inline kern_real kern_stiffness(const kern_contact *c, kern_real mean)
 { return KERN_R(0.1) + (c->line ? kern_abs(c->travel) / mean : KERN_R(0)); }
 
 /* The contact law of the part's contact k at (wn, wt). */
-static inline kern_spring kern_part_spring(const kern_part *p, int k,
+static inline kern_law kern_part_law(const kern_part *p, int k,
                                            kern_real wn, kern_real wt)
 {
     const int i = p->contact[k];
     const kern_real mu = kern_model_mu(p->m, i);
-    return p->dual.price ? kern_spring_stiff(wn, wt, mu, kern_stiffness(
+    return p->dual.price ? kern_law_stiff(wn, wt, mu, kern_stiffness(
                           p->m->s->contact + i, p->m->mean))
-                    : kern_spring_pressed(wn, wt, mu);
+                    : kern_law_pressed(wn, wt, mu);
 }
 
-/* Lays out what the least forces of the part need; 0 if there is no room. */
-static int kern_least_lay(kern_part *p, kern_take *take)
+/* Lays out what the minimum-norm forces of the part need; 0 if there is no
+   room. */
+static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
     int k;
@@ -4121,8 +4123,8 @@ static inline void kern_part_speed(const kern_part *p, int k,
     w[1] += tail.turn * t[2];
 }
 
-/* b += the wrenches of contact k of the part by f along n and r along t; those of
-   held blocks go to the last three numbers */
+/* b += the wrenches of contact k of the part by f along n and r along t; those
+   of held blocks go to the last three numbers */
 static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
                                    kern_real r, kern_real *b)
 {
@@ -4133,7 +4135,7 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
 }
 
 /* How v moves the contacts along n and t: to p->dual.way from `to` on. */
-static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
+static void kern_norm_ways(kern_part *p, const kern_real *v, int contacts,
                             int to)
 {
     int k;
@@ -4150,7 +4152,7 @@ static void kern_least_ways(kern_part *p, const kern_real *v, int contacts,
 
 /* The gradient of the dual at u, to p->dual.left: b less what the forces of u
    exert. Returns its value, and in *most the largest force. */
-static kern_real kern_least_left(kern_part *p, kern_real *most)
+static kern_real kern_norm_left(kern_part *p, kern_real *most)
 {
     const int n = 3 * p->groups;
     kern_real value = KERN_R(0);
@@ -4162,7 +4164,7 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
     }
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
+        const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const kern_real f = s.force.normal, r = s.force.tangential;
         if (!(f > 0))
             continue;
@@ -4175,68 +4177,68 @@ static kern_real kern_least_left(kern_part *p, kern_real *most)
 }
 
 /* Adds what contact k of the part answers by a law to the matrix. */
-static void kern_part_add(kern_part *p, int k, const kern_spring *s)
+static void kern_part_add(kern_part *p, int k, const kern_law *s)
 {
     kern_row row[2];
     row[0] = kern_model_row(p->m, 2 * p->contact[k]);
     row[1] = kern_model_row(p->m, 2 * p->contact[k] + 1);
-    kern_skyline_spring(&p->dual.matrix, p->ends + 2 * (size_t)k, row, s);
+    kern_skyline_law(&p->dual.matrix, p->ends + 2 * (size_t)k, row, s);
 }
 
 /* The matrix of the contacts that press at u, or of all, with a little more on
    its diagonal. */
-static void kern_least_matrix(kern_part *p, int all)
+static void kern_norm_matrix(kern_part *p, int all)
 {
     kern_skyline *a = &p->dual.matrix;
     int k;
     kern_skyline_clear(a);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        kern_spring s = kern_part_spring(p, k, all ? KERN_R(1) : w[0],
+        kern_law s = kern_part_law(p, k, all ? KERN_R(1) : w[0],
                                          all ? KERN_R(0) : w[1]);
         if (all && p->dual.price) /* as stiff along t for every friction */
             s.tt = KERN_STIFF * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
     }
-    kern_skyline_shift(a, KERN_LEAST_SHIFT);
+    kern_skyline_shift(a, KERN_NORM_SHIFT);
 }
 
 /* The slope of the dual at u + share * step, where the loads' own part of it is
    `push`. */
-static kern_real kern_least_slope(const kern_part *p, kern_real push,
+static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                   kern_real share)
 {
     int k;
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(
+        const kern_law s = kern_part_law(
             p, k, w[0] + share * w[2], w[1] + share * w[3]);
         push -= s.force.normal * w[2] + s.force.tangential * w[3];
     }
     return push;
 }
 
-/* How far to go along the step: where the dual is largest, to a few percent. Its
-   slope falls: regula falsi, an end that stays counting half (Illinois). */
-static kern_real kern_least_share(const kern_part *p)
+/* How far to go along the step: where the dual is largest, to a few percent.
+   Its slope falls: regula falsi, an end that stays counting half (Illinois). */
+static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
     const kern_real first = kern_dot(p->dual.left, p->dual.step, 3 * p->groups);
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at = hi, at_hi;
     int round, side = 0;
-    at_hi = kern_least_slope(p, push, hi);
+    at_hi = kern_norm_slope(p, push, hi);
     for (round = 0; round < 12 && at_hi > first / 8; round++) {
         lo = hi;
         at_lo = at_hi;
         hi *= 4;
-        at_hi = kern_least_slope(p, push, hi);
+        at_hi = kern_norm_slope(p, push, hi);
     }
     at = hi;
     for (round = 0; round < 16 && at_hi < -first / 8; round++) {
         kern_real slope;
         at = (hi * at_lo - lo * at_hi) / (at_lo - at_hi);
-        slope = kern_least_slope(p, push, at);
+        slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= first / 8)
             break;
         if (slope > 0) {
@@ -4254,11 +4256,11 @@ static kern_real kern_least_share(const kern_part *p)
     return at;
 }
 
-/* Least forces of a part's own contacts under the loads p->dual.b, by rounds
-   [first, end); after round 0 u goes on from what it is. KERN_STANDS with u;
-   KERN_FALLS, which is no proof, where they would be larger than `bound`; or
-   KERN_UNDECIDED. */
-static kern_status kern_least_find(kern_part *p, kern_real tolerance,
+/* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
+   rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
+   with u; KERN_FALLS, which is no proof, where they would be larger than
+   `bound`; or KERN_UNDECIDED. */
+static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                    kern_real bound, int first, int end)
 {
     const int n = 3 * p->groups;
@@ -4269,8 +4271,8 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
         p->dual.u[i] = p->dual.step[i] = KERN_R(0);
     for (round = first; round < end; round++) {
         kern_real most, value, share, left;
-        kern_least_ways(p, p->dual.u, p->own, 0);
-        value = kern_least_left(p, &most);
+        kern_norm_ways(p, p->dual.u, p->own, 0);
+        value = kern_norm_left(p, &most);
         left = kern_largest(p->dual.left, n);
         if (left <= (left > before / 2 ? 8 * tolerance : tolerance)
                     + 4 * KERN_EPS * most)
@@ -4280,12 +4282,12 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
             return KERN_FALLS;
         if (!kern_model_spend(p->m, 1 + p->dual.cost / 180))
             return KERN_LIMIT;
-        kern_least_matrix(p, round == 0);
+        kern_norm_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
         kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
-        kern_least_ways(p, p->dual.step, p->own, 2);
+        kern_norm_ways(p, p->dual.step, p->own, 2);
         p->dual.rounds = round + 1 - first;
-        share = round == 0 ? KERN_R(1) : kern_least_share(p);
+        share = round == 0 ? KERN_R(1) : kern_norm_share(p);
         for (i = 0; i < n; i++)
             p->dual.u[i] += share * p->dual.step[i];
     }
@@ -4294,7 +4296,7 @@ static kern_status kern_least_find(kern_part *p, kern_real tolerance,
 
 /* Opens all groups as one part, along the longer side of the structure: the
    rows of the factor are then as short as it is thin. 0 if there is no room. */
-static int kern_least_open(kern_part *p, kern_model *m)
+static int kern_norm_open(kern_part *p, kern_model *m)
 {
     const kern_structure *s = m->s;
     const kern_vec down = s->gravity, side = kern_vec_turn(down);
@@ -4327,39 +4329,40 @@ static int kern_least_open(kern_part *p, kern_model *m)
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
     kern_part_ends(p);
-    return kern_least_lay(p, &p->rest);
+    return kern_norm_lay(p, &p->rest);
 }
 
 /* Writes the forces of u. */
-static void kern_least_write(kern_part *p)
+static void kern_norm_write(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
-    kern_least_ways(p, p->dual.u, p->contacts, 0);
+    kern_norm_ways(p, p->dual.u, p->contacts, 0);
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
+        const kern_law s = kern_part_law(p, k, w[0], w[1]);
         kern_force *to = m->answer.force + p->contact[k];
         to->normal = s.force.normal * m->weight;
         to->tangential = s.force.tangential * m->weight;
     }
 }
 
-/* Least forces of all groups: KERN_STANDS with the forces and their proof. */
-static kern_status kern_least_hold(kern_model *m, kern_part *p,
+/* Minimum-norm forces of all groups: KERN_STANDS with the forces and their
+   proof. */
+static kern_status kern_norm_hold(kern_model *m, kern_part *p,
                                    const kern_query *q, int rounds)
 {
     kern_status status;
-    if (!kern_least_open(p, m))
+    if (!kern_norm_open(p, m))
         return KERN_NO_SPACE;
-    status = kern_least_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
+    status = kern_norm_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
                              rounds);
     if (status == KERN_LIMIT)
         return status;
     if (status != KERN_STANDS)
         return KERN_UNDECIDED;
-    kern_least_write(p);
+    kern_norm_write(p);
     return kern_answer_holds(m, q) ? status : KERN_UNDECIDED;
 }
 
@@ -4372,31 +4375,31 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     if (status == KERN_OK) {
         kern_model_set(&c.m, &c.path.q);
         kern_model_unload(&c.m);
-        status = kern_spent(task->work, task->options.limit, kern_least_hold(
+        status = kern_spent(task->work, task->options.limit, kern_norm_hold(
             &c.m, &c.part, &c.path.q, KERN_FORCES_ROUNDS));
     }
     kern_proof_out(&c.m, &proof, status);
     return status;
 }
 
-/* ---- Pouring ----------------------------------------------------- >>pour */
+/* ---- The top-down pass ------------------------------------------- >>pass */
 /* A top-down equilibrium pass: from top to bottom each group passes its load on
-   to what carries it, by the least change of the forces that are there, in three
-   unknowns. A group that cannot do so alone forms a cluster with those that rest
-   on it. Where forces change what carries them is balanced again. Forces that
-   balance every group prove that the structure stands. A cluster that cannot be
-   balanced, and moves away from what rests on it, is a part that falls: nothing
-   else could hold it. */
+   to what carries it, by the least change of the forces that are there, in
+   three unknowns. A group that cannot do so alone forms a cluster with those
+   that rest on it. Where forces change what carries them is balanced again.
+   Forces that balance every group prove that the structure stands. A cluster
+   that cannot be balanced, and moves away from what rests on it, is a part that
+   falls: nothing else could hold it. */
 
 /* What is found out about a cluster, or all. */
-typedef enum kern_poured {
-    KERN_POURED,              /* its groups are balanced                      */
-    KERN_POUR_FALLS,          /* a part that seems to fall is open            */
-    KERN_POUR_DRY             /* out of work memory or budget                 */
-} kern_poured;
+typedef enum kern_passed {
+    KERN_PASSED,              /* its groups are balanced                      */
+    KERN_PASS_FALLS,          /* a part that seems to fall is open            */
+    KERN_PASS_DRY             /* out of work memory or budget                 */
+} kern_passed;
 
 /* The cluster of a group must be balanced. */
-static void kern_pour_mark_open(kern_model *m, int g)
+static void kern_pass_mark_open(kern_model *m, int g)
 {
     const int last = m->cluster.last[g];
     m->cluster.open[last] = 1;
@@ -4406,20 +4409,20 @@ static void kern_pour_mark_open(kern_model *m, int g)
 
 /* Writes the force of contact i; what carries it, group `on`, must be balanced
    if that is new. */
-static void kern_pour_write(kern_model *m, int i, int on, kern_force f,
+static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
                             kern_real tolerance)
 {
     kern_force *to = m->answer.force + i;
     const kern_real change = kern_abs(f.normal - to->normal)
                              + kern_abs(f.tangential - to->tangential);
     if (on < m->graph.groups && change > tolerance)
-        kern_pour_mark_open(m, on);
+        kern_pass_mark_open(m, on);
     *to = f;
 }
 
 /* The load of group g and of what rests on it, but for members of its own
    cluster. */
-static void kern_pour_load(const kern_model *m, int g, kern_real *b)
+static void kern_pass_load(const kern_model *m, int g, kern_real *b)
 {
     int e;
     b[0] = m->load[3 * g];
@@ -4437,7 +4440,7 @@ static void kern_pour_load(const kern_model *m, int g, kern_real *b)
 /* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. A direction in
    which there is nothing but rounding is left out. Returns whether the matrix
    is far from singular. */
-static int kern_pour_three(const kern_real h[6], const kern_real b[3],
+static int kern_pass_three(const kern_real h[6], const kern_real b[3],
                             kern_real x[3])
 {
     const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
@@ -4457,7 +4460,7 @@ static int kern_pour_three(const kern_real h[6], const kern_real b[3],
 }
 
 /* The motion u that a matrix in three unknowns leaves free, against b. */
-static void kern_pour_free(const kern_real h[6], const kern_real b[3],
+static void kern_pass_free(const kern_real h[6], const kern_real b[3],
                            kern_real u[3])
 {
     const kern_real l1 = h[1] / h[0], l3 = h[3] / h[0];
@@ -4492,7 +4495,7 @@ static inline void kern_support_move(kern_support *c, int n,
 
 /* Lists the contacts that carry group g; returns how many, or one more than
    there is room for. */
-static int kern_pour_supports(const kern_model *m, int g,
+static int kern_pass_supports(const kern_model *m, int g,
                               kern_support c[KERN_ROWS_MOST])
 {
     int e, n = 0;
@@ -4520,7 +4523,7 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
     left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
     for (k = 0; k < n; k++, c++) {
         const kern_row *row = &c->row;
-        const kern_spring s = kern_spring_rays(
+        const kern_law s = kern_law_rays(
             c->mask & 1 ? KERN_R(1) : KERN_R(0),
             c->mask & 2 ? KERN_R(1) : KERN_R(0), c->mu);
         kern_real v[3], w[3];
@@ -4541,7 +4544,7 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
 /* The least change u that makes the rows exert b, by Newton's method with full
    steps. KERN_FALLS where that ends with something left: then u is how the
    group seems to move; KERN_UNDECIDED where it does not end soon. */
-static kern_status kern_pour_solve(kern_support *c, int n,
+static kern_status kern_pass_solve(kern_support *c, int n,
                                    const kern_real b[3], kern_real tolerance,
                                    kern_real u[3])
 {
@@ -4550,9 +4553,9 @@ static kern_status kern_pour_solve(kern_support *c, int n,
     u[0] = u[1] = u[2] = KERN_R(0);
     for (k = 0; k < n; k++)
         c[k].mask = 3;
-    for (round = 0; round < KERN_POUR_ROUNDS && changed; round++) {
+    for (round = 0; round < KERN_PASS_ROUNDS && changed; round++) {
         kern_support_sum(c, n, b, left, h);
-        good = kern_pour_three(h, left, step);
+        good = kern_pass_three(h, left, step);
         kern_support_move(c, n, step, u);
         changed = 0;
         for (k = 0; k < n; k++) {
@@ -4570,39 +4573,39 @@ static kern_status kern_pour_solve(kern_support *c, int n,
         if (changed)
             return KERN_UNDECIDED;
         if (round == 2) {
-            kern_pour_free(h, left, u);
+            kern_pass_free(h, left, u);
             return KERN_FALLS;
         }
-        kern_pour_three(h, left, step);
+        kern_pass_three(h, left, step);
         kern_support_move(c, n, step, u);
     }
     return KERN_STANDS;
 }
 
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
-static kern_status kern_pour_alone(kern_model *m, int g)
+static kern_status kern_pass_alone(kern_model *m, int g)
 {
     kern_support c[KERN_ROWS_MOST];
     kern_real b[3], u[3];
-    const kern_real tolerance = KERN_POUR_TOL * m->size[g];
+    const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_status status;
     int n, k;
-    n = kern_pour_supports(m, g, c);
+    n = kern_pass_supports(m, g, c);
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
-    kern_pour_load(m, g, b);
-    status = kern_pour_solve(c, n, b, tolerance, u);
+    kern_pass_load(m, g, b);
+    status = kern_pass_solve(c, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real *w = c[k].way;
-        const kern_spring s = kern_spring_pressed(w[0], w[1], c[k].mu);
-        kern_pour_write(m, c[k].end >> 1, m->graph.ends[c[k].end ^ 1],
+        const kern_law s = kern_law_pressed(w[0], w[1], c[k].mu);
+        kern_pass_write(m, c[k].end >> 1, m->graph.ends[c[k].end ^ 1],
                         s.force, tolerance);
     }
     return status;
 }
 
 /* Joins two clusters. */
-static void kern_pour_join(kern_model *m, int g, int h)
+static void kern_pass_join(kern_model *m, int g, int h)
 {
     kern_clusters *c = &m->cluster;
     const int swap = c->next[g];
@@ -4618,7 +4621,7 @@ static void kern_pour_join(kern_model *m, int g, int h)
 }
 
 /* Marks, or unmarks, every group of g's cluster; returns how many there are. */
-static int kern_pour_mark(kern_model *m, int g, int mark)
+static int kern_pass_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
     do {
@@ -4631,7 +4634,7 @@ static int kern_pour_mark(kern_model *m, int g, int mark)
 
 /* Adds the clusters that rest on g's, which is marked, to it; takes the marks
    back. */
-static void kern_pour_grow(kern_model *m, int last)
+static void kern_pass_grow(kern_model *m, int last)
 {
     int g, e;
     for (g = last; g >= 0; g--) {
@@ -4640,15 +4643,15 @@ static void kern_pour_grow(kern_model *m, int last)
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
             const int h = m->graph.ends[e ^ 1];
             if (h < g && m->cluster.last[h] != m->cluster.last[g])
-                kern_pour_join(m, g, h);
+                kern_pass_join(m, g, h);
         }
     }
-    kern_pour_mark(m, last, KERN_OUT);
+    kern_pass_mark(m, last, KERN_OUT);
 }
 
 /* Opens group `last`, which cannot be balanced, with all that rests on it, if
    that rests on nothing else: then it falls whatever the forces above are. */
-static int kern_pour_stack(kern_model *m, kern_part *p, int last)
+static int kern_pass_stack(kern_model *m, kern_part *p, int last)
 {
     int g, e, groups = 1;
     m->graph.local[last] = 0;
@@ -4675,19 +4678,19 @@ static int kern_pour_stack(kern_model *m, kern_part *p, int last)
     return 0;
 }
 
-/* Writes the least forces of a part. */
-static void kern_pour_keep(kern_part *p, kern_real tolerance)
+/* Writes the minimum-norm forces of a part. */
+static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
     int k;
     for (k = 0; k < p->own; k++) {
         const int i = p->contact[k];
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        const kern_spring s = kern_part_spring(p, k, w[0], w[1]);
+        const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const int low = m->graph.ends[2 * i] > m->graph.ends[2 * i + 1] ? 0 : 1;
         const int on = m->graph.ends[2 * i + low];
         const int inside = p->ends[2 * k + low] < p->groups;
-        kern_pour_write(m, i, inside ? m->graph.groups : on,
+        kern_pass_write(m, i, inside ? m->graph.groups : on,
                         s.force, tolerance);
     }
 }
@@ -4695,7 +4698,7 @@ static void kern_pour_keep(kern_part *p, kern_real tolerance)
 /* Whether the part, which cannot be balanced under what rests on it, moves away
    from that along u, and is driven by its own loads: then no other forces from
    above would help. */
-static int kern_pour_parts(kern_part *p)
+static int kern_pass_parts(kern_part *p)
 {
     const kern_model *m = p->m;
     const kern_real most = KERN_PARTING
@@ -4705,7 +4708,7 @@ static int kern_pour_parts(kern_part *p)
     for (n = 0; n < p->groups; n++)
         for (j = 0; j < 3; j++)
             power += p->dual.u[3 * n + j] * m->load[3 * p->group[n] + j];
-    kern_least_ways(p, p->dual.u, p->contacts, 2);
+    kern_norm_ways(p, p->dual.u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k + 2;
         if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
@@ -4714,9 +4717,9 @@ static int kern_pour_parts(kern_part *p)
     return power > 0;
 }
 
-/* Opens the part of a cluster, and writes its least forces if they balance it.
-   KERN_FALLS where no forces would, all else held. */
-static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
+/* Opens the part of a cluster, and writes its minimum-norm forces if they
+   balance it. KERN_FALLS where no forces would, all else held. */
+static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
                                   int last)
 {
     kern_real load = KERN_R(0), least = KERN_INFINITY;
@@ -4726,21 +4729,21 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
     if (!kern_part_open(p, m, groups, last))
         return KERN_NO_SPACE;
     take = p->rest;
-    if (!kern_least_lay(p, &take) || p->dual.cost > m->cluster.budget)
+    if (!kern_norm_lay(p, &take) || p->dual.cost > m->cluster.budget)
         return KERN_NO_SPACE;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
-        kern_pour_load(m, p->group[n], p->dual.b + 3 * n);
+        kern_pass_load(m, p->group[n], p->dual.b + 3 * n);
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
-    status = kern_least_find(p, KERN_POUR_TOL * least, KERN_LEAST_MOST * load,
+    status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_NORM_MOST * load,
                              0, KERN_LEAST_ROUNDS);
     m->cluster.budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
-        kern_pour_keep(p, KERN_POUR_TOL * least);
-    if (status == KERN_FALLS && p->own < p->contacts && !kern_pour_parts(p))
+        kern_pass_keep(p, KERN_PASS_TOL * least);
+    if (status == KERN_FALLS && p->own < p->contacts && !kern_pass_parts(p))
         status = KERN_UNDECIDED;
     return status;
 }
@@ -4748,37 +4751,37 @@ static kern_status kern_pour_part(kern_part *p, kern_model *m, int groups,
 /* Balances the cluster of `last`, and lets it grow until it can be balanced, or
    a part of it is seen to fall. One that has grown to groups farther down comes
    later. `failed`: it is one group that cannot be balanced alone. */
-static kern_poured kern_pour_cluster(kern_model *m, kern_part *p, int last,
+static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
                                      int failed)
 {
     const int most = m->graph.groups <= KERN_SMALL ? m->graph.groups / 4 + 1
                      : KERN_CLUSTER_MOST + m->graph.groups / KERN_CLUSTER_SHARE;
     for (;;) {
-        const int groups = kern_pour_mark(m, last, 0);
+        const int groups = kern_pass_mark(m, last, 0);
         const kern_status status = failed
-            ? KERN_UNDECIDED : kern_pour_part(p, m, groups, last);
+            ? KERN_UNDECIDED : kern_pass_part(p, m, groups, last);
         int grown;
         if (status == KERN_FALLS)
-            return KERN_POUR_FALLS;
+            return KERN_PASS_FALLS;
         if (status == KERN_STANDS || status == KERN_NO_SPACE
             || status == KERN_LIMIT) {
-            kern_pour_mark(m, last, KERN_OUT);
-            return status == KERN_STANDS ? KERN_POURED : KERN_POUR_DRY;
+            kern_pass_mark(m, last, KERN_OUT);
+            return status == KERN_STANDS ? KERN_PASSED : KERN_PASS_DRY;
         }
-        kern_pour_grow(m, last);
+        kern_pass_grow(m, last);
         if (m->cluster.last[last] > last) {
-            kern_pour_mark_open(m, last);
-            return KERN_POURED;
+            kern_pass_mark_open(m, last);
+            return KERN_PASSED;
         }
-        grown = kern_pour_mark(m, last, KERN_OUT);
+        grown = kern_pass_mark(m, last, KERN_OUT);
         if (grown == groups || grown > most)
-            return KERN_POUR_DRY;
+            return KERN_PASS_DRY;
         failed = 0;
     }
 }
 
 /* All groups must be balanced, and there are no forces. */
-static void kern_pour_begin(kern_model *m)
+static void kern_pass_begin(kern_model *m)
 {
     int g;
     for (g = 0; g < m->graph.groups; g++) {
@@ -4818,9 +4821,9 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
     return line;
 }
 
-/* The forces that are known, in units: only groups that they do not balance must
-   be. */
-static void kern_pour_known(kern_model *m, kern_real shrink)
+/* The forces that are known, in units: only groups that they do not balance
+   must be. */
+static void kern_pass_known(kern_model *m, kern_real shrink)
 {
     const kern_real from = m->known->holds;
     int i, g, e;
@@ -4847,40 +4850,40 @@ static void kern_pour_known(kern_model *m, kern_real shrink)
 }
 
 /* Balances group `at`, by itself or with others in a cluster. */
-static kern_poured kern_pour_group(kern_model *m, kern_part *p, int at)
+static kern_passed kern_pass_group(kern_model *m, kern_part *p, int at)
 {
     kern_status alone = KERN_UNDECIDED;
     const int single = m->cluster.next[at] == at;
     if (single)
-        alone = kern_pour_alone(m, at);
+        alone = kern_pass_alone(m, at);
     if (alone == KERN_STANDS)
-        return KERN_POURED;
-    if (alone == KERN_FALLS && kern_pour_stack(m, p, at))
-        return KERN_POUR_FALLS;
-    return kern_pour_cluster(m, p, at, alone == KERN_FALLS);
+        return KERN_PASSED;
+    if (alone == KERN_FALLS && kern_pass_stack(m, p, at))
+        return KERN_PASS_FALLS;
+    return kern_pass_cluster(m, p, at, alone == KERN_FALLS);
 }
 
-/* Balances all groups that must be: KERN_POURED with m->answer.force,
-   KERN_POUR_FALLS with an open part, or KERN_POUR_DRY. */
-static kern_poured kern_pour(kern_model *m, kern_part *p)
+/* Balances all groups that must be: KERN_PASSED with m->answer.force,
+   KERN_PASS_FALLS with an open part, or KERN_PASS_DRY. */
+static kern_passed kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     const int size = m->s->contacts + m->graph.groups;
-    kern_poured found = KERN_POURED;
+    kern_passed found = KERN_PASSED;
     int g;
     for (g = 0; g < m->graph.groups; g++)
         m->graph.local[g] = KERN_OUT; /* a part may have been open            */
-    c->budget = KERN_POUR_BUDGET
-                * (size < KERN_POUR_LARGEST ? size : KERN_POUR_LARGEST);
-    for (c->at = 0; c->at < m->graph.groups && found == KERN_POURED; ) {
+    c->budget = KERN_PASS_BUDGET
+                * (size < KERN_PASS_LARGEST ? size : KERN_PASS_LARGEST);
+    for (c->at = 0; c->at < m->graph.groups && found == KERN_PASSED; ) {
         g = c->at++;
         if (!c->open[g])
             continue;
         c->budget -= 300;
         if (c->budget < 0 || !kern_model_spend(m, 1))
-            return KERN_POUR_DRY;
+            return KERN_PASS_DRY;
         c->open[g] = 0;
-        found = kern_pour_group(m, p, g);
+        found = kern_pass_group(m, p, g);
     }
     return found;
 }
@@ -5034,7 +5037,7 @@ static kern_real kern_part_total(const kern_part *p)
 /* Forces were found, but larger than is allowed: the least there are, by
    costs of 1. If they still are too large their prices are a motion that shows
    that no smaller ones exist. */
-static kern_status kern_part_least(kern_part *p, int own)
+static kern_status kern_part_norm(kern_part *p, int own)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_status status;
@@ -5085,7 +5088,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
         status = kern_program_solve(&p->eq.simplex, own, p->x, p->y,
                                     p->m->budget.work);
         if (status == KERN_LP_OPTIMAL)
-            status = kern_part_least(p, own);
+            status = kern_part_norm(p, own);
         else if (status == KERN_LP_INFEASIBLE)
             status = KERN_FALLS;
         p->found = status;
@@ -5098,7 +5101,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* Opens all groups as one part, in the place of what pouring needs. */
+/* Opens all groups as one part, in the place of what the pass needs. */
 static kern_status kern_part_all(kern_part *p, kern_model *m,
                                  const kern_take *rest)
 {
@@ -5117,8 +5120,8 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
     return kern_part_lay(p);
 }
 
-/* Poured forces, in the caller's unit. */
-static void kern_pour_scale(kern_model *m)
+/* The forces of the pass, in the caller's unit. */
+static void kern_pass_scale(kern_model *m)
 {
     int i;
     for (i = 0; i < m->s->contacts; i++) {
@@ -5127,21 +5130,21 @@ static void kern_pour_scale(kern_model *m)
     }
 }
 
-/* The verdict by the least change that makes what was poured balance all groups,
-   where it does not: KERN_STANDS or KERN_UNDECIDED. At the edge of a load it would
-   take many steps. */
+/* The verdict by the least change that makes the forces of the pass balance all
+   groups, where it does not: KERN_STANDS or KERN_UNDECIDED. At the edge of a
+   load it would take many steps. */
 static kern_status kern_model_hold(kern_model *m, kern_part *p,
                                    const kern_query *q)
 {
     if (q->factor > 0)
         return KERN_UNDECIDED;
-    p->found = kern_least_hold(m, p, q, KERN_HOLD_ROUNDS);
+    p->found = kern_norm_hold(m, p, q, KERN_HOLD_ROUNDS);
     return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
 }
 
-/* Whether poured forces prove that it stands, or, where no proof is wanted, seem
-   to. */
-static int kern_pour_proven(kern_model *m, const kern_query *q, int proven)
+/* Whether the forces of the pass prove that it stands, or, where no proof is
+   wanted, seem to. */
+static int kern_pass_proven(kern_model *m, const kern_query *q, int proven)
 {
     kern_real total = KERN_R(0);
     int i;
@@ -5149,16 +5152,16 @@ static int kern_pour_proven(kern_model *m, const kern_query *q, int proven)
         total += m->answer.force[i].normal;
     if (!(total <= KERN_BOUND / 2) || !proven)
         return total <= KERN_BOUND / 2;
-    kern_pour_scale(m);
+    kern_pass_scale(m);
     return kern_answer_holds(m, q);
 }
 
-/* Pours the loads of a query: KERN_STANDS with a proof; KERN_FALLS with an
-   open part that seems to fall; or KERN_UNDECIDED. */
-static kern_status kern_model_pour(kern_model *m, kern_part *p,
+/* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
+   an open part that seems to fall; or KERN_UNDECIDED. */
+static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int proven)
 {
-    kern_poured poured;
+    kern_passed found;
     int change = m->known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
@@ -5166,13 +5169,13 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
     kern_model_set(m, q);
     for (; change >= 0; change--) {
         if (change)
-            kern_pour_known(m, q->shrink);
+            kern_pass_known(m, q->shrink);
         else
-            kern_pour_begin(m);
-        poured = kern_pour(m, p);
-        if (poured == KERN_POUR_FALLS)
+            kern_pass_begin(m);
+        found = kern_pass(m, p);
+        if (found == KERN_PASS_FALLS)
             return KERN_FALLS;
-        if (poured == KERN_POURED && kern_pour_proven(m, q, proven)) {
+        if (found == KERN_PASSED && kern_pass_proven(m, q, proven)) {
             p->found = KERN_STANDS;
             return KERN_STANDS;
         }
@@ -5182,13 +5185,13 @@ static kern_status kern_model_pour(kern_model *m, kern_part *p,
 
 /* From now on the linear program of all groups answers every query; it starts
    from its last basis. */
-static kern_status kern_model_plain(kern_model *m, kern_part *p,
+static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
     kern_status status;
     kern_model_set(m, q);
     status = kern_part_all(p, m, &m->common);
-    m->plain = status == KERN_OK;
+    m->whole = status == KERN_OK;
     return status;
 }
 
@@ -5199,7 +5202,7 @@ static int kern_part_falls(kern_part *p, const kern_query *q)
            && kern_part_evaluate(p, q) == KERN_FALLS;
 }
 
-/* The verdict for a query, with a proof or none: by the poured forces, by the
+/* The verdict for a query, with a proof or none: by the pass, by the
    motion of the part that falls, or else by the linear program of the whole.
    After KERN_FALLS the part that falls is open. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
@@ -5207,8 +5210,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 {
     kern_status status;
     p->found = KERN_UNDECIDED;
-    if (!m->plain) {
-        status = kern_model_pour(m, p, q, 1);
+    if (!m->whole) {
+        status = kern_model_pass(m, p, q, 1);
         if (status == KERN_STANDS)
             return status;
         if (status == KERN_FALLS && kern_part_falls(p, q))
@@ -5217,12 +5220,12 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
             status = kern_model_hold(m, p, q);
         if (status != KERN_STANDS && status != KERN_LIMIT
             && m->graph.groups > KERN_SMALL)
-            status = kern_inner_verdict(m, p, q);
+            status = kern_ipm_verdict(m, p, q);
         else if (status == KERN_FALLS)
             status = KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
             return status;
-        status = kern_model_plain(m, p, q);
+        status = kern_model_whole(m, p, q);
         if (status != KERN_OK)
             return status;
     }
@@ -5396,8 +5399,8 @@ static kern_real kern_path_turned(kern_real s, kern_real t)
     return (s + t) / (1 - s * t);
 }
 
-/* Where the mechanism p->y that falls at s stops to fall: Newton's method, which
-   is exact but for bends, and for loads that do not turn. */
+/* Where the mechanism p->y that falls at s stops to fall: Newton's method,
+   which is exact but for bends, and for loads that do not turn. */
 static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
                                   kern_real s)
 {
@@ -5412,13 +5415,13 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
 }
 
 /* ---- mechanisms ---- */
-/* The motion y of a basis that falls moves some groups, and is fixed by the basic
-   columns that touch these: y.A_j = -c_j, with the prices c of kern_prices(). They
-   are as many as rows move. Solved for at other places they tell exactly where
-   this mechanism stops to fall. */
+/* The motion y of a basis that falls moves some groups, and is fixed by the
+   basic columns that touch these: y.A_j = -c_j, with the prices c of
+   kern_prices(). They are as many as rows move. Solved for at other places they
+   tell exactly where this mechanism stops to fall. */
 
-/* The equation of row `row`'s basic variable at the shrinkage s, to a. Returns 0
-   where that touches no moving group. */
+/* The equation of row `row`'s basic variable at the shrinkage s, to a. Returns
+   0 where that touches no moving group. */
 static int kern_mechanism_row(const kern_part *p, kern_real s, int row,
                               int rows, kern_real *a)
 {
@@ -5492,8 +5495,8 @@ static int kern_mechanism_solve(kern_real *a, int rows, kern_real *y)
     return 1;
 }
 
-/* Numbers the groups that move in sx->list, and returns how many do; 0 where there
-   is no basis, or no room for their equations behind its factors. */
+/* Numbers the groups that move in sx->list, and returns how many do; 0 where
+   there is no basis, or no room for their equations behind its factors. */
 static int kern_mechanism_open(kern_part *p)
 {
     kern_simplex *sx = &p->eq.simplex;
@@ -5511,8 +5514,8 @@ static int kern_mechanism_open(kern_part *p)
            ? moving : 0;
 }
 
-/* The mechanism of so many groups at s, to p->y. Returns its power as a share of
-   its largest speed; infinity where it is none. */
+/* The mechanism of so many groups at s, to p->y. Returns its power as a share
+   of its largest speed; infinity where it is none. */
 static kern_real kern_mechanism_at(kern_part *p, kern_real s, int groups)
 {
     const kern_simplex *sx = &p->eq.simplex;
@@ -5566,8 +5569,9 @@ static void kern_mechanism_edge(kern_part *p, kern_path *path, kern_real s)
     }
 }
 
-/* Whether the forces of the basis that stands at s are those at the edge as well:
-   they change by -B^-1 A' x along the path, and none of them becomes negative. */
+/* Whether the forces of the basis that stands at s are those at the edge as
+   well: they change by -B^-1 A' x along the path, and none of them becomes
+   negative. */
 static int kern_basis_reaches(kern_part *p, kern_real s, kern_real edge)
 {
     const kern_model *m = p->m;
@@ -5618,8 +5622,8 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
-    const kern_status status = path->inner
-        ? kern_inner_evaluate(path->inner, s, &path->edge)
+    const kern_status status = path->ipm
+        ? kern_ipm_evaluate(path->ipm, s, &path->edge)
         : path->alone ? kern_part_evaluate(p, &q)
                       : kern_model_evaluate(m, p, &q);
     if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
@@ -5628,18 +5632,19 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
         path->holds = s;
     if (status == KERN_FALLS)
         path->fails = s;
-    if (!path->inner && status != KERN_STANDS && p->found == KERN_FALLS)
+    if (!path->ipm && status != KERN_STANDS && p->found == KERN_FALLS)
         kern_path_predict(path, &q, s);
     return status;
 }
 
-/* Proves by the motion of the last mechanism that it falls just beyond the edge;
-   where that proves nothing the edge is not seen any more. 0: there is none. */
+/* Proves by the motion of the last mechanism that it falls just beyond the
+   edge; where that proves nothing the edge is not seen any more. 0: there is
+   none. */
 static int kern_path_shown(kern_model *m, kern_path *path)
 {
     const kern_real s = path->shown;
     const kern_query q = kern_path_at(path, s);
-    if (path->inner || !(s < path->fails))
+    if (path->ipm || !(s < path->fails))
         return 0;
     path->shown = KERN_INFINITY;
     if (kern_model_spend(m, m->budget.query_units / 2)
@@ -5669,10 +5674,10 @@ typedef enum kern_place {
 } kern_place;
 
 /* Whether it must be proven that it stands where the bracket begins, which was
-   only poured. */
+   only by the pass. */
 static int kern_narrow_starts(const kern_path *path, const kern_narrow *n)
 {
-    return !path->alone && !path->inner && path->stood < path->holds
+    return !path->alone && !path->ipm && path->stood < path->holds
            && (path->edge < path->holds + 2 * n->under
                || path->fails < path->holds + 2 * n->under);
 }
@@ -5689,7 +5694,7 @@ static kern_place kern_narrow_next(const kern_path *path, const kern_narrow *n)
         || n->aside + n->under > path->tolerance * KERN_WIDEST)
         return KERN_NOWHERE;
     if (above && below)
-        return path->inner || (n->basis && kern_basis_reaches(path->part, lo, r))
+        return path->ipm || (n->basis && kern_basis_reaches(path->part, lo, r))
                ? KERN_NOWHERE : KERN_AT_EDGE;
     if (above)
         return KERN_BEFORE;
@@ -5787,7 +5792,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
                 && !(n.holds > path->start)))
             return status;
         n.basis = status == KERN_STANDS && path->kind == KERN_PATH_SHRINK
-                  && !path->inner;
+                  && !path->ipm;
         if (kern_narrow_by(path, &n, place, status))
             break;
     }
@@ -5830,8 +5835,8 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Point c about the first point of its pair as what carries, the unit of torques
-   being the mean size; adds what its force exerts to b. */
+/* Point c about the first point of its pair as what carries, the unit of
+   torques being the mean size; adds what its force exerts to b. */
 static void kern_walk_row(const kern_model *m, const kern_contact *first,
                           const kern_contact *c, kern_real place,
                           const kern_force *force, kern_support *to,
@@ -5864,7 +5869,7 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
     for (k = i; k < j; k++)
         kern_walk_row(m, c, m->s->contact + k, place, m->answer.force + k,
                       row + (k - i), none);
-    return kern_pour_solve(row, j - i, b, KERN_POUR_TOL * kern_largest(b, 3), u)
+    return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3), u)
            == KERN_STANDS;
 }
 
@@ -5888,8 +5893,8 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
 }
 
 /* Goes from a place that stands toward the end, until it falls; then finds the
-   edge. Steps grow. Even ones, where verdicts may change more than once, are left
-   out where forces found farther on hold it too. */
+   edge. Steps grow. Even ones, where verdicts may change more than once, are
+   left out where forces found farther on hold it too. */
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step, int even)
 {
@@ -5932,21 +5937,21 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* Whether what is known bounds the edge: its motion proves that it falls where it
-   did, close beyond where it stood. */
-static int kern_seed_falls(kern_model *m, kern_path *path)
+/* Whether what is known bounds the edge: its motion proves that it falls where
+   it did, close beyond where it stood. */
+static int kern_start_falls(kern_model *m, kern_path *path)
 {
-    const kern_known *seed = path->seed;
-    const kern_query q = kern_path_at(path, seed->fails);
+    const kern_known *warm = path->warm;
+    const kern_query q = kern_path_at(path, warm->fails);
     int i;
-    if (seed->fails - seed->holds > 2 * path->tolerance
-        || !kern_model_proven(m, kern_prove_motion(m->s, &q, seed->motion)))
+    if (warm->fails - warm->holds > 2 * path->tolerance
+        || !kern_model_proven(m, kern_prove_motion(m->s, &q, warm->motion)))
         return 0;
     for (i = 0; i < m->s->blocks; i++)
-        m->answer.motion[i] = seed->motion[i];
-    kern_path_note(m, path, KERN_FALLS, seed->fails);
-    path->fails = seed->fails;
-    path->edge = seed->margin;
+        m->answer.motion[i] = warm->motion[i];
+    kern_path_note(m, path, KERN_FALLS, warm->fails);
+    path->fails = warm->fails;
+    path->edge = warm->margin;
     return 1;
 }
 
@@ -5966,8 +5971,9 @@ static int kern_moves(const kern_model *m, int i)
    the whole falls: three equations tell. The edge of most structures is that of
    a body. */
 
-/* The rows of what holds body g, about its block's centre; returns how many there
-   are. If they are of one block it belongs to the body of that: m->carrier. */
+/* The rows of what holds body g, about its block's centre; returns how many
+   there are. If they are of one block it belongs to the body of that:
+   m->carrier. */
 static int kern_body_rows(kern_model *m, int g, kern_real s,
                           kern_support row[KERN_ROWS_MOST])
 {
@@ -6003,7 +6009,7 @@ static kern_real kern_body_power(kern_model *m, int g, kern_real s,
     const int n = kern_body_rows(m, g, s, row);
     int k;
     if (n == 0 || n > KERN_ROWS_MOST
-        || kern_pour_solve(row, n, b, KERN_POUR_TOL * kern_largest(b, 3), u)
+        || kern_pass_solve(row, n, b, KERN_PASS_TOL * kern_largest(b, 3), u)
            != KERN_FALLS)
         return KERN_R(0);
     for (k = 0; k < n; k++) {
@@ -6015,8 +6021,8 @@ static kern_real kern_body_power(kern_model *m, int g, kern_real s,
     return kern_min(kern_three(b, u), KERN_R(0));
 }
 
-/* Where body g, which falls at `fails`, stops to, by secants: to 4 EPS of the path;
-   at most `start` where it falls there, `fails` where that is not found. */
+/* Where body g, which falls at `fails`, stops to, by secants: to 4 EPS of the
+   path; at most `start` where it falls there, `fails` where that is not found. */
 static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
                                 kern_real power, kern_real fails)
 {
@@ -6042,8 +6048,8 @@ static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
     return none;
 }
 
-/* The motion u of body g, of all that belongs to it; the fastest block has speed
-   1. */
+/* The motion u of body g, of all that belongs to it; the fastest block has
+   speed 1. */
 static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 {
     const kern_real spin = u[2] * m->unit[body];
@@ -6070,8 +6076,8 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
         }
 }
 
-/* The first body that falls nearer than `first` becomes the path's seed. Returns
-   that place, or the start where one falls there. */
+/* The first body that falls nearer than `first` becomes the path's warm start.
+   Returns that place, or the start where one falls there. */
 static kern_real kern_body_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -6098,7 +6104,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
                 path->body.margin = edge;
                 path->body.fails = best;
                 path->body.motion = m->answer.motion;
-                path->seed = &path->body;
+                path->warm = &path->body;
                 kern_body_moves(m, g, u);
             }
         }
@@ -6119,15 +6125,15 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
 /* ---- the search: which method is asked when ---- */
 
 /* The edge of the whole by its linear program, which is asked at `at`, where
-   pouring came to no end: where it stands there, and something is known to fall
-   just beyond, that is the edge. Else, or from the start on, it climbs. */
+   the pass came to no end: where it stands there, and something is known to
+   fall just beyond, that is the edge. Else, or from the start on, it climbs. */
 static kern_status kern_path_simplex(kern_model *m, kern_path *path,
                                      kern_real at, kern_real step)
 {
     const kern_real fell = path->fell, edge = path->edge;
     kern_status status;
     if (!(path->stood >= path->holds))
-        path->holds = path->start; /* what was poured there was no proof */
+        path->holds = path->start; /* the pass gave no proof there */
     status = at <= path->start && path->stood >= at
              ? KERN_STANDS : kern_path_evaluate(m, path, at);
     if (status == KERN_FALLS)
@@ -6167,21 +6173,21 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return path->edge < path->end ? kern_path_edge(m, path) : KERN_UNDECIDED;
 }
 
-/* The edge of the whole beyond path->holds: of many groups by the interior point,
-   of few, or where that finds none, by their linear program, at first at `at`;
-   from the start on where that is not decided. */
-static kern_status kern_path_plain(kern_model *m, kern_path *path,
+/* The edge of the whole beyond path->holds: of many groups by the interior
+   point, of few, or where that finds none, by their linear program, at first at
+   `at`; from the start on where that is not decided. */
+static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real at, kern_real step)
 {
     const kern_real edge = path->edge;
     const kern_query q = kern_path_at(path, path->holds);
     kern_status status = KERN_UNDECIDED;
-    if (!m->plain && (m->graph.groups > KERN_SMALL
+    if (!m->whole && (m->graph.groups > KERN_SMALL
                       || m->budget.work->reals < KERN_REALS(m->s->blocks,
                                                      m->s->contacts)))
-        status = kern_inner_search(m, path);
-    if (status == KERN_UNDECIDED && !m->plain) {
-        status = kern_model_plain(m, path->part, &q);
+        status = kern_ipm_search(m, path);
+    if (status == KERN_UNDECIDED && !m->whole) {
+        status = kern_model_whole(m, path->part, &q);
         if (status == KERN_OK)
             status = KERN_UNDECIDED;
         path->edge = edge; /* that of the interior point may not be exact */
@@ -6198,13 +6204,13 @@ static kern_status kern_path_plain(kern_model *m, kern_path *path,
     return status;
 }
 
-/* What is poured at s, and the motion of what falls: KERN_UNDECIDED where it
-   shows neither. */
-static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
+/* What the pass finds at s, and the motion of what falls: KERN_UNDECIDED where
+   it shows neither. */
+static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s,
                                   int proven)
 {
     const kern_query q = kern_path_at(path, s);
-    kern_status status = kern_model_pour(m, path->part, &q, proven);
+    kern_status status = kern_model_pass(m, path->part, &q, proven);
     if (status == KERN_STANDS) {
         if (proven)
             kern_path_note(m, path, status, s);
@@ -6222,25 +6228,25 @@ static kern_status kern_path_pour(kern_model *m, kern_path *path, kern_real s,
     return status == KERN_FALLS ? status : KERN_UNDECIDED;
 }
 
-/* Where a search begins: below the edge of what is known of a structure like it, or
-   of a body, or a step from the start. In *fell whether it is known to fall just
-   beyond. */
+/* Where a search begins: below the edge of what is known of a structure like
+   it, or of a body, or a step from the start. In *fell whether it is known to
+   fall just beyond. */
 static kern_real kern_path_first(kern_model *m, kern_path *path, kern_real step,
                                  int *fell)
 {
     const kern_real start = path->start;
     kern_real at = start + step;
-    const kern_known *seed;
-    if (!path->seed)
+    const kern_known *warm;
+    if (!path->warm)
         at = kern_body_first(m, path, at);
-    seed = path->seed;
+    warm = path->warm;
     *fell = 0;
-    if (!seed || !(seed->fails > start && seed->fails <= path->end
-                   && seed->holds <= seed->margin
-                   && seed->margin <= seed->fails))
+    if (!warm || !(warm->fails > start && warm->fails <= path->end
+                   && warm->holds <= warm->margin
+                   && warm->margin <= warm->fails))
         return kern_min(at, path->end);
-    *fell = kern_seed_falls(m, path);
-    return kern_max(start, seed->holds);
+    *fell = kern_start_falls(m, path);
+    return kern_max(start, warm->holds);
 }
 
 /* A step on; where little is left, the end. */
@@ -6251,11 +6257,10 @@ static kern_real kern_path_farther(const kern_path *path, kern_real at,
     return at > path->end * KERN_R(0.95) ? path->end : at;
 }
 
-/* The first edge of a path on which the verdict changes but once. What falls
-   at some place is a part, most often a small one, and no edge of the whole
-   lies beyond that of a part, all else held. So the path is poured at the edge
-   of the part that fell last, until nothing falls there, or pouring comes to no
-   end. */
+/* The first edge of a path on which the verdict changes but once. What falls at
+   some place is a part, most often a small one, and no edge of the whole lies
+   beyond that of a part, all else held. So the pass runs at the edge of the
+   part that fell last, until nothing falls there, or the pass comes to no end. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -6263,13 +6268,13 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_real holds = start, at, edge;
     kern_status status = KERN_STANDS;
     int round, fell;
-    if (m->plain || path->kind != KERN_PATH_SHRINK)
-        return kern_path_plain(m, path, start, step);
+    if (m->whole || path->kind != KERN_PATH_SHRINK)
+        return kern_path_whole(m, path, start, step);
     at = kern_path_first(m, path, first, &fell);
     edge = path->edge;
     for (round = 0; round < KERN_EDGE_ROUNDS && status == KERN_STANDS; round++) {
         path->holds = holds;
-        status = kern_path_pour(m, path, at, fell || at >= path->end);
+        status = kern_path_pass(m, path, at, fell || at >= path->end);
         if (status == KERN_STANDS && fell)
             return status;
         if (status == KERN_STANDS && at >= path->end)
@@ -6291,18 +6296,19 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     path->holds = holds;
     path->edge = edge;
     return status < KERN_UNDECIDED ? status
-                                   : kern_path_plain(m, path, at, step);
+                                   : kern_path_whole(m, path, at, step);
 }
 
-/* ---- Interior point -------------------------------------------- >>inner */
+/* ---- Interior point ---------------------------------------------- >>ipm */
 /* All groups at once, in some twenty factorisations: the farthest place s on a
    path up to which forces exist,
 
        max s,  A(s) x = b(s),  x >= 0,  s <= most.
 
    Held at a place, A and b are those of that place, and s is how much of what
-   the first forces miss there is made up: it stands if s gets there. Free, A and
-   b change with s. With g the derivative of A x - b in s, the maximum is where
+   the first forces miss there is made up: it stands if s gets there. Free, A
+   and b change with s. With g the derivative of A x - b in s, the maximum is
+   where
 
        A x = b,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
 
@@ -6316,22 +6322,22 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
    has to take into account. */
 
 #ifndef KERN_NO_INTERIOR
-#define KERN_INNER_ROUNDS  100     /* steps of a question                     */
-#define KERN_INNER_STEPS   400     /* of a search                             */
-#define KERN_INNER_STALLED 8       /* that shorten the gap by less than .1    */
-#define KERN_INNER_WIDE    256     /* groups of what may have a wide bracket  */
-#define KERN_INNER_SHARE   KERN_R(0.9995) /* of the way to x, z = 0 in a step */
-#define KERN_INNER_APART   KERN_R(0.03)   /* least x z, in means              */
-#define KERN_INNER_LOST    KERN_R(1e6)    /* gap that leaves no digits        */
-#define KERN_INNER_SHARP   KERN_R(1e-4)   /* gap, in what s lacks of the place,
+#define KERN_IPM_ROUNDS  100       /* steps of a question                     */
+#define KERN_IPM_STEPS   400       /* of a search                             */
+#define KERN_IPM_STALLED 8         /* that shorten the gap by less than .1    */
+#define KERN_IPM_WIDE    256       /* groups of what may have a wide bracket  */
+#define KERN_IPM_SHARE   KERN_R(0.9995)   /* of the way to x, z = 0 in a step */
+#define KERN_IPM_APART   KERN_R(0.03)     /* least x z, in means              */
+#define KERN_IPM_LOST    KERN_R(1e6)      /* gap that leaves no digits        */
+#define KERN_IPM_SHARP   KERN_R(1e-4)   /* gap, in what s lacks of the place,
                                              at which y predicts an edge      */
-#define KERN_INNER_LIFT    KERN_PICK(1e-7, 1e-3) /* least gap to begin from   */
+#define KERN_IPM_LIFT    KERN_PICK(1e-7, 1e-3)   /* least gap to begin from   */
 /* On the diagonal of M, in means: to begin with, where D is 1; where M is
    singular, as in a chain of closed kerns. */
-#define KERN_INNER_SOFT    KERN_PICK(1e-7, 1e-4)
-#define KERN_INNER_SHIFT   KERN_PICK(1e-13, 1e-6)
+#define KERN_IPM_SOFT    KERN_PICK(1e-7, 1e-4)
+#define KERN_IPM_SHIFT   KERN_PICK(1e-13, 1e-6)
 
-typedef struct kern_inner {
+typedef struct kern_ipm {
     kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
     const kern_path *path;
     int held;                 /* nonzero: A, b and g stay                     */
@@ -6347,10 +6353,10 @@ typedef struct kern_inner {
     kern_real *over;          /* of a row: A x - b, at s                      */
     kern_real *g;             /* of a row                                     */
     kern_real *gain;          /* of a row: M^-1 g                             */
-} kern_inner;
+} kern_ipm;
 
 /* out := A'v, two rays a contact */
-static void kern_inner_ways(const kern_part *p, const kern_real *v,
+static void kern_ipm_ways(const kern_part *p, const kern_real *v,
                             kern_real *out)
 {
     int k;
@@ -6364,7 +6370,7 @@ static void kern_inner_ways(const kern_part *p, const kern_real *v,
 }
 
 /* out += A x */
-static void kern_inner_carry(const kern_part *p, const kern_real *x,
+static void kern_ipm_carry(const kern_part *p, const kern_real *x,
                              kern_real *out)
 {
     int k;
@@ -6375,7 +6381,7 @@ static void kern_inner_carry(const kern_part *p, const kern_real *x,
 
 /* out += share times what the shrinking of kerns makes of forces x: a point
    moves along t, and t x (f n + r t) = -f */
-static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
+static void kern_ipm_shrink(const kern_ipm *in, const kern_real *x,
                               kern_real share, kern_real *out)
 {
     const kern_part *p = in->p;
@@ -6393,7 +6399,7 @@ static void kern_inner_shrink(const kern_inner *in, const kern_real *x,
 }
 
 /* A, b and g at a place of the path. */
-static void kern_inner_place(kern_inner *in, kern_real place)
+static void kern_ipm_place(kern_ipm *in, kern_real place)
 {
     const kern_query q = kern_path_at(in->path, place);
     const int shrinks = in->path->kind == KERN_PATH_SHRINK;
@@ -6412,28 +6418,28 @@ static void kern_inner_place(kern_inner *in, kern_real place)
     if (!shrinks)
         return;
     kern_model_arms(m, &q);
-    kern_inner_shrink(in, p->x, KERN_R(1), in->g);
+    kern_ipm_shrink(in, p->x, KERN_R(1), in->g);
 }
 
 /* A x - b at s, and the gap */
-static void kern_inner_over(kern_inner *in)
+static void kern_ipm_over(kern_ipm *in)
 {
     const kern_part *p = in->p;
     int i;
     for (i = 0; i < 3 * p->groups; i++)
         in->over[i] = (in->s - in->at) * in->g[i] - p->eq.rhs[i];
-    kern_inner_carry(p, p->x, in->over);
+    kern_ipm_carry(p, p->x, in->over);
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
 /* Factors M for in->d, with a share of its mean diagonal more on that. */
-static void kern_inner_factor(kern_inner *in, kern_real shift)
+static void kern_ipm_factor(kern_ipm *in, kern_real shift)
 {
     kern_part *p = in->p;
     int k;
     kern_skyline_clear(&p->dual.matrix);
     for (k = 0; k < p->contacts; k++) {
-        const kern_spring s = kern_spring_rays(
+        const kern_law s = kern_law_rays(
             in->d[2 * k], in->d[2 * k + 1],
             kern_model_mu(p->m, p->contact[k]));
         kern_part_add(p, k, &s);
@@ -6445,7 +6451,7 @@ static void kern_inner_factor(kern_inner *in, kern_real shift)
 }
 
 /* How much of a step keeps v above 0; at most all of it. */
-static kern_real kern_inner_share(const kern_real *v, const kern_real *step,
+static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
                                   int n)
 {
     kern_real share = KERN_R(1);
@@ -6457,7 +6463,7 @@ static kern_real kern_inner_share(const kern_real *v, const kern_real *step,
 }
 
 /* Lifts products x z that are near to 0 to the mean of a gap. */
-static void kern_inner_centre(kern_inner *in, kern_real gap)
+static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 {
     const int rays = 2 * in->p->contacts;
     const kern_real mean = gap / KERN_R(rays);
@@ -6470,13 +6476,13 @@ static void kern_inner_centre(kern_inner *in, kern_real gap)
             else
                 x[i] = mean / z[i];
         }
-    kern_inner_over(in);
+    kern_ipm_over(in);
 }
 
-/* One solution of Newton's equations: dx, which has x~ - x without what dy makes
-   of it, dy = dual.step and dz; returns ds. Where kerns shrink A is not linear
-   in s, which goes half the way at the most, and little below the start. */
-static kern_real kern_inner_solve(kern_inner *in)
+/* One solution of Newton's equations: dx, which has x~ - x without what dy
+   makes of it, dy = dual.step and dz; returns ds. Where kerns shrink A is not
+   linear in s, which goes half the way at the most, and little below the start. */
+static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
     const kern_real *way = p->dual.way;
@@ -6485,7 +6491,7 @@ static kern_real kern_inner_solve(kern_inner *in)
     int i;
     for (i = 0; i < n; i++)
         p->dual.left[i] += in->over[i];
-    kern_inner_carry(p, in->dx, p->dual.left);
+    kern_ipm_carry(p, in->dx, p->dual.left);
     kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
     ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
          / kern_dot(in->g, in->gain, n);
@@ -6498,7 +6504,7 @@ static kern_real kern_inner_solve(kern_inner *in)
                           - in->s);
     for (i = 0; i < n; i++)
         p->dual.step[i] += ds * in->gain[i];
-    kern_inner_ways(p, p->dual.step, turn);
+    kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++) {
         in->dx[i] -= in->d[i] * turn[i];
         in->dz[i] = way[i] + turn[i] - in->z[i];
@@ -6507,20 +6513,20 @@ static kern_real kern_inner_solve(kern_inner *in)
 }
 
 /* The predictor: leaves in dx and dual.left what the corrector begins with. */
-static void kern_inner_predict(kern_inner *in)
+static void kern_ipm_predict(kern_ipm *in)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x, of_z, ds, left = KERN_R(0), mu;
     int i;
-    kern_inner_ways(p, p->y, p->dual.way);
+    kern_ipm_ways(p, p->y, p->dual.way);
     for (i = 0; i < n; i++)
         p->dual.left[i] = KERN_R(0);
     for (i = 0; i < rays; i++)
         in->dx[i] = -in->d[i] * p->dual.way[i];
-    ds = kern_inner_solve(in);
-    of_x = kern_inner_share(p->x, in->dx, rays);
-    of_z = kern_inner_share(in->z, in->dz, rays);
+    ds = kern_ipm_solve(in);
+    of_x = kern_ipm_share(p->x, in->dx, rays);
+    of_z = kern_ipm_share(in->z, in->dz, rays);
     for (i = 0; i < rays; i++)
         left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
     left = in->s < in->most ? kern_max(left / in->gap, 1 - of_x)
@@ -6530,7 +6536,7 @@ static void kern_inner_predict(kern_inner *in)
     for (i = 0; i < n; i++)
         p->dual.left[i] = KERN_R(0);
     if (!in->held && in->path->kind == KERN_PATH_SHRINK)
-        kern_inner_shrink(in, in->dx, of_x * of_x * ds, p->dual.left);
+        kern_ipm_shrink(in, in->dx, of_x * of_x * ds, p->dual.left);
     for (i = 0; i < rays; i++)
         in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
                     - in->d[i] * p->dual.way[i];
@@ -6538,28 +6544,28 @@ static void kern_inner_predict(kern_inner *in)
 
 /* One step of the method; 0 if the call has no more work for it, or the digits
    do not reach for one. */
-static int kern_inner_step(kern_inner *in)
+static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x, of_z, ds;
     int i;
-    if (!(in->gap <= KERN_INNER_LOST) || in->steps++ == KERN_INNER_STEPS
+    if (!(in->gap <= KERN_IPM_LOST) || in->steps++ == KERN_IPM_STEPS
         || !kern_model_spend(p->m, 1 + p->dual.cost / 450))
         return 0;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i] / in->z[i];
-    kern_inner_factor(in, KERN_R(0));
+    kern_ipm_factor(in, KERN_R(0));
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
-        kern_inner_factor(in, KERN_INNER_SHIFT);
+        kern_ipm_factor(in, KERN_IPM_SHIFT);
         kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     }
-    kern_inner_predict(in);
-    ds = kern_inner_solve(in);
-    of_x = KERN_INNER_SHARE * kern_inner_share(p->x, in->dx, rays);
-    of_z = KERN_INNER_SHARE * kern_inner_share(in->z, in->dz, rays);
-    if (in->s + ds >= in->most && of_x >= KERN_INNER_SHARE)
+    kern_ipm_predict(in);
+    ds = kern_ipm_solve(in);
+    of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
+    of_z = KERN_IPM_SHARE * kern_ipm_share(in->z, in->dz, rays);
+    if (in->s + ds >= in->most && of_x >= KERN_IPM_SHARE)
         of_x = KERN_R(1);
     in->s += of_x * ds;
     for (i = 0; i < rays; i++) {
@@ -6569,16 +6575,16 @@ static int kern_inner_step(kern_inner *in)
     for (i = 0; i < n; i++)
         p->y[i] += of_z * p->dual.step[i];
     if (!in->held)
-        kern_inner_place(in, in->s);
-    kern_inner_over(in);
-    kern_inner_centre(in, KERN_INNER_APART * in->gap);
-    KERN_AUDIT(inner, in);
+        kern_ipm_place(in, in->s);
+    kern_ipm_over(in);
+    kern_ipm_centre(in, KERN_IPM_APART * in->gap);
+    KERN_AUDIT(ipm, in);
     return in->gap < KERN_HUGE;
 }
 
 /* Takes A x - b from the forces, of each as a share of what it is: so M is far
    from singular where D = x / z has entries of all sizes. */
-static void kern_inner_balance(kern_inner *in)
+static void kern_ipm_balance(kern_ipm *in)
 {
     kern_part *p = in->p;
     const int rays = 2 * p->contacts;
@@ -6586,19 +6592,19 @@ static void kern_inner_balance(kern_inner *in)
     int i, round;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i];
-    kern_inner_factor(in, KERN_R(0));
+    kern_ipm_factor(in, KERN_R(0));
     for (round = 0; round < 3; round++) {
         kern_skyline_solve(&p->dual.matrix, in->over, p->dual.step);
-        kern_inner_ways(p, p->dual.step, turn);
+        kern_ipm_ways(p, p->dual.step, turn);
         for (i = 0; i < rays; i++)
             p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
-        kern_inner_over(in);
+        kern_ipm_over(in);
     }
 }
 
 /* v += what lifts its least entry to half of what it is below 0, and a little
    of the largest */
-static void kern_inner_lift(kern_real *v, int n)
+static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = KERN_R(0);
     int i;
@@ -6609,10 +6615,10 @@ static void kern_inner_lift(kern_real *v, int n)
         v[i] += lift;
 }
 
-/* Begins at a place, held or free: with least forces of both signs, and least
-   motions, lifted above 0 (Mehrotra). Held, g is what these forces miss. Returns
-   0 where nothing depends on s. */
-static int kern_inner_begin(kern_inner *in, kern_real place, int held)
+/* Begins at a place, held or free: with minimum-norm forces of both signs, and
+   such motions, lifted above 0 (Mehrotra). Held, g is what these forces miss.
+   Returns 0 where nothing depends on s. */
+static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
@@ -6625,13 +6631,13 @@ static int kern_inner_begin(kern_inner *in, kern_real place, int held)
         p->x[i] = in->z[i] = KERN_R(0);
         in->d[i] = KERN_R(1);
     }
-    kern_inner_place(in, place);
-    kern_inner_factor(in, KERN_INNER_SOFT);
+    kern_ipm_place(in, place);
+    kern_ipm_factor(in, KERN_IPM_SOFT);
     kern_skyline_solve(&p->dual.matrix, p->eq.rhs, p->y);
-    kern_inner_ways(p, p->y, p->x);
-    kern_inner_lift(p->x, rays);
-    kern_inner_place(in, place);
-    kern_inner_over(in);
+    kern_ipm_ways(p, p->y, p->x);
+    kern_ipm_lift(p->x, rays);
+    kern_ipm_place(in, place);
+    kern_ipm_over(in);
     if (held) {
         for (i = 0; i < n; i++)
             in->g[i] = in->over[i];
@@ -6643,8 +6649,8 @@ static int kern_inner_begin(kern_inner *in, kern_real place, int held)
         return 0;
     for (i = 0; i < n; i++)
         p->y[i] = in->gain[i] / power;
-    kern_inner_ways(p, p->y, in->z);
-    kern_inner_lift(in->z, rays);
+    kern_ipm_ways(p, p->y, in->z);
+    kern_ipm_lift(in->z, rays);
     in->gap = kern_dot(p->x, in->z, rays);
     for (i = 0; i < rays; i++) {
         x += p->x[i];
@@ -6654,21 +6660,21 @@ static int kern_inner_begin(kern_inner *in, kern_real place, int held)
         p->x[i] += in->gap / z / 2;
         in->z[i] += in->gap / x / 2;
     }
-    kern_inner_over(in);
+    kern_ipm_over(in);
     return 1;
 }
 
 /* Opens all groups for questions about a path; 0 if there is no room. */
-static int kern_inner_open(kern_inner *in, kern_model *m,
+static int kern_ipm_open(kern_ipm *in, kern_model *m,
                            const kern_path *path)
 {
     const kern_query q = kern_path_at(path, path->holds);
     kern_part *p = path->part;
     int rays, n, i;
-    if (m->plain)
+    if (m->whole)
         kern_model_group(m, &q);
     kern_model_set(m, &q);
-    if (!kern_least_open(p, m) || p->contacts == 0)
+    if (!kern_norm_open(p, m) || p->contacts == 0)
         return 0;
     rays = 2 * p->contacts;
     n = 3 * p->groups;
@@ -6697,13 +6703,13 @@ static int kern_inner_open(kern_inner *in, kern_model *m,
 
 /* What is proven at the place where the path is held: by forces where s is
    there, by a motion, or what was before. */
-static kern_status kern_inner_prove(kern_inner *in, kern_status before)
+static kern_status kern_ipm_prove(kern_ipm *in, kern_status before)
 {
     kern_part *p = in->p;
     kern_model *m = p->m;
     const kern_query q = kern_path_at(in->path, in->at);
     if (in->s >= in->most) {
-        kern_inner_balance(in);
+        kern_ipm_balance(in);
         kern_part_forces(p);
         if (kern_model_proven(m, kern_prove_forces(m->s, &q, m->answer.force,
                                                    m->answer.sum)))
@@ -6717,24 +6723,25 @@ static kern_status kern_inner_prove(kern_inner *in, kern_status before)
            ? KERN_FALLS : before;
 }
 
-/* Steps until the path's end, as far as the gap and A x - b tell it, or where it
-   is held until a proof, which is sharp enough for Newton's method if `sharp`. */
-static kern_status kern_inner_run(kern_inner *in, int sharp)
+/* Steps until the path's end, as far as the gap and A x - b tell it, or where
+   it is held until a proof, which is sharp enough for Newton's method if
+   `sharp`. */
+static kern_status kern_ipm_run(kern_ipm *in, int sharp)
 {
     kern_status status = KERN_UNDECIDED;
     const int n = 3 * in->p->groups;
     int round, stalled = 0;
-    for (round = 0; round < KERN_INNER_ROUNDS
-                    && stalled < KERN_INNER_STALLED; round++) {
+    for (round = 0; round < KERN_IPM_ROUNDS
+                    && stalled < KERN_IPM_STALLED; round++) {
         const kern_real before = in->gap;
-        if (!kern_inner_step(in))
+        if (!kern_ipm_step(in))
             return status;
         if (in->held) {
-            status = kern_inner_prove(in, status);
+            status = kern_ipm_prove(in, status);
             if (status == KERN_STANDS
                 || (status == KERN_FALLS
                     && (!sharp || in->gap <= kern_max(
-                            in->least, KERN_INNER_SHARP * (in->at - in->s)))))
+                            in->least, KERN_IPM_SHARP * (in->at - in->s)))))
                 return status;
         } else if (in->s >= in->most
                    || (in->gap <= in->least && kern_largest(in->over, n)
@@ -6747,7 +6754,7 @@ static kern_status kern_inner_run(kern_inner *in, int sharp)
 
 /* The verdict at a place: from what was found before, and where that leads to
    none, from the beginning. */
-static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
+static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
                                        kern_real *edge)
 {
     const kern_query q = kern_path_at(in->path, place);
@@ -6755,29 +6762,29 @@ static kern_status kern_inner_evaluate(kern_inner *in, kern_real place,
     in->p->m->budget.work->solves++;
     in->least = edge && in->p->groups > KERN_SMALL /* else exact */
                 ? in->path->tolerance / 64 : KERN_R(0);
-    if (in->gap <= KERN_INNER_LOST) {
+    if (in->gap <= KERN_IPM_LOST) {
         const kern_real away = kern_abs(place - in->s) / in->path->unit;
         in->held = 1;
         in->most = place;
-        kern_inner_place(in, place);
+        kern_ipm_place(in, place);
         in->s = kern_min(in->s, place);
-        kern_inner_over(in);
-        kern_inner_centre(in, kern_max(in->gap,
-                                       kern_max(away, KERN_INNER_LIFT)));
-        status = kern_inner_run(in, edge != NULL);
+        kern_ipm_over(in);
+        kern_ipm_centre(in, kern_max(in->gap,
+                                       kern_max(away, KERN_IPM_LIFT)));
+        status = kern_ipm_run(in, edge != NULL);
     }
-    if (status == KERN_UNDECIDED && in->steps <= KERN_INNER_STEPS
-        && kern_inner_begin(in, place, 1))
-        status = kern_inner_run(in, edge != NULL);
+    if (status == KERN_UNDECIDED && in->steps <= KERN_IPM_STEPS
+        && kern_ipm_begin(in, place, 1))
+        status = kern_ipm_run(in, edge != NULL);
     if (status == KERN_FALLS && edge)
         *edge = kern_path_newton(in->path, &q, place);
     return status;
 }
 
-/* An interior point moves all that can fall, and a little of what rests. Puts in
-   its place the motion of a small part, the blocks that move fastest, all others
-   held; KERN_UNDECIDED where none of them falls. */
-static kern_status kern_inner_clean(kern_model *m, kern_part *p,
+/* An interior point moves all that can fall, and a little of what rests. Puts
+   in its place the motion of a small part, the blocks that move fastest, all
+   others held; KERN_UNDECIDED where none of them falls. */
+static kern_status kern_ipm_clean(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
     const kern_motion *v = m->answer.motion;
@@ -6804,11 +6811,11 @@ static kern_status kern_inner_clean(kern_model *m, kern_part *p,
 }
 
 /* The verdict on all groups for a query. */
-static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
+static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                       const kern_query *q)
 {
     kern_path path;
-    kern_inner in;
+    kern_ipm in;
     kern_status status = KERN_UNDECIDED;
     int clean;
     path.kind = KERN_PATH_SHRINK;
@@ -6817,11 +6824,11 @@ static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
     path.unit = m->relative ? KERN_R(1) : m->mean;
     path.holds = path.end = q->shrink;
     for (clean = 1; clean >= 0; clean--) { /* what is not clean found again */
-        status = kern_inner_open(&in, m, &path)
-                 ? kern_inner_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
+        status = kern_ipm_open(&in, m, &path)
+                 ? kern_ipm_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
         p->found = status;
         if (status != KERN_FALLS
-            || (clean && kern_inner_clean(m, p, q) == KERN_FALLS))
+            || (clean && kern_ipm_clean(m, p, q) == KERN_FALLS))
             break;
     }
     return status;
@@ -6829,12 +6836,12 @@ static kern_status kern_inner_verdict(kern_model *m, kern_part *p,
 
 /* Follows the path from path->holds. Returns the first place where the whole
    falls, at most its end; infinity where it cannot be followed. */
-static kern_real kern_inner_follow(kern_inner *in)
+static kern_real kern_ipm_follow(kern_ipm *in)
 {
     in->p->m->budget.work->solves++;
     in->least = in->path->tolerance / 8;
-    if (kern_inner_begin(in, in->path->holds, 0)
-        && kern_inner_run(in, 0) == KERN_STANDS)
+    if (kern_ipm_begin(in, in->path->holds, 0)
+        && kern_ipm_run(in, 0) == KERN_STANDS)
         return in->s;
     in->gap = KERN_INFINITY; /* nothing to go on from */
     return KERN_INFINITY;
@@ -6843,18 +6850,18 @@ static kern_real kern_inner_follow(kern_inner *in)
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
    where it is not found. The bracket of a large structure may be wide: the
    simplex method takes too long. */
-static kern_status kern_inner_search(kern_model *m, kern_path *path)
+static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 {
     const kern_real aside = path->tolerance * KERN_R(0.45);
-    const kern_real wide = m->graph.groups > KERN_INNER_WIDE
+    const kern_real wide = m->graph.groups > KERN_IPM_WIDE
                            ? path->tolerance * KERN_WIDEST : path->tolerance;
-    kern_inner in;
+    kern_ipm in;
     kern_status status = KERN_STANDS;
-    if (m->narrow > 0 || !kern_inner_open(&in, m, path))
+    if (m->narrow > 0 || !kern_ipm_open(&in, m, path))
         return KERN_UNDECIDED;
-    path->inner = &in;
+    path->ipm = &in;
     path->fails = path->end;
-    path->edge = kern_inner_follow(&in);
+    path->edge = kern_ipm_follow(&in);
     if (!(path->edge < KERN_INFINITY))
         status = kern_path_evaluate(m, path, path->holds);
     if (status == KERN_STANDS)
@@ -6869,7 +6876,7 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
         if (path->fell > path->fails || path->fails - path->holds > wide)
             status = KERN_UNDECIDED;
     }
-    path->inner = NULL;
+    path->ipm = NULL;
     if (path->fell <= path->start)
         return KERN_FALLS;
     return status == KERN_STANDS && path->stood >= path->holds
@@ -6879,13 +6886,13 @@ static kern_status kern_inner_search(kern_model *m, kern_path *path)
 
 /* ---- Raised ----------------------------------------------------- >>raised */
 /* Forces that a load puts on unstressed contacts of some stiffness. They are
-   looked for as least forces of stiff contacts (>>least), a program with a
-   solution wherever forces exist, but with the associated flow rule of limit
-   analysis, by which what slides parts: f = k (approach + mu slip). A
-   price mu slip on each contact takes that away (the fixed point of Acary,
-   Cadoux, Lemarechal and Malick). Prices need not be exact: where every loaded
-   contact approaches, the forces and the displacement are a proof, for contacts
-   of other stiffnesses. From one round to the next prices are extrapolated
+   looked for as minimum-norm forces of stiff contacts (>>norm), a program with
+   a solution wherever forces exist, but with the associated flow rule of limit
+   analysis, by which what slides parts: f = k (approach + mu slip). A price mu
+   slip on each contact takes that away (the fixed point of Acary, Cadoux,
+   Lemarechal and Malick). Prices need not be exact: where every loaded contact
+   approaches, the forces and the displacement are a proof, for contacts of
+   other stiffnesses. From one round to the next prices are extrapolated
    (Anderson's method with one difference): where contacts neither open nor
    begin to slide any more, the map from prices to prices is linear. */
 
@@ -6996,7 +7003,7 @@ static int kern_raise_open(kern_raise *r)
 {
     kern_part *p = r->p;
     int i;
-    if (!kern_least_open(p, r->m))
+    if (!kern_norm_open(p, r->m))
         return 0;
     r->price = kern_take_reals(&p->rest, p->contacts);
     r->last = kern_take_reals(&p->rest, 2 * p->contacts);
@@ -7040,7 +7047,7 @@ static int kern_raise_price(kern_raise *r, int keep)
     kern_model *m = r->m;
     kern_real back, slid = KERN_R(0), most = KERN_R(0);
     int k, pressed = 1;
-    kern_least_write(p);
+    kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         kern_real *w = p->dual.way + 4 * (size_t)k;
@@ -7094,8 +7101,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     r->rounds = 0;
     while (r->rounds < rounds) {
         const int first = cold && r->rounds == 0;
-        const kern_status found = kern_least_find(
-            r->p, r->tolerance, 4 * KERN_LEAST_MOST, !first,
+        const kern_status found = kern_norm_find(
+            r->p, r->tolerance, 4 * KERN_NORM_MOST, !first,
             KERN_RAISE_STEPS + (first ? 10 : 1));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
@@ -7445,13 +7452,13 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    and from 0.1 to 0.2 predicts them as well. */
 #define KERN_NEAR_GAP   KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Measured structures, in errors of place and of angle: 3.4 standard deviations,
-   which 99.9 % of the gaps of stones that touch stay below, so that of 30
-   contacts which carry none is missed in 98 % of structures. The gap of a corner
-   and an edge of two stones varies by 2 e^2 for their places, 3/8 e^2 for their
-   vertices and theta^2 r^2 for each; the angle of two edges, 0.7 sizes long, by
-   2 theta^2, and as much for their ends. Checked on structures with noise
-   (tests/noise.c). */
+/* Measured structures, in errors of place and of angle: 3.4 standard
+   deviations, which 99.9 % of the gaps of stones that touch stay below, so that
+   of 30 contacts which carry none is missed in 98 % of structures. The gap of a
+   corner and an edge of two stones varies by 2 e^2 for their places, 3/8 e^2
+   for their vertices and theta^2 r^2 for each; the angle of two edges, 0.7
+   sizes long, by 2 theta^2, and as much for their ends. Checked on structures
+   with noise (tests/noise.c). */
 #define KERN_ERROR_GAP     KERN_R(5.25)
 #define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
@@ -7994,7 +8001,7 @@ static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
    triangles of vertices, those far apart first: an outline that turns left at a
    vertex has its triangle inside. Where no boundary is deep, one point far
    inside a speaks for all around it. */
-static void kern_overlap_inner(const kern_parts *a, const kern_parts *b,
+static void kern_overlap_within(const kern_parts *a, const kern_parts *b,
                                kern_real *deep)
 {
     const kern_vec *vertex = a->block->vertex;
@@ -8029,9 +8036,9 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
     if (!(deep > enough))
         kern_overlap_boundary(b, a, enough, &deep);
     if (!(deep > gap))
-        kern_overlap_inner(a, b, &deep);
+        kern_overlap_within(a, b, &deep);
     if (!(deep > gap))
-        kern_overlap_inner(b, a, &deep);
+        kern_overlap_within(b, a, &deep);
     return deep > gap ? deep : KERN_R(0);
 }
 
@@ -8893,9 +8900,9 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 
 /* ---- Planning ---------------------------------------------------- >>plan */
 /* What is known of a structure is the bracket of its last margin, with a
-   mechanism at the upper end of it. A stone that does not touch what moves there
-   leaves the mechanism as it is: the old motion proves it again, and one verdict
-   at the lower end is all that is left to do. */
+   mechanism at the upper end of it. A stone that does not touch what moves
+   there leaves the mechanism as it is: the old motion proves it again, and one
+   verdict at the lower end is all that is left to do. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
@@ -9058,21 +9065,21 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
        B^-1 = E_n ... E_2 E_1 B_0^-1.
 
-   Rows come in groups of three. A column of a network (`ends` given) touches one
-   or two groups; it is an own column of the first of them, in the order in which
-   groups carry each other. B_0 has three own columns of each group, or logicals:
-   it is block triangular, and for each group its inverse, 3 x 3, and what its
-   three columns do to other groups is all there is to store. Without `ends` B_0
-   is the unit matrix.
+   Rows come in groups of three. A column of a network (`ends` given) touches
+   one or two groups; it is an own column of the first of them, in the order in
+   which groups carry each other. B_0 has three own columns of each group, or
+   logicals: it is block triangular, and for each group its inverse, 3 x 3, and
+   what its three columns do to other groups is all there is to store. Without
+   `ends` B_0 is the unit matrix.
 
    E_i lets one column more enter (the product form of the inverse). It is the
-   unit matrix but for one column: with alpha the entering column in terms of the
-   basis, and p the row in which it pivots, that is -alpha / alpha_p with
-   1 / alpha_p in row p. Only groups of alpha that are not zero are kept.
+   unit matrix but for one column: with alpha the entering column in terms of
+   the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
+   / alpha_p in row p. Only groups of alpha that are not zero are kept.
 
-   Vectors over the rows have three more places at their end: there lie the
-   rows of the group that a column leads to which leads to none. Reading it
-   gives 0, writing to it has no effect, and no loop tests for it. */
+   Vectors over the rows have three more places at their end: there lie the rows
+   of the group that a column leads to which leads to none. Reading it gives 0,
+   writing to it has no effect, and no loop tests for it. */
 
 /* A column whose part outside of the basis is less depends on it. */
 #define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
@@ -9257,8 +9264,8 @@ static int kern_basis_full(const kern_simplex *sx)
     return f->count == f->most || f->first[f->count] + sx->groups > f->room;
 }
 
-/* Column q, which is sx->alpha in terms of the basis, is basic in row p from now
-   on. */
+/* Column q, which is sx->alpha in terms of the basis, is basic in row p from
+   now on. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
@@ -9388,8 +9395,8 @@ static void kern_simplex_crash(kern_simplex *sx)
 
 /* ---- factors ---- */
 
-/* Lets column j take one of its own rows that still have their logical: where it
-   is largest in terms of the columns before it. */
+/* Lets column j take one of its own rows that still have their logical: where
+   it is largest in terms of the columns before it. */
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
@@ -9483,8 +9490,8 @@ static int kern_basis_values(kern_simplex *sx)
 }
 
 /* Factors the basis anew: three own columns of each group, then what is left of
-   its columns: at the start, where the matrix changed, and where pivots have made
-   the factors longer or less accurate than they need to be. */
+   its columns: at the start, where the matrix changed, and where pivots have
+   made the factors longer or less accurate than they need to be. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -9617,8 +9624,8 @@ static kern_real kern_gain_least(const kern_simplex *sx, kern_real sum)
 }
 
 /* The variable outside of the basis that lowers what the prices stand for
-   fastest, or the first that does: by sx->gain = y.A_j - cost_j. While the basis
-   and c stay, so do prices and gain. */
+   fastest, or the first that does: by sx->gain = y.A_j - cost_j. While the
+   basis and c stay, so do prices and gain. */
 static int kern_entering(kern_simplex *sx, kern_real sum, int first)
 {
     const kern_program *lp = sx->lp;
@@ -9873,10 +9880,10 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
 }
 
 /* The one entry of the engine. Starts from the last basis, that of
-   kern_simplex_crash(), or logicals. x is written for every verdict: one that falls leaves A x = rhs in it,
-   with what is negative about it, which tells how the verdict changes with the
-   matrix. y is written for KERN_LP_INFEASIBLE, and with costs for
-   KERN_LP_OPTIMAL. `own` keeps the program from the backend. */
+   kern_simplex_crash(), or logicals. x is written for every verdict: one that
+   falls leaves A x = rhs in it, with what is negative about it, which tells how
+   the verdict changes with the matrix. y is written for KERN_LP_INFEASIBLE, and
+   with costs for KERN_LP_OPTIMAL. `own` keeps the program from the backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int own,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
@@ -9917,8 +9924,8 @@ static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
             v[i] = KERN_R(0);
 }
 
-/* What the sum of u v over n numbers, those of v so far apart, leaves of `from`;
-   in `terms` the sum of all without signs. */
+/* What the sum of u v over n numbers, those of v so far apart, leaves of
+   `from`; in `terms` the sum of all without signs. */
 static kern_real kern_lp_left(kern_real from, const kern_real *u,
                               const kern_real *v, int apart, int n,
                               kern_real *terms)
@@ -9932,8 +9939,8 @@ static kern_real kern_lp_left(kern_real from, const kern_real *u,
     return from;
 }
 
-/* from = A u, row by row, or from >= u A (NULL: 0 <= u A), column by column, each
-   to KERN_TOL of its own terms? */
+/* from = A u, row by row, or from >= u A (NULL: 0 <= u A), column by column,
+   each to KERN_TOL of its own terms? */
 static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
                         const kern_real *from)
 {
@@ -10280,8 +10287,8 @@ KERN_API kern_options kern_near(const kern_options *options,
 
 /* REFERENCES                                                    >>references
 
-   The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia,
-   V. Thangavelu, N. Napp, Approximate Stability Analysis for Drystacked
+   The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia, V.
+   Thangavelu, N. Napp, Approximate Stability Analysis for Drystacked
    Structures, IEEE/RSJ International Conference on Intelligent Robots and
    Systems (IROS), 2019.
 
@@ -10289,27 +10296,25 @@ KERN_API kern_options kern_near(const kern_options *options,
    Struct. 2 (1966). By linear programming: R. K. Livesley, Limit analysis of
    structures formed from rigid blocks, Int. J. Numer. Meth. Engng 12 (1978).
    Certificates: J. Farkas, Theorie der einfachen Ungleichungen, J. reine angew.
-   Math. 124 (1902).
-   Least forces: C. L. Lawson, R. J. Hanson, Solving Least Squares Problems
-   (1974), ch. 23; O. L. Mangasarian, A finite Newton method for classification,
-   Optim. Methods Softw. 17 (2002), for the dual of piecewise constant
-   curvature; S. Mehrotra, On the implementation of a primal-dual interior point
-   method, SIAM J. Optim. 2 (1992), for predictor and corrector.
-   Simplex method: R. G. Bland, New finite pivoting rules for the simplex
-   method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A simplex
-   algorithm for piecewise-linear programming, Math. Programming 33 (1985), for
-   long steps; G. B. Dantzig, W. Orchard-Hays, The product form for the inverse
-   in the simplex method, Math. Tables Aids Comput. 8 (1954); E. Hellerman, D.
-   Rarick, Reinversion with the preassigned pivot procedure, Math. Programming 1
-   (1971), for the order of columns.
-   Raised: V. Acary, F. Cadoux, C. Lemarechal, J. Malick, A formulation of the
-   linear discrete Coulomb friction problem via convex optimization, ZAMM 91
-   (2011), for prices as a fixed point of least forces.
-   Newton's method along a path: W. Dinkelbach, On nonlinear fractional
-   programming, Management Science 13 (1967).
-   Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction of the
-   number of points required to represent a digitized line or its caricature,
-   Canadian Cartographer 10 (1973).
+   Math. 124 (1902). Minimum-norm forces: C. L. Lawson, R. J. Hanson, Solving
+   Least Squares Problems (1974), ch. 23; O. L. Mangasarian, A finite Newton
+   method for classification, Optim. Methods Softw. 17 (2002), for the dual of
+   piecewise constant curvature; S. Mehrotra, On the implementation of a
+   primal-dual interior point method, SIAM J. Optim. 2 (1992), for predictor and
+   corrector. Simplex method: R. G. Bland, New finite pivoting rules for the
+   simplex method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A
+   simplex algorithm for piecewise-linear programming, Math. Programming 33
+   (1985), for long steps; G. B. Dantzig, W. Orchard-Hays, The product form for
+   the inverse in the simplex method, Math. Tables Aids Comput. 8 (1954); E.
+   Hellerman, D. Rarick, Reinversion with the preassigned pivot procedure, Math.
+   Programming 1 (1971), for the order of columns. Raised: V. Acary, F. Cadoux,
+   C. Lemarechal, J. Malick, A formulation of the linear discrete Coulomb
+   friction problem via convex optimization, ZAMM 91 (2011), for prices as a
+   fixed point of minimum-norm forces. Newton's method along a path: W.
+   Dinkelbach, On nonlinear fractional programming, Management Science 13
+   (1967). Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction
+   of the number of points required to represent a digitized line or its
+   caricature, Canadian Cartographer 10 (1973).
 
 
    CHANGES                                                          >>changes

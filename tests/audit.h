@@ -15,11 +15,11 @@
 struct kern_simplex;
 struct kern_skyline;
 struct kern_part;
-struct kern_inner;
+struct kern_ipm;
 static void audit_simplex(struct kern_simplex *sx);
 static void audit_factor(const struct kern_skyline *a);
 static void audit_part(const struct kern_part *p);
-static void audit_inner(const struct kern_inner *in);
+static void audit_ipm(const struct kern_ipm *in);
 
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
@@ -107,7 +107,7 @@ static void audit_part(const kern_part *p)
 }
 
 /* After a step that kept its digits every ray is within its bounds, and s. */
-static void audit_inner(const kern_inner *in)
+static void audit_ipm(const kern_ipm *in)
 {
     int i;
     if (!(in->gap < KERN_HUGE))

@@ -82,7 +82,7 @@ function corpus(list,    all, m, k, i, name, unit, sum, mean) {
         cell(of[all[i]] ? sprintf("%.1f %%", 100 * above[all[i]] / of[all[i]]) : "")
     unit = "verdict ms" in of ? "ms" : "M"
     if ("LPs" in of)
-        mean = sprintf("A measure takes %.1f verdicts by pouring and linear " \
+        mean = sprintf("A measure takes %.1f top-down passes and linear " \
             "programs, and %.1f pivots, on the average.\n\n",
             total["LPs"] / of["LPs"], total["pivots"] / of["pivots"])
     printf("\n| sum, %s | |", unit == "M" ? "million instructions" : unit)

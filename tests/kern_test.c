@@ -3930,12 +3930,12 @@ static void open_joint(void)
    are called here:
 
      rows     kern_row_of, kern_row_speed, kern_row_exert
-     laws     kern_spring_pressed, kern_spring_stiff
+     laws     kern_law_pressed, kern_law_stiff
      factor   kern_take_open, kern_skyline_begin, _reach, _lay, _clear, _spring,
               _shift, _factor, _solve
-     group    kern_pour_solve
+     group    kern_pass_solve
      basis    kern_simplex_lay, kern_program_solve, kern_basis_solve
-     step     kern_call_open, kern_inner_open, kern_inner_begin, kern_inner_step
+     step     kern_call_open, kern_ipm_open, kern_ipm_begin, kern_ipm_step
      bracket  kern_path_evaluate, kern_path_edge
 
    With tests/audit.h included first, the state of an engine is checked wherever
@@ -3984,7 +3984,7 @@ static void engine_rows(void)
 
 /* Whatever the motion, a force lies in its cone, is what the law says of the
    motion, and never helps it. */
-static void engine_law(kern_spring s, double wn, double wt, double mu)
+static void engine_law(kern_law s, double wn, double wt, double mu)
 {
     const double f = s.force.normal, r = s.force.tangential;
     const double tol = 1e4 * EPS * (1 + fabs(wn) + fabs(wt));
@@ -3998,21 +3998,21 @@ static void engine_law(kern_spring s, double wn, double wt, double mu)
 static void engine_laws(void)
 {
     int i;
-    kern_spring s = kern_spring_pressed(R(1), 0, R(0.5));
+    kern_law s = kern_law_pressed(R(1), 0, R(0.5));
     CHECK_NEAR(s.force.normal, 2, 8 * EPS); /* both rays press by 1 */
     CHECK_NEAR(s.force.tangential, 0, 8 * EPS);
-    s = kern_spring_pressed(R(1), R(4), R(0.5)); /* one by 3 */
+    s = kern_law_pressed(R(1), R(4), R(0.5)); /* one by 3 */
     CHECK_NEAR(s.force.normal, 3, 8 * EPS);
     CHECK_NEAR(s.force.tangential, 1.5, 8 * EPS);
-    s = kern_spring_stiff(R(2), 0, R(0.5), R(3));
+    s = kern_law_stiff(R(2), 0, R(0.5), R(3));
     CHECK_NEAR(s.force.normal, 6, 16 * EPS);
-    s = kern_spring_stiff(R(-2), R(1), R(0.5), R(3)); /* parts */
+    s = kern_law_stiff(R(-2), R(1), R(0.5), R(3)); /* parts */
     CHECK_NEAR(s.force.normal, 0, 0);
     for (i = 0; i < 2000; i++) {
         const double wn = uniform(-1, 1), mu = uniform(0.05, 1);
         const double wt = uniform(-1, 1) * (i % 2 ? 1 : 1e-3);
-        engine_law(kern_spring_pressed(R(wn), R(wt), R(mu)), wn, wt, mu);
-        engine_law(kern_spring_stiff(R(wn), R(wt), R(mu), R(2)), wn, wt, mu);
+        engine_law(kern_law_pressed(R(wn), R(wt), R(mu)), wn, wt, mu);
+        engine_law(kern_law_stiff(R(wn), R(wt), R(mu), R(2)), wn, wt, mu);
     }
 }
 
@@ -4021,7 +4021,7 @@ typedef struct ties {
     int groups, count;
     int ends[2 * ENGINE_TIES];
     kern_row row[2 * ENGINE_TIES];
-    kern_spring law[ENGINE_TIES];
+    kern_law law[ENGINE_TIES];
     kern_skyline a;
     kern_real real[ENGINE_GROUPS * ENGINE_GROUPS * 9];
     int index[4 * ENGINE_GROUPS];
@@ -4046,14 +4046,14 @@ static void ties_open(ties *t)
         while (t->ends[2 * k + 1] == t->ends[2 * k]);
         t->row[2 * k] = engine_row(n);
         t->row[2 * k + 1] = engine_row(vec(-n.x, -n.y));
-        t->law[k] = kern_spring_pressed(R(1), R(uniform(-3, 3)), R(0.6));
+        t->law[k] = kern_law_pressed(R(1), R(uniform(-3, 3)), R(0.6));
         kern_skyline_reach(&t->a, t->ends + 2 * k);
     }
     CHECK(kern_skyline_lay(&t->a, &take, &cost));
     CHECK(cost > 0);
     kern_skyline_clear(&t->a);
     for (k = 0; k < t->count; k++)
-        kern_skyline_spring(&t->a, t->ends + 2 * k, t->row + 2 * k,
+        kern_skyline_law(&t->a, t->ends + 2 * k, t->row + 2 * k,
                             &t->law[k]);
     kern_skyline_shift(&t->a, R(1e-3)); /* what hangs loose has a matrix, too */
 }
@@ -4065,7 +4065,7 @@ static void ties_times(const ties *t, const kern_real *v, kern_real *out)
     for (i = 0; i < 3 * t->groups + 3; i++)
         out[i] = 0;
     for (k = 0; k < t->count; k++) {
-        const kern_spring *s = &t->law[k];
+        const kern_law *s = &t->law[k];
         kern_real w[2] = {0, 0};
         for (e = 0; e < 2; e++)
             kern_row_speed(&t->row[2 * k + e], v + 3 * t->ends[2 * k + e], w);
@@ -4132,12 +4132,12 @@ static void engine_group_on(double x)
         c[k].row = kern_row_of(vec(0, 1), vec(k ? 1 : -1, -0.5), R(1));
         c[k].mu = R(0.4);
     }
-    got = kern_pour_solve(c, 2, b, R(SINGLE ? 1e-6 : 1e-11), u);
+    got = kern_pass_solve(c, 2, b, R(SINGLE ? 1e-6 : 1e-11), u);
     CHECK_INT(got, fabs(x) <= 1 ? KERN_STANDS : KERN_FALLS);
     if (got == KERN_FALLS)
         CHECK(b[1] * u[1] + b[2] * u[2] < 0); /* the load is -b */
     for (k = 0; k < 2 && got == KERN_STANDS; k++) {
-        const kern_spring s = kern_spring_pressed(c[k].way[0], c[k].way[1],
+        const kern_law s = kern_law_pressed(c[k].way[0], c[k].way[1],
                                                   c[k].mu);
         CHECK_NEAR(s.force.normal, (1 + (k ? x : -x)) / 2, 1e4 * EPS);
         CHECK_NEAR(s.force.tangential, 0, 1e4 * EPS);
@@ -4267,18 +4267,18 @@ static void engine_step(void)
     static world w;
     kern_work work;
     kern_call c;
-    kern_inner in;
+    kern_ipm in;
     int round, i;
     stack_of_two(&w, 0.25);
     work = work_of(&w);
     CHECK_INT(kern_call_open(&c, world_task(&w, &work), 0, &w), KERN_OK);
     c.path.end = R(0.37);
-    CHECK(kern_inner_open(&in, &c.m, &c.path));
+    CHECK(kern_ipm_open(&in, &c.m, &c.path));
     in.least = R(SINGLE ? 1e-4 : 1e-9);
-    CHECK(kern_inner_begin(&in, 0, 0));
+    CHECK(kern_ipm_begin(&in, 0, 0));
     for (round = 0; round < 25 && in.gap > in.least; round++) {
         const double before = (double)in.gap;
-        CHECK(kern_inner_step(&in));
+        CHECK(kern_ipm_step(&in));
         CHECK(in.gap < 2 * before && in.s <= in.most);
         for (i = 0; i < 2 * in.p->contacts; i++)
             CHECK(in.p->x[i] > 0 && in.z[i] > 0);

@@ -12,7 +12,7 @@
    kern_work.units over the structures of one set: the same on every machine, so
    that a mechanism that stops working shows, which no answer does. A sum that is
    more than 3 % off the table fails, in either direction: what became cheaper
-   needs a new table as well. Verdicts by pouring and linear programs (solves)
+   needs a new table as well. Top-down passes and linear programs (solves)
    and pivots stand beside it for the reader.
 
    The questions: verdict at 0, measure, load factor and tilt to the right,
