@@ -306,9 +306,9 @@
    else set options.gap to a pixel and a half. The density is that of the
    material times the thickness. examples/contour.c shows these steps.
 
-   Error. Tell kern_measured() the standard error e of a stone's place (pixel,
-   simplification and registration together, as squares) and theta of its
-   angle. Of a stone of 40, 200, 1000 vertices the margin is then the same
+   Error. Tell kern_measured_options() the standard error e of a stone's place
+   (pixel, simplification and registration together, as squares) and theta of
+   its angle. Of a stone of 40, 200, 1000 vertices the margin is then the same
    within 2 %; without, it is that of the discretisation. Overlaps beyond the
    error are modelling errors: kern_overlaps() lists them. Measure the stones
    again, or accept them: options.overlap.
@@ -430,7 +430,7 @@ typedef float kern_real;
 #define kern_mean_size       kern_mean_size_f32
 #define kern_measure         kern_measure_f32
 #define kern_near            kern_near_f32
-#define kern_measured        kern_measured_f32
+#define kern_measured_options kern_measured_options_f32
 #define kern_certain         kern_certain_f32
 #define kern_overlaps        kern_overlaps_f32
 #define kern_plan_add        kern_plan_add_f32
@@ -586,8 +586,8 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     int limit;            /* most units of work of one call (>>verdicts);
                              10,000,000; 0: 2,000,000,000, also the largest   */
     kern_real overlap;    /* deepest overlap that is a contact [m]; 0: gap    */
-    kern_real error;      /* of measured places [m] and angles [rad], see     */
-    kern_real turn;       /* kern_measured(); 0: places are exact             */
+    kern_real pose_error; /* standard error of the blocks' places [m] and     */
+    kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
     kern_real narrow;     /* rate at which cones of friction narrow as kerns
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
     kern_real reserve;    /* largest reserve that kern_raised() asks for, from 0
@@ -823,8 +823,8 @@ KERN_API kern_options kern_near(const kern_options *options,
    Verdicts are then those of the structure as it most likely rests. A stone
    that hovers by more than the gap carries and bears nothing. Contacts say
    KERN_BAD_OPTION unless e > 0 and theta >= 0. */
-KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
-                                    kern_real theta);
+KERN_API kern_options kern_measured_options(const kern_options *options,
+                                            kern_real e, kern_real theta);
 
 /* Work memory of two arrays, with its counters at zero. */
 KERN_API kern_work kern_work_of(kern_real *real, int reals,
@@ -939,10 +939,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
 /* Between what the margin of a measured structure lies within the error that
-   kern_measured() was given, and which verdict is certain: KERN_STANDS (low is
-   above 0 and its forces are raised), KERN_FALLS (it falls with all that high
-   allows), or KERN_OK, neither. `margin` is that of kern_measure(), 0 where it
-   falls.
+   kern_measured_options() was given, and which verdict is certain: KERN_STANDS
+   (low is above 0 and its forces are raised), KERN_FALLS (it falls with all
+   that high allows), or KERN_OK, neither. `margin` is that of kern_measure(),
+   0 where it falls.
      low   Margin without doubtful contacts: of the blocks that carry a block
            only that with the widest bed, as gravity sees it, is kept, since a
            gap within the error may be open; kerns are shorter by 3.5 e,
@@ -954,8 +954,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    contacts. Errors are absolute in relative mode too. contact[0..room) receives
    the contacts for `high`; work memory is for `room` contact points.
    Below 0: what kern_contacts() or kern_measure() returns, KERN_BAD_OPTION also
-   where the options are not those of kern_measured(), KERN_LIMIT: *out holds
-   what is proven by then. options.limit bounds the whole call.
+   where the options are not those of kern_measured_options(), KERN_LIMIT: *out
+   holds what is proven by then. options.limit bounds the whole call.
    Time: a search for contacts, two margins and kern_raised(). */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
@@ -1885,13 +1885,14 @@ static kern_status kern_spent(const kern_work *work, int limit,
 static kern_status kern_options_check(const kern_options *o)
 {
     if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon + o->overlap
-                        + o->error + o->turn + o->narrow + o->reserve))
+                        + o->pose_error + o->pose_turn + o->narrow
+                        + o->reserve))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
     if (o->gap < 0 || !(o->angle > 0) || !(o->angle < KERN_ANGLE_MOST)
-        || o->overlap < 0 || o->error < 0 || o->turn < 0 || o->narrow < 0
-        || o->reserve < 0 || o->reserve > KERN_R(0.1)
+        || o->overlap < 0 || o->pose_error < 0 || o->pose_turn < 0
+        || o->narrow < 0 || o->reserve < 0 || o->reserve > KERN_R(0.1)
         || o->epsilon < 0 || o->limit < 0 || o->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
     return KERN_OK;
@@ -8599,7 +8600,7 @@ static kern_real kern_box_half(const kern_block *block)
 static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
     const kern_options *o = s->options;
-    const kern_real exact = o->gap > 0 && !(o->error > 0) ? KERN_R(0)
+    const kern_real exact = o->gap > 0 && !(o->pose_error > 0) ? KERN_R(0)
                                                           : KERN_GAP * size;
     return kern_max(o->gap + exact, s->floor);
 }
@@ -8614,13 +8615,13 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
         kern_min(a->fixed ? KERN_HUGE : kern_abs(a->area),
                  b->fixed ? KERN_HUGE : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
-    pair->swing = KERN_ERROR_SWING * o->turn;
+    pair->swing = KERN_ERROR_SWING * o->pose_turn;
     pair->deep = kern_max(pair->gap, o->overlap)
                  + pair->swing * (kern_box_half(a) + kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_FOOT * size, s->floor);
-    pair->over = KERN_ERROR_FOOT * o->error;
+    pair->over = KERN_ERROR_FOOT * o->pose_error;
     pair->sine = kern_sine(o->angle);
     pair->of[0].step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
     pair->of[1].step = pair->of[0].step;
@@ -8748,7 +8749,7 @@ static kern_status kern_search_survey(kern_search *s)
     }
     s->floor = KERN_FLOOR * kern_box_largest(&all);
     s->reach = kern_search_gap(s, KERN_SQRT(area))
-               + KERN_ERROR_SWING * s->options->turn * arm;
+               + KERN_ERROR_SWING * s->options->pose_turn * arm;
     return KERN_OK;
 }
 
@@ -8783,7 +8784,7 @@ static kern_status kern_search_asked(const kern_block *block, int blocks,
     if (status != KERN_OK)
         return status;
     if (options->gap > KERN_FAR || options->overlap > KERN_FAR
-        || options->error > KERN_FAR || options->turn > KERN_FAR)
+        || options->pose_error > KERN_FAR || options->pose_turn > KERN_FAR)
         return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
@@ -10078,16 +10079,16 @@ KERN_API kern_options kern_defaults(void)
     o.epsilon = KERN_R(0);
     o.relative = 0;
     o.limit = KERN_WORK_USUAL;
-    o.overlap = o.error = o.turn = 0;
+    o.overlap = o.pose_error = o.pose_turn = 0;
     return o;
 }
 
-KERN_API kern_options kern_measured(const kern_options *options, kern_real e,
-                                    kern_real theta)
+KERN_API kern_options kern_measured_options(const kern_options *options,
+                                            kern_real e, kern_real theta)
 {
     kern_options o = options ? *options : kern_defaults();
-    o.error = e > 0 ? e : KERN_R(-1); /* refused by every call */
-    o.turn = theta;
+    o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
+    o.pose_turn = theta;
     o.gap = KERN_ERROR_GAP * e;
     o.angle = kern_max(kern_defaults().angle, KERN_ERROR_ANGLE * theta);
     o.angle = kern_min(o.angle, KERN_R(0.99) * KERN_ANGLE_MOST);
@@ -10198,9 +10199,9 @@ static kern_status kern_certain_high(kern_task *task, kern_contact *contact,
 {
     kern_margin m;
     kern_status status;
-    task->options = kern_measured(&task->options,
-                                  KERN_CERTAIN_WIDE * task->options.error,
-                                  KERN_CERTAIN_WIDE * task->options.turn);
+    task->options = kern_measured_options(
+        &task->options, KERN_CERTAIN_WIDE * task->options.pose_error,
+        KERN_CERTAIN_WIDE * task->options.pose_turn);
     task->s.contacts = kern_contacts(task->s.block, task->s.blocks,
                                      &task->options, contact, room, task->work);
     if (task->s.contacts < 0)
@@ -10224,7 +10225,7 @@ static kern_status kern_certain_check(const kern_task *task, kern_real margin,
         return status;
     if (!contact)
         return KERN_BAD_POINTER;
-    if (!(task->options.error > 0 && margin >= 0))
+    if (!(task->options.pose_error > 0 && margin >= 0))
         return KERN_BAD_OPTION;
     return task->s.contacts > room || task->work->reals < task->s.blocks
            || task->work->indices < task->s.blocks ? KERN_NO_SPACE : KERN_OK;
@@ -10240,8 +10241,8 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
-    by = KERN_CERTAIN_SHIFT * task->options.error;
-    slope = KERN_CERTAIN_SLOPE * task->options.turn;
+    by = KERN_CERTAIN_SHIFT * task->options.pose_error;
+    slope = KERN_CERTAIN_SLOPE * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = KERN_INFINITY;
     other = kern_task_of(task->s.block, task->s.blocks, contact,
@@ -10324,7 +10325,9 @@ KERN_API kern_options kern_near(const kern_options *options,
    What is in the code of a caller keeps its name and meaning, or no longer
    compiles. A patch version changes no result.
 
-   0.2.0  A caller must change: kern_certain() takes the margin and fills in a
+   0.2.0  A caller must change: kern_measured() is kern_measured_options(),
+          options.error and options.turn are options.pose_error and
+          options.pose_turn; kern_certain() takes the margin and fills in a
           kern_interval; fields of kern_known and kern_plan that callers had no
           use for are gone, and with them the duty to clear task.known.fails
           after a contact was changed by hand.
@@ -10332,8 +10335,8 @@ KERN_API kern_options kern_near(const kern_options *options,
           no limit); a relative shrinkage above 1 is refused, KERN_BAD_SHARE; a
           block that kern_block_init() refused is no block, KERN_NO_BLOCK;
           steps in outlines carry as their chords (>>rules), knees keep their
-          edges; kern_measured() has other tolerances; kern_contacts() needs no
-          work memory.
+          edges; kern_measured_options() has other tolerances; kern_contacts()
+          needs no work memory.
           New: kern_raised_load(), options.reserve, kern_interval,
           KERN_NO_INTERIOR.
    0.1.0  First version.                                                   */

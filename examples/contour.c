@@ -8,8 +8,8 @@
                farther than a tolerance from the polygon that remains
      init      kern_block_init() measures area and centre whichever way the
                points run; the mass is density x area x thickness
-     tell      kern_measured() is told how exact the outline is: the pixel and
-               the tolerance together
+     tell      kern_measured_options() is told how exact the outline is: the
+               pixel and the tolerance together
    The tables show what simplifying does to the margin of a rounded stone on
    flat ground, and that the number of vertices hardly matters if the error is
    told. */
@@ -113,7 +113,8 @@ static void row(const char *what, const kern_vec *vertex, int n, double e)
     printf("%-16s %8d", what, n);
     if (status == KERN_OK) {
         double size = kern_mean_size(block, BLOCKS);
-        if (e > 0) task.options = kern_measured(&task.options, e, e / size);
+        if (e > 0)
+            task.options = kern_measured_options(&task.options, e, e / size);
         task.s.contacts = kern_contacts(block, BLOCKS, &task.options, contact,
                                         CONTACTS, &work);
         status = kern_measure(&task, &m, NULL);

@@ -784,7 +784,7 @@ static int analyse(struct analysis *a)
     if (!(set->mu < 0)) options.mu = set->mu;
     if (!(set->limit < 0)) options.limit = (int)set->limit;
     if (set->error > 0)
-        options = kern_measured(&options, set->error, set->turn < 0
+        options = kern_measured_options(&options, set->error, set->turn < 0
             ? set->error / (kern_real)mean_size(a) : set->turn);
     if (set->overlap > options.overlap) options.overlap = set->overlap;
     if (decide(a, &options)) return -1;

@@ -8693,7 +8693,7 @@ static void refused_blocks(void)
                   KERN_NO_BLOCK);
         CHECK_INT(kern_overlaps(w.block, 3, &w.options, overlap, 4, &work),
                   KERN_NO_BLOCK);
-        task->options = kern_measured(&w.options, R(0.001), R(0.001));
+        task->options = kern_measured_options(&w.options, R(0.001), R(0.001));
         CHECK_INT(kern_certain(task, 0, &in, out, 8), KERN_NO_BLOCK);
         plans_refuse(&w, b);
         CHECK_INT(kern_block_init(b, good.vertex, good.vertices, 1, NULL),
@@ -9319,17 +9319,17 @@ static void measured_gaps(void)
         world_reset(&w);
         world_box(&w, 0, 0, -1, 1, 0);
         world_box(&w, 1, 0, h, 1, 1 + h);
-        w.options = kern_measured(&w.options, R(e), R(angle));
+        w.options = kern_measured_options(&w.options, R(e), R(angle));
         CHECK_INT(world_touch(&w), open_ ? 0 : 2);
         CHECK_INT(verdict(&w, 0), open_ ? KERN_FALLS : KERN_STANDS);
         if (!open_) /* midway */
             CHECK_NEAR(w.contact[0].p.y, h / 2, 1e-6);
     }
-    w.options = kern_measured(NULL, R(0), R(0.1));
+    w.options = kern_measured_options(NULL, R(0), R(0.1));
     CHECK_INT(world_touch(&w), KERN_BAD_OPTION);
-    w.options = kern_measured(NULL, R(0.1), R(-1));
+    w.options = kern_measured_options(NULL, R(0.1), R(-1));
     CHECK_INT(world_touch(&w), KERN_BAD_OPTION);
-    w.options = kern_measured(NULL, R(0.1), R(NAN));
+    w.options = kern_measured_options(NULL, R(0.1), R(NAN));
     CHECK_INT(world_touch(&w), KERN_BAD_NUMBER);
 }
 
@@ -9401,7 +9401,7 @@ static void certain_verdicts(void)
         world_reset(&w);
         world_box(&w, 0, -1, -1, row[i].end, 0);
         world_box(&w, 1, 0, 0, 1, 1);
-        w.options = kern_measured(&w.options, R(0.01), R(0.01));
+        w.options = kern_measured_options(&w.options, R(0.01), R(0.01));
         CHECK(world_touch(&w) > 0);
         CHECK_INT(verdict(&w, 0), row[i].verdict);
         CHECK_INT(certain_world(&w, &in, 100), row[i].certain);
@@ -9409,7 +9409,7 @@ static void certain_verdicts(void)
         CHECK_NEAR(in.low, fmax(fmin(end / 2, end - 0.5) - 0.035, 0), 1e-3);
         CHECK_NEAR(in.high, fmax(fmin(end / 2, end - 0.5) + 0.035, 0), 0.01);
         CHECK_INT(certain_world(&w, &in, 1), KERN_NO_SPACE);
-        w.options.error = 0;
+        w.options.pose_error = 0;
         CHECK_INT(certain_world(&w, &in, 100), KERN_BAD_OPTION);
     }
     CHECK_INT(kern_certain(NULL, 0, &in, &one, 1), KERN_BAD_POINTER);
@@ -9453,7 +9453,7 @@ static void certain_supports(void)
         for (step = 1; step <= 4; step++) {
             const double e = 0.002 * step;
             support_of(&w, kind);
-            w.options = kern_measured(NULL, R(e), R(e));
+            w.options = kern_measured_options(NULL, R(e), R(e));
             CHECK(world_touch(&w) > 0);
             CHECK_INT(verdict(&w, 0), KERN_STANDS);
             CHECK_INT(certain_world(&w, &in, 100),
@@ -9477,7 +9477,7 @@ static void certain_limit(void)
     random_seed(5);
     world_reset(&w);
     random_wall(&w, 12);
-    w.options = kern_measured(NULL, R(1e-3), R(1e-3));
+    w.options = kern_measured_options(NULL, R(1e-3), R(1e-3));
     CHECK(world_touch(&w) > 0);
     for (limit = 0; limit < 4000; limit += 1 + limit / 3) {
         kern_work work = work_for(w.blocks, 400);
@@ -9501,8 +9501,8 @@ static void certain_limit(void)
     CHECK(ended > 3);
 }
 
-/* What kern_measured() allows, in errors: a gap of 5.25, an overlap of 8 and 3.4
-   errors of angle times half the diagonals, a foot 3 beyond the edge. */
+/* What kern_measured_options() allows, in errors: a gap of 5.25, an overlap of
+   8 and 3.4 errors of angle times half the diagonals, a foot 3 beyond the edge. */
 static void measured_bounds(void)
 {
     static const double ground[] = {-1, -1, 0, -1, 0, 0, -1, 0};
@@ -9512,11 +9512,11 @@ static void measured_bounds(void)
     int index[4], i, k;
     kern_work work = kern_work_of(NULL, 0, index, 4);
     double stone[6];
-    kern_options o = kern_measured(NULL, R(e), R(0.2));
+    kern_options o = kern_measured_options(NULL, R(e), R(0.2));
     CHECK_NEAR(o.gap, 5.25 * e, GEO);
     CHECK_NEAR(o.overlap, 8 * e, GEO);
     CHECK_NEAR(o.angle, 0.495, GEO);
-    CHECK_NEAR(kern_measured(NULL, R(e), R(0.02)).angle, 0.136, GEO);
+    CHECK_NEAR(kern_measured_options(NULL, R(e), R(0.02)).angle, 0.136, GEO);
     for (i = 0; i < 4; i++) { /* beyond the ground's end, deep in it */
         stone[0] = i < 2 ? beyond[i] * e : -0.5;
         stone[1] = i < 2 ? 0 : i == 2 ? -0.07 : -0.09;
@@ -9526,7 +9526,7 @@ static void measured_bounds(void)
         world_reset(&w);
         world_polygon(&w, 0, ground, 4);
         world_polygon(&w, 1, stone, 3);
-        w.options = kern_measured(NULL, R(e), R(0));
+        w.options = kern_measured_options(NULL, R(e), R(0));
         k = world_touch(&w);
         CHECK(i == 3 ? k == KERN_OVERLAP : k > 0);
         CHECK_INT(contact_at(&w, 0, 1, stone[0], stone[1] / 2, 0, 1, GEO),
@@ -9535,7 +9535,7 @@ static void measured_bounds(void)
     world_reset(&w);
     world_box(&w, 0, 0, 0, 3, 4);
     world_box(&w, 1, 0, 0, 3, 4);
-    w.options = kern_measured(NULL, R(e), R(angle));
+    w.options = kern_measured_options(NULL, R(e), R(angle));
     CHECK_INT(kern_contacts(w.block, 2, &w.options, w.contact, MAX_POINTS,
                             &work), KERN_OVERLAP);
     CHECK_NEAR(work.fault.allowed, 8 * e + 3.4 * angle * (2.5 + 2.5), GEO);
@@ -9552,7 +9552,7 @@ static int certain_of(double end, double gap, double lean, double angle,
     world_box(&w, 0, -1, -1, end, 0);
     world_box(&w, 1, 0, gap, 1, 1 + gap);
     w.gravity = vec(lean, -1);
-    w.options = kern_measured(&w.options, R(0.01), R(angle));
+    w.options = kern_measured_options(&w.options, R(0.01), R(angle));
     CHECK(world_touch(&w) >= 0);
     CHECK_INT(verdict(&w, 0), got);
     return certain_world(&w, &in, 100);
@@ -9605,7 +9605,7 @@ static void measured_round_stone(void)
         world_reset(&w);
         world_box(&w, 0, -3, -3, 3, -1);
         world_polygon(&w, 1, xy, n);
-        w.options = kern_measured(&w.options, R(0.02), R(0.01));
+        w.options = kern_measured_options(&w.options, R(0.02), R(0.01));
         CHECK(world_touch(&w) > 0);
         CHECK_INT(measure(&w, &m), KERN_STANDS);
         margin[i] = (double)m.margin;

@@ -1,9 +1,9 @@
 /* cc -O2 -ffp-contract=off -o noise tests/noise.c -lm && ./noise [SEEDS [FOLDER]]
 
-   How far kern_measured() and kern_certain() can be trusted. Every pose, that of
-   the ground too, gets Gaussian noise in x, y and, over the mean size, in angle,
-   and every vertex half of it. The library is told these errors. SEEDS: 300
-   without.
+   How far kern_measured_options() and kern_certain() can be trusted. Every
+   pose, that of the ground too, gets Gaussian noise in x, y and, over the mean
+   size, in angle, and every vertex half of it. The library is told these
+   errors. SEEDS: 300 without.
 
    Near misses, which all fall: a stone between two walls with nothing below, a
    beam whose second column is short, a plank that misses its second support,
@@ -130,7 +130,7 @@ static void score_margin(const struct sample *s, double e, double margin,
 
 static void ask_disturbed(const struct sample *s, double e, struct score *to)
 {
-    const kern_options options = kern_measured(
+    const kern_options options = kern_measured_options(
         &s->file.options, (kern_real)e, (kern_real)(e / s->size));
     kern_work work;
     kern_task task;

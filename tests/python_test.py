@@ -645,7 +645,7 @@ class Drawings(unittest.TestCase):
         """Pixels, y down, become metres, y up, and a measured structure."""
         s = self.margin(json.dumps(page(two(0.2))), ".json", pixel=0.01)
         self.assertAlmostEqual(s.measure().margin, 0.3, 1)
-        self.assertEqual(s.options.error, 0.01 * math.hypot(1, 1.5))
+        self.assertEqual(s.options.pose_error, 0.01 * math.hypot(1, 1.5))
         coco = {"images": [{"id": 3, "height": 4000}],
                 "categories": [{"id": 1, "name": "stone"},
                                {"id": 2, "name": "ground"}],

@@ -249,8 +249,8 @@ PAGE(measured) int page_measured(double e)
     kern_interval in;
     int status;
     other.known = kern_known_of(NULL, NULL);
-    other.options = kern_measured(&task.options, e,
-                                  e / kern_mean_size(block, task.s.blocks));
+    other.options = kern_measured_options(
+        &task.options, e, e / kern_mean_size(block, task.s.blocks));
     other.s.contact = measured;
     other.s.contacts = kern_contacts(block, task.s.blocks, &other.options,
                                      measured, CONTACTS, &work);

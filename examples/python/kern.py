@@ -112,8 +112,8 @@ class _Structure(ctypes.Structure):
 class _Options(ctypes.Structure):
     _fields_ = [("mu", c_double), ("gap", c_double), ("angle", c_double),
                 ("epsilon", c_double), ("relative", c_int), ("limit", c_int),
-                ("overlap", c_double), ("error", c_double),
-                ("turn", c_double), ("narrow", c_double),
+                ("overlap", c_double), ("pose_error", c_double),
+                ("pose_turn", c_double), ("narrow", c_double),
                 ("reserve", c_double)]
 
 
@@ -358,7 +358,7 @@ _p, _r, _i = c_void_p, c_double, c_int
 _status_text = _declare("kern_status_text", c_char_p, _i)
 _defaults = _declare("kern_defaults", _Options)
 _near = _declare("kern_near", _Options, _p, _r)
-_measured = _declare("kern_measured", _Options, _p, _r, _r)
+_measured = _declare("kern_measured_options", _Options, _p, _r, _r)
 _work_need = _declare("kern_work_need", None, _i, _i, _p, _p)
 _block_init = _declare("kern_block_init", _i, _p, _p, _i, _r, _p)
 _ground_init = _declare("kern_ground_init", _i, _p, _p, _i, _p)
@@ -532,8 +532,8 @@ class Options:
     relative: bool = bool(_D.relative)
     limit: int = _D.limit
     overlap: float = _D.overlap
-    error: float = _D.error
-    turn: float = _D.turn
+    pose_error: float = _D.pose_error
+    pose_turn: float = _D.pose_turn
     narrow: float = _D.narrow
     reserve: float = _D.reserve
 
@@ -543,21 +543,22 @@ class Options:
             raise KernError(Status.BAD_OPTION, text="Options.limit is %d, not "
                             "from 0 to 2,000,000,000" % limit)
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
-                        bool(self.relative), limit, self.overlap, self.error,
-                        self.turn, self.narrow, self.reserve)
+                        bool(self.relative), limit, self.overlap,
+                        self.pose_error, self.pose_turn, self.narrow,
+                        self.reserve)
 
     @staticmethod
     def _of(c: _Options) -> Options:
         return Options(c.mu, c.gap, c.angle, c.epsilon, bool(c.relative),
-                       c.limit, c.overlap, c.error, c.turn, c.narrow,
-                       c.reserve)
+                       c.limit, c.overlap, c.pose_error, c.pose_turn,
+                       c.narrow, c.reserve)
 
     def near(self, mean_size: float) -> Options:
         """kern_near(): also finds contacts that a first rocking closes."""
         return Options._of(_near(byref(self._c()), mean_size))
 
     def measured(self, e: float, theta: float) -> Options:
-        """kern_measured(): for poses with errors e [m] and theta [rad].
+        """kern_measured_options(): for poses with errors e [m] and theta [rad].
 
         >>> round(Options().measured(0.01, 0.01).gap, 6)
         0.0525
