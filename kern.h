@@ -206,6 +206,12 @@
      points    Two or more points of one pair go to the middle q of the two that
                are farthest apart, each along its own t: l = |(q - p) . t|.
      one point stays: l = 0, as does every l below 1e-9 of the mean size.
+     lone      Where options.lone asks for it the one point of a pair goes to the
+               middle of what carries its block, as in Fig. 2 c, d of the paper:
+               a contact carries the block that its normal pushes up, and the
+               middle is that of the two points farthest apart that carry the
+               same one. Kerns are then not nested (>>limits): a measure takes
+               ten to thirty times as long.
    At shrinkage d it acts at p + min(d, l) u; relative: at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
    alone the contacts are nested and a structure that has fallen falls at every
@@ -592,6 +598,9 @@ typedef struct kern_options { /* always start from kern_defaults()            */
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
     kern_real reserve;    /* largest reserve that kern_raised() asks for, from 0
                              to 0.1; 0: 0.1                                   */
+    kern_vec lone;        /* direction of gravity, of any length: contacts that
+                             are found have lone points that travel (>>rules);
+                             (0, 0): these stay                               */
 } kern_options;
 
 /* Of a contact point [N], and of a block: velocity of its centre and spin. */
@@ -892,7 +901,8 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
    unless a later block lies so far out that the rounding of its coordinates
    counts. Returns the same; KERN_STALE is found of block b and of blocks that
-   it may touch. Time: O(b), and the edges as above. */
+   it may touch. options.lone: what carries a block is looked for among these
+   contacts alone. Time: O(b), and the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
@@ -1019,8 +1029,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
    derivative where one mechanism alone is critical, contacts stay and no kern
    that carries is about to close; else that of the mechanism of the proof.
    Where corners of two blocks end a contact together, either is taken to move
-   it. KERN_OK, or KERN_UNDECIDED where the margin is saturated or does not
-   move. With narrow 0. Time: O(B + C), 0.03 of that of the margin. */
+   it. The travel of lone points (options.lone) is taken to stay as it is.
+   KERN_OK, or KERN_UNDECIDED where the margin is saturated or does not move.
+   With narrow 0. Time: O(B + C), 0.03 of that of the margin. */
 KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       const kern_margin *margin,
                                       const kern_proof *proof,
@@ -1036,11 +1047,12 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 /* The length [m] of the shortest contact that the structure needs: it stands on
    its contacts of this length and longer ones alone, and not on longer ones
    alone. A point of an interface of several counts with twice its travel; a
-   lone point is never left out. KERN_STANDS: *length, KERN_INFINITY where it
-   needs no contact that has a length; proof->force holds the structure by those
-   contacts, proof->motion moves it without the shortest of them (0 where that
-   is undecided: it counts as needed). KERN_FALLS: it falls with all contacts.
-   Time: a verdict for each halving of the lengths, on a logarithmic scale. */
+   lone point that stays is never left out. KERN_STANDS: *length, KERN_INFINITY
+   where it needs no contact that has a length; proof->force holds the structure
+   by those contacts, proof->motion moves it without the shortest of them (0
+   where that is undecided: it counts as needed). KERN_FALLS: it falls with all
+   contacts. Time: a verdict for each halving of the lengths, on a logarithmic
+   scale. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
@@ -1886,7 +1898,8 @@ static kern_status kern_options_check(const kern_options *o)
 {
     if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon + o->overlap
                         + o->pose_error + o->pose_turn + o->narrow
-                        + o->reserve))
+                        + o->reserve)
+        || !kern_vec_is_moderate(o->lone))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
@@ -8549,6 +8562,50 @@ static void kern_interface_travels(kern_contact *contact, int contacts)
                 contact[j].n, kern_vec_sub(centre, contact[j].p)) : KERN_R(0);
 }
 
+/* The block that a contact carries where `down` is the direction of gravity. */
+static int kern_carried(const kern_contact *c, kern_vec down)
+{
+    const kern_real push = kern_vec_dot(c->n, down);
+    return push < 0 ? c->b : push > 0 ? c->a : KERN_OUT;
+}
+
+/* The middle of what carries a block: of the two points farthest apart. */
+static kern_vec kern_carried_at(const kern_contact *contact, int contacts,
+                                int block, kern_vec down)
+{
+    kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
+    kern_real widest = KERN_R(-1);
+    int j, k;
+    for (j = 0; j < contacts; j++)
+        for (k = j; k < contacts && kern_carried(contact + j, down) == block; k++) {
+            const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
+            const kern_real square = kern_vec_dot(d, d);
+            if (square > widest && kern_carried(contact + k, down) == block) {
+                widest = square;
+                middle = kern_vec_mid(contact[j].p, contact[k].p);
+            }
+        }
+    return middle;
+}
+
+/* Travels of the points that are alone in their interface. */
+static void kern_lone_travels(kern_contact *contact, int contacts,
+                              kern_vec down)
+{
+    int i, k;
+    for (i = 0; i < contacts; i++) {
+        kern_contact *c = contact + i;
+        const int block = kern_carried(c, down);
+        for (k = 0; k < contacts; k++)
+            if (k != i && kern_same_interface(c, contact + k))
+                break;
+        if (c->line || k < contacts || block == KERN_OUT)
+            continue;
+        c->travel = kern_vec_cross(c->n, kern_vec_sub(
+            kern_carried_at(contact, contacts, block, down), c->p));
+    }
+}
+
 /* Travels of all points. One is beyond all lengths until it is known. */
 static void kern_point_travels(kern_contact *contact, int contacts)
 {
@@ -8820,7 +8877,12 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
         status = kern_search_pairs(&s);
     if (status != KERN_OK)
         return (int)status;
-    return listing ? s.pair.count : kern_search_close(&s);
+    if (listing)
+        return s.pair.count;
+    room = kern_search_close(&s);
+    if (room > 0 && kern_vec_largest(options->lone) > 0)
+        kern_lone_travels(s.pair.out, room, options->lone);
+    return room;
 }
 
 KERN_API int kern_contacts(const kern_block *block, int blocks,
@@ -10074,6 +10136,7 @@ KERN_API kern_options kern_defaults(void)
     o.mu = KERN_R(0.4);
     o.narrow = KERN_R(0);
     o.reserve = KERN_R(0);
+    o.lone = kern_vec_make(KERN_R(0), KERN_R(0));
     o.gap = KERN_R(0);
     o.angle = KERN_R(0.0174533);
     o.epsilon = KERN_R(0);
@@ -10337,7 +10400,7 @@ KERN_API kern_options kern_near(const kern_options *options,
           steps in outlines carry as their chords (>>rules), knees keep their
           edges; kern_measured_options() has other tolerances; kern_contacts()
           needs no work memory.
-          New: kern_raised_load(), options.reserve, kern_interval,
+          New: kern_raised_load(), options.reserve, options.lone, kern_interval,
           KERN_NO_INTERIOR.
    0.1.0  First version.                                                   */
 

@@ -60,6 +60,9 @@ static const char help[] =
 "      --near       all numbers also count near contacts (gaps up to 4 % of the\n"
 "                   mean block, angles up to 0.15 rad): best predictor of\n"
 "                   shaking; the verdict still comes from real contacts\n"
+"      --lone       the one contact point of two blocks shrinks as well, toward\n"
+"                   the middle of what carries the block: a stone on a tip\n"
+"                   then has a margin (of contacts that are found)\n"
 "      --raised     does the load raise the forces that hold it, or do blocks\n"
 "                   hang; the load factors of Coulomb friction, from rest; and\n"
 "                   the reserve, the share of g that may push to\n"
@@ -156,7 +159,7 @@ struct settings {           /* of the command line; numbers < 0: not given */
     kern_real error, turn;  /* of --measured                               */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
-    int raised, sequence, mechanism_live;
+    int raised, sequence, mechanism_live, lone;
     const char *svg, *stays;
     char **file;
     int files;
@@ -779,6 +782,7 @@ static int analyse(struct analysis *a)
     a->task.s.gravity = a->text.gravity;
     options = a->text.options;
     options.relative = set->relative;
+    if (set->lone) options.lone = a->text.gravity;
     if (set->epsilon > 0) options.epsilon = set->epsilon;
     if (set->gap > 0) options.gap = set->gap;
     if (!(set->mu < 0)) options.mu = set->mu;
@@ -1972,7 +1976,8 @@ static int read_option(void *settings, char **argv, int *i)
         { "--forces", &set->forces }, { "--mechanism", &set->mechanism },
         { "--raised", &set->raised }, { "--sequence", &set->sequence },
         { "--profile", &set->profile }, { "--near", &set->touching },
-        { "--json", &set->json }, { "--verdict", &set->verdict_only }
+        { "--json", &set->json }, { "--verdict", &set->verdict_only },
+        { "--lone", &set->lone }
     };
     const char *word = argv[*i], *value;
     if (strcmp(word, "--mechanism") == 0 && argv[*i + 1] &&

@@ -459,6 +459,37 @@ static void middle_of_line(const world *w, int k, wide *x, wide *y)
     *y = ((wide)w->contact[k].p.y + w->contact[other].p.y) / 2;
 }
 
+/* Whether contact p carries the same block as contact k, as options.lone says
+   where down is. */
+static int carry_the_same(const world *w, const kern_contact *p,
+                          const kern_contact *k)
+{
+    const kern_vec down = w->options.lone;
+    const double of_p = (double)(p->n.x * down.x + p->n.y * down.y);
+    const double of_k = (double)(k->n.x * down.x + k->n.y * down.y);
+    return (of_p < 0 || of_p > 0) && (of_k < 0 || of_k > 0) &&
+           (of_p < 0 ? p->b : p->a) == (of_k < 0 ? k->b : k->a);
+}
+
+/* The middle of what carries the block of contact k. */
+static void middle_of_carriers(const world *w, int k, wide *x, wide *y)
+{
+    const kern_contact *c = &w->contact[k];
+    wide most = -1;
+    int i, j;
+    for (i = 0; i < w->contacts; i++)
+        for (j = i; j < w->contacts; j++) {
+            const kern_contact *p = &w->contact[i], *q = &w->contact[j];
+            const wide dx = (wide)p->p.x - q->p.x, dy = (wide)p->p.y - q->p.y;
+            if (!carry_the_same(w, p, c) || !carry_the_same(w, q, c) ||
+                dx * dx + dy * dy <= most)
+                continue;
+            most = dx * dx + dy * dy;
+            *x = ((wide)p->p.x + q->p.x) / 2;
+            *y = ((wide)p->p.y + q->p.y) / 2;
+        }
+}
+
 /* The middle between the two points of the interface of contact k that are
    furthest apart. */
 static void middle_of_points(const world *w, int k, wide *x, wide *y)
@@ -466,12 +497,14 @@ static void middle_of_points(const world *w, int k, wide *x, wide *y)
     const kern_contact *c = &w->contact[k];
     wide most = -1;
     int i, j;
+    int points = 0;
     *x = c->p.x;
     *y = c->p.y;
     for (i = 0; i < w->contacts; i++) {
         const kern_contact *p = &w->contact[i];
         if (p->line || !same_interface(p, c))
             continue;
+        points++;
         for (j = i + 1; j < w->contacts; j++) {
             const kern_contact *q = &w->contact[j];
             const wide dx = (wide)p->p.x - q->p.x, dy = (wide)p->p.y - q->p.y;
@@ -482,11 +515,14 @@ static void middle_of_points(const world *w, int k, wide *x, wide *y)
             *y = ((wide)p->p.y + q->p.y) / 2;
         }
     }
+    if (points == 1 && carry_the_same(w, c, c))
+        middle_of_carriers(w, k, x, y);
 }
 
 /* The way that the point of each contact may go. Written from the definition:
    ends of a line meet in the middle, points of one interface at the feet of its
-   centre. */
+   centre, with options.lone the one point of an interface at the foot of the
+   middle of what carries its block. */
 static void own_travels(const world *w, wide *travel)
 {
     int k;
@@ -2771,6 +2807,48 @@ static void contact_travels(void)
         CHECK(contact_at(&w, 0, 1, 3, 0, 0, 1, GEO));
         check_contacts(&w);
     }
+}
+
+/* A beam on the tips of two fixed wedges, 4 apart: each tip is alone with the
+   beam. They go to the middle between them where that is asked for, and the
+   beam falls when one reaches the centre of mass, 1.5 from the left. */
+static void lone_points(void)
+{
+    static const double wedge[2][6] = {{-1, -1, 1, -1, 0, 0},
+                                       {3, -1, 5, -1, 4, 0}};
+    static world w;
+    kern_margin m;
+    int side, relative;
+    for (relative = 0; relative < 2; relative++)
+        for (side = -1; side <= 1; side++) {
+            world_reset(&w);
+            world_polygon(&w, 0, wedge[0], 3);
+            world_polygon(&w, 0, wedge[1], 3);
+            world_box(&w, 1, -0.5, 0, 4.5, 0.5);
+            w.block[2].centre = vec(1.5, 0.25);
+            w.options.relative = relative;
+            w.options.lone = vec(0, side * 1e3);
+            CHECK_INT(world_touch(&w), 2);
+            CHECK_NEAR(w.contact[0].travel,
+                       side < 0 ? w.contact[0].n.y * -2 : 0, GEO);
+            CHECK_NEAR(w.contact[1].travel,
+                       side < 0 ? w.contact[1].n.y * 2 : 0, GEO);
+            CHECK_INT(measure(&w, &m), KERN_STANDS);
+            CHECK_INT(m.saturated, side >= 0);
+            if (side < 0)
+                CHECK_NEAR(m.margin, relative ? 0.75 : 1.5, GEO);
+        }
+    /* a tip beside the end of a bed from 0 to 1: their middle is at 2 */
+    world_reset(&w);
+    world_polygon(&w, 0, wedge[1], 3);
+    world_box(&w, 0, 0, -1, 1, 0);
+    world_box(&w, 1, 0, 0, 4.5, 0.5);
+    w.options.lone = w.gravity;
+    CHECK_INT(world_touch(&w), 3);
+    CHECK_NEAR(kern_contact_at(&w.contact[0], R(0.25), 0).x, 3.75, GEO);
+    CHECK_NEAR(fabs((double)w.contact[0].travel), 2, GEO);
+    w.options.lone.x = R(INFINITY);
+    CHECK_INT(world_touch(&w), KERN_BAD_NUMBER);
 }
 
 static void contact_room(void)
@@ -8312,6 +8390,79 @@ static void twin_random(void)
     CHECK(twin_near * 50 < twin_asked);
 }
 
+/* Lays a polygon whose corners are along u and up from a place. */
+static void lay_along(world *w, int free_one, double x, double y, double angle,
+                      const double *local, int corners)
+{
+    double xy[8];
+    int k;
+    for (k = 0; k < corners; k++) {
+        const double u = local[2 * k], v = local[2 * k + 1];
+        xy[2 * k] = x + u * cos(angle) - v * sin(angle);
+        xy[2 * k + 1] = y + u * sin(angle) + v * cos(angle);
+    }
+    world_polygon(w, free_one ? uniform(0.5, 2) : 0, xy, corners);
+}
+
+/* Storeys of a beam on the tips of two wedges, which stand on the beam below
+   and differ in height, so that every beam leans. */
+static void random_tips(world *w, int storeys)
+{
+    const double ground[8] = {-9, -1, 9, -1, 9, 0, -9, 0};
+    double x = -2, y = 0, angle = 0;
+    int i, side;
+    world_reset(w);
+    w->options.mu = R(uniform(0.3, 0.9));
+    w->options.relative = chance(0.3);
+    w->options.epsilon = R(uniform(0.02, 0.1));
+    lay_along(w, 0, 0, 0, 0, ground, 4);
+    for (i = 0; i < storeys; i++) {
+        double tip[2][2];
+        for (side = 0; side < 2; side++) {
+            const double at = side ? uniform(2.5, 3.5) : uniform(0.5, 1.6);
+            const double high = uniform(0.6, 0.7);
+            const double wedge[6] = {at - 0.4, 0, at + 0.4, 0, at, high};
+            lay_along(w, 1, x, y, angle, wedge, 3);
+            tip[side][0] = x + at * cos(angle) - high * sin(angle);
+            tip[side][1] = y + at * sin(angle) + high * cos(angle);
+        }
+        angle = atan2(tip[1][1] - tip[0][1], tip[1][0] - tip[0][0]);
+        {
+            const double back = uniform(0.2, 1), thick = uniform(0.2, 0.4);
+            const double beam[8] = {-back, 0,     4 - back, 0,
+                                    4 - back, thick, -back, thick};
+            lay_along(w, 1, tip[0][0], tip[0][1], angle, beam, 4);
+            x = tip[0][0] - back * cos(angle) - thick * sin(angle);
+            y = tip[0][1] - back * sin(angle) + thick * cos(angle);
+        }
+    }
+}
+
+/* The same where lone points travel: most of these kerns are not nested. */
+static void twin_lone_points(void)
+{
+    static world w;
+    int seed, lone = 0, stand = 0;
+    for (seed = 0; seed < some(200); seed++) {
+        kern_margin stays, travels;
+        random_seed(1900000u + (unsigned long long)seed);
+        random_tips(&w, 1 + seed % 3);
+        sprintf(context, "(tips %d)", seed);
+        CHECK(world_touch(&w) > 0);
+        if (measure(&w, &stays) != KERN_STANDS)
+            continue;
+        w.options.lone = w.gravity;
+        world_touch(&w);
+        check_contacts(&w);
+        CHECK(measure(&w, &travels) == KERN_STANDS || SINGLE);
+        compare_with_twin(&w, 0);
+        lone += !twin_nested(&w);
+        stand++;
+    }
+    context[0] = 0;
+    CHECK(stand > some(30) && lone == stand);
+}
+
 /* ==== Bad input ===================================================== >>bad */
 
 /* Every entry that takes a structure says the same of a bad one. */
@@ -10701,6 +10852,7 @@ static const test tests[] = {
     TEST(count_that_is_a_status),
     TEST(contact_given_point_and_line),
     TEST(contact_travels),
+    TEST(lone_points),
     TEST(contact_room),
     TEST(contact_work),
     TEST(contact_many_blocks),
@@ -10805,6 +10957,7 @@ static const test tests[] = {
     TEST(laws_more_support),
     TEST(laws_side_by_side),
     TEST(twin_random),
+    TEST(twin_lone_points),
     TEST(bad_structure),
     TEST(bad_pointers),
     TEST(bad_arguments),

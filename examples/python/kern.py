@@ -114,7 +114,7 @@ class _Options(ctypes.Structure):
                 ("epsilon", c_double), ("relative", c_int), ("limit", c_int),
                 ("overlap", c_double), ("pose_error", c_double),
                 ("pose_turn", c_double), ("narrow", c_double),
-                ("reserve", c_double)]
+                ("reserve", c_double), ("lone", _Vec)]
 
 
 class _Force(ctypes.Structure):
@@ -536,6 +536,7 @@ class Options:
     pose_turn: float = _D.pose_turn
     narrow: float = _D.narrow
     reserve: float = _D.reserve
+    lone: Point = (_D.lone.x, _D.lone.y)
 
     def _c(self) -> _Options:
         limit = operator.index(self.limit)
@@ -545,13 +546,13 @@ class Options:
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
                         bool(self.relative), limit, self.overlap,
                         self.pose_error, self.pose_turn, self.narrow,
-                        self.reserve)
+                        self.reserve, _Vec(*self.lone))
 
     @staticmethod
     def _of(c: _Options) -> Options:
         return Options(c.mu, c.gap, c.angle, c.epsilon, bool(c.relative),
                        c.limit, c.overlap, c.pose_error, c.pose_turn,
-                       c.narrow, c.reserve)
+                       c.narrow, c.reserve, (c.lone.x, c.lone.y))
 
     def near(self, mean_size: float) -> Options:
         """kern_near(): also finds contacts that a first rocking closes."""
