@@ -1,0 +1,255 @@
+/* analysis.h - reads a file, finds its contacts, the verdict, and what follows
+   the verdict.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_ANALYSIS_H
+#define PROGRAM_ANALYSIS_H
+
+#include "../../kern.h"
+
+#include "../parts/args.h"
+#include "../parts/dxf.h"
+#include "asked.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Beyond that an int may not hold the length of the work arrays. */
+enum { MOST_CONTACTS = 10000000 };
+
+/* The contacts of the file, or all that are found between its polygons. */
+static inline int find_contacts(struct analysis *a)
+{
+    struct text_file *t = &a->text;
+    if (t->given) {
+        a->contact = t->contact;
+        a->task.s.contacts = t->contacts;
+        for (int k = 0; k < t->contacts; k++)
+            if (!t->own_mu[k]) t->contact[k].mu = a->task.options.mu;
+        return 0;
+    }
+    int found = KERN_NO_SPACE, ints = 2 * t->blocks;
+    int *index = malloc((size_t)ints * sizeof *index + 1);
+    kern_work work = kern_work_of(NULL, 0, index, ints);
+    for (int room = 16 * t->blocks + 64;
+         index && found == KERN_NO_SPACE && room < INT_MAX / 4; room *= 2) {
+        kern_contact *more = realloc(a->contact, (size_t)room * sizeof *more);
+        if (!more) break;
+        a->contact = more;
+        found = kern_contacts(t->block, t->blocks, &a->task.options, a->contact,
+                              room, &work);
+    }
+    free(index);
+    if (found == KERN_NO_SPACE)
+        return fail(a, 0, "not enough memory for the contacts of %d blocks",
+                    t->blocks);
+    if (found < 0) return fail_blocks(a, (kern_status)found, &work.fault);
+    a->task.s.contacts = found;
+    return 0;
+}
+
+/* What a large structure is busy with, under its verdict on a terminal. */
+static inline void show_stage(const struct analysis *a, const char *what)
+{
+    if (a->task.s.blocks < 200 || !ARGS_TERMINAL(2)) return;
+    fprintf(stderr, "\r%-20s%s", what, *what ? "" : "\r");
+    fflush(stderr);
+}
+
+static inline int take_memory(struct analysis *a)
+{
+    int blocks = a->task.s.blocks, contacts = a->task.s.contacts;
+    if (contacts > MOST_CONTACTS) return fail_memory(a);
+    a->work = room_work(blocks, contacts);
+    a->force = array(contacts, sizeof *a->force);
+    a->last_force = array(contacts, sizeof *a->last_force);
+    a->critical.limit = array(contacts, sizeof *a->critical.limit);
+    a->critical.meeting = array(contacts, sizeof *a->critical.meeting);
+    a->motion = array(blocks, sizeof *a->motion);
+    a->fall = array(blocks, sizeof *a->fall);
+    a->collapse = array(blocks, sizeof *a->collapse);
+    int bad = 0;
+    for (int k = 0; k < PROFILES; k++) {
+        a->fate[k] = array(blocks, sizeof *a->fate[k]);
+        bad |= !a->fate[k];
+    }
+    bad |= !a->critical.limit || !a->critical.meeting;
+    return a->work.real && a->work.index && a->force && a->last_force &&
+           a->motion && a->fall && a->collapse && !bad ? 0 : fail_memory(a);
+}
+
+static inline void free_work(struct analysis *a)
+{
+    room_free_work(&a->work);
+    free(a->force);
+    free(a->last_force);
+    free(a->critical.limit);
+    free(a->critical.meeting);
+    free(a->motion);
+    free(a->fall);
+    free(a->collapse);
+    for (int k = 0; k < PROFILES; k++) free(a->fate[k]);
+}
+
+static inline void free_analysis(struct analysis *a)
+{
+    if (a->contact != a->text.contact) free(a->contact);
+    free(a->sequence);
+    free(a->stays);
+    free(a->stress);
+    free_work(a);
+    text_free(&a->text);
+}
+
+/* What limits the margin; nothing does where it is not known or saturated. */
+static inline void find_limit(struct analysis *a)
+{
+    int falls = a->measured == KERN_FALLS;
+    kern_proof proof = { falls ? NULL : a->last_force, a->collapse };
+    a->critical.contact = -1;
+    if (a->measured < 0 || (!falls && a->m.saturated)) return;
+    kern_critical_of(&a->task, a->m.margin, &proof, &a->critical);
+}
+
+/* At the margin a force acts no nearer to the end of a line contact than that:
+   it can spread over twice the margin, or over all of a shorter contact. */
+static inline void find_stress(struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    kern_force *least = array(s->contacts, sizeof *least), *force = least;
+    a->stress = array(s->contacts, sizeof *a->stress);
+    if (a->measured == KERN_STANDS && force && a->stress) {
+        if (kern_forces(&a->task, a->m.holds, least) != KERN_STANDS)
+            force = a->last_force;
+        for (int k = 0; k < s->contacts; k++) {
+            if (!draw_is_line(s, k)) continue;
+            kern_vec p = s->contact[k].p;
+            kern_vec q = kern_contact_at(&s->contact[k], a->m.margin,
+                                         a->set->relative);
+            double pressed = (double)force[k].normal + force[k + 1].normal;
+            if (pressed > 0)
+                a->stress[k] = pressed / (2 * hypot(q.x - p.x, q.y - p.y));
+            k++;
+        }
+    }
+    free(least);
+}
+
+/* Load factors and tilts; without gravity there are neither. */
+static inline void find_loads(struct analysis *a)
+{
+    for (int side = LEFT; side <= RIGHT; side++) {
+        a->load[side] = a->tilt[side] = (double)NAN;
+        if (a->shown != KERN_STANDS || !(gravity_of(a) > 0)) continue;
+        kern_real value = 0;
+        kern_side sign = side == LEFT ? KERN_LEFT : KERN_RIGHT;
+        kern_status status;
+        status = kern_load_factor(&a->task, shrinkage(a), sign, &value, NULL);
+        a->load[side] = value_or_nan(status, value);
+        status = kern_tilt(&a->task, shrinkage(a), sign, &value, NULL);
+        a->tilt[side] = value_or_nan(status, value);
+    }
+}
+
+/* The contacts with these options, and the verdict with them. */
+static inline int decide(struct analysis *a, const kern_options *options)
+{
+    kern_proof proof = { NULL, NULL };
+    a->task.options = *options;
+    if (find_contacts(a)) return -1;
+    a->task.s.contact = a->contact;
+    free_work(a);
+    if (take_memory(a)) return -1;
+    proof.force = a->force;
+    proof.motion = a->motion;
+    /* The least forces prove it as well, and of thousands of blocks sooner. */
+    a->shown = kern_forces(&a->task, shrinkage(a), a->force);
+    a->least = a->shown == KERN_STANDS;
+    if (!a->least)
+        a->shown = kern_verdict(&a->task, shrinkage(a), &proof);
+    if (a->shown == KERN_FALLS) {
+        memcpy(a->fall, a->motion, sizeof *a->fall * (size_t)a->task.s.blocks);
+        room_falls(&a->task, shrinkage(a), a->fall);
+    }
+    return a->shown < 0 && !is_open(a->shown)
+         ? fail_blocks(a, a->shown, &a->work.fault) : 0;
+}
+
+/* The deficit of what falls, the bearing length of what stands. */
+static inline void find_lengths(struct analysis *a)
+{
+    kern_real length = 0;
+    a->deficit = a->bearing = (double)NAN;
+    if (a->measured == KERN_FALLS) {
+        kern_status status = kern_deficit(&a->task, &length);
+        a->deficit = status < 0 ? (double)NAN : (double)length;
+    } else if (a->measured == KERN_STANDS) {
+        kern_status status = kern_bearing(&a->task, &length, NULL);
+        a->bearing = value_or_nan(status, length);
+    }
+}
+
+/* What follows the verdict. */
+static inline int measure(struct analysis *a)
+{
+    kern_proof limit = { a->last_force, a->collapse };
+    const kern_options near_too = kern_near(&a->task.options,
+                                            (kern_real)mean_size(a));
+    if (find_what_is_asked(a)) return -1;
+    if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
+    limit.force = a->last_force;
+    limit.motion = a->collapse;
+    show_stage(a, "  margin ...");
+    a->measured = kern_measure(&a->task, &a->m, &limit);
+    if (a->measured == KERN_BAD_STEP)
+        return fail(a, a->set->epsilon < 0 ? a->text.epsilon_line : 0,
+                    "%s, the step is %.9g (--epsilon)",
+                    kern_status_text(a->measured),
+                    (double)a->task.options.epsilon);
+    if (a->measured < 0 && !is_open(a->measured))
+        return fail_blocks(a, a->measured, &a->work.fault);
+    find_lengths(a);
+    find_limit(a);
+    find_stress(a);
+    show_stage(a, "  load factors ...");
+    find_loads(a);
+    find_live(a);
+    show_stage(a, "  profile ...");
+    if (a->set->profile) find_profile(a);
+    return 0;
+}
+
+static inline int read_structure(struct analysis *a)
+{
+    return (dxf_named(a->file) ? dxf_load : text_load)(&a->text, a->file)
+         ? fail(a, a->text.line, "%s", a->text.message) : 0;
+}
+
+/* Finds the verdict on what was read. */
+static inline int analyse(struct analysis *a)
+{
+    const struct settings *set = a->set;
+    kern_options options;
+    a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
+    a->task.s.gravity = a->text.gravity;
+    options = a->text.options;
+    options.relative = set->relative;
+    if (set->lone) options.lone = a->text.gravity;
+    if (set->epsilon > 0) options.epsilon = set->epsilon;
+    if (set->gap > 0) options.gap = set->gap;
+    if (!(set->mu < 0)) options.mu = set->mu;
+    if (!(set->limit < 0)) options.limit = (int)set->limit;
+    if (set->error > 0)
+        options = kern_measured_options(&options, set->error, set->turn < 0
+            ? set->error / (kern_real)mean_size(a) : set->turn);
+    if (set->overlap > options.overlap) options.overlap = set->overlap;
+    if (decide(a, &options)) return -1;
+    a->verdict = a->shown;
+    return find_certain(a);
+}
+
+#endif /* PROGRAM_ANALYSIS_H */

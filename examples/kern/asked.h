@@ -1,0 +1,275 @@
+/* asked.h - what options of the command line and statements of the file ask
+   for, and errors that name blocks.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_ASKED_H
+#define PROGRAM_ASKED_H
+
+#include "../../kern.h"
+
+#include "../parts/room.h"
+#include "../parts/stays.h"
+#include "state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* All pairs that overlap, as far as the message has room, and the remedy. */
+static inline int fail_overlaps(struct analysis *a, int block)
+{
+    const struct text_file *t = &a->text;
+    int ints = 2 * t->blocks, *index = malloc((size_t)ints * sizeof *index);
+    kern_work work = kern_work_of(NULL, 0, index, ints);
+    kern_overlap pair[8];
+    char list[400] = "", one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    size_t used = 0;
+    int pairs = kern_overlaps(t->block, t->blocks, &a->task.options, pair, 8,
+                              &work);
+    int shown = 0;
+    free(index);
+    while (shown < pairs && shown < 8 && used < sizeof list / 2) {
+        const kern_overlap *p = &pair[shown++];
+        used += (size_t)snprintf(
+            list + used, sizeof list - used, "%s'%s' and '%s' overlap, %.3g "
+            "deep, %.3g is allowed", used ? "; " : "",
+            text_show(one, t->name[p->a]), text_show(two, t->name[p->b]),
+            (double)p->depth, (double)p->allowed);
+    }
+    if (pairs < 0)
+        return fail(a, 0, "%s", kern_status_text((kern_status)pairs));
+    if (shown < pairs)
+        snprintf(two, sizeof two, "; %d pairs in all", pairs);
+    return fail(a, t->block_line[block], "%s%s (--measured E, --overlap D)",
+                list, shown < pairs ? two : "");
+}
+
+/* An error of the library, at the block it names. */
+static inline int fail_blocks(struct analysis *a, kern_status status,
+                              const kern_fault *fault)
+{
+    const struct text_file *t = &a->text;
+    char one[TEXT_SHOW_ROOM];
+    int i = fault->block, j = fault->other;
+    if (i < 0 || i >= t->blocks)
+        return fail(a, 0, "%s", kern_status_text(status));
+    if (j < 0 || j >= t->blocks)
+        return fail(a, t->block_line[i], "block '%s': %s",
+                    text_show(one, t->name[i]), kern_status_text(status));
+    return fail_overlaps(a, i > j ? i : j);
+}
+
+/* By what factor the live load may grow, and how it falls just beyond. */
+static inline void find_live(struct analysis *a)
+{
+    const kern_proof proof = {
+        NULL, a->set->mechanism_live ? a->collapse : NULL
+    };
+    kern_real value = 0;
+    kern_status status;
+    a->live = (double)NAN;
+    if (a->shown != KERN_STANDS || a->text.lives == 0) return;
+    status = kern_load_factor_of(&a->task, shrinkage(a), a->text.live, &value,
+                                 &proof);
+    a->live = value_or_nan(status, value);
+}
+
+/* The same for Coulomb friction, from rest. */
+static inline void find_raised_loads(struct analysis *a)
+{
+    static const kern_side side[3] = { KERN_LEFT, KERN_RIGHT, KERN_SHRINK };
+    for (int k = 0; k < 3; k++) {
+        const kern_wrench *pattern = k == LIVE ? a->text.live : NULL;
+        kern_real value = 0;
+        a->raised_load[k] = (double)NAN;
+        kern_status status;
+        if (a->raising != KERN_RAISED || a->raised != KERN_STANDS ||
+            !(pattern ? a->text.lives > 0 : gravity_of(a) > 0))
+            continue;
+        status = kern_raised_load(&a->task, shrinkage(a), side[k], pattern,
+                                  &value, NULL);
+        a->raised_load[k] = value_or_nan(status, value);
+    }
+}
+
+/* Margins first, then loads; without gravity there are none of those. */
+static inline void find_profile(struct analysis *a)
+{
+    static const kern_side side[PROFILES] = {
+        KERN_SHRINK, KERN_LEFT, KERN_RIGHT
+    };
+    int falls = gravity_of(a) > 0;
+    a->profiled = KERN_OK;
+    for (int k = 0; k < (falls ? PROFILES : 1); k++) {
+        kern_status status;
+        status = kern_profile(&a->task, side[k], a->fate[k], &a->all[k]);
+        if (status < 0) a->profiled = status;
+    }
+    for (int k = falls ? PROFILES : 1; k < PROFILES; k++) {
+        for (int i = 0; i < a->task.s.blocks; i++)
+            a->fate[k][i] = (kern_real)NAN;
+        a->all[k].least = a->all[k].mean = a->all[k].weak =
+            a->all[k].drop = (kern_real)NAN;
+    }
+}
+
+/* Whether the load raises the forces, and how far gravity may push sideways. */
+static inline int find_raised(struct analysis *a)
+{
+    kern_real reserve = 0;
+    int pushed = gravity_of(a) > 0;
+    a->raised = kern_raised(&a->task, shrinkage(a), &a->raising,
+                            pushed ? &reserve : NULL, NULL);
+    a->reserve = value_or_nan(pushed ? a->raised : KERN_UNDECIDED, reserve);
+    return a->raised < 0 && !is_open(a->raised)
+         ? fail_blocks(a, a->raised, &a->work.fault) : 0;
+}
+
+/* The structure as it grows in the order of the file, all fixed blocks there
+   from the start. */
+struct grown {
+    kern_task task;
+    struct falls_part part;
+    kern_real *value;       /* room for a number a block                     */
+};
+
+static inline int open_grown(const struct analysis *a, struct grown *g)
+{
+    const size_t blocks = (size_t)a->task.s.blocks;
+    g->task = a->task;
+    g->part.contact = array(a->task.s.contacts, sizeof *g->part.contact);
+    g->part.block = malloc(sizeof *g->part.block * blocks);
+    g->part.place = malloc(sizeof *g->part.place * blocks);
+    g->value = malloc(sizeof *g->value * blocks);
+    return g->part.contact && g->part.block && g->part.place && g->value;
+}
+
+static inline void close_grown(struct grown *g)
+{
+    free(g->part.contact);
+    free(g->part.block);
+    free(g->part.place);
+    free(g->value);
+}
+
+/* All blocks up to `last`, with the contacts between them. */
+static inline void grow_to(const struct analysis *a, struct grown *g, int last)
+{
+    const kern_structure *s = &a->task.s;
+    for (int i = 0; i < s->blocks; i++)
+        g->part.place[i] = s->block[i].fixed || i <= last ? 0 : -1;
+    falls_take(s, &g->part, &g->task.s);
+}
+
+/* The margin after each block, 0 where it falls, NAN where that is
+   undecided. */
+static inline int find_sequence(struct analysis *a)
+{
+    struct grown g = { 0 };
+    int last, there = open_grown(a, &g);
+    const int blocks = a->task.s.blocks;
+    a->sequence = malloc(sizeof *a->sequence * (size_t)blocks);
+    for (last = 0; last < blocks && there && a->sequence; last++) {
+        kern_margin m;
+        kern_status status;
+        a->sequence[last] = (double)NAN;
+        if (a->task.s.block[last].fixed) continue;
+        grow_to(a, &g, last);
+        status = kern_measure(&g.task, &m, NULL);
+        if (status == KERN_STANDS) a->sequence[last] = (double)m.margin;
+        if (status == KERN_FALLS) a->sequence[last] = 0;
+    }
+    close_grown(&g);
+    return last < blocks ? fail_memory(a) : 0;
+}
+
+/* The chance of the block of --stays, laid last, or of each in the order of the
+   file, that it stays; NAN where the structure falls. */
+static inline int find_stays(struct analysis *a)
+{
+    struct grown g = { 0 };
+    const int all = is_all(a->set->stays), blocks = a->task.s.blocks;
+    int there = open_grown(a, &g), found = all;
+    a->stays = malloc(sizeof *a->stays * (size_t)blocks);
+    for (int i = 0; i < blocks && there && a->stays; i++) {
+        a->stays[i] = (double)NAN;
+        if (a->task.s.block[i].fixed ||
+            (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
+        found = 1;
+        grow_to(a, &g, all ? i : blocks);
+        stays_of(&g.task, g.part.place[i], g.value, &a->stays[i]);
+    }
+    close_grown(&g);
+    if (!there || !a->stays) return fail_memory(a);
+    return found ? 0 : fail(a, 0, "--stays: there is no free block '%s'",
+                            a->set->stays);
+}
+
+/* Between what the margin of measured blocks lies, and whether the verdict
+   holds within their error; contacts that are given have none. Twice the error
+   allowed finds more contacts, for which there is work memory of its own. */
+static inline int find_certain(struct analysis *a)
+{
+    int room = 2 * a->task.s.contacts + KERN_CONTACTS(a->text.blocks);
+    const int most = 64 * room;
+    kern_status got = KERN_NO_SPACE;
+    kern_margin m;
+    if (!(a->set->error > 0) || a->text.given || is_open(a->shown) ||
+        shrinkage(a) > 0 || kern_measure(&a->task, &m, NULL) < 0)
+        return 0;
+    for (; got == KERN_NO_SPACE && room <= most; room *= 2) {
+        kern_contact *out = malloc((size_t)room * sizeof *out);
+        kern_work work = room_work(a->text.blocks, room);
+        kern_task task = a->task;
+        const int there = out && work.real && work.index;
+        task.work = &work;
+        if (there)
+            got = kern_certain(&task, m.margin, &a->interval, out, room);
+        free(out);
+        room_free_work(&work);
+        if (!there) return fail_memory(a);
+    }
+    if (got >= 0) a->certain = got > 0;
+    return 0;
+}
+
+/* How many times the error of --error the structure bears, and the least
+   friction at which it stands: where cones narrow so fast that kerns hardly
+   shrink. 0 for what falls. */
+static inline void find_error(struct analysis *a)
+{
+    const struct settings *set = a->set;
+    const kern_options options = a->task.options;
+    const kern_real size = (kern_real)mean_size(a);
+    const kern_real fast = 1000 / (set->relative ? 1 : size);
+    kern_margin m;
+    kern_status status;
+    double slope, mu = (double)options.mu;
+    a->bears = a->least_friction = (double)NAN;
+    a->task.options.narrow = (kern_real)tan((double)set->own_turn) /
+                             (2 * set->own_error);
+    status = kern_measure(&a->task, &m, NULL);
+    if (status == KERN_STANDS)
+        a->bears = (double)(m.margin / (2 * set->own_error));
+    if (status == KERN_FALLS) a->bears = 0;
+    a->task.options.narrow = fast;
+    status = kern_measure(&a->task, &m, NULL);
+    a->task.options = options;
+    slope = (double)(fast * m.margin);
+    if (status == KERN_STANDS)
+        a->least_friction = fmax(mu - slope, 0) / (1 + mu * slope);
+}
+
+/* What options ask for, of the real contacts. */
+static inline int find_what_is_asked(struct analysis *a)
+{
+    if (a->set->raised && find_raised(a)) return -1;
+    if (a->set->raised) find_raised_loads(a);
+    if (a->set->own_error > 0) find_error(a);
+    if (a->set->sequence && find_sequence(a)) return -1;
+    return a->set->stays ? find_stays(a) : 0;
+}
+
+#endif /* PROGRAM_ASKED_H */

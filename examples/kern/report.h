@@ -1,0 +1,529 @@
+/* report.h - the report for a person, on stdout.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_REPORT_H
+#define PROGRAM_REPORT_H
+
+#include "../../kern.h"
+
+#include "state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static inline const char *name_of(const struct analysis *a, int block,
+                                  char *shown)
+{
+    return text_show(shown, a->text.name[block]);
+}
+
+static inline const char *plural(int count) { return count == 1 ? "" : "s"; }
+
+/* A coordinate without what the width of a bracket left where it should be
+   0. */
+static inline double tidy(const struct analysis *a, double x)
+{
+    return fabs(x) < 2e-6 * mean_size(a) ? 0 : x;
+}
+
+/* A rate that is printed with five decimals, without the sign of a zero. */
+static inline double rate(double x) { return fabs(x) < 5e-6 ? 0 : x; }
+
+static inline void report_structure(const struct analysis *a)
+{
+    int blocks = a->task.s.blocks - a->text.fixed, ends = line_points(a);
+    int lines = ends / 2, points = a->task.s.contacts - ends;
+    printf("  structure   %d block%s on %d fixed; ", blocks, plural(blocks),
+           a->text.fixed);
+    printf("%d line contact%s and %d point%s%s\n", lines, plural(lines), points,
+           plural(points), a->text.given ? ", given by the file" : "");
+}
+
+static inline void report_level(const struct analysis *a)
+{
+    const char *unit = a->set->relative ? " of each contact" : "";
+    if (a->measured < 0 || a->m.level < 0) {
+        printf("  level       undecided\n");
+        return;
+    }
+    printf("  level       %-8d", a->m.level);
+    if (a->measured == KERN_FALLS && a->shown == KERN_STANDS &&
+        !(shrinkage(a) > 0))
+        printf("  critical: it stands and it falls, as exactly as proofs "
+               "are\n");
+    else if (a->measured == KERN_FALLS)
+        printf("  falls as it is\n");
+    else if (a->m.saturated)
+        printf("  stands even with every kern closed (steps of %.4g%s), so\n"
+               "                        level and margin do not compare\n",
+               (double)a->m.epsilon, unit);
+    else
+        printf("  falls after %d step%s of %.4g%s\n", a->m.level,
+               plural(a->m.level), (double)a->m.epsilon, unit);
+}
+
+static inline void report_margin(const struct analysis *a)
+{
+    int falls = a->measured == KERN_FALLS;
+    double value = falls ? a->deficit : (double)a->m.margin;
+    printf("  %-10s  ", falls ? "deficit" : "margin");
+    if (a->measured == KERN_LIMIT) {
+        printf("undecided by the limit of work (--limit 0 goes on): ");
+        if (a->m.holds < 0) printf("not known to stand, ");
+        else printf("stands at %.4g, ", (double)a->m.holds);
+        printf("%s %.4g\n", a->m.fails < a->m.most ? "falls at" : "at most",
+               (double)a->m.fails);
+        return;
+    }
+    if (a->measured < 0 || isnan(value)) {
+        printf("undecided\n");
+        return;
+    }
+    if (isinf(value)) {
+        printf("none      longer contacts would not help\n");
+        return;
+    }
+    if (!falls && !(value > 1e-9 * mean_size(a))) {
+        printf("0         critical: it stands, but with any smaller contact it "
+               "falls\n");
+        return;
+    }
+    printf("%-8.4g  %s each contact %s at both ends", value,
+           a->set->relative ? "by which share of its half" : "how far",
+           falls ? "must grow" : "can shrink");
+    if (!a->set->relative)
+        printf(", %.3g %% of the mean block size",
+               100 * value / mean_size(a));
+    printf("\n");
+}
+
+static inline void report_bearing(const struct analysis *a)
+{
+    if (a->measured != KERN_STANDS) return;
+    printf("  bearing     ");
+    if (isnan(a->bearing)) printf("undecided\n");
+    else if (isinf(a->bearing)) printf("none      it needs points alone\n");
+    else printf("%-8.4g  length of the shortest contact that it needs, %.3g %% "
+                "of the mean block size\n", a->bearing,
+                100 * a->bearing / (double)kern_mean_size(a->task.s.block,
+                                                          a->task.s.blocks));
+}
+
+static inline void report_stress(const struct analysis *a)
+{
+    int most = most_stressed(a, 0, a->task.s.contacts);
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    if (most < 0) return;
+    const kern_contact *c = &a->task.s.contact[most];
+    if (isinf(a->stress[most])) printf("  stress      any       ");
+    else printf("  stress      %-8.4g  ", a->stress[most]);
+    printf("mean stress if the most loaded contact, between %s and %s, were "
+           "only twice the margin long\n", name_of(a, c->a, one),
+           name_of(a, c->b, two));
+}
+
+static inline void report_limit(const struct analysis *a)
+{
+    const char *head = a->measured == KERN_FALLS ? "gives way" : "limited by";
+    double share;
+    for (int shown = 0, k; shown < 4 && (k = next_limit(a, &share)) >= 0;
+         shown++) {
+        const kern_contact *c = &a->task.s.contact[k];
+        kern_vec p = kern_contact_at(c, a->m.margin, a->set->relative);
+        char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+        printf("  %-10s  %s and %s at (%.6g, %.6g), which %s", head,
+               name_of(a, c->a, one), name_of(a, c->b, two), tidy(a, c->p.x),
+               tidy(a, c->p.y), meeting_word[a->critical.meeting[k]]);
+        if (a->m.margin > 0 && fabs((double)c->travel) > 0)
+            printf(" (shrunk: at %.6g, %.6g)", tidy(a, p.x), tidy(a, p.y));
+        printf("\n");
+        head = "";
+    }
+}
+
+/* How block i moves, seen with gravity pointing down. */
+static inline void print_move(const struct analysis *a,
+                              const kern_motion *motion, int i)
+{
+    kern_motion v = motion[i];
+    const kern_block *b = &a->task.s.block[i];
+    double g = gravity_of(a);
+    double downx = g > 0 ? a->task.s.gravity.x / g : 0;
+    double downy = g > 0 ? a->task.s.gravity.y / g : -1;
+    double right = -v.vx * downy + v.vy * downx;
+    double down = v.vx * downx + v.vy * downy;
+    double size = sqrt(fabs((double)b->area)), speed = hypot(v.vx, v.vy);
+
+    /* Beyond some ten sizes a centre of rotation says less than a direction. */
+    if (fabs(v.spin) * size > 0.1 * speed)
+        printf("tipping %s about (%.4g, %.4g)\n", v.spin < 0 ? "right" : "left",
+               tidy(a, b->centre.x - v.vy / v.spin),
+               tidy(a, b->centre.y + v.vx / v.spin));
+    else if (fabs(down) > 2 * fabs(right))
+        printf("%s\n", down > 0 ? "dropping" : "rising");
+    else
+        printf("sliding %s%s\n", right < 0 ? "left" : "right",
+               down > 0.25 * fabs(right) ? " and down"
+               : down < -0.25 * fabs(right) ? " and up" : "");
+}
+
+static inline void report_collapse(const struct analysis *a)
+{
+    enum { GROUPS = 5, NAMES = 6 };
+    const char *head = a->shown == KERN_FALLS ? "falls by" : "would fall";
+    kern_critical moving = find_groups(a);
+    char shown[TEXT_SHOW_ROOM];
+    int rest = 0;
+    for (int group = 0; group < moving.groups && group < GROUPS; group++) {
+        int lead = -1, names = 0;
+        printf("  %-10s  ", head);
+        head = "";
+        for (int i = 0; i < a->task.s.blocks; i++) {
+            if (moving.group[i] != group) continue;
+            if (lead < 0) lead = i;
+            if (names++ < NAMES)
+                printf("%s%s", names > 1 ? " " : "", name_of(a, i, shown));
+        }
+        if (names > NAMES) printf(" and %d more", names - NAMES);
+        printf(" ");
+        print_move(a, shown_fall(a), lead);
+    }
+    for (int i = 0; i < a->task.s.blocks && moving.groups > GROUPS; i++)
+        rest += moving.group[i] >= GROUPS;
+    if (rest > 0)
+        printf("              and %d more block%s\n", rest, plural(rest));
+    free(moving.group);
+}
+
+static inline const char *factor_text(double value, double scale,
+                                      const char *unit, char out[32])
+{
+    if (isnan(value)) return "undecided";
+    if (isinf(value)) return "any";
+    snprintf(out, 32, "%.4g%s", fabs(value) < 1e-9 ? 0 : scale * value, unit);
+    return out;
+}
+
+static inline void report_loads(const struct analysis *a)
+{
+    static const double degrees = 57.295779513082321;
+    const char *stay = a->text.loads > 0 ? " (loads stay as they are)" : "";
+    char left[32], right[32];
+    if (a->shown != KERN_STANDS) return;
+    if (a->text.lives > 0)
+        printf("  live        %s: factor of the live load\n",
+               factor_text(a->live, 1, "", left));
+    if (!(gravity_of(a) > 0)) return;
+    printf("  load        %s left, %s right: horizontal load factor, in g%s\n",
+           factor_text(a->load[LEFT], 1, "", left),
+           factor_text(a->load[RIGHT], 1, "", right), stay);
+    printf("  tilt        %s left, %s right, ",
+           factor_text(a->tilt[LEFT], 1, "", left),
+           factor_text(a->tilt[RIGHT], 1, "", right));
+    printf("in rad: %s and %s%s\n",
+           factor_text(a->tilt[LEFT], degrees, " deg", left),
+           factor_text(a->tilt[RIGHT], degrees, " deg", right), stay);
+}
+
+static inline void report_forces(const struct analysis *a)
+{
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    if (a->shown != KERN_STANDS) {
+        printf("  forces      none that hold every block\n");
+        return;
+    }
+    printf("  forces      %-10s %-10s %11s %11s %11s %11s %8s\n", "from", "on",
+           "x", "y", "normal", "tangential", "of mu");
+    for (int k = 0; k < a->task.s.contacts; k++) {
+        const kern_contact *c = &a->task.s.contact[k];
+        kern_vec p = kern_contact_at(c, shrinkage(a), a->set->relative);
+        printf("              %-10s %-10s %11.5g %11.5g", name_of(a, c->a, one),
+               name_of(a, c->b, two), tidy(a, p.x), tidy(a, p.y));
+        double f = (double)a->force[k].normal;
+        double r = (double)a->force[k].tangential;
+        if (fabs(r) < 1e-9 * f) r = 0;
+        if (f * c->mu > 0)
+            printf(" %11.5g %11.5g %7.0f%%\n", f, r,
+                   100 * fabs(r) / (f * c->mu));
+        else
+            printf(" %11.5g %11.5g %8s\n", f, r, "-");
+    }
+}
+
+static inline void report_resultants(const struct analysis *a)
+{
+    const struct draw_scene scene = scene_of(a);
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    struct draw_pt at, f;
+    double least = 0; /* below, a component is rounding */
+    if (!scene.force) return;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        if (draw_resultant(&scene, k, &at, &f))
+            least = fmax(least, 1e-9 * hypot(f.x, f.y));
+    printf("  resultants  %-10s %-10s %11s %11s %11s %11s\n", "from", "on", "x",
+           "y", "fx", "fy");
+    for (int k = 0; k < a->task.s.contacts; k++)
+        if (draw_resultant(&scene, k, &at, &f))
+            printf("              %-10s %-10s %11.5g %11.5g %11.5g %11.5g\n",
+                   name_of(a, a->task.s.contact[k].a, one),
+                   name_of(a, a->task.s.contact[k].b, two), tidy(a, at.x),
+                   tidy(a, at.y), fabs(f.x) < least ? 0 : f.x,
+                   fabs(f.y) < least ? 0 : f.y);
+}
+
+static inline void report_motion(const struct analysis *a)
+{
+    const kern_motion *motion = shown_motion(a);
+    char shown[TEXT_SHOW_ROOM];
+    if (!motion) {
+        printf("  motion      none\n");
+        return;
+    }
+    printf("  motion      %-10s %11s %11s %11s\n", "block", "vx", "vy", "spin");
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
+        printf("              %-10s %11.5f %11.5f %11.5f\n",
+               name_of(a, i, shown), rate(motion[i].vx), rate(motion[i].vy),
+               rate(motion[i].spin));
+    }
+}
+
+static inline void report_profile(const struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    if (a->profiled < 0) {
+        printf("  profile     undecided\n");
+        return;
+    }
+    printf("  profile     %-10s %11s %11s %11s\n", "block", "margin",
+           "load left", "load right");
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed) continue;
+        printf("              %-10s %11.5f %11.5f %11.5f\n",
+               name_of(a, i, shown), (double)a->fate[MARGIN][i],
+               (double)a->fate[LOAD_LEFT][i], (double)a->fate[LOAD_RIGHT][i]);
+    }
+    printf("              %-10s %11.5f %11.5f %11.5f\n", "mean",
+           (double)a->all[MARGIN].mean, (double)a->all[LOAD_LEFT].mean,
+           (double)a->all[LOAD_RIGHT].mean);
+    printf("              %-10s %11.5f %11.5f %11.5f\n", "weaker half",
+           (double)a->all[MARGIN].weak, (double)a->all[LOAD_LEFT].weak,
+           (double)a->all[LOAD_RIGHT].weak);
+    printf("  drop        %-10.4g expected under shaking, in mean blocks; more "
+           "is worse\n", expected_drop(a));
+}
+
+/* Distance between two outlines that do not cross: of a corner from an edge. */
+static inline double gap_between(const kern_block *a, const kern_block *b)
+{
+    double least = HUGE_VAL;
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < a->vertices; i++)
+            for (int j = 0; j < b->vertices; j++) {
+                kern_vec p = a->vertex[i], q = b->vertex[j];
+                kern_vec r = b->vertex[j + 1 < b->vertices ? j + 1 : 0];
+                double ex = r.x - q.x, ey = r.y - q.y;
+                double x = p.x - q.x, y = p.y - q.y;
+                double at = (x * ex + y * ey) / (ex * ex + ey * ey);
+                at = at > 0 ? at < 1 ? at : 1 : 0;
+                least = fmin(least, hypot(x - at * ex, y - at * ey));
+            }
+        const kern_block *other = a;
+        a = b;
+        b = other;
+    }
+    return least;
+}
+
+/* Given contacts whose normal leads from b, over the contact, into a. */
+static inline void report_normals(const struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    int shown = 0;
+    for (int k = 0; k < s->contacts && a->text.given && shown < 5; k++) {
+        const kern_contact *c = &s->contact[k];
+        const kern_vec u = s->block[c->a].centre, v = s->block[c->b].centre;
+        if ((c->p.x - u.x) * c->n.x + (c->p.y - u.y) * c->n.y >= 0 ||
+            (v.x - c->p.x) * c->n.x + (v.y - c->p.y) * c->n.y >= 0)
+            continue;
+        printf("  contact %s %s at (%.6g, %.6g): its normal, %.4g %.4g, leads "
+               "into %s\n", name_of(a, c->a, one), name_of(a, c->b, two),
+               (double)c->p.x, (double)c->p.y, (double)c->n.x, (double)c->n.y,
+               name_of(a, c->a, one));
+        shown++;
+    }
+}
+
+/* An angle in degrees taken for its tangent: no stones stick like that. */
+static inline void report_friction(const struct analysis *a)
+{
+    const double mu = (double)a->task.options.mu;
+    if (mu > 2)
+        printf("  friction %g is that of %.4g degrees: MU is the tangent of "
+               "the friction angle\n", mu, 57.295779513082321 * atan(mu));
+}
+
+/* What a structure that falls may lack: ground, or contacts. */
+static inline void report_lack(const struct analysis *a)
+{
+    const kern_structure *s = &a->task.s;
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    int shown = 0;
+    if (a->verdict != KERN_FALLS) return;
+    if (a->text.fixed == 0)
+        printf("  no block is fixed: name the ground with 'fixed'\n");
+    if (s->gravity.y > 0)
+        printf("  gravity points up: %.6g %.6g\n", (double)s->gravity.x,
+               (double)s->gravity.y);
+    report_normals(a);
+    for (int i = 0; i < s->blocks && shown < 5; i++) {
+        int touches = s->block[i].fixed || a->text.given, nearest = -1;
+        double least = HUGE_VAL;
+        for (int k = 0; k < s->contacts && !touches; k++)
+            touches = s->contact[k].a == i || s->contact[k].b == i;
+        for (int j = 0; j < s->blocks && !touches; j++) {
+            double gap = j == i ? HUGE_VAL : gap_between(&s->block[i],
+                                                         &s->block[j]);
+            if (!(gap < least)) continue;
+            least = gap;
+            nearest = j;
+        }
+        if (touches || nearest < 0) continue;
+        printf("  %s touches nothing; nearest gap %.4g, to %s (--gap)\n",
+               name_of(a, i, one), least, name_of(a, nearest, two));
+        shown++;
+    }
+}
+
+/* The verdict, as soon as it is known. */
+static inline void report_verdict(const struct analysis *a)
+{
+    printf("%s: %s", a->file, status_word(a));
+    if (shrinkage(a) > 0)
+        printf(" when shrunk by %.6g%s", (double)shrinkage(a),
+               a->set->relative ? " of each contact" : "");
+    if (a->certain >= 0)
+        printf(a->certain ? ", for certain" : ", not for certain: within the "
+                                              "error it may be otherwise");
+    printf("\n");
+    if (a->certain >= 0 && a->interval.high < KERN_INFINITY)
+        printf("  within the error  margin from %.4g to %.4g\n",
+               (double)a->interval.low, (double)a->interval.high);
+    report_friction(a);
+    report_lack(a);
+    fflush(stdout);
+}
+
+static inline void report_raised(const struct analysis *a)
+{
+    printf("  raised      ");
+    if (a->raised != KERN_STANDS) {
+        printf("%s\n", a->raised == KERN_FALLS ? "no: it falls" : "undecided");
+        return;
+    }
+    printf("%s", a->raising == KERN_RAISED
+           ? "yes       its load raises the forces that hold it"
+           : a->raising == KERN_HANGS
+           ? "hangs     some blocks rest on nothing"
+           : "not shown  no forces were found that its load raises");
+    if (a->raising == KERN_RAISED && !isnan(a->reserve))
+        printf("; reserve %.4g g to either side", a->reserve);
+    printf("\n");
+}
+
+static inline const char *shown_text(double value, char out[32])
+{
+    return isnan(value) ? "not shown" : factor_text(value, 1, "", out);
+}
+
+/* Beside the load factor: what Coulomb friction bears, from rest. */
+static inline void report_raised_loads(const struct analysis *a)
+{
+    char left[32], right[32];
+    if (a->raised != KERN_STANDS) return;
+    if (gravity_of(a) > 0)
+        printf("  raised load %s left, %s right: where stones slide without "
+               "parting, from rest\n",
+               shown_text(a->raised_load[LEFT], left),
+               shown_text(a->raised_load[RIGHT], right));
+    if (a->text.lives > 0)
+        printf("  raised live %s: the same for the live load\n",
+               shown_text(a->raised_load[LIVE], left));
+}
+
+static inline void report_error(const struct analysis *a)
+{
+    printf("  bears       ");
+    if (isnan(a->bears)) printf("undecided\n");
+    else {
+        printf("%-8.4g  times an error of %.4g in place", a->bears,
+               (double)a->set->own_error);
+        if (a->set->own_turn > 0)
+            printf(" and %.4g rad in angle", (double)a->set->own_turn);
+        printf("\n");
+    }
+    if (!isnan(a->least_friction))
+        printf("  friction    %-8.4g  the least at which it stands\n",
+               a->least_friction);
+}
+
+static inline void report_sequence(const struct analysis *a)
+{
+    int weakest = weakest_step(a);
+    char shown[TEXT_SHOW_ROOM];
+    printf("  sequence    margin after each block\n");
+    for (int i = 0; i < a->task.s.blocks; i++)
+        if (!a->task.s.block[i].fixed)
+            printf("    %-16s %.4g%s\n", name_of(a, i, shown),
+                   a->sequence[i], i == weakest ? "  weakest" : "");
+}
+
+/* Of all blocks, or of the one that was named. */
+static inline void report_stays(const struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    for (int i = 0; i < a->task.s.blocks; i++) {
+        if (a->task.s.block[i].fixed ||
+            (!is_all(a->set->stays) &&
+             strcmp(a->text.name[i], a->set->stays) != 0)) continue;
+        printf("  stays       ");
+        if (isnan(a->stays[i])) printf("no        ");
+        else printf("%-8.3f  ", a->stays[i]);
+        printf("chance that %s, laid last, stays where it is let go\n",
+               name_of(a, i, shown));
+    }
+}
+
+static inline void report(const struct analysis *a)
+{
+    report_structure(a);
+    if (a->set->touching)
+        printf("  near contacts count in what follows, but not in the verdict "
+               "above\n");
+    if (shrinkage(a) > 0)
+        printf("  level, margin and bearing are those of contacts as they are, "
+               "loads and tilts at %.6g\n", (double)shrinkage(a));
+    report_level(a);
+    report_margin(a);
+    report_bearing(a);
+    report_stress(a);
+    report_limit(a);
+    if (a->set->raised) report_raised(a);
+    if (a->set->own_error > 0) report_error(a);
+    if (a->set->sequence) report_sequence(a);
+    if (a->set->stays) report_stays(a);
+    report_collapse(a);
+    report_loads(a);
+    if (a->set->raised) report_raised_loads(a);
+    if (a->set->forces) report_forces(a);
+    if (a->set->forces) report_resultants(a);
+    if (a->set->mechanism) report_motion(a);
+    if (a->set->profile) report_profile(a);
+    if (a->set->files > 1) printf("\n");
+}
+
+#endif /* PROGRAM_REPORT_H */

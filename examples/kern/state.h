@@ -1,0 +1,272 @@
+/* state.h - what the command line asks for, what was found of one file, and
+   what report, JSON and picture want to know of it.
+
+   SPDX-License-Identifier: MIT */
+
+#ifndef PROGRAM_STATE_H
+#define PROGRAM_STATE_H
+
+#include "../../kern.h"
+
+#include "../parts/draw.h"
+#include "../parts/text.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LEFT, RIGHT, LIVE };
+enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
+
+struct settings {           /* of the command line; numbers < 0: not given */
+    kern_real epsilon, mu, gap, at, limit, overlap;
+    kern_real error, turn;  /* of --measured                               */
+    kern_real own_error, own_turn; /* of --error                          */
+    int relative, forces, mechanism, profile, touching, json, verdict_only;
+    int raised, sequence, mechanism_live, lone;
+    const char *svg, *stays;
+    char **file;
+    int files;
+};
+
+/* All there is to say about one file. Numbers that do not exist are NAN. */
+struct analysis {
+    const struct settings *set;
+    const char *file;
+    int number;             /* of the file among all             */
+    struct text_file text;
+    int line;               /* of the error, 0: the whole file   */
+    char error[600];        /* "" where there is none            */
+
+    kern_task task;
+    kern_contact *contact;  /* task.s.contact                    */
+    kern_work work;
+
+    kern_status verdict;    /* of real contacts, at the shrinkage asked for */
+    int certain;            /* 1 or 0; -1: --measured tells nothing  */
+    kern_interval interval; /* of the margin, where it tells         */
+    kern_status shown;      /* of the contacts that are shown: with --near
+                               near ones too                     */
+    kern_force *force;      /* there, if it stands               */
+    int least;              /* they are the least forces         */
+    kern_motion *motion;    /* there, if it falls                */
+    kern_motion *fall;      /* the same with all other mechanisms: falls.h */
+
+    kern_status measured;   /* from shrinkage 0                  */
+    kern_margin m;
+    kern_force *last_force; /* at m.holds, if it stands at 0     */
+    kern_motion *collapse;  /* just past the margin, or at 0; with
+                               --mechanism live past its factor  */
+    kern_critical critical; /* what limits the margin            */
+    double deficit, bearing, load[2], tilt[2], live;
+    double raised_load[3];  /* left, right, live; NAN: none is shown */
+    double *stress;         /* of a line contact at the margin; 0: none   */
+
+    kern_status raised;     /* real contacts, if asked for       */
+    kern_raising raising;
+    double reserve;
+    double bears, least_friction;
+    double *sequence;       /* the margin after each block       */
+    double *stays;          /* of a block: its chance, or NAN    */
+
+    kern_status profiled;   /* both profiles, if asked for       */
+    kern_real *fate[3];     /* of each block: its margin, and its load
+                               factors to the left and the right */
+    kern_collapse all[3];   /* their means                       */
+};
+
+static inline int fail(struct analysis *a, int line, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vsnprintf(a->error, sizeof a->error, format, list);
+    va_end(list);
+    a->line = line;
+    return -1;
+}
+
+static inline double mean_size(const struct analysis *a)
+{ return (double)kern_mean_size(a->task.s.block, a->task.s.blocks); }
+
+static inline int fail_memory(struct analysis *a)
+{
+    return fail(a, 0, "not enough memory for %d blocks and %d contact points",
+                a->task.s.blocks, a->task.s.contacts);
+}
+
+/* Does the collapse motion belong to the verdict, or to the margin? */
+static inline kern_motion *shown_motion(const struct analysis *a)
+{
+    if (a->shown == KERN_FALLS) return a->motion;
+    if (a->set->mechanism_live && a->text.lives > 0)
+        return isfinite(a->live) ? a->collapse : NULL;
+    if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
+    return NULL;
+}
+
+/* What pictures and lists of blocks show: of what falls, every mechanism. */
+static inline kern_motion *shown_fall(const struct analysis *a)
+{
+    return a->shown == KERN_FALLS ? a->fall : shown_motion(a);
+}
+
+static inline kern_real shrinkage(const struct analysis *a)
+{
+    return a->set->at < 0 ? 0 : a->set->at;
+}
+
+static inline double gravity_of(const struct analysis *a)
+{
+    return hypot(a->task.s.gravity.x, a->task.s.gravity.y);
+}
+
+/* Length 0 is asked for as 1, so that NULL always means failure. */
+static inline void *array(int count, size_t size)
+{
+    return calloc(count > 0 ? (size_t)count : 1, size);
+}
+
+/* The contact of the largest stress among n from k on; -1: there is none. */
+static inline int most_stressed(const struct analysis *a, int k, int n)
+{
+    int most = -1;
+    for (int i = k; a->stress && i < k + n; i++)
+        if (a->stress[i] > (most < 0 ? 0 : a->stress[most] * (1 + 1e-9)))
+            most = i;
+    return most;
+}
+
+static inline double value_or_nan(kern_status status, kern_real value)
+{
+    return status == KERN_STANDS ? (double)value : (double)NAN;
+}
+
+/* The load factor of block i: the mean of both sides. */
+static inline double fate_load(const struct analysis *a, int i)
+{
+    return ((double)a->fate[LOAD_LEFT][i] + (double)a->fate[LOAD_RIGHT][i]) / 2;
+}
+
+static inline double mean_load(const struct analysis *a)
+{
+    return ((double)a->all[LOAD_LEFT].mean + (double)a->all[LOAD_RIGHT].mean)
+           / 2;
+}
+
+static inline double weak_load(const struct analysis *a)
+{
+    return ((double)a->all[LOAD_LEFT].weak + (double)a->all[LOAD_RIGHT].weak)
+           / 2;
+}
+
+static inline int is_open(kern_status status)
+{
+    return status == KERN_UNDECIDED || status == KERN_LIMIT;
+}
+
+static inline int is_all(const char *word) { return strcmp(word, "all") == 0; }
+
+/* The first block with the least margin in the sequence; -1: none is known. */
+static inline int weakest_step(const struct analysis *a)
+{
+    int weakest = -1;
+    for (int i = 0; i < a->task.s.blocks; i++)
+        if (a->sequence[i] >= 0 && (weakest < 0 || a->sequence[i] <
+                                    a->sequence[weakest]))
+            weakest = i;
+    return weakest;
+}
+
+static inline const char *status_word(const struct analysis *a)
+{
+    if (a->error[0]) return "error";
+    return a->verdict == KERN_STANDS ? "stands"
+         : a->verdict == KERN_FALLS ? "falls"
+         : a->verdict == KERN_LIMIT ? "limit" : "undecided";
+}
+
+/* What is asked for, and neither found nor without limit: bits of the names
+   below. */
+static const char *const open_name[] = {
+    "level", "margin", "deficit", "bearing", "load_left", "load_right",
+    "tilt_left", "tilt_right", "profile", "live"
+};
+enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
+
+static inline unsigned open_questions(const struct analysis *a)
+{
+    int loaded = a->shown == KERN_STANDS && gravity_of(a) > 0;
+    int open[OPENS_MOST] = {
+        a->measured < 0 || a->m.level < 0, a->measured < 0,
+        a->measured == KERN_FALLS && isnan(a->deficit),
+        a->measured == KERN_STANDS && isnan(a->bearing),
+        loaded && isnan(a->load[LEFT]), loaded && isnan(a->load[RIGHT]),
+        loaded && isnan(a->tilt[LEFT]), loaded && isnan(a->tilt[RIGHT]),
+        a->set->profile && a->profiled < 0,
+        a->shown == KERN_STANDS && a->text.lives > 0 && isnan(a->live)
+    };
+    unsigned bits = 0;
+    for (int k = 0; k < OPENS_MOST; k++) bits |= open[k] ? 1u << k : 0;
+    return bits;
+}
+
+static inline int line_points(const struct analysis *a)
+{
+    int points = 0;
+    for (int k = 0; k < a->task.s.contacts; k++)
+        points += a->task.s.contact[k].line != 0;
+    return points;
+}
+
+static const char *const meeting_word[] = { "rests", "hinges", "slides",
+                                            "opens" };
+
+/* A contact point that limits, each once, the strongest first; -1: no more. */
+static inline int next_limit(const struct analysis *a, double *share)
+{
+    kern_real *limit = a->critical.limit;
+    int best = 0;
+    if (a->critical.contact < 0) return -1;
+    for (int k = 1; k < a->task.s.contacts; k++)
+        if (limit[k] > limit[best]) best = k;
+    *share = (double)limit[best];
+    limit[best] = 0;
+    return *share > 0.1 ? best : -1;
+}
+
+/* The moving blocks, in groups that move as one, the fastest first; `group` is
+   the caller's to free. */
+static inline kern_critical find_groups(const struct analysis *a)
+{
+    kern_proof proof = { NULL, shown_fall(a) };
+    kern_critical moving = { NULL, NULL, array(a->task.s.blocks, sizeof(int)),
+                             -1, 0 };
+    if (proof.motion && moving.group)
+        kern_critical_of(&a->task, 0, &proof, &moving);
+    return moving;
+}
+
+/* The forces, as the picture has them. */
+static inline struct draw_scene scene_of(const struct analysis *a)
+{
+    struct draw_scene scene = { 0 };
+    scene.s = &a->task.s;
+    scene.relative = a->set->relative;
+    scene.shrink = (double)shrinkage(a);
+    scene.force = a->shown == KERN_STANDS ? a->force : NULL;
+    scene.force_name = a->least ? "least forces" : NULL;
+    scene.limiting = -1;
+    return scene;
+}
+
+/* Of both sides together: larger is worse. */
+static inline double expected_drop(const struct analysis *a)
+{
+    return (double)a->all[LOAD_LEFT].drop + (double)a->all[LOAD_RIGHT].drop;
+}
+
+static const char *const raising_word[] = { "not shown", "raised", "hangs" };
+
+#endif /* PROGRAM_STATE_H */
