@@ -8,7 +8,7 @@
        state.h        settings, and what was found of one file
        analysis.h     reads, finds contacts, decides, measures
        asked.h        what options and statements ask for beyond that
-       report.h, report_json.h, picture.h, help.h    what is written
+       report.h, report_json.h, picture.h, c_arrays.h, help.h    what is written
 
        cc -O2 -o kern examples/kern.c -lm
        ./kern --svg wall.svg examples/structures/wall-60.kern
@@ -25,6 +25,7 @@
 #include "../kern.h"
 
 #include "kern/analysis.h"
+#include "kern/c_arrays.h"
 #include "kern/help.h"
 #include "kern/picture.h"
 #include "kern/report.h"
@@ -85,6 +86,13 @@ static void print_error(const struct analysis *a)
     fprintf(stderr, " %s\n", a->error);
 }
 
+/* Nonzero where one cannot be written. */
+static int write_files(const struct analysis *a)
+{
+    const int bad = a->set->svg && draw(a);
+    return (a->set->c_file && write_c(a)) || bad;
+}
+
 static int run_file(const struct settings *set, int number, int *shown)
 {
     struct analysis a = { 0 };
@@ -106,7 +114,7 @@ static int run_file(const struct settings *set, int number, int *shown)
     print_error(&a);
     if (set->json) report_json(&a);
     else if (!a.error[0] && !set->verdict_only) report(&a);
-    if (set->svg && !a.error[0] && draw(&a)) status = EXIT_BAD;
+    if (!a.error[0] && write_files(&a)) status = EXIT_BAD;
     free_analysis(&a);
     return status;
 }
@@ -166,6 +174,18 @@ static int error_option(const char *name, const char *value, kern_real *error,
         || number_option(name, comma + 1, 1, turn) ? -1 : 0;
 }
 
+/* A file that is written must end as such files do, so that none is written
+   over a structure. */
+static int output_option(const char *name, const char *file, const char *end)
+{
+    if (args_ends(file, end)) return 0;
+    if (!file || !file[0])
+        return bad_use("a file name is missing after", name);
+    fprintf(stderr, "kern: %s takes a name that ends in %s, read %s; try kern "
+            "--help\n", name, end, file);
+    return -1;
+}
+
 /* An option with a name behind it. */
 static int name_option(struct settings *set, char **argv, int *i)
 {
@@ -173,12 +193,11 @@ static int name_option(struct settings *set, char **argv, int *i)
     if (args_value(argv, i, "--stays", &set->stays))
         return set->stays && set->stays[0] ? 0
              : bad_use("a block, or all, is missing after", "--stays");
-    if (!args_value(argv, i, "--svg", &set->svg))
-        return bad_use("unknown option", word);
-    if (args_is_svg(set->svg)) return 0;
-    return set->svg && set->svg[0]
-         ? bad_use("--svg takes a name that ends in .svg, read", set->svg)
-         : bad_use("a file name is missing after", "--svg");
+    if (args_value(argv, i, "--c", &set->c_file))
+        return output_option("--c", set->c_file, ".h");
+    if (args_value(argv, i, "--svg", &set->svg))
+        return output_option("--svg", set->svg, ".svg");
+    return bad_use("unknown option", word);
 }
 
 /* Reads argv[*i], with what belongs to it; 0 where it is fine. */

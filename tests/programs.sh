@@ -102,6 +102,45 @@ keys() { # every key of the JSON stands in the help
         $judge keys "$out/all.json" "$out/help"
 }
 
+arrays() { # a structure as C arrays has the margin that the program prints
+    local kern file name
+    kern=$(program kern examples/kern.c) || return 1
+    # shellcheck disable=SC2086
+    gcc $plain -DKERN_IMPLEMENTATION -x c -c kern.h -o "$out/lib.o" || return 1
+    for file in examples/structures/*.kern; do
+        name=$(basename "$file" .kern)
+        "$kern" --json --c "$out/$name.h" "$file" |
+            sed 's/.*"margin": \([^,]*\),.*/\1/' >"$out/want"
+        name=$(echo "$name" | tr - _)
+        {
+            echo '#include <stdio.h>'
+            echo "#include \"$(basename "$file" .kern).h\""
+            echo "enum { B = ${name^^}_BLOCKS, C = ${name^^}_CONTACTS };"
+            echo 'static kern_real real[KERN_REALS(B, C)];'
+            echo 'static int index[KERN_INTS(B, C)];'
+            echo 'int main(void) {'
+            echo '    kern_work work = kern_work_of(real, KERN_REALS(B, C),'
+            echo '                                  index, KERN_INTS(B, C));'
+            echo "    kern_task task = ${name}_task(&work);"
+            echo '    kern_margin m;'
+            echo '    kern_measure(&task, &m, NULL);'
+            echo '    printf("%.17g\n", (double)m.margin);'
+            echo '    return 0;'
+            echo '}'
+        } >"$out/arrays.c"
+        # shellcheck disable=SC2086
+        gcc $plain -I. -I"$out" "$out/arrays.c" "$out/lib.o" -o "$out/arrays" \
+            -lm &&
+            "$out/arrays" >"$out/got" &&
+            gcc $plain -Wfloat-conversion -DKERN_SINGLE -I. -I"$out" \
+                -fsyntax-only "$out/arrays.c" &&
+            python3 -c 'import sys; sys.exit(float(sys.argv[1]) != float(
+                sys.argv[2]))' "$(cat "$out/want")" "$(cat "$out/got")" ||
+            { echo "$file: $(cat "$out/want") $(cat "$out/got")"; return 1; }
+    done
+    ! "$kern" --c examples/structures/tower.kern "$file" 2>"$out/e"
+}
+
 live() { # live loads, weight that is no stone, and loads that stay
     local kern
     kern=$(program kern examples/kern.c) || return 1

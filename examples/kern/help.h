@@ -54,6 +54,8 @@ static const char help[] =
 "      --json       one JSON object a file, one line each\n"
 "      --svg OUT.svg  draw it, with --profile coloured by the margins of the\n"
 "                   blocks; of several files each NAME.* in OUT-NAME.svg\n"
+"      --c OUT.h    writes it as constant C arrays, for firmware: blocks,\n"
+"                   contacts, and the function that makes the task of them\n"
 "  -h, --help, --version\n";
 
 static const char help_format[] =

@@ -29,29 +29,49 @@ static inline const char *stem_of(const char *path, int *length)
 
 /* OUT.svg for one file, OUT-NAME.svg for each of several, and OUT-NAME-2.svg
    for the second of that name. */
-static inline char *svg_name(const struct analysis *a)
+static inline char *output_name(const struct analysis *a, const char *to)
 {
     const struct settings *set = a->set;
     int out, stem, same = 1, folder;
-    const char *name = stem_of(a->file, &stem), *base = stem_of(set->svg, &out);
-    folder = (int)(base - set->svg) + out;
+    const char *name = stem_of(a->file, &stem), *base = stem_of(to, &out);
+    folder = (int)(base - to) + out;
     for (int i = 0; i < a->number; i++) {
         int n;
         const char *other = stem_of(set->file[i], &n);
         same += n == stem && strncmp(name, other, (size_t)n) == 0;
     }
-    size_t room = strlen(set->svg) + (size_t)stem + 16;
+    size_t room = strlen(to) + (size_t)stem + 16;
     char *path = malloc(room);
     if (!path) return NULL;
     if (set->files == 1)
-        strcpy(path, set->svg);
+        strcpy(path, to);
     else if (same == 1)
-        snprintf(path, room, "%.*s-%.*s%s", folder, set->svg, stem, name,
-                 set->svg + folder);
+        snprintf(path, room, "%.*s-%.*s%s", folder, to, stem, name,
+                 to + folder);
     else
-        snprintf(path, room, "%.*s-%.*s-%d%s", folder, set->svg, stem, name,
-                 same, set->svg + folder);
+        snprintf(path, room, "%.*s-%.*s-%d%s", folder, to, stem, name,
+                 same, to + folder);
     return path;
+}
+
+/* The file that an option names, for this structure; *out is NULL where it
+   cannot be written. The path is for close_output(). */
+static inline char *open_output(const struct analysis *a, const char *to,
+                                FILE **out)
+{
+    char *path = output_name(a, to);
+    *out = path ? fopen(path, "w") : NULL;
+    return path;
+}
+
+/* Says what went wrong; returns nonzero where something did. */
+static inline int close_output(char *path, FILE *out, int bad)
+{
+    if (out) bad |= fclose(out) != 0;
+    if (bad) fprintf(stderr, "kern: cannot write %s: %s\n",
+                     path ? path : "the file", strerror(errno));
+    free(path);
+    return bad;
 }
 
 static inline void write_caption(const struct analysis *a, char *out,
@@ -109,14 +129,9 @@ static inline int draw(const struct analysis *a)
     scene.limiting = a->critical.contact;
     scene.caption = caption;
     if (a->set->profile && a->profiled >= 0) colour(a, &scene);
-    char *path = svg_name(a);
-    FILE *out = path ? fopen(path, "w") : NULL;
-    int bad = !out || draw_svg(out, &scene);
-    if (out) bad |= fclose(out) != 0;
-    if (bad) fprintf(stderr, "kern: cannot write %s: %s\n",
-                     path ? path : "the picture", strerror(errno));
-    free(path);
-    return bad;
+    FILE *out;
+    char *path = open_output(a, a->set->svg, &out);
+    return close_output(path, out, !out || draw_svg(out, &scene));
 }
 
 #endif /* PROGRAM_PICTURE_H */

@@ -26,7 +26,7 @@ struct settings {           /* of the command line; numbers < 0: not given */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
     int raised, sequence, mechanism_live, lone;
-    const char *svg, *stays;
+    const char *svg, *c_file, *stays;
     char **file;
     int files;
 };

@@ -63,11 +63,17 @@ static inline int args_range(const char *s, long least, long most, int *first,
     return *s ? -1 : 0;
 }
 
+/* Does a name, longer than its end, end so? */
+static inline int args_ends(const char *name, const char *end)
+{
+    const size_t n = name ? strlen(name) : 0, m = strlen(end);
+    return n > m && strcmp(name + n - m, end) == 0;
+}
+
 /* A picture's name ends in .svg, so that no structure is written over. */
 static inline int args_is_svg(const char *name)
 {
-    const size_t n = name ? strlen(name) : 0;
-    return n > 4 && strcmp(name + n - 4, ".svg") == 0;
+    return args_ends(name, ".svg");
 }
 
 enum { ARGS_HELP = -1, ARGS_VERSION = -2, ARGS_BAD = -3 };

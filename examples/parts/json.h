@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The inside of a JSON string. What is not UTF-8 becomes U+FFFD. */
 static inline void json_text(const char *s)
@@ -32,16 +33,24 @@ static inline void json_string(const char *key, const char *value)
     printf("\"");
 }
 
+enum { JSON_DIGITS = 40 };
+
 /* A number of up to 17 digits, the fewest of three that read back to it; null
    where it is none. */
-static inline void json_value(double value)
+static inline void json_digits(double value, char out[JSON_DIGITS])
 {
-    char out[40] = "null";
+    strcpy(out, "null");
     for (int digits = 15; isfinite(value) && digits <= 17; digits++) {
-        snprintf(out, sizeof out, "%.*g", digits, value);
+        snprintf(out, JSON_DIGITS, "%.*g", digits, value);
         double back = strtod(out, NULL);
         if (!(back < value) && !(back > value)) break;
     }
+}
+
+static inline void json_value(double value)
+{
+    char out[JSON_DIGITS];
+    json_digits(value, out);
     printf("%s", out);
 }
 
