@@ -271,6 +271,10 @@ static void test_masonry(void)
         /* of the upper courses one brick in ten hangs over by the shift */
         near_to("bed of a brick", m.bed,
                 (2 - 4 * shift[k] / 25) / sqrt(2), 1e-9);
+        /* of each upper course all bricks but one at an end */
+        near_to("bricks on two", m.on_two, shift[k] > 0 ? 0.8 : 0, 1e-12);
+        near_to("ends that are columns", m.end_columns, shift[k] > 0 ? 0 : 1,
+                0);
         stack_free(&w);
         stones_free(&stock);
     }
@@ -543,7 +547,7 @@ static void test_bricks(void)
         struct stack_options o = stack_defaults();
         struct stones stock;
         struct stack_wall w;
-        struct masonry m = { 0, 0, 0, 0 };
+        struct masonry m = { 0, 0, 0, 0, 0, 0 };
         o.width = 8.5;
         o.height = 3;
         o.walls = 16;

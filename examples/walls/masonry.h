@@ -1,5 +1,5 @@
 /* masonry.h - what a mason sees in a wall, as figures: beds, stones on end,
-   and the way that a crack takes through the joints.
+   the bond, and the way that a crack takes through the joints.
 
    Sizes of stones are the square roots of their areas. Gravity points to -y.
 
@@ -24,6 +24,11 @@ struct masonry {
     double bed;             /* mean length of a stone's bed, in its sizes   */
     double bedless;         /* share of stones with a bed below 0.15        */
     double upright;         /* share of the long stones that stand on end   */
+    double on_two;          /* share of the stones above the ground that rest
+                               on two or more stones, or on one and the
+                               ground                                       */
+    double end_columns;     /* share of the two ends that hold a column: four
+                               stones or more, each on the one below alone  */
     double joint;           /* length of the shortest way up through the
                                joints over its height: 1 is a running joint */
 };
@@ -32,6 +37,7 @@ static const double masonry_long = 1.25;  /* aspect of a long stone         */
 static const double masonry_steep = 65;   /* its axis, standing; degrees    */
 static const double masonry_level = 0.866; /* normal of a bed: 30 degrees   */
 static const double masonry_point = 0.15; /* a shorter bed is none          */
+static const double masonry_rests = 0.5; /* normal of what carries: 60 deg  */
 static const double masonry_step = 0.06;  /* of the ways, in mean sizes     */
 static const double masonry_side = 0.6;   /* no way runs nearer to the ends */
 static const double masonry_high = 0.8;   /* of the mean top: the end       */
@@ -110,6 +116,97 @@ static int masonry_beds(const kern_structure *s, struct masonry *m)
     free(bed);
     m->bed /= stones;
     m->bedless /= stones;
+    return 0;
+}
+
+/* ---- The bond ------------------------------------------------------------ */
+
+enum { MASONRY_COLUMN = 4, MASONRY_NONE = -1 };
+
+/* What carries a stone, face to face or at a point, at most 60 degrees off the
+   level: how many stones, the lowest index among them, and whether the ground
+   does too. */
+struct masonry_rest {
+    int stones, below, ground;
+};
+
+/* Does `over` rest on `under` by an earlier contact than k? */
+static int masonry_counted(const kern_structure *s, int k, int over, int under)
+{
+    for (int j = 0; j < k; j++) {
+        const kern_contact *c = &s->contact[j];
+        const int up = c->n.y > 0 ? c->b : c->a;
+        if (up == over && c->a + c->b - up == under &&
+            fabs(c->n.y) >= masonry_rests)
+            return 1;
+    }
+    return 0;
+}
+
+static void masonry_rests_of(const kern_structure *s, struct masonry_rest *r)
+{
+    for (int i = 0; i < s->blocks; i++) {
+        r[i].stones = r[i].ground = 0;
+        r[i].below = MASONRY_NONE;
+    }
+    for (int k = 0; k < s->contacts; k++) {
+        const kern_contact *c = &s->contact[k];
+        const int over = c->n.y > 0 ? c->b : c->a, under = c->a + c->b - over;
+        if (fabs(c->n.y) < masonry_rests ||
+            masonry_counted(s, k, over, under))
+            continue;
+        if (s->block[under].fixed) r[over].ground = 1;
+        else if (r[over].stones++ == 0 || under < r[over].below)
+            r[over].below = under;
+    }
+}
+
+/* Is a stone the last one to a side (-1 left, 1 right) at its own height? */
+static int masonry_is_end(const kern_structure *s, int i, int side)
+{
+    const kern_vec at = s->block[i].centre;
+    for (int k = 0; k < s->blocks; k++) {
+        const kern_block *b = &s->block[k];
+        if (k != i && !b->fixed && side * (b->centre.x - at.x) > 0 &&
+            b->box.low.y < at.y && at.y < b->box.high.y)
+            return 0;
+    }
+    return 1;
+}
+
+/* Stones of the longest column that an end of the wall holds. */
+static int masonry_column(const kern_structure *s,
+                          const struct masonry_rest *r, int side)
+{
+    int longest = 0;
+    for (int i = 0; i < s->blocks; i++) {
+        int count = 0, k = i;
+        if (s->block[i].fixed) continue;
+        for (; k != MASONRY_NONE && masonry_is_end(s, k, side) &&
+               count < s->blocks; k = r[k].below) {
+            count++;
+            if (r[k].stones != 1 || r[k].ground) break;
+        }
+        if (count > longest) longest = count;
+    }
+    return longest;
+}
+
+static int masonry_bond(const kern_structure *s, struct masonry *m)
+{
+    struct masonry_rest *r = malloc(((size_t)s->blocks + 1) * sizeof *r);
+    int above = 0, bonded = 0;
+    if (!r) return -1;
+    masonry_rests_of(s, r);
+    for (int i = 0; i < s->blocks; i++) {
+        if (s->block[i].fixed || r[i].stones == 0) continue;
+        above++;
+        bonded += r[i].stones + r[i].ground >= 2;
+    }
+    m->on_two = above > 0 ? (double)bonded / above : 0;
+    m->end_columns = ((masonry_column(s, r, -1) >= MASONRY_COLUMN) +
+                      (masonry_column(s, r, 1) >= MASONRY_COLUMN)) / 2.0;
+    free(r);
     return 0;
 }
 
@@ -241,7 +338,8 @@ MASONRY_API int masonry_of(const kern_structure *s, double size,
                            struct masonry *m)
 {
     m->upright = masonry_upright(s);
-    return masonry_beds(s, m) || masonry_joints(s, size, m) ? -1 : 0;
+    return masonry_beds(s, m) || masonry_bond(s, m) ||
+           masonry_joints(s, size, m) ? -1 : 0;
 }
 
 #endif /* MASONRY_H */

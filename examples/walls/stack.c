@@ -78,8 +78,10 @@ static const char help[] =
 "factor in g with a friction of 0.58, in head joints 0; collapse: level of\n"
 "shaking, 0.059 g each; Q: margin in stones times what the filling is worth;\n"
 "bed: mean length of a stone's bed, in its sizes; upright: share of the long\n"
-"stones that stand on end; joint: shortest way up through the joints over the\n"
-"height, 1 is a running joint.\n"
+"stones that stand on end; on two: share of the stones above the ground that\n"
+"rest on two or more, or on one and the ground; ends: share of the two ends that\n"
+"are four stones or more, each on the one below alone; joint: shortest way up\n"
+"through the joints over the height, 1 is a running joint.\n"
 "\n"
 "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
 
@@ -418,9 +420,9 @@ struct row {
 
 static void print_head(void)
 {
-    printf("%-24s %6s %7s %6s %7s %9s %9s %7s %5s %7s %5s\n", "wall", "stones",
-           "filling", "level", "margin", "limit", "collapse", "Q", "bed",
-           "upright", "joint");
+    printf("%-24s %6s %7s %6s %7s %9s %9s %7s %5s %7s %6s %4s %5s\n", "wall",
+           "stones", "filling", "level", "margin", "limit", "collapse", "Q",
+           "bed", "upright", "on two", "ends", "joint");
 }
 
 static void print_row(const char *name, const struct row *r)
@@ -432,9 +434,10 @@ static void print_row(const char *name, const struct row *r)
     if (r->collapse <= 0) printf("%9s ", "-");
     else if (r->collapse > TABLE_LEVELS) printf("%8s%d ", ">", TABLE_LEVELS);
     else printf("%9.3g ", r->collapse);
-    printf("%7.4f %5.2f %7.2f %5.2f\n",
+    printf("%7.4f %5.2f %7.2f %6.2f %4.1f %5.2f\n",
            stack_quality(r->m.margin / r->size, r->fill), r->masonry.bed,
-           r->masonry.upright, r->masonry.joint);
+           r->masonry.upright, r->masonry.on_two, r->masonry.end_columns,
+           r->masonry.joint);
 }
 
 /* The largest filling of a frame that is laid over a wall, wherever it is
@@ -502,8 +505,10 @@ static void print_json(const struct settings *o, const struct row *r,
     else printf("\"collapse\": null, ");
     if (r->limit >= 0) printf("\"limit\": %.4g, ", r->limit);
     else printf("\"limit\": null, ");
-    printf("\"bed\": %.4g, \"bedless\": %.4g, \"upright\": %.4g, ",
-           r->masonry.bed, r->masonry.bedless, r->masonry.upright);
+    printf("\"bed\": %.4g, \"bedless\": %.4g, \"upright\": %.4g, "
+           "\"on_two\": %.4g, \"end_columns\": %.4g, ", r->masonry.bed,
+           r->masonry.bedless, r->masonry.upright, r->masonry.on_two,
+           r->masonry.end_columns);
     if (r->masonry.joint < HUGE_VAL)
         printf("\"joint\": %.4g, ", r->masonry.joint);
     else printf("\"joint\": null, ");
