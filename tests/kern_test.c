@@ -5833,6 +5833,51 @@ static void tilt_and_load_factor(void)
     context[0] = 0;
 }
 
+/* An arch bridge of 16 voussoirs between springings, its fill as mass, and an
+   axle at 13 places on it: under a load 1e-6 below the factor the independent
+   solver finds forces, 1e-6 above it none. */
+static void axle_on_a_bridge(void)
+{
+    enum { VOUSSOIRS = 16, PLACES = 13 };
+    const double half = 1.2, step = 2 * half / VOUSSOIRS, outer = 1.15;
+    const double step_of_load = SINGLE ? 1e-2 : 1e-6;
+    static world w, t;
+    int i, place, side;
+    world_reset(&w);
+    w.options.mu = R(0.6);
+    for (i = -1; i <= VOUSSOIRS; i++)
+        world_voussoir(&w, i < 0 || i == VOUSSOIRS ? 0 : 1,
+                       pi / 2 - half + i * step, pi / 2 - half + (i + 1) * step,
+                       0.95, outer);
+    for (i = 1; i <= VOUSSOIRS; i++) { /* fill up to a level of 1.3 */
+        kern_block *b = &w.block[i];
+        const double high = 1.3 - (double)b->box.high.y;
+        b->mass += R(0.5 * high * (double)(b->box.high.x - b->box.low.x));
+    }
+    CHECK_INT(world_touch(&w), 2 * (VOUSSOIRS + 1));
+    for (place = 0; place < PLACES; place++) {
+        const double from = pi / 2 - half * (place - 6) / 9;
+        const double x = outer * cos(from), y = outer * sin(from);
+        const int at = 1 + (int)((from - (pi / 2 - half)) / step);
+        kern_wrench pattern[VOUSSOIRS + 2];
+        double factor;
+        memset(pattern, 0, sizeof pattern);
+        pattern[at].fy = -1;
+        pattern[at].torque = R((double)w.block[at].centre.x - x);
+        sprintf(context, "(axle %d)", place);
+        CHECK_INT(load_factor(&w, pattern, 1, &factor), KERN_STANDS);
+        CHECK(factor > 0.01 && factor < 100);
+        for (side = -1; side <= 1; side += 2) {
+            world_copy(&t, &w);
+            kern_block_load(&t.block[at],
+                            vec(0, -factor * (1 + side * step_of_load)),
+                            vec(x, y), 0);
+            CHECK(twin_agrees(&t, 0, side < 0));
+        }
+    }
+    context[0] = 0;
+}
+
 /* ==== Plans ======================================================== >>plan */
 
 /* A plan of blocks of a world, with the memory of everything it holds.
@@ -10914,6 +10959,7 @@ static const test tests[] = {
     TEST(tilt_by_hand),
     TEST(tilt_in_a_slot),
     TEST(tilt_and_load_factor),
+    TEST(axle_on_a_bridge),
     TEST(plan_random),
     TEST(plan_points),
     TEST(plan_changes),
