@@ -7,7 +7,7 @@
 
        state.h        settings, and what was found of one file
        analysis.h     reads, finds contacts, decides, measures
-       asked.h        what options and statements ask for beyond that
+       asked.h, sweep.h    what options and statements ask for beyond that
        report.h, report_json.h, picture.h, c_arrays.h, help.h    what is written
 
        cc -O2 -o kern examples/kern.c -lm
@@ -89,7 +89,8 @@ static void print_error(const struct analysis *a)
 /* Nonzero where one cannot be written. */
 static int write_files(const struct analysis *a)
 {
-    const int bad = a->set->svg && draw(a);
+    int bad = a->set->svg && draw(a);
+    if (a->set->svg && a->sweeps > 0) bad |= draw_sweep(a);
     return (a->set->c_file && write_c(a)) || bad;
 }
 
@@ -208,7 +209,7 @@ static int read_option(void *settings, char **argv, int *i)
         { "--epsilon", 0, &set->epsilon }, { "-e", 0, &set->epsilon },
         { "--mu", 1, &set->mu }, { "--gap", 0, &set->gap },
         { "--at", 1, &set->at }, { "--limit", 1, &set->limit },
-        { "--overlap", 0, &set->overlap }
+        { "--overlap", 0, &set->overlap }, { "--sweep", 0, &set->sweep }
     };
     struct { const char *name; int *out; } flag[] = {
         { "--relative", &set->relative }, { "-r", &set->relative },
@@ -241,6 +242,20 @@ static int read_option(void *settings, char **argv, int *i)
     return name_option(set, argv, i);
 }
 
+/* Numbers that are too large or too small. */
+static int check_settings(const struct settings *set)
+{
+    const char *wrong = NULL;
+    if (set->limit > 2e9 || (set->limit > 0 && set->limit < 1))
+        wrong = "--limit takes a number from 1 to 2,000,000,000, or 0";
+    if (set->relative && set->at > 1)
+        wrong = "with --relative --at takes a share from 0 to 1";
+    if (set->sweep > 0 && !(set->sweep >= 1 && set->sweep <= 10000))
+        wrong = "--sweep takes a number of places from 1 to 10,000";
+    if (wrong) fprintf(stderr, "kern: %s\n", wrong);
+    return wrong ? -1 : 0;
+}
+
 int main(int argc, char **argv)
 {
     struct settings set = { 0 };
@@ -250,8 +265,8 @@ int main(int argc, char **argv)
     set.files = args_read(argc, argv, read_option, &set);
     if (set.files == ARGS_BAD) return EXIT_BAD;
     if (set.files == ARGS_HELP)
-        return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0
-             ? EXIT_BAD : EXIT_STANDS;
+        return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0 ||
+               fputs(help_json, stdout) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == ARGS_VERSION)
         return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == 0) {
@@ -259,14 +274,5 @@ int main(int argc, char **argv)
         fputs(help, stderr);
         return EXIT_BAD;
     }
-    if (set.limit > 2e9 || (set.limit > 0 && set.limit < 1)) {
-        fputs("kern: --limit takes a number from 1 to 2,000,000,000, or 0\n",
-              stderr);
-        return EXIT_BAD;
-    }
-    if (set.relative && set.at > 1) {
-        fputs("kern: with --relative --at takes a share from 0 to 1\n", stderr);
-        return EXIT_BAD;
-    }
-    return run(&set);
+    return check_settings(&set) ? EXIT_BAD : run(&set);
 }

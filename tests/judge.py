@@ -64,6 +64,27 @@ def resultants(r):
                for t in r['thrust'] for k in (1, 2))
 
 
+def axles(name, arch, folder):
+    """Files with the live load as a load, a little below and above what the
+    program says; the arch is symmetric, and the factor of Coulomb friction is
+    never above that of limit analysis."""
+    found, = objects(name)
+    with open(arch, encoding='utf-8') as file:
+        text = file.read()
+    places = [p for p in found['sweep'] if p['live'] is not None]
+    assert len(found['sweep']) == 13 and len(places) == 11
+    for p, q in zip(places, reversed(places)):
+        assert abs(p['x'] + q['x']) < 1e-9, (p, q)
+        assert abs(p['live'] - q['live']) < 1e-6 * p['live'], (p, q)
+        assert 0 < p['raised_live'] <= p['live'] * (1 + 1e-9), p
+        for word, share in ('stands', 1 - 1e-6), ('falls', 1 + 1e-6):
+            path = os.path.join(folder, '%s-%g.kern' % (word, p['x']))
+            with open(path, 'w', encoding='utf-8') as file:
+                file.write('%sload %s 0 %r %r %r\n' % (
+                    text, p['block'], -100 * p['live'] * share, p['x'],
+                    p['y']))
+
+
 def keys(name, text):
     """Every key of the objects stands in a text."""
     def found(value):
@@ -169,6 +190,6 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    checks = (svg, structures, keys, profiles, pushes, figures, functions,
+    checks = (svg, structures, axles, keys, profiles, pushes, figures, functions,
               walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

@@ -168,6 +168,24 @@ live() { # live loads, weight that is no stone, and loads that stay
     "$kern" "$out/live.kern" 2>&1 | grep -q 'live.kern:6: live: a block that is'
 }
 
+sweep() { # as an ordinary load at its place and on its block, what --sweep says
+    # stands when it is smaller by 1e-6, and falls when it is larger
+    local kern arch=examples/structures/arch.kern
+    kern=$(program kern examples/kern.c) || return 1
+    { cat "$arch"; echo live v7 0 -100 -5 9; } >"$out/axle.kern"
+    "$kern" --json --raised --sweep 13 --svg "$out/axle.svg" \
+        "$out/axle.kern" >"$out/axle.json" && mkdir -p "$out/axles" &&
+        $judge axles "$out/axle.json" "$arch" "$out/axles" || return 1
+    "$kern" --verdict "$out"/axles/stands-*.kern >"$out/o" || return 1
+    grep -q '^11 files: 11 stand' "$out/o" || return 1
+    "$kern" --verdict "$out"/axles/falls-*.kern >"$out/o"
+    grep -q '^11 files: 0 stand, 11 fall' "$out/o" || return 1
+    "$kern" --help >"$out/help" && $judge keys "$out/axle.json" "$out/help" &&
+        $judge svg "$out"/axle*.svg && [ -s "$out/axle-sweep.svg" ] || return 1
+    ! "$kern" --sweep 3 "$arch" >"$out/o" 2>"$out/e" &&
+        grep -q 'no live load' "$out/e"
+}
+
 kept() { # no picture is written over a structure
     local kern shake stack place bad i=0 file=$out/kept.kern
     kern=$(program kern examples/kern.c) &&

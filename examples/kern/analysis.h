@@ -11,6 +11,7 @@
 #include "../parts/args.h"
 #include "../parts/dxf.h"
 #include "asked.h"
+#include "sweep.h"
 
 #include <limits.h>
 #include <math.h>
@@ -100,6 +101,7 @@ static inline void free_analysis(struct analysis *a)
     if (a->contact != a->text.contact) free(a->contact);
     free(a->sequence);
     free(a->stays);
+    free(a->swept);
     free(a->stress);
     free_work(a);
     text_free(&a->text);
@@ -218,6 +220,7 @@ static inline int measure(struct analysis *a)
     show_stage(a, "  load factors ...");
     find_loads(a);
     find_live(a);
+    if (a->set->sweep > 0 && find_sweep(a)) return -1;
     show_stage(a, "  profile ...");
     if (a->set->profile) find_profile(a);
     return 0;

@@ -8,6 +8,7 @@
 #include "../../kern.h"
 
 #include "state.h"
+#include "sweep.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -519,6 +520,7 @@ static inline void report(const struct analysis *a)
     report_collapse(a);
     report_loads(a);
     if (a->set->raised) report_raised_loads(a);
+    if (a->sweeps > 0) report_sweep(a);
     if (a->set->forces) report_forces(a);
     if (a->set->forces) report_resultants(a);
     if (a->set->mechanism) report_motion(a);

@@ -10,6 +10,7 @@
 
 #include "../parts/json.h"
 #include "state.h"
+#include "sweep.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -311,6 +312,7 @@ static inline void json_loads(const struct analysis *a, int asked)
     json_known("tilt_right", a->tilt[RIGHT], asked);
     if (a->text.loads > 0) json_flag("loads_stay", 1, 1);
     if (a->text.lives > 0) json_known("live", a->live, asked);
+    if (a->set->sweep > 0) json_sweep(a);
     json_open(asked ? open_questions(a) : 0);
 }
 

@@ -22,6 +22,7 @@ enum { MARGIN, LOAD_LEFT, LOAD_RIGHT, PROFILES };
 
 struct settings {           /* of the command line; numbers < 0: not given */
     kern_real epsilon, mu, gap, at, limit, overlap;
+    kern_real sweep;        /* places of the live load                     */
     kern_real error, turn;  /* of --measured                               */
     kern_real own_error, own_turn; /* of --error                          */
     int relative, forces, mechanism, profile, touching, json, verdict_only;
@@ -29,6 +30,12 @@ struct settings {           /* of the command line; numbers < 0: not given */
     const char *svg, *c_file, *stays;
     char **file;
     int files;
+};
+
+/* The live load at a place: where its first force stands, and its factors. */
+struct swept {
+    double x, y, live, raised;
+    int block;              /* -1: beyond the structure */
 };
 
 /* All there is to say about one file. Numbers that do not exist are NAN. */
@@ -63,6 +70,9 @@ struct analysis {
     double deficit, bearing, load[2], tilt[2], live;
     double raised_load[3];  /* left, right, live; NAN: none is shown */
     double *stress;         /* of a line contact at the margin; 0: none   */
+
+    struct swept *swept;    /* the live load at each place       */
+    int sweeps;
 
     kern_status raised;     /* real contacts, if asked for       */
     kern_raising raising;

@@ -22,7 +22,7 @@ struct plot {
 };
 
 /* Opens FOLDER/NAME for writing; says on stderr where it cannot. */
-static FILE *plot_open(const char *folder, const char *name)
+DRAW_API FILE *plot_open(const char *folder, const char *name)
 {
     char path[4096];
     FILE *out;

@@ -40,6 +40,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A statement `live`. */
+struct text_live {
+    kern_vec force, place;
+};
+
 struct text_file {
     kern_block *block;     /* polygons, masses, centres and loads in place    */
     char **name;           /* one a block                                     */
@@ -51,6 +56,7 @@ struct text_file {
     int contacts;
     kern_wrench *live;     /* one a block: load pattern about its centre      */
     int lives, loads;      /* statements of a pattern; of loads that stay     */
+    struct text_live *axle; /* the statements of the pattern                  */
     kern_vec gravity;
     kern_options options;  /* the defaults, and what the file says            */
     int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
@@ -482,7 +488,8 @@ static int text_live(struct text_reader *r)
     alone.load = *live;
     kern_block_load(&alone, force, at, 0);
     *live = alone.load;
-    r->t->lives++;
+    r->t->axle[r->t->lives].force = force;
+    r->t->axle[r->t->lives++].place = at;
     return text_check_load(r, live);
 }
 
@@ -564,12 +571,13 @@ static int text_begins(const char *s, const char *word)
 static int text_make_room(struct text_reader *r, size_t length)
 {
     struct text_file *t = r->t;
-    size_t blocks = 1, contacts = 1, vertices = 1;
+    size_t blocks = 1, contacts = 1, vertices = 1, lives = 1;
     for (size_t i = 0, n; i < length; i += n + 1) {
         const char *line = t->text + i, *end = memchr(line, '\n', length - i);
         n = end ? (size_t)(end - line) : length - i;
         line += strspn(line, " \t\r");
         contacts += (size_t)text_begins(line, "contact");
+        lives += (size_t)text_begins(line, "live");
         if (!text_begins(line, "block") && !text_begins(line, "fixed"))
             continue;
         blocks++;
@@ -580,13 +588,15 @@ static int text_make_room(struct text_reader *r, size_t length)
     r->contact = calloc(contacts, sizeof *r->contact);
     t->block = calloc(blocks, sizeof *t->block);
     t->live = calloc(blocks, sizeof *t->live);
+    t->axle = calloc(lives, sizeof *t->axle);
     t->name = calloc(blocks, sizeof *t->name);
     t->block_line = calloc(blocks, sizeof *t->block_line);
     t->vertex = calloc(vertices, sizeof *t->vertex);
     t->contact = calloc(2 * contacts, sizeof *t->contact);
     t->own_mu = calloc(2 * contacts, sizeof *t->own_mu);
-    return r->slot && r->contact && t->block && t->live && t->name &&
-           t->block_line && t->vertex && t->contact && t->own_mu ? 0 : text_no_memory(t);
+    return r->slot && r->contact && t->block && t->live && t->axle && t->name &&
+           t->block_line && t->vertex && t->contact && t->own_mu
+         ? 0 : text_no_memory(t);
 }
 
 static int text_lines(struct text_reader *r, size_t length)
@@ -666,6 +676,7 @@ static inline void text_free(struct text_file *t)
 {
     free(t->block);
     free(t->live);
+    free(t->axle);
     free(t->name);
     free(t->block_line);
     free(t->contact);
@@ -674,6 +685,7 @@ static inline void text_free(struct text_file *t)
     free(t->vertex);
     t->block = NULL;
     t->live = NULL;
+    t->axle = NULL;
     t->name = NULL;
     t->block_line = NULL;
     t->contact = NULL;

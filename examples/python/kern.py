@@ -190,7 +190,8 @@ class _Text(ctypes.Structure):
                 ("block_line", c_void_p), ("blocks", c_int), ("fixed", c_int),
                 ("given", c_int), ("contact", POINTER(_Contact)),
                 ("own_mu", c_void_p), ("contacts", c_int), ("live", c_void_p),
-                ("lives", c_int), ("loads", c_int), ("gravity", _Vec),
+                ("lives", c_int), ("loads", c_int), ("axle", c_void_p),
+                ("gravity", _Vec),
                 ("options", _Options), ("epsilon_line", c_int),
                 ("line", c_int), ("message", ctypes.c_char * 512),
                 ("text", c_void_p), ("vertex", c_void_p)]
