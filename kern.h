@@ -2987,9 +2987,9 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
         status = kern_grow(&c.m, &c.path);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        *deficit = c.path.fell <= 0 ? -c.path.fell : KERN_R(-1);
+        *deficit = c.path.fell <= 0 ? 0 - c.path.fell : KERN_R(-1);
     else if (status >= 0)
-        *deficit = status == KERN_STANDS ? KERN_R(0) : -c.path.edge;
+        *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.edge;
     return status;
 }
 
