@@ -410,6 +410,41 @@ def test_phone(browser):
     browser.frame()
 
 
+BRIDGE = """friction 0.5
+fixed ground -4 -1 4 -1 4 0 -4 0
+block left 900 -2 0 -1 0 -1 1 -2 1
+block right 900 1 0 2 0 2 1 1 1
+block beam 1500 -2 1 3 1 3 1.5 -2 1.5
+mass left 300 -1.2 1
+load beam 0 -900 -1 1.5
+live beam 0 -1000 2.8 1.5
+live right 400 -100 2 0.5
+"""
+
+
+def test_asked(browser):
+    """Live loads, weight that is no stone, the load factors of Coulomb
+    friction, and the chance of the stone under the mouse: as native."""
+    browser.ask("show(%s, 'bridge')" % json.dumps(BRIDGE))
+    wall = kern.parse(BRIDGE)
+    lives = [("beam", (0, -1000), (2.8, 1.5)), ("right", (400, -100), (2, 0.5))]
+    assert browser.ask("format(s)").count("live ") == 2
+    for i in (1, 3):
+        browser.mouse("mouseMoved", *centre_of(browser, i))
+        browser.wait("shown.stays && shown.stays.stone === %d" % i)
+        assert browser.ask("shown.stays.chance") == wall.stays(i)
+        said = browser.ask("$('stays').textContent")
+        assert said.startswith(wall.blocks[i].name + ": "), said
+    assert browser.ask("shown.margin") == wall.measure().margin
+    assert browser.ask("shown.raisedLoads") == [
+        wall.raised_load(side) for side in (kern.LEFT, kern.RIGHT)]
+    assert browser.ask("shown.live") == [
+        wall.live(lives), wall.live(lives, raised=True)]
+    assert 0.1 < wall.live(lives) < 100 and wall.stays(1) > 0.5
+    print("live load %.4f, raised %.4f, as native" % tuple(
+        browser.ask("shown.live")))
+
+
 def shots(browser, folder):
     """Pictures of what a person would see, to look at."""
     folder.mkdir(parents=True, exist_ok=True)
@@ -457,6 +492,7 @@ def main():
             test_frames(browser)
             test_settle(browser)
             test_changes(browser)
+            test_asked(browser)
             test_phone(browser)
             for event in browser.events:
                 if event.get("method") == "Network.requestWillBeSent":

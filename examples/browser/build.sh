@@ -27,13 +27,13 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
         "<!-- structures -->")
             for name in wall-30 irregular-wall arch tower falls; do
                 echo "<script type=\"text/plain\" data-structure id=\"$name\">"
-                cat "../structures/$name.kern"
+                sed 's/ *#.*//; /^$/d' "../structures/$name.kern"
                 echo "</script>"
             done
             ;;
         *"<!-- wasm -->"*)
             printf '%s' "${line%%<!-- wasm -->*}"
-            gzip -9n <"$out/page.wasm" | base64 -w 76
+            gzip -9n <"$out/page.wasm" | base64 -w 0
             printf '%s\n' "${line#*<!-- wasm -->}"
             ;;
         *([[:space:]])/\**) # a comment on lines of its own

@@ -13,6 +13,9 @@
 #include "../../kern.h"
 #include "../parts/falls.h"
 
+#define STAYS_SQRT(x) __builtin_sqrt(x)
+#include "../parts/stays.h"
+
 #define PAGE(name) __attribute__((export_name(#name)))
 
 enum { BLOCKS = 400, CONTACTS = 6000, VERTICES = 40000,
@@ -35,6 +38,7 @@ const int constant[7] = { BLOCKS, VERTICES, KERN_STANDS, KERN_FALLS,
                           KERN_OVERLAP, KERN_RAISED, KERN_HANGS };
 
 static kern_block block[BLOCKS];
+static kern_wrench live[BLOCKS]; /* the live load, about the centres          */
 static kern_contact contact[CONTACTS];
 static kern_real real[KERN_REALS(BLOCKS, CONTACTS)];
 static int index[KERN_INTS(BLOCKS, CONTACTS)];
@@ -89,7 +93,9 @@ PAGE(block) int page_block(int i, int first, int vertices, double density)
     int status = density > 0
         ? kern_block_init(&block[i], vertex + first, vertices, density, &f)
         : kern_ground_init(&block[i], vertex + first, vertices, &f);
+    const kern_wrench none = { 0, 0, 0 };
     f.block = i;
+    live[i] = none;
     put_centre(i);
     if (i >= task.s.blocks) task.s.blocks = i + 1;
     return report(status, &f);
@@ -109,6 +115,25 @@ PAGE(load) void page_load(int i, double fx, double fy, double x, double y,
 {
     kern_vec f = { fx, fy }, at = { x, y };
     kern_block_load(&block[i], f, at, torque);
+}
+
+/* Weight that is no stone: the centre moves toward it. */
+PAGE(weight) void page_weight(int i, double mass, double x, double y)
+{
+    kern_block *b = &block[i];
+    b->mass += mass;
+    b->centre.x += mass / b->mass * (x - b->centre.x);
+    b->centre.y += mass / b->mass * (y - b->centre.y);
+    put_centre(i);
+}
+
+PAGE(live) void page_live(int i, double fx, double fy, double x, double y)
+{
+    kern_vec f = { fx, fy }, at = { x, y };
+    kern_block alone = block[i];
+    alone.load = live[i];
+    kern_block_load(&alone, f, at, 0);
+    live[i] = alone.load;
 }
 
 /* Shows the page the contacts that there are. */
@@ -278,6 +303,29 @@ PAGE(load_factor) int page_load_factor(int side)
 {
     return report(kern_load_factor(&task, 0, (kern_side)side, &answer[0], NULL),
                   &work.fault);
+}
+
+/* Answer: the factor of the live load. */
+PAGE(live_factor) int page_live_factor(void)
+{
+    return report(kern_load_factor_of(&task, 0, live, &answer[0], NULL),
+                  &work.fault);
+}
+
+/* Answer: the factor of Coulomb friction, from rest, of a horizontal load to a
+   side, or (0) of the live load. */
+PAGE(raised_load) int page_raised_load(int side)
+{
+    return report(kern_raised_load(&task, 0, (kern_side)side,
+                                   side ? NULL : live, &answer[0], NULL),
+                  &work.fault);
+}
+
+/* Answer: the chance that block i, laid last, stays where it is let go. */
+PAGE(stays) int page_stays(int i)
+{
+    static kern_real value[BLOCKS];
+    return report(stays_of(&task, i, value, &answer[0]), &work.fault);
 }
 
 /* Answer: how it is held (kern_raising), and the sideways reserve. */

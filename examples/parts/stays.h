@@ -28,14 +28,22 @@
 
 #include "../../kern.h"
 
+/* A square root, for programs without a C library too. */
+#ifndef STAYS_SQRT
 #include <math.h>
+#define STAYS_SQRT(x) sqrt(x)
+#endif
+
+static inline double stays_least(double x, double y) { return x < y ? x : y; }
 
 static inline double stays_chance(int raised, double reserve, double load,
                                   double margin)
 {
     const double r = (raised ? reserve : -0.003) + 0.004;
-    const double l = fmin(load, 10) + 0.004, m = fmin(margin, 1) + 0.003;
-    const double odds = 9000 * r * sqrt(r) * sqrt(l) * sqrt(sqrt(m));
+    const double l = stays_least(load, 10) + 0.004;
+    const double m = stays_least(margin, 1) + 0.003;
+    const double odds = 9000 * r * STAYS_SQRT(r) * STAYS_SQRT(l) *
+                        STAYS_SQRT(STAYS_SQRT(m));
     return odds / (1 + odds);
 }
 
@@ -59,7 +67,8 @@ static inline kern_status stays_of(const kern_task *task, int i,
     }
     if (status == KERN_STANDS)
         *chance = raising == KERN_HANGS ? 0 : stays_chance(
-            raising == KERN_RAISED, (double)reserve, fmin(own[1], own[2]),
+            raising == KERN_RAISED, (double)reserve,
+            stays_least(own[1], own[2]),
             own[0] / (double)kern_mean_size(task->s.block, task->s.blocks));
     return status;
 }
