@@ -2820,32 +2820,6 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     return nested ? kern_level_nested(m, path, last, out) : status;
 }
 
-/* The measure along a path that has been opened. */
-static kern_status kern_measure_along(kern_model *m, kern_path *path,
-                                      const kern_task *task,
-                                      const kern_travels *travels,
-                                      kern_margin *r)
-{
-    kern_status status;
-    int last;
-    r->most = travels->most;
-    r->epsilon = kern_step(&path->q, &task->options);
-    r->margin = r->holds = r->fails = KERN_R(0);
-    r->level = r->saturated = 0;
-    if (kern_steps(r, &last) != KERN_OK)
-        return KERN_BAD_STEP;
-    path->end = r->most;
-    status = kern_spent(m->budget.work, m->budget.limit, kern_measure_path(
-        m, path, travels->nested, last, r));
-    if (status == KERN_LIMIT) {
-        r->fails = kern_min(path->fell, r->most);
-        r->margin = r->holds = kern_min(path->stood, r->fails);
-        r->level = -1;
-        r->saturated = 0;
-    }
-    return status;
-}
-
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
 static void kern_known_set(kern_task *task, kern_status status,
@@ -2875,16 +2849,30 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
 {
-    kern_travels travels;
+    kern_path *const path = &c->path;
+    const kern_travels travels = kern_travels_of(&task->s, &path->q);
     kern_margin r;
     kern_status status;
-    c->path.proof = proof;
+    int last;
+    path->proof = proof;
     if (known && known->fails > 0 && known->fails < KERN_INFINITY) {
-        c->path.warm = known;
+        path->warm = known;
         c->m.known = known->force ? known : NULL;
     }
-    travels = kern_travels_of(&task->s, &c->path.q);
-    status = kern_measure_along(&c->m, &c->path, task, &travels, &r);
+    path->end = r.most = travels.most;
+    r.epsilon = kern_step(&path->q, &task->options);
+    r.margin = r.holds = r.fails = KERN_R(0);
+    r.level = r.saturated = 0;
+    if (kern_steps(&r, &last) != KERN_OK)
+        return KERN_BAD_STEP;
+    status = kern_spent(task->work, task->options.limit, kern_measure_path(
+        &c->m, path, travels.nested, last, &r));
+    if (status == KERN_LIMIT) {
+        r.fails = kern_min(path->fell, r.most);
+        r.margin = r.holds = kern_min(path->stood, r.fails);
+        r.level = -1;
+        r.saturated = 0;
+    }
     if (status >= 0 || status == KERN_LIMIT)
         *out = r;
     return status;
@@ -3120,9 +3108,9 @@ static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
 
 /* How a load grows or gravity turns: a verdict where the path begins, the
    search, the proofs. */
-static kern_status kern_push_call(kern_call *c, const kern_task *task,
-                                  kern_real shrink, const kern_growth *growth,
-                                  kern_real *out, const kern_proof *proof)
+static kern_status kern_push(kern_call *c, const kern_task *task,
+                             kern_real shrink, const kern_growth *growth,
+                             kern_real *out, const kern_proof *proof)
 {
     const int tilt = growth->kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
@@ -3150,20 +3138,13 @@ static kern_status kern_push_call(kern_call *c, const kern_task *task,
     return status;
 }
 
-static kern_status kern_push(const kern_task *task, kern_real shrink,
-                             const kern_growth *growth, kern_real *out,
-                             const kern_proof *proof)
-{
-    kern_call c;
-    return kern_push_call(&c, task, shrink, growth, out, proof);
-}
-
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof)
 {
     const kern_growth growth = {KERN_PATH_LOAD, NULL, side};
-    return kern_push(task, shrink, &growth, factor, proof);
+    kern_call c;
+    return kern_push(&c, task, shrink, &growth, factor, proof);
 }
 
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
@@ -3173,7 +3154,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          const kern_proof *proof)
 {
     const kern_growth growth = {KERN_PATH_LOAD, pattern, KERN_SHRINK};
-    return pattern ? kern_push(task, shrink, &growth, factor, proof)
+    kern_call c;
+    return pattern ? kern_push(&c, task, shrink, &growth, factor, proof)
                    : KERN_BAD_POINTER;
 }
 
@@ -3182,7 +3164,8 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                const kern_proof *proof)
 {
     const kern_growth growth = {KERN_PATH_TILT, NULL, side};
-    return kern_push(task, shrink, &growth, angle, proof);
+    kern_call c;
+    return kern_push(&c, task, shrink, &growth, angle, proof);
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
@@ -7381,7 +7364,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_real most = KERN_R(-1), stood = most;
     kern_call c;
     kern_raise r;
-    kern_status status = factor ? kern_push_call(&c, task, shrink, &growth,
+    kern_status status = factor ? kern_push(&c, task, shrink, &growth,
                                                  &most, proof)
                                 : KERN_BAD_POINTER;
     const int spent = status == KERN_STANDS ? task->work->units : 0;
@@ -7571,13 +7554,12 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
-/* A block's outline as it is looked at. A long one has runs of `each` vertices
-   with a box around the edges from corner to corner that start there: what is
-   far from the box is far from these. A look costs some hundreds of edges. */
+/* A block's outline as it is looked at, in runs of `each` vertices with a box
+   around the edges from corner to corner that start there: what is far from the
+   box is far from these. A short outline is one run. */
 typedef struct kern_parts {
     const kern_block *block;
     int straight, reflex;   /* are there such vertices?   */
-    int runs;               /* is it a long one?          */
     int each;               /* vertices of a run          */
     kern_box box[KERN_RUNS];
 } kern_parts;
@@ -7604,9 +7586,9 @@ static void kern_parts_set(kern_parts *parts, const kern_block *block)
         parts->straight |= turn == 0;
         parts->reflex |= turn < 0;
     }
-    parts->runs = n > KERN_RUN;
-    parts->each = n / KERN_RUNS + KERN_RUN / 2;
-    for (i = 0; parts->runs && i < n; i++) {
+    parts->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
+    parts->box[0] = block->box;
+    for (i = 0; n > KERN_RUN && i < n; i++) {
         kern_box *box = &parts->box[i / parts->each];
         const int end = kern_polygon_next(block, i, 0);
         if (i % parts->each == 0)
@@ -7659,9 +7641,9 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
     const kern_block *block = parts->block;
     int i, corner;
     for (i = e->at + 1; i < block->vertices; i++)
-        if (parts->runs
+        if (i % parts->each == 0
             && !kern_box_near(&parts->box[i / parts->each], box, gap)) {
-            i += parts->each - i % parts->each - 1;
+            i += parts->each - 1;
         } else if (!parts->straight || kern_polygon_turn(block, i) != 0) {
             corner = kern_parts_corner(parts, i);
             kern_box_set(&e->box, block->vertex[i], block->vertex[corner]);
@@ -7706,20 +7688,15 @@ static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
     const kern_block *block = parts->block;
     const kern_vec *vertex = block->vertex;
     const int n = block->vertices;
-    kern_vec u = kern_vec_sub(vertex[0], p);
-    kern_real least = KERN_HUGE;
-    int i, start, end, skip = 0, inside = 0;
-    if (parts->runs)
-        least = kern_edge_square(
-            kern_vec_sub(vertex[*nearest], p),
-            kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 0)], p));
+    kern_vec u = kern_vec_sub(vertex[*nearest], p);
+    kern_real least = kern_edge_square(
+        u, kern_vec_sub(vertex[kern_polygon_next(block, *nearest, 0)], p));
+    int i, start, end, inside = 0;
+    u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
         const kern_box *box = &parts->box[start / parts->each];
-        end = n;
-        if (parts->runs) {
-            end = n - start > parts->each ? start + parts->each : n;
-            skip = kern_box_beyond(box, p, least);
-        }
+        const int skip = kern_box_beyond(box, p, least);
+        end = n - start > parts->each ? start + parts->each : n;
         for (i = skip ? end - 1 : start; i < end; i++) {
             const kern_vec v =
                 kern_vec_sub(vertex[kern_polygon_next(block, i, 0)], p);
@@ -8710,7 +8687,6 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     if (i < s->from && kern_block_is_stale(a))
         return KERN_STALE;
     kern_parts_set(&pair->of[0].parts, a);
-    kern_parts_set(&pair->of[1].parts, b);
     kern_pair_tolerances(pair, s);
     pair->a = found.a = i;
     pair->b = found.b = j;
@@ -8816,9 +8792,10 @@ static kern_status kern_search_pairs(kern_search *s)
 {
     kern_status status = KERN_OK;
     int a, b;
-    for (b = s->from; b < s->blocks; b++)
-        for (a = 0; s->block[b].vertices && a < b && status >= 0; a++) {
-            if (!s->block[a].vertices)
+    for (b = s->from; b < s->blocks; b++) {
+        kern_parts_set(&s->pair.of[1].parts, &s->block[b]);
+        for (a = 0; a < b && status >= 0; a++) {
+            if (!s->block[a].vertices || !s->block[b].vertices)
                 continue;
             status = kern_search_pair(s, a, b);
             /* one buffer for two stones: the first has lost its vertices */
@@ -8828,6 +8805,7 @@ static kern_status kern_search_pairs(kern_search *s)
                 status = KERN_STALE;
             }
         }
+    }
     return status;
 }
 
