@@ -591,6 +591,18 @@ static void test_filters(void)
     stones_free(&stock);
 }
 
+/* A stone on its point has level 0 in the kern filter, whatever the wall's. */
+static void test_level_of(void)
+{
+    struct stack_candidate c;
+    memset(&c, 0, sizeof c);
+    c.m.level = 7;
+    c.bed = 0.5;
+    near_to("level with a bed", stack_level_of(&c), 7, 0);
+    c.bed = 0.1;
+    near_to("level without one", stack_level_of(&c), 0, 0);
+}
+
 static void test_bad_stocks(void)
 {
     struct stones s;
@@ -617,6 +629,7 @@ int main(int argc, char **argv)
     test_endured_level();
     test_filters();
     test_bricks();
+    test_level_of();
     test_same();
     test_bad_stocks();
     test_walls(argc > 1 ? atoi(argv[1]) : 1);

@@ -60,6 +60,13 @@ static void stack_sift(const struct stack_wall *w, struct stack_list *list,
             list->one[i].out = 1;
 }
 
+/* The level of the wall with a candidate; 0 where the stone has no bed: its
+   lone points would shrink first. */
+static int stack_level_of(const struct stack_candidate *c)
+{
+    return c->bed < masonry_point ? 0 : c->m.level;
+}
+
 /* Drops candidates whose level is below the mean, but for fillers. */
 static void stack_sift_levels(const struct stack_wall *w,
                               struct stack_list *list)
@@ -68,12 +75,12 @@ static void stack_sift_levels(const struct stack_wall *w,
     int count = 0;
     for (int i = 0; i < list->count; i++)
         if (!list->one[i].out && !stack_is_filler(w, &list->one[i])) {
-            sum += list->one[i].m.level;
+            sum += stack_level_of(&list->one[i]);
             count++;
         }
     for (int i = 0; i < list->count; i++)
         if (!list->one[i].out && !stack_is_filler(w, &list->one[i]) &&
-            list->one[i].m.level * count < sum)
+            (double)stack_level_of(&list->one[i]) * count < sum)
             list->one[i].out = 1;
 }
 
