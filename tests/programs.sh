@@ -389,8 +389,12 @@ stacking() { # stones, features, walls that stand at every step; bad input
 
 walls() { # Figs. 8 and 9, a small version; who wins is not judged
     local walls
-    walls=$(program walls examples/walls/walls.c) && mkdir -p "$out/walls" &&
-        "$walls" --quick "$out" 2>/dev/null && $judge walls "$out"
+    walls=$(program walls examples/walls/walls.c) &&
+        mkdir -p "$out/walls" "$out/settled/walls" &&
+        "$walls" --quick "$out" 2>/dev/null && $judge walls "$out" &&
+        "$walls" --quick --settled "$out/settled" 2>/dev/null &&
+        [ "$(wc -l <"$out/settled/walls.csv")" -eq 21 ] &&
+        $judge svg "$out"/settled/fig{8,9}.svg
 }
 
 benchmark() { # answers must agree with GLPK; times are not judged

@@ -13,6 +13,7 @@
 #include "../examples/parts/rigid.h"
 #include "../examples/parts/text.h"
 
+#include "../examples/walls/drop.h"
 #include "../examples/walls/masonry.h"
 #include "../examples/walls/stones.h"
 #include "../examples/walls/stack.h"
@@ -591,6 +592,96 @@ static void test_filters(void)
     stones_free(&stock);
 }
 
+/* A brick, 2 x 1, that is released over the ground. */
+static struct stone released(const struct stack_wall *w, double angle)
+{
+    const struct rigid_pt turn = rigid_unit(angle);
+    struct stone s = w->stock->stone[0];
+    stone_turn(&s, s.centre, stones_vec(turn.x, turn.y));
+    stone_move(&s, stones_vec(4, 0.01 - s.low.y));
+    check(drop_release(w, &s) == 1, "a brick comes to rest", 0, 1);
+    return s;
+}
+
+/* A brick falls to the side on which its centre is: at the angle of its
+   diagonal, 26.6 degrees off the long face, it could do either. */
+static void test_release(void)
+{
+    static const kern_vec brick[4] = { { -1, -0.5 }, { 1, -0.5 },
+                                       { 1, 0.5 }, { -1, 0.5 } };
+    struct stack_options o = stack_defaults();
+    struct stones stock;
+    struct stack_wall w;
+    stones_make(&stock, 0, 2, 1);
+    for (int i = 0; i < 2; i++) stone_of(&stock.stone[i], brick, 4);
+    stock.size = sqrt(2);
+    stock.area = 2;
+    if (stack_open(&w, &stock, &o)) return;
+    near_to("lies", released(&w, 0.9).centre.y, 0.5, 2e-3);
+    near_to("lies on its other face", released(&w, 0.9 + pi).centre.y, 0.5,
+            2e-3);
+    near_to("stands", released(&w, 1.3).centre.y, 1, 2e-3);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+/* A wall that settles: a stone over the edge of another takes nothing with it
+   and is refused, one above its middle stays. */
+static void test_settle(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    struct stack_place place[2];
+    struct stack_candidate c;
+    memset(&c, 0, sizeof c);
+    if (two_boxes(&w, &stock)) return;
+    stack_cut(&w, 1);
+    c.place.stone = 1;
+    c.place.turn = stones_vec(1, 0);
+    c.place.at = stones_vec(w.stone[0].centre.x,
+                            w.stone[0].high.y - stock.stone[1].low.y);
+    check(drop_settle(&w, 0.1, &c, place) == 1, "a stone on another", 0, 1);
+    near_to("stays", place[1].at.x, c.place.at.x, 1e-3);
+    near_to("height", place[1].at.y, c.place.at.y, 2e-3);
+    c.place.at.x = w.stone[0].high.x + 0.1;
+    check(drop_settle(&w, 0.1, &c, place) == 0, "a stone over an edge", 1, 0);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
+/* Both planners that drop stones: nothing overlaps, the wall lies in its frame,
+   stays when it is released, and is the same once more. */
+static void test_dropped(void)
+{
+    const struct drop_options drop = { 60, 8, 0.1 };
+    const struct stack_run run = { 240, 4, 0, 0, 0, 2 };
+    for (int p = STACK_HEURISTIC; p <= STACK_COMBINED; p++) {
+        struct stack_options o = stack_defaults();
+        struct stones stock;
+        struct stack_wall w, again;
+        o.planner = (enum stack_planner)p;
+        o.width = 5;
+        stones_make(&stock, 30, 10, 77);
+        if (stack_open(&w, &stock, &o) || stack_open(&again, &stock, &o) ||
+            drop_build(&w, &drop) || drop_build(&again, &drop))
+            return;
+        check(w.laid >= 8, "stones that are laid", w.laid, 8);
+        check(stack_sway(&w, NULL, &run, 1, 0.05) <= 0.05, "a wall stays", 0,
+              0.05);
+        check(again.laid == w.laid, "the same wall", again.laid, w.laid);
+        for (int i = 0; i < w.laid; i++) {
+            near_to("the same place", again.stone[i].centre.x,
+                    w.stone[i].centre.x, 0);
+            check(w.stone[i].low.x > -0.01 && w.stone[i].high.x < 5.01 &&
+                      w.stone[i].low.y > -2e-3,
+                  "a stone in the frame", w.stone[i].low.x, 0);
+        }
+        stack_free(&w);
+        stack_free(&again);
+        stones_free(&stock);
+    }
+}
+
 /* A stone on its point has level 0 in the kern filter, whatever the wall's. */
 static void test_level_of(void)
 {
@@ -629,6 +720,9 @@ int main(int argc, char **argv)
     test_endured_level();
     test_filters();
     test_bricks();
+    test_release();
+    test_settle();
+    test_dropped();
     test_level_of();
     test_same();
     test_bad_stocks();

@@ -8,7 +8,8 @@
        fig8.svg                 the walls of the first set, side by side
        fig9.svg                 quality over irregularity: mean and deviation,
                                 that of heuristic as a band, with the level of
-                                collapse as the stability
+                                collapse as the stability; beside it the paired
+                                differences of that level, with intervals
        fig9-margin.svg          the same with the margin
        fig9.csv                 both in numbers
        fig9.md                  means, figures of masonry, differences between
@@ -26,6 +27,7 @@
 #include "../parts/draw.h"
 #include "../parts/plot.h"
 #include "../parts/table.h"
+#include "drop.h"
 #include "masonry.h"
 #include "stack.h"
 #include "stones.h"
@@ -38,11 +40,14 @@
 #include <time.h>
 
 static const char help[] =
-"usage: walls [--quick] [--sets N] [--first S] [--steps N] [--from LIST] FOLDER\n"
+"usage: walls [--quick] [--settled] [--sets N] [--first S] [--steps N]\n"
+"             [--from LIST] FOLDER\n"
 "Builds walls with the planners of stack.h from N stocks a level of\n"
 "irregularity (20), and writes Figs. 8 and 9 of the paper into FOLDER, which\n"
 "must hold a folder `walls`.\n"
 "  --quick     2 stocks a level, 1 for the step test\n"
+"  --settled   heuristic and combined alone: they drop stones in the simulator\n"
+"              and let the wall settle, see drop.h\n"
 "  --first S   the seed of the first stock; default 1\n"
 "  --steps N   the step test, of the walls of the first N stocks a level: each\n"
 "              step is let go in six runs of the simulator; default 0\n"
@@ -89,7 +94,8 @@ struct walls_one {
 struct walls {
     const char *folder;
     const char *from;       /* a list of walls that were built before       */
-    int sets, quick;
+    int sets, quick, settled;
+    int planners;           /* the first of stack.h                         */
     int first, steps;       /* seed of the first set; sets of the step test */
     FILE *list;
     /* one a level, set and planner */
@@ -138,12 +144,17 @@ static int walls_build(const struct walls *f, const struct stones *stock,
 {
     struct walls_one *one = walls_at(f, level, set, planner);
     struct stack_options o = stack_defaults();
+    struct drop_options drop = drop_defaults();
     char path[WALLS_PATH];
     clock_t start = clock();
     o.planner = (enum stack_planner)planner;
     o.seed = (uint64_t)(f->first + set);
-    if (f->quick) o.walls = 4;
-    if (stack_open(w, stock, &o) || stack_plan(w))
+    if (f->quick) {
+        o.walls = 4;
+        drop.drops = 40;
+    }
+    if (stack_open(w, stock, &o) ||
+        (f->settled ? drop_build(w, &drop) : stack_plan(w)))
         return fail("not enough memory for", "a wall");
     one->seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     one->laid = w->laid;
@@ -211,7 +222,7 @@ static void walls_line(const struct walls *f, const char *line)
         level >= WALLS_LEVELS)
         return;
     o.tested = found == 20;
-    for (int p = 0; p < STACK_PLANNERS; p++)
+    for (int p = 0; p < f->planners; p++)
         if (strcmp(planner, stack_planner_name[p]) == 0)
             *walls_at(f, level, set, p) = o;
 }
@@ -225,7 +236,8 @@ static int walls_read(const struct walls *f)
     while (fgets(line, sizeof line, in)) walls_line(f, line);
     fclose(in);
     for (int i = 0; i < WALLS_LEVELS * f->sets * STACK_PLANNERS; i++)
-        if (f->one[i].laid == 0) return fail("not all walls are in", f->from);
+        if (f->one[i].laid == 0 && i % STACK_PLANNERS < f->planners)
+            return fail("not all walls are in", f->from);
     return 0;
 }
 
@@ -258,13 +270,13 @@ static void walls_draw(const struct walls *f, FILE *out, int level,
     draw_close(out);
 }
 
-static void walls_head(FILE *out)
+static void walls_head(const struct walls *f, FILE *out)
 {
     char text[40];
-    draw_begin(out, walls_left + STACK_PLANNERS * walls_wide,
+    draw_begin(out, walls_left + f->planners * walls_wide,
                walls_top + WALLS_LEVELS * walls_high);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
-    for (int p = 0; p < STACK_PLANNERS; p++)
+    for (int p = 0; p < f->planners; p++)
         draw_text(out, walls_left + (p + 0.5) * walls_wide - 14, 20, 13,
                   "middle", stack_planner_name[p],
                   strlen(stack_planner_name[p]));
@@ -281,7 +293,7 @@ static int walls_make(const struct walls *f)
 {
     FILE *out = plot_open(f->folder, "fig8.svg");
     int bad = !out;
-    if (out) walls_head(out);
+    if (out) walls_head(f, out);
     for (int set = 0; set < f->sets && !bad; set++)
         for (int l = 0; l < WALLS_LEVELS && !bad; l++) {
             struct stones stock;
@@ -289,7 +301,7 @@ static int walls_make(const struct walls *f)
                     set + 1, f->sets, walls_percent(l));
             bad = stones_make(&stock, walls_percent(l), WALLS_STONES,
                               (uint64_t)(f->first + set));
-            for (int p = 0; p < STACK_PLANNERS && !bad; p++) {
+            for (int p = 0; p < f->planners && !bad; p++) {
                 struct stack_wall w;
                 bad = walls_build(f, &stock, l, set, p, &w);
                 if (!bad) walls_list(f, l, set, p);
@@ -402,7 +414,7 @@ static void walls_means(const struct walls *f, FILE *out)
             "joints | on two | end columns | seconds |\n|---|---|---|---|---|"
             "---|---|---|---|---|---|---|---|---|---|\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
-        for (int p = 0; p < STACK_PLANNERS; p++) {
+        for (int p = 0; p < f->planners; p++) {
             double sum[WALLS_FIGURES] = { 0 }, x[WALLS_FIGURES];
             for (int set = 0; set < f->sets; set++) {
                 walls_figures(walls_at(f, l, set, p), x);
@@ -424,7 +436,7 @@ static void walls_steps(const struct walls *f, FILE *out)
     fprintf(out, "\n| planner | walls | with a step that moves in some run | "
             "in all runs | finished walls that move in some run | steps | "
             "that move in some run |\n|---|---|---|---|---|---|---|\n");
-    for (int p = 0; p < STACK_PLANNERS; p++) {
+    for (int p = 0; p < f->planners; p++) {
         int some = 0, all = 0, falls = 0, steps = 0, moving = 0;
         for (int l = 0; l < WALLS_LEVELS; l++)
             for (int set = 0; set < sets; set++) {
@@ -449,7 +461,7 @@ static int walls_tables(const struct walls *f)
     fprintf(csv, "irregularity,planner,sets,mean,deviation,interval,"
             "margin_mean,margin_deviation,margin_interval\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
-        for (int p = 0; p < STACK_PLANNERS; p++) {
+        for (int p = 0; p < f->planners; p++) {
             fprintf(csv, "%d,%s,%d", walls_percent(l), stack_planner_name[p],
                     f->sets);
             for (int k = WALLS_COLLAPSE; k <= WALLS_MARGIN; k++) {
@@ -462,8 +474,8 @@ static int walls_tables(const struct walls *f)
         }
     walls_means(f, md);
     walls_differences(f, md, STACK_COMBINED, STACK_HEURISTIC);
-    walls_differences(f, md, STACK_BEST, STACK_HEURISTIC);
-    walls_differences(f, md, STACK_BEST, STACK_COMBINED);
+    for (int p = 0; p < STACK_BEST && f->planners > STACK_BEST; p++)
+        walls_differences(f, md, STACK_BEST, p);
     if (f->steps > 0) walls_steps(f, md);
     return fclose(csv) | fclose(md) ? fail("cannot write", "fig9") : 0;
 }
@@ -499,23 +511,82 @@ static void walls_curve(const struct walls *f, const struct plot *p,
               stack_planner_name[planner]);
 }
 
+/* The stability of a planner less that of heuristic on the same stocks, by
+   level: mean and half the 95 % interval. Returns the farthest end of the
+   intervals. */
+static double walls_lead(const struct walls *f, int planner, int stability,
+                         double mean[WALLS_LEVELS], double half[WALLS_LEVELS])
+{
+    double most = 0;
+    for (int l = 0; l < WALLS_LEVELS; l++) {
+        double sd;
+        walls_sum_up(f, l, planner, STACK_HEURISTIC, stability, 0, &mean[l],
+                     &sd);
+        half[l] = walls_interval(sd, f->sets);
+        most = fmax(most, fabs(mean[l]) + half[l]);
+    }
+    return most;
+}
+
+/* From the field of a figure to that of walls_panel(), in pixels. */
+static const double walls_panel_right = 380 + 24 + 62;
+
+/* A second field to the right of p: differences to heuristic in the stability
+   alone, a point and its interval for every level and planner. */
+static void walls_panel(const struct walls *f, const struct plot *p,
+                        int stability)
+{
+    struct plot q = *p;
+    double mean[WALLS_LEVELS], half[WALLS_LEVELS], most = 1e-3;
+    char title[100];
+    for (int k = STACK_COMBINED; k < f->planners; k++)
+        most = fmax(most, walls_lead(f, k, stability, mean, half));
+    q.left += walls_panel_right;
+    q.y0 = -most;
+    q.y1 = most;
+    const double step = plot_round(&q.y0, &q.y1);
+    plot_axes(&q, plot_round(&q.x0, &q.x1), step);
+    snprintf(title, sizeof title, "Difference to heuristic, %s: mean, 95 %% "
+             "interval", walls_stability_words[stability]);
+    plot_text(&q, q.left, 20, 12.5, "start", title);
+    plot_text(&q, q.left + q.width / 2, q.top + q.height + 35, 11.5, "middle",
+              "irregularity, %");
+    draw_line(q.out, plot_place(&q, q.x0, 0), plot_place(&q, q.x1, 0),
+              "stroke=\"" DRAW_EDGE "\" stroke-width=\"0.8\"");
+    for (int k = STACK_COMBINED; k < f->planners; k++) {
+        char style[80];
+        snprintf(style, sizeof style, "stroke=\"%s\" stroke-width=\"1.6\"",
+                 walls_colour[k]);
+        walls_lead(f, k, stability, mean, half);
+        for (int l = 0; l < WALLS_LEVELS; l++) {
+            const double x = walls_percent(l) + 0.5 * k; /* side by side */
+            draw_line(q.out, plot_place(&q, x, mean[l] - half[l]),
+                      plot_place(&q, x, mean[l] + half[l]), style);
+            plot_point(&q, x, mean[l], walls_colour[k]);
+        }
+    }
+}
+
 static int walls_nine(const struct walls *f, int stability, const char *name,
                       const char *yname)
 {
     FILE *out = plot_open(f->folder, name);
     struct plot p = { NULL, 5, 55, 0, 0.1, 0, 0, 0, 0 };
+    char title[100];
     int bad;
     if (!out) return -1;
     for (int l = 0; l < WALLS_LEVELS; l++)
-        for (int k = 0; k < STACK_PLANNERS; k++) {
+        for (int k = 0; k < f->planners; k++) {
             double mean, sd;
             walls_sum_up(f, l, k, -1, stability, 1, &mean, &sd);
             p.y1 = fmax(p.y1, mean + sd);
         }
     p.y1 *= 1.25; /* the names stand above */
-    plot_begin(&p, out, "Quality of walls: mean, deviation (heuristic: band)",
-               "irregularity, %", yname, 0);
-    for (int k = 0; k < STACK_PLANNERS; k++) walls_curve(f, &p, k, stability);
+    snprintf(title, sizeof title, "Quality, %d stocks a level: mean, deviation "
+             "(heuristic: band)", f->sets);
+    plot_begin(&p, out, title, "irregularity, %", yname, walls_panel_right);
+    for (int k = 0; k < f->planners; k++) walls_curve(f, &p, k, stability);
+    walls_panel(f, &p, stability);
     bad = plot_end(&p);
     return fclose(out) | bad ? fail("cannot write", name) : 0;
 }
@@ -552,13 +623,15 @@ static int walls_option(void *set, char **argv, int *i)
             return args_integer(&word, 1, number[k].most, number[k].out) ||
                    *word ? -1 : 0;
     if (args_value(argv, i, "--from", &f->from)) return f->from ? 0 : -1;
-    f->quick = strcmp(argv[*i], "--quick") == 0;
-    return f->quick ? 0 : -1;
+    if (strcmp(argv[*i], "--quick") == 0) f->quick = 1;
+    else if (strcmp(argv[*i], "--settled") == 0) f->settled = 1;
+    else return -1;
+    return 0;
 }
 
 int main(int argc, char **argv)
 {
-    struct walls f = { NULL, NULL, 0, 0, 1, 0, NULL, NULL };
+    struct walls f = { NULL, NULL, 0, 0, 0, 0, 1, 0, NULL, NULL };
     const int folders = args_read(argc, argv, walls_option, &f);
     if (folders == ARGS_HELP) return fputs(help, stdout) < 0 ? 2 : 0;
     if (folders != 1) {
@@ -567,6 +640,7 @@ int main(int argc, char **argv)
     }
     f.folder = argv[0];
     if (f.sets == 0) f.sets = f.quick ? 2 : 20;
-    if (f.quick && f.steps == 0) f.steps = 1;
+    f.planners = f.settled ? STACK_BEST : STACK_PLANNERS;
+    if (f.quick && !f.settled && f.steps == 0) f.steps = 1;
     return walls_all(&f) ? 2 : 0;
 }
