@@ -18,6 +18,7 @@
 #include "parts/args.h"
 #include "parts/draw.h"
 #include "parts/room.h"
+#include "parts/stays.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -74,6 +75,7 @@ struct wall {
     struct place place[PLACES];
     double error;            /* of a place                                    */
     int best;                /* place, -1: none                               */
+    double stays;            /* the chance that it stays there, NAN: unknown  */
 };
 
 /* ---- where a stone rests ------------------------------------------------ */
@@ -284,6 +286,27 @@ static void find_best(struct wall *w)
     }
 }
 
+/* The chance that the stone stays in the best place: it is laid there, and
+   taken away again. */
+static void find_stays(struct wall *w)
+{
+    kern_real *value;
+    int i;
+
+    w->stays = (double)NAN;
+    if (w->best < 0)
+        return;
+    put_stone(w, &w->place[w->best]);
+    i = kern_plan_add(&w->plan, &w->stone);
+    if (i < 0)
+        return;
+    value = malloc(sizeof *value * (size_t)w->plan.task.s.blocks);
+    if (value)
+        stays_of(&w->plan.task, w->plan.task.s.blocks - 1, value, &w->stays);
+    free(value);
+    kern_plan_remove(&w->plan, w->plan.task.s.blocks - 1);
+}
+
 static void try_places(struct wall *w)
 {
     struct draw_view v;
@@ -307,6 +330,7 @@ static void try_places(struct wall *w)
         tried++;
     }
     find_best(w);
+    find_stays(w);
     fprintf(stderr, "%d stones and one more: %d places tried, %.0f a second\n",
             w->file.blocks - w->file.fixed, tried,
             tried / ((double)(spent + 1) / CLOCKS_PER_SEC));
@@ -340,7 +364,8 @@ static void print_table(const struct wall *w)
         printf("\nbest of all %d places, with an error of %.2f to both "
                "sides:\n", PLACES, w->error);
         print_place(&w->place[w->best]);
-        printf("there at least  %.3f\n", sure_margin(w, w->best));
+        printf("there at least  %.3f; it stays with a chance of %.2f\n",
+               sure_margin(w, w->best), w->stays);
     }
 }
 
