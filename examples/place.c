@@ -6,7 +6,8 @@
    A stone is let down at many places, from left to right, and turns until it
    rests. kern_plan_try() gives the margin of the wall with the stone there; the
    plan of the wall stays as it is. The best place is the one that is good also a
-   little beside it, since a hand is not exact. Without arguments the wall is the
+   little beside it, since a hand is not exact; parts/stays.h gives the chance
+   that the stone stays there when it is let go. Without arguments the wall is the
    one below: a slab reaches out far to the left, and the stone holds it down or
    tips it, or lies elsewhere and makes no difference. The first argument is a
    file for a picture (- for none), the second a wall made of polygons. Times
@@ -572,5 +573,5 @@ without the stone: level 7, margin 0.100
 
 best of all 240 places, with an error of 0.04 to both sides:
   0.95   1.96     3.6     16  0.221
-there at least  0.221
+there at least  0.221; it stays with a chance of 0.99
 */
