@@ -2130,7 +2130,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
 {
     kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
     kern_real closing = KERN_R(0);
-    int i, first = s->blocks, last = 0;
+    int i;
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
         kern_real px, py, pt;
@@ -2140,8 +2140,6 @@ static kern_real kern_prove_motion(const kern_structure *s,
             continue;
         if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
             return KERN_INFINITY;
-        first = first < i ? first : i;
-        last = i;
         weight += kern_wrench_on(s, q, i, &w);
         px = w.fx * m->vx;
         py = w.fy * m->vy;
@@ -2152,8 +2150,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         kern_real speed;
-        if (((c->a < first || c->a > last) && (c->b < first || c->b > last))
-            || !(kern_speeds(c, motion) > 0) || kern_is_out(q, c))
+        if (!(kern_speeds(c, motion) > 0) || kern_is_out(q, c))
             continue;
         speed = kern_closing(s, c, q, motion);
         if (!(speed <= KERN_HUGE))
@@ -2205,10 +2202,13 @@ typedef struct kern_graph {
     int *touch, *after;       /* first end of a contact at a group, and the end
                                  at the same group that follows an end        */
     int *local;               /* of a group: its number in the open part      */
+    int *carrier;             /* of a group: the one that alone carries it: see
+                                 the bodies of >>search; or KERN_OUT          */
 } kern_graph;
 
-/* The last verdict: what was found for it. */
+/* What was found for the last verdict. */
 typedef struct kern_answer {
+    const kern_known *known;  /* forces that held one like it, or NULL        */
     kern_force *force;        /* one a contact                                */
     kern_motion *motion;      /* one a block                                  */
     kern_real *sum;           /* scratch of the proof, four a block           */
@@ -2232,6 +2232,12 @@ typedef struct kern_clusters {
     int budget;               /* products that are left                       */
 } kern_clusters;
 
+/* By how much the cones of friction are narrower. */
+typedef struct kern_cones {
+    kern_real narrow;         /* rate at which they narrow, of the options    */
+    kern_real slope;          /* tangent of that angle, of the last question  */
+} kern_cones;
+
 struct kern_model {
     const kern_structure *s;
     kern_graph graph;
@@ -2245,11 +2251,8 @@ struct kern_model {
     kern_real *size;          /* of a group: magnitude of all that acts       */
     kern_real *arm;           /* two an end: torques of n and t there, as its
                                  row has them                                 */
-    const kern_known *known;  /* forces that held a structure like it, or NULL */
-    kern_real narrow, slope;  /* of the options, of the last question         */
+    kern_cones cone;
     kern_clusters cluster;
-    int *carrier;             /* of a group: the one that alone carries it: see
-                                 the bodies of >>search; or KERN_OUT          */
     int whole;                /* nonzero: all groups are one part             */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
@@ -2281,7 +2284,7 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->cluster.last = kern_take_ints(take, groups);
     m->cluster.next = kern_take_ints(take, groups);
     m->cluster.open = kern_take_ints(take, groups);
-    m->carrier = kern_take_ints(take, groups);
+    m->graph.carrier = kern_take_ints(take, groups);
     m->graph.local = kern_take_ints(take, groups + 1);
     m->arm = kern_take_reals(take, 4 * contacts);
 }
@@ -2412,9 +2415,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->weight = KERN_R(1);
-    m->known = NULL;
-    m->narrow = q->narrow;
-    m->slope = KERN_R(0);
+    m->answer.known = NULL;
+    m->cone.narrow = q->narrow;
+    m->cone.slope = KERN_R(0);
     m->graph.groups = m->whole = 0;
     return KERN_OK;
 }
@@ -2509,7 +2512,7 @@ static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 }
 
 static inline kern_real kern_model_mu(const kern_model *m, int i)
-{ return kern_friction(m->s->contact + i, m->slope); }
+{ return kern_friction(m->s->contact + i, m->cone.slope); }
 
 /* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
 static void kern_model_load(kern_model *m, const kern_query *q, int g)
@@ -2528,7 +2531,7 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = KERN_R(0);
     int g;
-    m->slope = kern_slope(q);
+    m->cone.slope = kern_slope(q);
     m->weight = KERN_R(1);
     m->unit[m->graph.groups] = KERN_R(0);
     for (g = 0; g < m->graph.groups; g++) {
@@ -2857,7 +2860,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     path->proof = proof;
     if (known && known->fails > 0 && known->fails < KERN_INFINITY) {
         path->warm = known;
-        c->m.known = known->force ? known : NULL;
+        c->m.answer.known = known->force ? known : NULL;
     }
     path->end = r.most = travels.most;
     r.epsilon = kern_step(&path->q, &task->options);
@@ -3025,8 +3028,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                  && (status == KERN_FALLS || status == KERN_UNDECIDED)) {
             for (i = 0; i < task->s.blocks && status == KERN_UNDECIDED
                         && proof && proof->motion; i++)
-                proof->motion[i].vx = proof->motion[i].vy =
-                    proof->motion[i].spin = KERN_R(0);
+                kern_motion_clear(proof->motion + i);
             hi = at;
             status = KERN_STANDS;
         }
@@ -4822,15 +4824,14 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
    must be. */
 static void kern_pass_known(kern_model *m, kern_real shrink)
 {
-    const kern_real from = m->known->holds;
+    const kern_known *known = m->answer.known;
     int i, g, e;
     for (i = 0; i < m->s->contacts; i++) {
-        m->answer.force[i].normal = m->known->force[i].normal / m->weight;
-        m->answer.force[i].tangential = m->known->force[i].tangential
-                                        / m->weight;
+        m->answer.force[i].normal = known->force[i].normal / m->weight;
+        m->answer.force[i].tangential = known->force[i].tangential / m->weight;
     }
-    for (i = 0; i < m->s->contacts && shrink < from; i++)
-        i += kern_force_widen(m, i, from, shrink);
+    for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
+        i += kern_force_widen(m, i, known->holds, shrink);
     for (g = 0; g < m->graph.groups; g++) {
         kern_real left[3] = {0, 0, 0};
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -4924,7 +4925,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     kern_model *m = p->m;
     int k, edge;
     KERN_ASSERT(p->eq.lp.rows == 3 * p->groups);
-    m->slope = kern_slope(q);
+    m->cone.slope = kern_slope(q);
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, p->eq.rhs);
@@ -5159,7 +5160,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int proven)
 {
     kern_passed found;
-    int change = m->known != NULL;
+    int change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
     m->budget.work->solves++;
@@ -5274,8 +5275,8 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         sum -= work * kern_shift(travel, from, m->relative, &was);
         sum += work * kern_shift(travel, to, m->relative, &is);
         *rate += work * is;
-        if (m->narrow > 0 && mu > 0) { /* the slope of `from` is set */
-            const kern_real slope = kern_max(m->narrow * to, KERN_R(0));
+        if (m->cone.narrow > 0 && mu > 0) { /* the slope of `from` is set */
+            const kern_real slope = kern_max(m->cone.narrow * to, KERN_R(0));
             const kern_real narrow = kern_friction(c, slope);
             const kern_real one = 1 + c->mu * slope;
             work = (p->x[2 * i] - p->x[2 * i + 1])
@@ -5283,7 +5284,8 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
                       - kern_lp_dot(&p->eq.lp, 2 * i + 1, p->y)) / (2 * mu);
             sum += work * (mu - narrow);
             if (narrow > 0)
-                *rate += work * m->narrow * (1 + c->mu * c->mu) / (one * one);
+                *rate += work * m->cone.narrow * (1 + c->mu * c->mu)
+                         / (one * one);
         }
     }
     return sum;
@@ -5499,7 +5501,7 @@ static int kern_mechanism_open(kern_part *p)
     kern_simplex *sx = &p->eq.simplex;
     const kern_real least = KERN_PARTING * kern_largest(p->y, 3 * p->groups);
     int n, moving = 0;
-    if (sx->state == KERN_BASIS_NONE || p->m->narrow > 0)
+    if (sx->state == KERN_BASIS_NONE || p->m->cone.narrow > 0)
         return 0;
     for (n = 0; n < p->groups; n++)
         sx->list[n] = kern_largest(p->y + 3 * n, 3) > least ? moving++
@@ -5575,7 +5577,7 @@ static int kern_basis_reaches(kern_part *p, kern_real s, kern_real edge)
     kern_simplex *sx = &p->eq.simplex;
     const kern_real least = -sx->least;
     int i;
-    if (m->narrow > 0 || sx->state == KERN_BASIS_NONE)
+    if (m->cone.narrow > 0 || sx->state == KERN_BASIS_NONE)
         return 0;
     for (i = 0; i < 3 * sx->groups + 3; i++)
         sx->alpha[i] = KERN_R(0);
@@ -5844,7 +5846,7 @@ static void kern_walk_row(const kern_model *m, const kern_contact *first,
     to->row = kern_row_of(kern_vec_scale(c->n, c->a == first->a ? KERN_R(1)
                                                                : KERN_R(-1)),
                           kern_vec_scale(arm, 1 / m->mean), KERN_R(1));
-    to->mu = kern_friction(c, m->slope);
+    to->mu = kern_friction(c, m->cone.slope);
     to->way[0] = to->way[1] = KERN_R(0);
     kern_row_exert(&to->row, force->normal, force->tangential, b);
 }
@@ -5970,7 +5972,7 @@ static int kern_moves(const kern_model *m, int i)
 
 /* The rows of what holds body g, about its block's centre; returns how many
    there are. If they are of one block it belongs to the body of that:
-   m->carrier. */
+   m->graph.carrier. */
 static int kern_body_rows(kern_model *m, int g, kern_real s,
                           kern_support row[KERN_ROWS_MOST])
 {
@@ -5978,7 +5980,7 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_contact *c = m->s->contact + (e >> 1);
         const int other = m->graph.ends[e ^ 1];
-        if (other < g && m->carrier[other] == g)
+        if (other < g && m->graph.carrier[other] == g)
             continue;
         on = on == KERN_OUT || on == other ? other : m->graph.groups;
         if (n < KERN_ROWS_MOST) {
@@ -5988,12 +5990,12 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
                     kern_contact_at(c, s, m->relative),
                     m->s->block[m->graph.block[g]].centre), m->unit[g]),
                 KERN_R(1));
-            row[n].mu = kern_friction(c, m->slope);
+            row[n].mu = kern_friction(c, m->cone.slope);
             row[n].way[0] = row[n].way[1] = KERN_R(0);
         }
         n++;
     }
-    m->carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
+    m->graph.carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
     return n;
 }
 
@@ -6060,7 +6062,7 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
             kern_motion *v = m->answer.motion + m->graph.block[g];
             const kern_real one = i ? 1 / most : KERN_R(1);
             kern_vec arm;
-            for (h = g; h != KERN_OUT && h < body; h = m->carrier[h])
+            for (h = g; h != KERN_OUT && h < body; h = m->graph.carrier[h])
                 ;
             if (h != body)
                 continue;
@@ -6088,7 +6090,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
     for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
         const kern_real power = kern_body_power(m, g, best, u);
-        const int on = m->carrier[g];
+        const int on = m->graph.carrier[g];
         kern_real edge;
         if (power < 0) {
             edge = kern_body_edge(m, path, g, power, best);
@@ -6404,7 +6406,7 @@ static void kern_ipm_place(kern_ipm *in, kern_real place)
     kern_model *m = p->m;
     int k;
     in->at = place;
-    m->slope = kern_slope(&q);
+    m->cone.slope = kern_slope(&q);
     kern_part_load(p, &q, p->eq.rhs);
     for (k = 0; k < p->groups; k++) {
         kern_real *g = in->g + 3 * k;
@@ -6854,7 +6856,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
                            ? path->tolerance * KERN_WIDEST : path->tolerance;
     kern_ipm in;
     kern_status status = KERN_STANDS;
-    if (m->narrow > 0 || !kern_ipm_open(&in, m, path))
+    if (m->cone.narrow > 0 || !kern_ipm_open(&in, m, path))
         return KERN_UNDECIDED;
     path->ipm = &in;
     path->fails = path->end;
@@ -7136,7 +7138,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     q->factor = share;
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
-        r->m->slope = kern_slope(q);
+        r->m->cone.slope = kern_slope(q);
         kern_model_arms(r->m, q);
         raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM);
     }
@@ -9055,7 +9057,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     if (status != KERN_OK)
         return status;
     if (kern_travels_of(&task->s, &c.path.q).nested) {
-        c.m.known = known->fails > 0 ? known : NULL;
+        c.m.answer.known = known->fails > 0 ? known : NULL;
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
         return kern_spent(task->work, task->options.limit, status);
