@@ -3829,11 +3829,13 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
     return s0 + s1 + (s2 + s3);
 }
 
-/* Takes the lists of a matrix of so many groups; 0 if there is no room. Then
-   come what its rows reach, and kern_skyline_lay(). */
-static int kern_skyline_begin(kern_skyline *a, int groups, kern_take *take)
+/* Takes room for the matrix of so many groups, with what the two groups of each
+   of n contacts exert on each other: the later one's row reaches to the column
+   of the other. Adds to *cost the products of a factor; 0 if there is no room. */
+static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
+                             int n, kern_take *take, int *cost)
 {
-    int g;
+    int g, k, end = 0;
     a->groups = groups;
     a->first = kern_take_ints(take, groups);
     a->offset = kern_take_ints(take, groups);
@@ -3841,24 +3843,12 @@ static int kern_skyline_begin(kern_skyline *a, int groups, kern_take *take)
         return 0;
     for (g = 0; g < groups; g++)
         a->first[g] = g;
-    return 1;
-}
-
-/* The row of the later of two groups reaches to the column of the other. */
-static inline void kern_skyline_reach(kern_skyline *a, const int ends[2])
-{
-    const int low = ends[0] < ends[1] ? ends[0] : ends[1];
-    const int high = ends[0] < ends[1] ? ends[1] : ends[0];
-    if (high < a->groups && low < a->first[high])
-        a->first[high] = low;
-}
-
-/* Takes room for the rows as far as they reach, and adds to *cost the products
-   of a factor; 0 if there is none. */
-static int kern_skyline_lay(kern_skyline *a, kern_take *take, int *cost)
-{
-    int g, end = 0;
-    for (g = 0; g < a->groups; g++) {
+    for (k = 0; k < 2 * n; k++) {
+        const int high = ends[k], low = ends[k ^ 1];
+        if (high < groups && low < a->first[high])
+            a->first[high] = low;
+    }
+    for (g = 0; g < groups; g++) {
         const int width = g - a->first[g] + 1;
         a->offset[g] = end;
         end += 9 * width;
@@ -4092,19 +4082,15 @@ static inline kern_law kern_part_law(const kern_part *p, int k,
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
-    int k;
     p->dual.price = NULL;
     p->dual.u = kern_take_reals(take, n);
     p->dual.step = kern_take_reals(take, n);
     p->dual.left = kern_take_reals(take, n);
     p->dual.b = kern_take_reals(take, n);
     p->dual.way = kern_take_reals(take, 4 * p->contacts);
-    if (!kern_skyline_begin(&p->dual.matrix, p->groups, take))
-        return 0;
-    for (k = 0; k < p->own; k++)
-        kern_skyline_reach(&p->dual.matrix, p->ends + 2 * k);
     p->dual.cost = 100 * p->contacts;
-    return kern_skyline_lay(&p->dual.matrix, take, &p->dual.cost);
+    return kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own, take,
+                             &p->dual.cost);
 }
 
 /* w += how v moves the part's contact k along n and t. Differences come first:

@@ -4115,7 +4115,6 @@ static void ties_open(ties *t)
     t->groups = random_int(1, ENGINE_GROUPS);
     t->count = random_int(t->groups, ENGINE_TIES);
     kern_take_open(&take, &work);
-    CHECK(kern_skyline_begin(&t->a, t->groups, &take));
     for (k = 0; k < t->count; k++) {
         const kern_vec n = engine_normal();
         t->ends[2 * k] = random_int(0, t->groups - 1);
@@ -4125,9 +4124,8 @@ static void ties_open(ties *t)
         t->row[2 * k] = engine_row(n);
         t->row[2 * k + 1] = engine_row(vec(-n.x, -n.y));
         t->law[k] = kern_law_pressed(R(1), R(uniform(-3, 3)), R(0.6));
-        kern_skyline_reach(&t->a, t->ends + 2 * k);
     }
-    CHECK(kern_skyline_lay(&t->a, &take, &cost));
+    CHECK(kern_skyline_open(&t->a, t->groups, t->ends, t->count, &take, &cost));
     CHECK(cost > 0);
     kern_skyline_clear(&t->a);
     for (k = 0; k < t->count; k++)
