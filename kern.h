@@ -6465,14 +6465,13 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 }
 
 /* One solution of Newton's equations: dx, which has x~ - x without what dy
-   makes of it, dy = dual.step and dz; returns ds. Where kerns shrink A is not
-   linear in s, which goes half the way at the most, and little below the start. */
+   makes of it, dy = dual.step and dz; returns ds. */
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
     const kern_real *way = p->dual.way;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real *turn = p->dual.way + rays, rest = in->most - in->s, ds;
+    kern_real *turn = p->dual.way + rays, ds;
     int i;
     for (i = 0; i < n; i++)
         p->dual.left[i] += in->over[i];
@@ -6480,13 +6479,7 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
     ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
          / kern_dot(in->g, in->gain, n);
-    if (!in->held && in->path->kind == KERN_PATH_SHRINK
-        && rest > KERN_R(1e-3) * in->path->unit)
-        rest /= 2;
-    ds = kern_min(ds, rest);
-    if (!in->held)
-        ds = kern_max(ds, in->path->holds - KERN_R(0.1) * in->path->unit
-                          - in->s);
+    ds = kern_min(ds, in->most - in->s);
     for (i = 0; i < n; i++)
         p->dual.step[i] += ds * in->gain[i];
     kern_ipm_ways(p, p->dual.step, turn);
@@ -6725,8 +6718,8 @@ static kern_status kern_ipm_run(kern_ipm *in, int sharp)
             status = kern_ipm_prove(in, status);
             if (status == KERN_STANDS
                 || (status == KERN_FALLS
-                    && (!sharp || in->gap <= kern_max(
-                            in->least, KERN_IPM_SHARP * (in->at - in->s)))))
+                    && (!sharp
+                        || in->gap <= KERN_IPM_SHARP * (in->at - in->s))))
                 return status;
         } else if (in->s >= in->most
                    || (in->gap <= in->least && kern_largest(in->over, n)
@@ -6743,10 +6736,10 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
                                        kern_real *edge)
 {
     const kern_query q = kern_path_at(in->path, place);
+    const int sharp = edge && in->p->groups <= KERN_SMALL; /* exact to 1e-9 */
     kern_status status = KERN_UNDECIDED;
     in->p->m->budget.work->solves++;
-    in->least = edge && in->p->groups > KERN_SMALL /* else exact */
-                ? in->path->tolerance / 64 : KERN_R(0);
+    in->least = KERN_R(0);
     if (in->gap <= KERN_IPM_LOST) {
         const kern_real away = kern_abs(place - in->s) / in->path->unit;
         in->held = 1;
@@ -6756,43 +6749,14 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
         kern_ipm_over(in);
         kern_ipm_centre(in, kern_max(in->gap,
                                        kern_max(away, KERN_IPM_LIFT)));
-        status = kern_ipm_run(in, edge != NULL);
+        status = kern_ipm_run(in, sharp);
     }
     if (status == KERN_UNDECIDED && in->steps <= KERN_IPM_STEPS
         && kern_ipm_begin(in, place, 1))
-        status = kern_ipm_run(in, edge != NULL);
+        status = kern_ipm_run(in, sharp);
     if (status == KERN_FALLS && edge)
         *edge = kern_path_newton(in->path, &q, place);
     return status;
-}
-
-/* An interior point moves all that can fall, and a little of what rests. Puts
-   in its place the motion of a small part, the blocks that move fastest, all
-   others held; KERN_UNDECIDED where none of them falls. */
-static kern_status kern_ipm_clean(kern_model *m, kern_part *p,
-                                    const kern_query *q)
-{
-    const kern_motion *v = m->answer.motion;
-    kern_real fast;
-    int before = 0;
-    for (fast = KERN_R(0.5); fast > KERN_AT_REST; fast /= 8) {
-        int g, last = 0, groups = 0;
-        for (g = 0; g < m->graph.groups; g++) {
-            const int i = m->graph.block[g];
-            m->graph.local[g] = KERN_OUT;
-            if (kern_block_speed(m->s->block + i, v + i) > fast) {
-                m->graph.local[g] = groups++;
-                last = g;
-            }
-        }
-        if (groups > KERN_SMALL)
-            break;
-        if (groups > before && kern_part_open(p, m, groups, last)
-            && kern_part_falls(p, q))
-            return KERN_FALLS;
-        before = groups;
-    }
-    return KERN_UNDECIDED;
 }
 
 /* The verdict on all groups for a query. */
@@ -6801,22 +6765,14 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 {
     kern_path path;
     kern_ipm in;
-    kern_status status = KERN_UNDECIDED;
-    int clean;
     path.kind = KERN_PATH_SHRINK;
     path.q = *q;
     path.part = p;
     path.unit = m->relative ? KERN_R(1) : m->mean;
     path.holds = path.end = q->shrink;
-    for (clean = 1; clean >= 0; clean--) { /* what is not clean found again */
-        status = kern_ipm_open(&in, m, &path)
-                 ? kern_ipm_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
-        p->found = status;
-        if (status != KERN_FALLS
-            || (clean && kern_ipm_clean(m, p, q) == KERN_FALLS))
-            break;
-    }
-    return status;
+    p->found = kern_ipm_open(&in, m, &path)
+               ? kern_ipm_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
+    return p->found;
 }
 
 /* Follows the path from path->holds. Returns the first place where the whole
