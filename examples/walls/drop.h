@@ -71,7 +71,7 @@ static double drop_way(const struct stone *s)
 static int drop_world(struct rigid_world *r, const struct stack_wall *w,
                       const struct stone *s)
 {
-    const double unit = w->stock->size, near = drop_way(s) + s->reach;
+    const double unit = w->stock->size, within = drop_way(s) + s->reach;
     struct rigid_pt ground[4];
     rigid_init(r);
     r->friction = w->options.friction;
@@ -82,7 +82,8 @@ static int drop_world(struct rigid_world *r, const struct stack_wall *w,
     if (rigid_add(r, ground, 4, 0, ground[0]) < 0) return -1;
     for (int i = 0; i < w->laid; i++) {
         const struct stone *o = &w->stone[i];
-        if (o->low.x < s->centre.x + near && o->high.x > s->centre.x - near &&
+        if (o->low.x < s->centre.x + within &&
+            o->high.x > s->centre.x - within &&
             drop_add(r, o, 0, unit) < 0)
             return -1;
     }
