@@ -3049,7 +3049,7 @@ static int kern_has_side(const kern_structure *s, kern_side side)
            && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
 }
 
-/* The angle whose tangent is s >= 0: halved twice, then the series. */
+/* The angle whose tangent is s >= 0: halved three times, then the series. */
 static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = KERN_R(0), t2;
@@ -7547,8 +7547,8 @@ static void kern_parts_set(kern_parts *parts, const kern_block *block)
 
 /* The way from one corner to another, counter-clockwise: an edge or a chord. */
 typedef struct kern_edge {
-    int at, to;             /* corners as written                    */
-    int start, end;         /* the same, counter-clockwise           */
+    int at;                 /* its first corner as written           */
+    int start, end;         /* its corners, counter-clockwise        */
     kern_vec p, q, d;       /* their places; unit direction          */
     kern_real length;
     kern_box box;           /* of an edge                            */
@@ -7557,7 +7557,6 @@ typedef struct kern_edge {
 static void kern_edge_set(kern_edge *e, const kern_block *block, int at, int to)
 {
     e->at = at;
-    e->to = to;
     e->start = block->area < 0 ? to : at;
     e->end = block->area < 0 ? at : to;
     e->p = block->vertex[e->start];
@@ -7575,7 +7574,7 @@ static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
 { return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
 
 static void kern_edge_open(kern_edge *e)
-{ e->at = e->to = -1; }
+{ e->at = -1; }
 
 /* Goes to the first edge that starts behind vertex e->at and is near the box;
    0: there is none. */
@@ -7674,7 +7673,7 @@ static int kern_edge_meets(const kern_edge *e, const kern_parts *parts)
 {
     kern_edge f = *e;
     while (kern_edge_next(&f, parts, &e->box, 0))
-        if (f.at != e->to && f.to != e->at
+        if (f.start != e->end && f.end != e->start
             && !kern_one_side(e->p, e->q, f.p, f.q)
             && !kern_one_side(f.p, f.q, e->p, e->q))
             return 1;
@@ -7962,18 +7961,15 @@ static void kern_overlap_within(const kern_parts *a, const kern_parts *b,
 static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
                                     kern_real gap, kern_real enough)
 {
+    const kern_parts *const side[3] = {a, b, a};
     kern_real deep = gap;
-    if (!kern_box_near(&a->block->box, &b->block->box, -gap)
-        || kern_overlap_parted(a->block, b->block, gap)
-        || kern_overlap_parted(b->block, a->block, gap))
-        return 0;
-    kern_overlap_boundary(a, b, enough, &deep);
-    if (!(deep > enough))
-        kern_overlap_boundary(b, a, enough, &deep);
-    if (!(deep > gap))
-        kern_overlap_within(a, b, &deep);
-    if (!(deep > gap))
-        kern_overlap_within(b, a, &deep);
+    int i, apart = !kern_box_near(&a->block->box, &b->block->box, -gap);
+    for (i = 0; i < 2 && !apart; i++)
+        apart = kern_overlap_parted(side[i]->block, side[i + 1]->block, gap);
+    for (i = 0; i < 2 && !apart && !(deep > enough); i++)
+        kern_overlap_boundary(side[i], side[i + 1], enough, &deep);
+    for (i = 0; i < 2 && !apart && !(deep > gap); i++)
+        kern_overlap_within(side[i], side[i + 1], &deep);
     return deep > gap ? deep : KERN_R(0);
 }
 
