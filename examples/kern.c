@@ -270,8 +270,7 @@ int main(int argc, char **argv)
     if (set.files == ARGS_VERSION)
         return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == 0) {
-        fputs("kern: no file is given\n", stderr);
-        fputs(help, stderr);
+        fputs("usage: kern [options] FILE...; try kern --help\n", stderr);
         return EXIT_BAD;
     }
     return check_settings(&set) ? EXIT_BAD : run(&set);
