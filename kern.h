@@ -7422,7 +7422,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Deviation of stairs from a chord between two of their corners, in risers: the
    square root of 2 where treads are as long. */
 #define KERN_STAIRS     KERN_R(1.4142135623730951)
-/* Most nested spans of an outline that are kept; more save time. */
+/* Nested spans of an outline that are kept: fewer take longer, more take more
+   stack. */
 #define KERN_SPANS      16
 /* Length in steps of a way whose direction steps hardly change, and the sine of
    10 degrees: by so much they still do. */
@@ -8112,8 +8113,10 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
             half.end = span->end;
         }
         span->steps = -1;
-        o->spans += o->spans < KERN_SPANS;
-        o->span[o->spans - 1] = half;
+        if (o->spans == KERN_SPANS) /* the oldest goes, but for the whole */
+            for (o->spans = 1; o->spans + 1 < KERN_SPANS; o->spans++)
+                o->span[o->spans] = o->span[o->spans + 1];
+        o->span[o->spans++] = half;
     }
     if (span->steps)
         kern_edge_set(chord, block, span->start, span->end);
