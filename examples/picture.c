@@ -25,12 +25,30 @@ static char ground[] = "ground", left[] = "left", right[] = "right",
             beam[] = "beam";
 static char *const name[BLOCKS] = { ground, left, right, beam };
 
-static kern_block block[BLOCKS];
-static kern_contact contact[CONTACTS];
 static kern_force force[CONTACTS];
 static kern_motion motion[BLOCKS];
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+
+/* The task of the stones, with all memory that it needs. */
+static kern_task stones_task(void)
+{
+    static kern_contact contact[CONTACTS];
+    static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
+    static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+    static kern_block block[BLOCKS];
+    static kern_work work;
+    kern_task task;
+    int i;
+
+    work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS), ints,
+                        KERN_INTS(BLOCKS, CONTACTS));
+    task = kern_task_of(block, BLOCKS, contact, 0, &work);
+    kern_ground_init(&block[0], corner[0], 4, NULL);
+    for (i = 1; i < BLOCKS; i++)
+        kern_block_init(&block[i], corner[i], 4, 2400, NULL);
+    task.s.contacts = kern_contacts(block, BLOCKS, &task.options, contact,
+                                    CONTACTS, &work);
+    return task;
+}
 
 static int draw(const kern_task *task, kern_status verdict, const char *path)
 {
@@ -52,19 +70,11 @@ static int draw(const kern_task *task, kern_status verdict, const char *path)
 
 int main(int argc, char **argv)
 {
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
-                                  ints, KERN_INTS(BLOCKS, CONTACTS));
-    kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
+    kern_task task = stones_task();
     kern_proof proof = { force, motion };
     kern_status verdict;
     kern_margin m;
-    int i;
 
-    kern_ground_init(&block[0], corner[0], 4, NULL);
-    for (i = 1; i < BLOCKS; i++)
-        kern_block_init(&block[i], corner[i], 4, 2400, NULL);
-    task.s.contacts = kern_contacts(block, BLOCKS, &task.options, contact,
-                                    CONTACTS, &work);
     verdict = kern_verdict(&task, 0, &proof);
     printf("%s\n", kern_status_text(verdict));
     if (verdict == KERN_STANDS)
