@@ -419,10 +419,109 @@ static void arch(double thick)
     }
 }
 
+/* ---- Four hinges, by moments --------------------------------------------- */
+
+struct vec { double x, y; };
+
+static double cross(struct vec r, struct vec f) { return r.x * f.y - r.y * f.x; }
+
+static struct vec apart(struct vec a, struct vec b)
+{
+    const struct vec d = { a.x - b.x, a.y - b.y };
+    return d;
+}
+
+/* Of arch(thick): a face of joint k, and the centre of voussoir k. */
+static struct vec on_arch(double k, double radius)
+{
+    const double a = pi / 2 + opening * pi / 360 * (1 - 2 * k / voussoirs);
+    const struct vec v = { radius * cos(a), radius * sin(a) };
+    return v;
+}
+
+static struct vec face(double thick, int joint, int outer)
+{ return on_arch(joint, 1 + (outer ? thick : -thick) / 2); }
+
+static struct vec centre(double thick, int k)
+{
+    const double in = 1 - thick / 2, out = 1 + thick / 2;
+    return on_arch(k + .5, cos(opening * pi / 360 / voussoirs) * 2 / 3 *
+                   (pow(out, 3) - pow(in, 3)) / (out * out - in * in));
+}
+
+/* Voussoirs of weight 1 and pushed to the right by `share`, and a force at a
+   face of joint `from`: the moment about a face of joint `to` of what is
+   between. */
+static double moment(double thick, const int from[2], const int to[2],
+                     struct vec force, double share)
+{
+    const struct vec p = face(thick, to[0], to[1]), load = { share, -1 };
+    const int low = from[0] < to[0] ? from[0] : to[0];
+    double sum = cross(apart(face(thick, from[0], from[1]), p), force);
+    for (int k = low; k < from[0] + to[0] - low; k++)
+        sum += (to[0] > from[0] ? 1 : -1) *
+               cross(apart(centre(thick, k), p), load);
+    return sum;
+}
+
+/* The share of the weight at which the thrust line goes through four hinges,
+   each a joint and a face; -1 where it leaves the arch at some joint. */
+static double hinged(double thick, int hinge[4][2])
+{
+    static const struct vec unit[3] = { { 0, 0 }, { 1, 0 }, { 0, 1 } };
+    double a[3][4], d[4]; /* a[m]: of share, force.x, force.y; right side */
+    struct vec force;
+    for (int m = 0; m < 3; m++) {
+        const double none = moment(thick, hinge[0], hinge[m + 1], unit[0], 0);
+        a[m][0] = moment(thick, hinge[0], hinge[m + 1], unit[0], 1) - none;
+        a[m][1] = moment(thick, hinge[0], hinge[m + 1], unit[1], 0) - none;
+        a[m][2] = moment(thick, hinge[0], hinge[m + 1], unit[2], 0) - none;
+        a[m][3] = -none;
+    }
+    for (int i = 0; i < 4; i++) { /* Cramer: column i - 1 is the right side */
+        int c[3] = { 0, 1, 2 };
+        if (i > 0) c[i - 1] = 3;
+        d[i] = 0;
+        for (int m = 0; m < 3; m++)
+            d[i] += a[0][c[m]] * (a[1][c[(m + 1) % 3]] * a[2][c[(m + 2) % 3]] -
+                                  a[1][c[(m + 2) % 3]] * a[2][c[(m + 1) % 3]]);
+    }
+    force.x = d[2] / d[0];
+    force.y = d[3] / d[0];
+    for (int j = 0; j <= voussoirs; j++) {
+        const int in[2] = { j, 0 }, out[2] = { j, 1 };
+        if (!(moment(thick, hinge[0], in, force, d[1] / d[0]) < 1e-9) ||
+            !(moment(thick, hinge[0], out, force, d[1] / d[0]) > -1e-9))
+            return -1;
+    }
+    return d[1] / d[0];
+}
+
+/* A thrust line inside the arch that touches its faces in turn at four joints
+   belongs to the load at which it falls. */
+static double four_hinges(double thick)
+{
+    double most = -1;
+    int at[4];
+    for (at[0] = 0; at[0] <= voussoirs; at[0]++)
+        for (at[1] = at[0] + 1; at[1] <= voussoirs; at[1]++)
+            for (at[2] = at[1] + 1; at[2] <= voussoirs; at[2]++)
+                for (at[3] = at[2] + 1; at[3] <= voussoirs; at[3]++)
+                    for (int outer = 0; outer < 2; outer++) {
+                        int hinge[4][2];
+                        for (int m = 0; m < 4; m++) {
+                            hinge[m][0] = at[m];
+                            hinge[m][1] = (m + outer) % 2;
+                        }
+                        most = fmax(most, hinged(thick, hinge));
+                    }
+    return most;
+}
+
 static void arches(void)
 {
     static const double thick[4] = { .12, .15, .2, .3 };
-    section("Semicircular arches, t / R");
+    section("Circular arches, t / R");
     voussoirs = 360;
     mu_of = 1;
     row("least thickness (Milankovitch 1907)", "0.1075",
@@ -441,10 +540,13 @@ static void arches(void)
     }
     voussoirs = 7;
     opening = 157.5;
-    begin();
-    arch(.15);
-    row("157.5 deg, t/R .15: horizontal (Oppenheim 1992)", "0.37",
-        ask(NULL, LOAD, -1), "hinges", 0, NULL);
+    for (int i = 1; i < 4; i++) {
+        begin();
+        arch(thick[i]);
+        row(named("7 voussoirs, 157.5 deg, t/R %g: load factor, four hinges",
+                  thick[i]), digits(four_hinges(thick[i]), 6),
+            ask(NULL, LOAD, -1), "hinges", 0, NULL);
+    }
     opening = 180;
 }
 
