@@ -263,6 +263,11 @@ class Calls(unittest.TestCase):
         self.assertLess(abs(s.raised_load(kern.RIGHT) / 0.5 - 1), 0.004)
         with self.assertRaises(ValueError):
             s.live([("b", (1, 0), (0, 0))])
+        s.lives = load  # as a file brings them
+        t = kern.parse(s.text())
+        self.assertEqual(list(t.lives), load)
+        self.assertEqual((t.live(), t.live(raised=True)),
+                         (s.live(load), s.live(load, raised=True)))
 
     def test_given_contacts(self):
         made = kern.contact_make(0, 1, (0, 1), (0, 0), (1, 0), mu=0.3)

@@ -42,6 +42,7 @@
 
 /* A statement `live`. */
 struct text_live {
+    int block;
     kern_vec force, place;
 };
 
@@ -481,6 +482,7 @@ static int text_live(struct text_reader *r)
     kern_block *b, alone;
     kern_vec force, at;
     kern_wrench *live;
+    struct text_live *axle;
     if (text_free_block(r, &b) || text_vec(r, &force) || text_vec(r, &at))
         return -1;
     live = &r->t->live[b - r->t->block];
@@ -488,8 +490,10 @@ static int text_live(struct text_reader *r)
     alone.load = *live;
     kern_block_load(&alone, force, at, 0);
     *live = alone.load;
-    r->t->axle[r->t->lives].force = force;
-    r->t->axle[r->t->lives++].place = at;
+    axle = &r->t->axle[r->t->lives++];
+    axle->block = (int)(b - r->t->block);
+    axle->force = force;
+    axle->place = at;
     return text_check_load(r, live);
 }
 

@@ -185,12 +185,16 @@ class _Lp(ctypes.Structure):
                 ("rhs", c_void_p), ("cost", c_void_p), ("limit", c_int)]
 
 
+class _Live(ctypes.Structure):
+    _fields_ = [("block", c_int), ("force", _Vec), ("place", _Vec)]
+
+
 class _Text(ctypes.Structure):
     _fields_ = [("block", POINTER(_Block)), ("name", POINTER(c_char_p)),
                 ("block_line", c_void_p), ("blocks", c_int), ("fixed", c_int),
                 ("given", c_int), ("contact", POINTER(_Contact)),
                 ("own_mu", c_void_p), ("contacts", c_int), ("live", c_void_p),
-                ("lives", c_int), ("loads", c_int), ("axle", c_void_p),
+                ("lives", c_int), ("loads", c_int), ("axle", POINTER(_Live)),
                 ("gravity", _Vec),
                 ("options", _Options), ("epsilon_line", c_int),
                 ("line", c_int), ("message", ctypes.c_char * 512),
@@ -207,7 +211,8 @@ _LAYOUTS = {
     "kern_collapse": _Collapse, "kern_work": _Work,
     "kern_contact_rate": _ContactRate, "kern_block_rate": _BlockRate,
     "kern_critical": _Critical, "kern_known": _Known, "kern_task": _Task,
-    "kern_plan": _Plan, "kern_lp": _Lp, "struct text_file": _Text,
+    "kern_plan": _Plan, "kern_lp": _Lp, "struct text_live": _Live,
+    "struct text_file": _Text,
 }
 
 # ---- The library ------------------------------------------------------------
@@ -1029,6 +1034,8 @@ class Structure:
 tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     """
 
+    lives: Sequence[Tuple[str, Point, Point]] = ()  # of live()
+
     def __init__(self, blocks: Iterable[Block],
                  contacts: Optional[Sequence[Contact]] = None,
                  options: Optional[Options] = None,
@@ -1300,13 +1307,14 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                             None if pattern is None else _rows(
                                 pattern, len(self.blocks), 3, "a load pattern"))
 
-    def live(self, loads: Iterable[Tuple[str, Point, Point]],
+    def live(self, loads: Optional[Iterable[Tuple[str, Point, Point]]] = None,
              shrink: float = 0.0, raised: bool = False) -> Optional[Factor]:
         """The factor by which a live load may grow, with its mechanism: forces
-        (name of a block, force, point). raised: as raised_load()."""
+        (name of a block, force, point), without them `lives`, which are those
+        of the file. raised: as raised_load()."""
         pattern = [[0.0, 0.0, 0.0] for _ in self.blocks]
         index = {b.name: i for i, b in enumerate(self.blocks)}
-        for name, force, at in loads:
+        for name, force, at in self.lives if loads is None else loads:
             if name not in index:
                 raise ValueError("no block is named %r" % name)
             centre = self.blocks[index[name]].body().centre
@@ -1478,6 +1486,10 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                     name, *map(float, b.load[:2]), *b.body().centre))
             if b.load[2]:
                 lines.append("torque %s %r" % (name, float(b.load[2])))
+        word = {b.name: name for b, name in zip(self.blocks, names)}
+        lines += ["live %s %r %r %r %r" % (word[name], *map(float, force),
+                                           *map(float, at))
+                  for name, force, at in self.lives]
         lines += self._contact_lines(names)
         return "\n".join(lines) + "\n"
 
@@ -1748,9 +1760,12 @@ read 'much'
                 block.centre = centre
             blocks.append(block)
         given = [Contact._of(c) for c in t.contact[:t.contacts]]
-        return Structure(blocks, given if t.given else None,
-                         Options._of(t.options), (t.gravity.x, t.gravity.y),
-                         name)
+        out = Structure(blocks, given if t.given else None,
+                        Options._of(t.options), (t.gravity.x, t.gravity.y),
+                        name)
+        out.lives = [(blocks[a.block].name, (a.force.x, a.force.y),
+                      (a.place.x, a.place.y)) for a in t.axle[:t.lives]]
+        return out
     finally:
         _free(byref(t))
 
