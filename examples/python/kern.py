@@ -1486,8 +1486,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                     name, *map(float, b.load[:2]), *b.body().centre))
             if b.load[2]:
                 lines.append("torque %s %r" % (name, float(b.load[2])))
-        word = {b.name: name for b, name in zip(self.blocks, names)}
-        lines += ["live %s %r %r %r %r" % (word[name], *map(float, force),
+        given = {b.name: name for b, name in zip(self.blocks, names)}
+        lines += ["live %s %r %r %r %r" % (given[name], *map(float, force),
                                            *map(float, at))
                   for name, force, at in self.lives]
         lines += self._contact_lines(names)
