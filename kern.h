@@ -6308,25 +6308,20 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 
 #ifndef KERN_NO_INTERIOR
 #define KERN_IPM_ROUNDS  100       /* steps of a question                     */
-#define KERN_IPM_STEPS   400       /* of a search                             */
 #define KERN_IPM_STALLED 8         /* that shorten the gap by less than .1    */
-#define KERN_IPM_WIDE    256       /* groups of what may have a wide bracket  */
 #define KERN_IPM_SHARE   KERN_R(0.9995)   /* of the way to x, z = 0 in a step */
 #define KERN_IPM_APART   KERN_R(0.03)     /* least x z, in means              */
 #define KERN_IPM_LOST    KERN_R(1e6)      /* gap that leaves no digits        */
 #define KERN_IPM_SHARP   KERN_R(1e-4)   /* gap, in what s lacks of the place,
                                              at which y predicts an edge      */
-#define KERN_IPM_LIFT    KERN_PICK(1e-7, 1e-3)   /* least gap to begin from   */
-/* On the diagonal of M, in means: to begin with, where D is 1; where M is
-   singular, as in a chain of closed kerns. */
-#define KERN_IPM_SOFT    KERN_PICK(1e-7, 1e-4)
+/* On the diagonal of M, in means, to begin with and where M is singular, as in a
+   chain of closed kerns. */
 #define KERN_IPM_SHIFT   KERN_PICK(1e-13, 1e-6)
 
 typedef struct kern_ipm {
     kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
     const kern_path *path;
     int held;                 /* nonzero: A, b and g stay                     */
-    int steps;                /* so far                                       */
     kern_real s;
     kern_real at;             /* place of A, b and g                          */
     kern_real most;           /* s goes no farther                            */
@@ -6528,7 +6523,7 @@ static int kern_ipm_step(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x, of_z, ds;
     int i;
-    if (!(in->gap <= KERN_IPM_LOST) || in->steps++ == KERN_IPM_STEPS
+    if (!(in->gap <= KERN_IPM_LOST)
         || !kern_model_spend(p->m, 1 + p->dual.cost / 450))
         return 0;
     for (i = 0; i < rays; i++)
@@ -6567,17 +6562,15 @@ static void kern_ipm_balance(kern_ipm *in)
     kern_part *p = in->p;
     const int rays = 2 * p->contacts;
     kern_real *turn = p->dual.way + rays;
-    int i, round;
+    int i;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i];
     kern_ipm_factor(in, KERN_R(0));
-    for (round = 0; round < 3; round++) {
-        kern_skyline_solve(&p->dual.matrix, in->over, p->dual.step);
-        kern_ipm_ways(p, p->dual.step, turn);
-        for (i = 0; i < rays; i++)
-            p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
-        kern_ipm_over(in);
-    }
+    kern_skyline_solve(&p->dual.matrix, in->over, p->dual.step);
+    kern_ipm_ways(p, p->dual.step, turn);
+    for (i = 0; i < rays; i++)
+        p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
+    kern_ipm_over(in);
 }
 
 /* v += what lifts its least entry to half of what it is below 0, and a little
@@ -6610,7 +6603,7 @@ static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
         in->d[i] = KERN_R(1);
     }
     kern_ipm_place(in, place);
-    kern_ipm_factor(in, KERN_IPM_SOFT);
+    kern_ipm_factor(in, KERN_IPM_SHIFT);
     kern_skyline_solve(&p->dual.matrix, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
@@ -6658,7 +6651,6 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m,
     n = 3 * p->groups;
     in->p = p;
     in->path = path;
-    in->steps = 0;
     in->gap = KERN_INFINITY; /* of no question so far */
     p->found = KERN_UNDECIDED;
     p->eq.simplex.state = KERN_BASIS_NONE;
@@ -6747,12 +6739,10 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
         kern_ipm_place(in, place);
         in->s = kern_min(in->s, place);
         kern_ipm_over(in);
-        kern_ipm_centre(in, kern_max(in->gap,
-                                       kern_max(away, KERN_IPM_LIFT)));
+        kern_ipm_centre(in, kern_max(in->gap, away));
         status = kern_ipm_run(in, sharp);
     }
-    if (status == KERN_UNDECIDED && in->steps <= KERN_IPM_STEPS
-        && kern_ipm_begin(in, place, 1))
+    if (status == KERN_UNDECIDED && kern_ipm_begin(in, place, 1))
         status = kern_ipm_run(in, sharp);
     if (status == KERN_FALLS && edge)
         *edge = kern_path_newton(in->path, &q, place);
@@ -6789,13 +6779,10 @@ static kern_real kern_ipm_follow(kern_ipm *in)
 }
 
 /* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. The bracket of a large structure may be wide: the
-   simplex method takes too long. */
+   where it is not found. */
 static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 {
     const kern_real aside = path->tolerance * KERN_R(0.45);
-    const kern_real wide = m->graph.groups > KERN_IPM_WIDE
-                           ? path->tolerance * KERN_WIDEST : path->tolerance;
     kern_ipm in;
     kern_status status = KERN_STANDS;
     if (m->cone.narrow > 0 || !kern_ipm_open(&in, m, path))
@@ -6814,7 +6801,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_edge(m, path);
-        if (path->fell > path->fails || path->fails - path->holds > wide)
+        if (path->fell > path->fails || path->fails - path->holds > path->tolerance)
             status = KERN_UNDECIDED;
     }
     path->ipm = NULL;
@@ -9361,8 +9348,6 @@ static void kern_simplex_crash(kern_simplex *sx)
         for (any = done = 0; any < 2 && !done; any++) {
             int n = 0, seen = 0, stride = 1;
             for (j = 0; j < lp->cols; j++) {
-                if (lp->ends[j & ~1] != g && lp->ends[j | 1] != g)
-                    continue;
                 if (kern_lp_first(lp, j, sx->groups) != g
                     || !(any || kern_crash_faces(sx, j)))
                     continue;
