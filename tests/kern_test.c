@@ -3976,10 +3976,38 @@ static void joint_of_pixels(int n)
     CHECK_NEAR(fabs((double)out[0].travel), sqrt(1.36) / 2, 1.5 / n);
 }
 
+/* Two combs of n teeth in each other: one contact along all their tips, one in
+   all gaps, and one at each side of a tooth but the two outermost. */
+static void joint_of_teeth(int n)
+{
+    static kern_contact out[20000];
+    kern_work work = kern_work_of(NULL, 0, NULL, 0);
+    const kern_options o = kern_defaults();
+    kern_block block[2];
+    int i, k = 0;
+    for (i = 0; i < n; i++, k += 4) {
+        long_outline[0][k] = vec(2 * i, 1);
+        long_outline[0][k + 1] = vec(2 * i + 1, 1);
+        long_outline[0][k + 2] = vec(2 * i + 1, 0);
+        long_outline[0][k + 3] = vec(2 * i + 2, 0);
+    }
+    for (i = 0; i < k; i++)
+        long_outline[1][i] = long_outline[0][i];
+    for (i = 0; i < 2; i++) {
+        long_outline[i][k] = vec(2 * n, i ? -5 : 6);
+        long_outline[i][k + 1] = vec(0, i ? -5 : 6);
+        CHECK_INT(kern_block_init(&block[i], long_outline[i], k + 2, R(1),
+                                  NULL), KERN_OK);
+    }
+    CHECK_INT(kern_touch(block, 1, &o, out, 20000, &work), 4 * n + 2);
+}
+
 static void long_joint(void)
 {
     CHECK(growth(joint_of_pixels, 125) < 12);
     joint_of_pixels(2000);
+    /* 84 where each contact splits the outline anew */
+    CHECK(growth(joint_of_teeth, 30) < 50);
 }
 
 /* An L in an L, with a joint of three gaps: no steps of a gap each go along it
