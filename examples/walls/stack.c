@@ -413,7 +413,7 @@ static int draw_steps(struct stack_wall *w, const char *name)
 /* What the table says of a wall; limit below 0, collapse 0: none. */
 struct row {
     int stones;
-    double fill, size, limit, collapse;
+    double fill, size, limit, collapse, expected;
     kern_margin m;
     struct masonry masonry;
 };
@@ -503,6 +503,7 @@ static void print_json(const struct settings *o, const struct row *r,
         printf("\"irregularity\": %g, ", o->irregularity);
     if (o->shaking) printf("\"collapse\": %g, ", r->collapse);
     else printf("\"collapse\": null, ");
+    printf("\"expected_collapse\": %.3g, ", r->expected);
     if (r->limit >= 0) printf("\"limit\": %.4g, ", r->limit);
     else printf("\"limit\": null, ");
     printf("\"bed\": %.4g, \"bedless\": %.4g, \"upright\": %.4g, "
@@ -524,6 +525,7 @@ static int print_result(const struct settings *o, struct stack_wall *w,
     r.size = w->stock->size;
     r.m = w->m;
     r.limit = stack_limit(&w->plan.task, w->plan.contact);
+    r.expected = stack_predicted_level(w);
     if (masonry_of(&w->plan.task.s, r.size, &r.masonry) ||
         (o->shaking && table_once("stack", o->out, r.size, &r.collapse)))
         return -1;
@@ -533,6 +535,8 @@ static int print_result(const struct settings *o, struct stack_wall *w,
     }
     print_head();
     print_row(stack_planner_name[o->plan.planner], &r);
+    printf("expected level of collapse, by the expected drop: %.1f\n",
+           r.expected);
     return o->against ? print_other(o, o->against, r.size) : 0;
 }
 

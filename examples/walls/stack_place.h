@@ -291,13 +291,15 @@ static double stack_load(struct stack_wall *w)
     return fmin(factor[0], factor[1]);
 }
 
-/* The level at which the wall is predicted to collapse when it is shaken: by
-   its expected drop; 0 where that cannot be found. Of 150 walls of an earlier
-   planner the mean of the predictions is 5.0, that of the levels in the shaking
-   test 5.1; their rank correlation is 0.76. */
+/* The level at which the wall is expected to collapse when it is shaken: by its
+   expected drop; 0 where that cannot be found. Fitted to 262 structures, walls,
+   piles and towers, that another simulator shook and that collapse at level 20
+   or below: fitted to half of them, the mean error of the other half is 0.3
+   levels, the mean of its size 2.1. Walls of planners collapse about a level
+   later than that. */
 STACK_API double stack_predicted_level(struct stack_wall *w)
 {
-    const double at_one = 2, slope = 3.2, least = 0.01;
+    const double at_one = 3.26, slope = 2.9, least = 0.01;
     const kern_side side[2] = { KERN_LEFT, KERN_RIGHT };
     kern_task task = w->plan.task;
     double drop = 0;
