@@ -1683,8 +1683,7 @@ typedef struct kern_path {
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* where Newton's method sees the edge          */
-    kern_real shown;          /* where the motion of the last verdict proves as
-                                 well that it falls, just beyond the edge     */
+    kern_real exact;          /* an edge that a verdict there has confirmed   */
     kern_real stood, fell;    /* the farthest that is proven to stand, the
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
@@ -1720,7 +1719,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path);
 static kern_travels kern_travels_of(const kern_structure *s,
                                     const kern_query *q);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step, int even);
+                                  kern_real step);
 static int kern_moves(const kern_model *m, int i);
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step);
@@ -2692,7 +2691,6 @@ struct kern_part {
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
 static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
-static void kern_basis_solve(const kern_simplex *sx, kern_real *v);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
 static void kern_simplex_crash(kern_simplex *sx);
 static kern_real kern_simplex_place(const kern_simplex *sx);
@@ -2741,7 +2739,7 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
-    path->fell = path->shown = KERN_INFINITY;
+    path->fell = path->exact = KERN_INFINITY;
     path->never = 0;
 }
 
@@ -2810,7 +2808,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     if (!nested && status == KERN_STANDS) {
         if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-        status = kern_path_walk(m, path, out->most / KERN_SCAN, 1);
+        status = kern_path_walk(m, path, out->most / KERN_SCAN);
     }
     if (path->never && path->end < out->most) /* where the scan said it falls */
         return KERN_UNDECIDED;
@@ -3103,7 +3101,7 @@ static int kern_model_loaded(const kern_model *m)
 static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
 {
     if (tilt && kern_model_loaded(m))
-        return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS, 1);
+        return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS);
     return kern_path_search(m, path, KERN_R(0),
                             tilt ? KERN_R(0.0125) : KERN_R(0.05));
 }
@@ -3239,7 +3237,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
     const kern_status status =
         !shrinks || kern_travels_of(m->s, &path->q).nested
         ? kern_path_search(m, path, step, step)
-        : kern_path_walk(m, path, path->end / KERN_SCAN, 1);
+        : kern_path_walk(m, path, path->end / KERN_SCAN);
     *at = path->edge;
     return status == KERN_STANDS && !path->never ? kern_fall_beyond(m, path)
                                                  : status;
@@ -4827,7 +4825,6 @@ static void kern_pass_known(kern_model *m, kern_real shrink)
         }
         for (i = 0; i < 3; i++)
             left[i] -= m->load[3 * g + i];
-        m->cluster.last[g] = m->cluster.next[g] = g;
         m->cluster.open[g] = !(kern_largest(left, 3)
                                <= KERN_TOL / 4 * m->size[g]);
     }
@@ -5104,14 +5101,15 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
     return kern_part_lay(p);
 }
 
-/* The forces of the pass, in the caller's unit. */
-static void kern_pass_scale(kern_model *m)
+/* Whether the forces of the pass, in the caller's unit, prove that it stands. */
+static int kern_pass_proven(kern_model *m, const kern_query *q)
 {
     int i;
     for (i = 0; i < m->s->contacts; i++) {
         m->answer.force[i].normal *= m->weight;
         m->answer.force[i].tangential *= m->weight;
     }
+    return kern_answer_holds(m, q);
 }
 
 /* The verdict by the least change that makes the forces of the pass balance all
@@ -5126,24 +5124,10 @@ static kern_status kern_model_hold(kern_model *m, kern_part *p,
     return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
 }
 
-/* Whether the forces of the pass prove that it stands, or, where no proof is
-   wanted, seem to. */
-static int kern_pass_proven(kern_model *m, const kern_query *q, int proven)
-{
-    kern_real total = KERN_R(0);
-    int i;
-    for (i = 0; i < m->s->contacts; i++)
-        total += m->answer.force[i].normal;
-    if (!(total <= KERN_BOUND / 2) || !proven)
-        return total <= KERN_BOUND / 2;
-    kern_pass_scale(m);
-    return kern_answer_holds(m, q);
-}
-
 /* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
    an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
-                                   const kern_query *q, int proven)
+                                   const kern_query *q)
 {
     kern_passed found;
     int change = m->answer.known != NULL;
@@ -5152,14 +5136,13 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
     m->budget.work->solves++;
     kern_model_set(m, q);
     for (; change >= 0; change--) {
+        kern_pass_begin(m);
         if (change)
             kern_pass_known(m, q->shrink);
-        else
-            kern_pass_begin(m);
         found = kern_pass(m, p);
         if (found == KERN_PASS_FALLS)
             return KERN_FALLS;
-        if (found == KERN_PASSED && kern_pass_proven(m, q, proven)) {
+        if (found == KERN_PASSED && kern_pass_proven(m, q)) {
             p->found = KERN_STANDS;
             return KERN_STANDS;
         }
@@ -5195,7 +5178,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     kern_status status;
     p->found = KERN_UNDECIDED;
     if (!m->whole) {
-        status = kern_model_pass(m, p, q, 1);
+        status = kern_model_pass(m, p, q);
         if (status == KERN_STANDS)
             return status;
         if (status == KERN_FALLS && kern_part_falls(p, q))
@@ -5220,9 +5203,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* Verdicts along a path, and the bracket of the place where they change. */
 
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations to find one                 */
+#define KERN_PARTS_MOST    8       /* that fall, until the whole is asked     */
 #define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
-#define KERN_MECHANISM_MOST 6      /* groups of a mechanism that is followed  */
-#define KERN_MECHANISM_ROUNDS 6    /* secants to its edge                     */
 #define KERN_ASIDE KERN_R(0.45)    /* of a bracket's width: from edge to end  */
 #define KERN_NEAR  KERN_R(0.25)    /* of a bracket: beyond a wrong prediction */
 
@@ -5285,21 +5267,17 @@ static kern_real kern_shrink_edge(const kern_part *p, kern_real holds,
 {
     const kern_real same = KERN_SAME_EDGE
                            * (p->m->relative ? 1 : p->m->mean) / 8;
-    kern_real lo = holds, hi = s, at = s, rate, left = power;
+    kern_real lo = holds, hi = s, at = s, rate;
     int round;
-    kern_shrink_power(p, s, s, &rate);
     for (round = 0; round < KERN_BENDS; round++) {
+        const kern_real left = power + kern_shrink_power(p, s, at, &rate);
         const kern_real step = left / rate;
         if (kern_abs(step) <= same)
             return at - step;
+        *(left < 0 ? &hi : &lo) = at;
         at -= step;
         if (!(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
-        left = power + kern_shrink_power(p, s, at, &rate);
-        if (left < 0)
-            hi = at;
-        else
-            lo = at;
     }
     return holds;
 }
@@ -5399,211 +5377,9 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
            ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
 }
 
-/* ---- mechanisms ---- */
-/* The motion y of a basis that falls moves some groups, and is fixed by the
-   basic columns that touch these: y.A_j = -c_j, with the prices c of
-   kern_prices(). They are as many as rows move. Solved for at other places they
-   tell exactly where this mechanism stops to fall. */
-
-/* The equation of row `row`'s basic variable at the shrinkage s, to a. Returns
-   0 where that touches no moving group. */
-static int kern_mechanism_row(const kern_part *p, kern_real s, int row,
-                              int rows, kern_real *a)
-{
-    const kern_model *m = p->m;
-    const kern_simplex *sx = &p->eq.simplex;
-    const int j = sx->base[row], cols = p->eq.lp.cols;
-    const int h = sx->list[j < cols ? p->ends[j & ~1] : (j - cols - 1) / 3];
-    const int t = j < cols ? sx->list[p->ends[j | 1]] : KERN_OUT;
-    const kern_real *c = p->eq.arc + 4 * (size_t)j;
-    kern_real rate, shift;
-    int i;
-    if (h == KERN_OUT && t == KERN_OUT)
-        return 0;
-    for (i = 0; i < rows; i++)
-        a[i] = KERN_R(0);
-    a[rows] = -sx->slope[row];
-    if (j >= cols) {
-        a[3 * h + (j - cols - 1) % 3] = KERN_R(1);
-        return 1;
-    }
-    i = p->contact[j >> 1];
-    shift = kern_travel(m->s->contact + i, m->mean);
-    shift = kern_shift(shift, s, m->relative, &rate)
-            - kern_shift(shift, p->eq.shrink, m->relative, &rate);
-    if (h != KERN_OUT) { /* the arm grows along t, and t x (n + mu t) = -1 */
-        a[3 * h] += c[0];
-        a[3 * h + 1] += c[1];
-        a[3 * h + 2] += c[2] - shift * m->unit[m->graph.ends[2 * i]];
-    }
-    if (t != KERN_OUT) {
-        a[3 * t] -= c[0];
-        a[3 * t + 1] -= c[1];
-        a[3 * t + 2] += c[3] + shift * m->unit[m->graph.ends[2 * i + 1]];
-    }
-    return 1;
-}
-
-/* Solves `rows` equations where they stand, by elimination with the largest
-   pivot of each row; the solution to y. 0: there is none. */
-static int kern_mechanism_solve(kern_real *a, int rows, kern_real *y)
-{
-    const int wide = rows + 1;
-    int i, j, k;
-    for (k = 0; k < rows; k++) {
-        kern_real *pivot = a + k * wide, one;
-        int best = k;
-        for (i = k; i < rows; i++)
-            if (kern_abs(a[i * wide + k]) > kern_abs(a[best * wide + k]))
-                best = i;
-        if (!(kern_abs(a[best * wide + k]) > KERN_PIVOT_TOL))
-            return 0;
-        for (j = k; j < wide && best != k; j++) {
-            one = pivot[j];
-            pivot[j] = a[best * wide + j];
-            a[best * wide + j] = one;
-        }
-        for (i = k + 1; i < rows; i++) {
-            kern_real *row = a + i * wide;
-            const kern_real share = row[k] / pivot[k];
-            if (row[k] < 0 || row[k] > 0)
-                for (j = k + 1; j < wide; j++)
-                    row[j] -= share * pivot[j];
-        }
-    }
-    for (k = rows - 1; k >= 0; k--) {
-        kern_real left = a[k * wide + rows];
-        for (j = k + 1; j < rows; j++)
-            left -= a[k * wide + j] * y[j];
-        y[k] = left / a[k * wide + k];
-    }
-    return 1;
-}
-
-/* Numbers the groups that move in sx->list, and returns how many do; 0 where
-   there is no basis, or no room for their equations behind its factors. */
-static int kern_mechanism_open(kern_part *p)
-{
-    kern_simplex *sx = &p->eq.simplex;
-    const kern_real least = KERN_PARTING * kern_largest(p->y, 3 * p->groups);
-    int n, moving = 0;
-    if (sx->state == KERN_BASIS_NONE || p->m->cone.narrow > 0)
-        return 0;
-    for (n = 0; n < p->groups; n++)
-        sx->list[n] = kern_largest(p->y + 3 * n, 3) > least ? moving++
-                                                            : KERN_OUT;
-    sx->list[n] = KERN_OUT;
-    return moving <= KERN_MECHANISM_MOST
-           && 3 * moving * (moving + 1) <= sx->factors.room
-                                           - sx->factors.first[sx->factors.count]
-           ? moving : 0;
-}
-
-/* The mechanism of so many groups at s, to p->y. Returns its power as a share
-   of its largest speed; infinity where it is none. */
-static kern_real kern_mechanism_at(kern_part *p, kern_real s, int groups)
-{
-    const kern_simplex *sx = &p->eq.simplex;
-    const int rows = 3 * groups;
-    kern_real *a = sx->factors.entry
-                   + 3 * (size_t)sx->factors.first[sx->factors.count];
-    kern_real *y = a + rows * (rows + 1);
-    int i, n = 0;
-    for (i = 0; i < p->eq.lp.rows && n <= rows; i++)
-        n += kern_mechanism_row(p, s, i, rows,
-                                a + (n < rows ? n : 0) * (rows + 1));
-    if (n != rows || !kern_mechanism_solve(a, rows, y))
-        return KERN_INFINITY;
-    for (i = 0; i < 3 * p->groups; i++)
-        p->y[i] = sx->list[i / 3] == KERN_OUT
-                  ? KERN_R(0) : y[3 * sx->list[i / 3] + i % 3];
-    return kern_dot(p->y, p->eq.rhs, 3 * p->groups) / kern_largest(y, rows);
-}
-
-/* Where the mechanism that falls at s stops to fall as kerns shrink less, by
-   secants from Newton's prediction on; and its motion a little beyond that. */
-static void kern_mechanism_edge(kern_part *p, kern_path *path, kern_real s)
-{
-    const kern_real same = KERN_SAME_EDGE / 8 * path->unit;
-    const int groups = kern_mechanism_open(p);
-    kern_real lo = path->holds, hi = s, at = path->edge, last = s, was, power;
-    int round, found = 0;
-    if (groups == 0)
-        return;
-    was = kern_dot(p->y, p->eq.rhs, 3 * p->groups)
-          / kern_largest(p->y, 3 * p->groups);
-    for (round = 0; round < KERN_MECHANISM_ROUNDS && !found; round++) {
-        kern_real step;
-        if (!(at > lo && at < hi))
-            at = lo + (hi - lo) / 2;
-        power = kern_mechanism_at(p, at, groups);
-        if (!(power < KERN_INFINITY))
-            break;
-        *(power < 0 ? &hi : &lo) = at;
-        step = power * (at - last) / (power - was);
-        last = at;
-        was = power;
-        at -= step;
-        found = kern_abs(step) <= same;
-    }
-    power = at + path->tolerance * KERN_ASIDE;
-    if (found && kern_mechanism_at(p, power, groups) < KERN_INFINITY) {
-        kern_part_motion(p);
-        path->edge = at;
-        path->shown = power;
-    }
-}
-
-/* Whether the forces of the basis that stands at s are those at the edge as
-   well: they change by -B^-1 A' x along the path, and none of them becomes
-   negative. */
-static int kern_basis_reaches(kern_part *p, kern_real s, kern_real edge)
-{
-    const kern_model *m = p->m;
-    kern_simplex *sx = &p->eq.simplex;
-    const kern_real least = -sx->least;
-    int i;
-    if (m->cone.narrow > 0 || sx->state == KERN_BASIS_NONE)
-        return 0;
-    for (i = 0; i < 3 * sx->groups + 3; i++)
-        sx->alpha[i] = KERN_R(0);
-    for (i = 0; i < p->contacts; i++) {
-        const int *ends = m->graph.ends + 2 * p->contact[i];
-        const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
-        kern_real rate;
-        if (!(n > 0))
-            continue;
-        kern_shift(kern_travel(m->s->contact + p->contact[i], m->mean), s,
-                   m->relative, &rate);
-        rate *= n * (edge - s); /* t x (f n + r t) = -f */
-        sx->alpha[3 * p->ends[2 * i] + 2] += rate * m->unit[ends[0]];
-        sx->alpha[3 * p->ends[2 * i + 1] + 2] -= rate * m->unit[ends[1]];
-    }
-    kern_basis_solve(sx, sx->alpha);
-    for (i = 0; i < p->eq.lp.rows; i++) {
-        const kern_real v = sx->value[i] + sx->alpha[i];
-        if (v < least || (sx->base[i] >= p->eq.lp.cols && v > -least))
-            return 0;
-    }
-    return 1;
-}
-
-/* Where the mechanism that was found at s stops to fall, and whether its motion
-   proves the fall just beyond. Near to critical even a certificate that proves
-   nothing tells where. */
-static void kern_path_predict(kern_path *path, const kern_query *q, kern_real s)
-{
-    path->edge = kern_path_newton(path, q, s);
-    path->shown = KERN_INFINITY;
-    if (path->kind == KERN_PATH_LOAD)
-        path->shown = path->edge + path->tolerance * KERN_ASIDE;
-    if (path->kind == KERN_PATH_SHRINK)
-        kern_mechanism_edge(path->part, path, s);
-}
-
-/* Asks at s. */
-static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
-                                      kern_real s)
+/* The verdict at s. Where a mechanism falls, proven or not, its edge becomes
+   that of the path: close to critical even a motion that proves nothing tells. */
+static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
@@ -5611,177 +5387,118 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
         ? kern_ipm_evaluate(path->ipm, s, &path->edge)
         : path->alone ? kern_part_evaluate(p, &q)
                       : kern_model_evaluate(m, p, &q);
-    if (status == KERN_FALLS || !path->alone || kern_part_is_whole(p))
+    if (!path->ipm && status != KERN_STANDS && p->found == KERN_FALLS)
+        path->edge = kern_path_newton(path, &q, s);
+    return status;
+}
+
+/* The verdict at s, which becomes an end of the bracket. */
+static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
+                                      kern_real s)
+{
+    const kern_status status = kern_path_ask(m, path, s);
+    if (status == KERN_FALLS || !path->alone || kern_part_is_whole(path->part))
         kern_path_note(m, path, status, s);
     if (status == KERN_STANDS)
         path->holds = s;
     if (status == KERN_FALLS)
         path->fails = s;
-    if (!path->ipm && status != KERN_STANDS && p->found == KERN_FALLS)
-        kern_path_predict(path, &q, s);
     return status;
 }
 
-/* Proves by the motion of the last mechanism that it falls just beyond the
-   edge; where that proves nothing the edge is not seen any more. 0: there is
-   none. */
-static int kern_path_shown(kern_model *m, kern_path *path)
+/* Asks at the edge itself. Where another mechanism falls there its edge takes
+   the place; else the edge is exact. The bracket stays. */
+static kern_status kern_path_verify(kern_model *m, kern_path *path)
 {
-    const kern_real s = path->shown;
-    const kern_query q = kern_path_at(path, s);
-    if (path->ipm || !(s < path->fails))
-        return 0;
-    path->shown = KERN_INFINITY;
-    if (kern_model_spend(m, m->budget.query_units / 2)
-        && kern_model_proven(m, kern_prove_motion(m->s, &q,
-                                                  m->answer.motion))) {
-        kern_path_note(m, path, KERN_FALLS, s);
-        path->fails = s;
-    } else
-        path->edge = KERN_INFINITY;
-    return 1;
+    const kern_real at = path->edge, same = KERN_SAME_EDGE * path->unit;
+    const kern_status status = kern_path_ask(m, path, at);
+    if (status != KERN_FALLS || path->edge > at)
+        path->edge = kern_abs(path->edge - at) <= same ? path->edge : at;
+    if (status != KERN_FALLS || path->edge >= at - same)
+        path->exact = path->edge;
+    return status;
 }
 
 /* How a bracket is narrowed. */
 typedef struct kern_narrow {
-    kern_real aside, under;   /* from the predicted edge to where it is shown to
-                                 fall, and to stand                           */
+    kern_real aside, under;   /* from the edge to where it is shown to fall, and
+                                 to stand                                     */
     kern_real share;          /* of a bracket in which nothing is predicted   */
-    int basis;                /* nonzero: the last basis stands at `holds`    */
-    kern_real holds, fails, edge; /* of the path, before the last verdict     */
 } kern_narrow;
 
-/* What is asked for next: a verdict at the start, which is not proven yet, at
-   the edge, beyond it, before it, or between the ends; or nothing more. */
-typedef enum kern_place {
-    KERN_AT_START, KERN_AT_EDGE, KERN_BEYOND, KERN_BEFORE, KERN_BETWEEN,
-    KERN_NOWHERE
-} kern_place;
-
-/* Whether it must be proven that it stands where the bracket begins, which was
-   only by the pass. */
-static int kern_narrow_starts(const kern_path *path, const kern_narrow *n)
+/* Where the bracket is narrowed next: beyond the edge, where it is shown to
+   fall, or before it, where it is to stand; the edge itself: that is to be
+   verified; where no edge lies in the bracket, a share of it; infinity: it is
+   narrow. A part is only asked for its edge. */
+static kern_real kern_narrow_next(const kern_path *path, const kern_narrow *n)
 {
-    return !path->alone && !path->ipm && path->stood < path->holds
-           && (path->edge < path->holds + 2 * n->under
-               || path->fails < path->holds + 2 * n->under);
-}
-
-static kern_place kern_narrow_next(const kern_path *path, const kern_narrow *n)
-{
-    const kern_real lo = path->holds, hi = path->fails, r = path->edge;
-    const int inside = r >= lo && r <= hi;
-    const int above = inside && hi - r <= n->aside * KERN_R(1.05);
-    const int below = inside && r - lo <= n->under * KERN_R(1.05);
-    if (kern_narrow_starts(path, n))
-        return KERN_AT_START;
+    const kern_real lo = path->holds, hi = path->fails, edge = path->edge;
+    if (!path->alone && !path->ipm && path->stood < lo
+        && kern_min(edge, hi) < lo + 2 * n->under)
+        return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
         || n->aside + n->under > path->tolerance * KERN_WIDEST)
-        return KERN_NOWHERE;
-    if (above && below)
-        return path->ipm || (n->basis && kern_basis_reaches(path->part, lo, r))
-               ? KERN_NOWHERE : KERN_AT_EDGE;
-    if (above)
-        return KERN_BEFORE;
-    return inside && r + n->aside < hi ? KERN_BEYOND : KERN_BETWEEN;
+        return KERN_INFINITY;
+    if (!(edge >= lo && edge <= hi))
+        return lo + (hi - lo) * n->share;
+    if (hi - edge > n->aside * KERN_R(1.05))
+        return edge + n->aside;
+    if (!path->ipm && edge > lo
+        && kern_abs(path->exact - edge) > KERN_SAME_EDGE * path->unit)
+        return edge;
+    return edge - lo > n->under * KERN_R(1.05) && !path->alone
+           ? kern_max(edge - n->under, path->start) : KERN_INFINITY;
 }
 
-static kern_real kern_narrow_at(const kern_path *path, const kern_narrow *n,
-                                kern_place place)
+/* What a verdict at such a place tells for the next one. */
+static void kern_narrow_by(kern_narrow *n, kern_status status, kern_real at,
+                           kern_real edge, int inside)
 {
-    switch (place) {
-    case KERN_AT_START:
-        return path->holds;
-    case KERN_AT_EDGE:
-        return path->edge;
-    case KERN_BEFORE:
-        return kern_max(path->edge - n->under, path->start);
-    case KERN_BEYOND:
-        return path->edge + n->aside;
-    default:
-        return path->holds + (path->fails - path->holds) * n->share;
-    }
-}
-
-/* Narrows by a verdict at such a place. Returns nonzero where it can be no
-   narrower. */
-static int kern_narrow_by(kern_path *path, kern_narrow *n, kern_place place,
-                          kern_status status)
-{
-    if (status == KERN_UNDECIDED)
+    if (status == KERN_UNDECIDED && inside)
+        *(at > edge ? &n->aside : &n->under) *= 2;
+    else if (status == KERN_UNDECIDED)
         n->share *= KERN_R(0.7);
-    else if (place == KERN_BETWEEN && status == KERN_STANDS)
+    else if (status == KERN_STANDS && !inside)
         n->share = kern_min(2 * n->share, KERN_R(0.5));
     else
         n->share = KERN_NEAR;
-    if (place == KERN_AT_START && status == KERN_FALLS)
-        path->holds = path->start;
-    if (place == KERN_AT_EDGE) { /* the bracket stays */
-        path->fails = n->fails;
-        path->holds = n->holds;
-        if (status != KERN_FALLS
-            || path->edge > n->edge - path->unit * KERN_SAME_EDGE) {
-            path->edge = n->edge;
-            return 1;
-        }
-    }
-    if (status == KERN_UNDECIDED && place == KERN_BEFORE)
-        n->under *= 2;
-    if (status == KERN_UNDECIDED && place == KERN_BEYOND)
-        n->aside *= 2;
-    return status == KERN_UNDECIDED && place == KERN_BETWEEN
-           && n->fails - n->holds <= path->tolerance * KERN_WIDEST;
 }
 
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
-   place, where the verdict changes. With w half of the tolerance:
-   1. show that it falls at the place that is predicted, plus w, by the motion
-      that was found, or else by a verdict;
-   2. evaluate at it less w, so that both ends are proven beyond doubt: where
-      another mechanism falls it predicts a nearer one;
-   3. evaluate at the place itself, unless the basis of 2. reaches it: where yet
-      another mechanism falls there its prediction counts, else it is exact. The
-      interior point knows the place no better than 1. and 2.
+   place, where the verdict changes. With w half of the tolerance: shows that
+   it falls at the edge that is predicted plus w, verifies the edge, and shows
+   that it stands at the edge less w. Each verdict may find a mechanism with a
+   nearer edge. The interior point knows the edge no better than its bracket.
    Where nothing is predicted in the bracket, a share of it is tried; where no
    verdict can be proven, w is doubled, up to a limit: in a jam neither proof
    comes nearer. KERN_FALLS where it does at the start, which was not proven. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
     const kern_real w = path->tolerance * KERN_ASIDE;
-    const kern_proof *proof = path->proof;
     kern_narrow n;
-    kern_real fell;
     int round;
     n.aside = n.under = w;
     n.share = KERN_NEAR;
-    n.basis = 0;
     for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const kern_place place = kern_narrow_next(path, &n);
+        const kern_real lo = path->holds, edge = path->edge;
+        const kern_real at = kern_narrow_next(path, &n);
+        const int inside = edge >= lo && edge <= path->fails;
+        const int verify = at > lo && at >= edge && at <= edge;
         kern_status status;
-        if (place == KERN_NOWHERE)
+        if (!(at < KERN_INFINITY))
             break;
-        if (place == KERN_BEYOND && kern_path_shown(m, path))
-            continue;
-        if (place == KERN_AT_EDGE)
-            path->proof = NULL;
-        n.holds = path->holds;
-        n.fails = path->fails;
-        n.edge = path->edge;
-        fell = path->fell;
-        status = kern_path_evaluate(m, path, kern_narrow_at(path, &n, place));
-        path->proof = proof;
-        if (place == KERN_AT_EDGE)
-            path->fell = fell; /* its motion was not handed out */
-        if (status < KERN_UNDECIDED
-            || (place == KERN_AT_START && status != KERN_STANDS
-                && !(n.holds > path->start)))
+        status = verify ? kern_path_verify(m, path)
+                        : kern_path_evaluate(m, path, at);
+        if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
-        n.basis = status == KERN_STANDS && path->kind == KERN_PATH_SHRINK
-                  && !path->ipm;
-        if (kern_narrow_by(path, &n, place, status))
+        if (!verify)
+            kern_narrow_by(&n, status, at, edge, inside);
+        if (status == KERN_UNDECIDED && !inside
+            && path->fails - lo <= path->tolerance * KERN_WIDEST)
             break;
     }
-    if (path->fails - path->holds > path->tolerance * KERN_WIDEST)
+    if (path->fails - path->holds > path->tolerance * KERN_WIDEST
+        && !path->alone)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
     return KERN_STANDS;
@@ -5877,11 +5594,37 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
     return 1;
 }
 
-/* Goes from a place that stands toward the end, until it falls; then finds the
-   edge. Steps grow. Even ones, where verdicts may change more than once, are
+/* Climbs from a place that stands until the whole falls, in steps that grow, or
+   are halved where nothing can be proven; then finds the edge. */
+static kern_status kern_path_climb(kern_model *m, kern_path *path,
+                                   kern_real first, kern_real step)
+{
+    kern_status status = KERN_STANDS;
+    kern_real ratio = KERN_R(1.5), next = path->holds + first;
+    int round;
+    for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
+        next = kern_min(next, path->end);
+        status = kern_path_evaluate(m, path, next);
+        if (status == KERN_FALLS)
+            return kern_path_edge(m, path);
+        if (status == KERN_STANDS && next >= path->end)
+            return kern_path_saturate(path);
+        if (status == KERN_UNDECIDED && step > path->tolerance) {
+            ratio = KERN_R(1);
+            step = kern_min(step, next - path->holds) / 2;
+        } else if (status != KERN_STANDS)
+            return status;
+        next = path->holds + step;
+        step *= ratio;
+    }
+    return KERN_UNDECIDED;
+}
+
+/* Goes from a place that stands toward the end in even steps, where verdicts
+   may change more than once, until it falls; then finds the edge. Steps are
    left out where forces found farther on hold it too. */
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step, int even)
+                                  kern_real step)
 {
     const kern_real end = path->end;
     kern_real at = path->holds, fell = KERN_INFINITY;
@@ -5912,9 +5655,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
         if (next >= end)
             return kern_path_saturate(path);
         at = next;
-        if (!even)
-            step *= KERN_R(1.5);
-        else if (path->kind == KERN_PATH_SHRINK)
+        if (path->kind == KERN_PATH_SHRINK)
             stride *= 2;
         while (stride > 1 && !(at + KERN_R(stride) * step < fell))
             stride /= 2;
@@ -5922,22 +5663,21 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* Whether what is known bounds the edge: its motion proves that it falls where
-   it did, close beyond where it stood. */
-static int kern_start_falls(kern_model *m, kern_path *path)
+/* What is known bounds the edge where its motion proves that it falls where it
+   did, close beyond where it stood. */
+static void kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
     int i;
     if (warm->fails - warm->holds > 2 * path->tolerance
         || !kern_model_proven(m, kern_prove_motion(m->s, &q, warm->motion)))
-        return 0;
+        return;
     for (i = 0; i < m->s->blocks; i++)
         m->answer.motion[i] = warm->motion[i];
     kern_path_note(m, path, KERN_FALLS, warm->fails);
     path->fails = warm->fails;
-    path->edge = warm->margin;
-    return 1;
+    path->edge = path->exact = warm->margin;
 }
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
@@ -6109,31 +5849,6 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
 
 /* ---- the search: which method is asked when ---- */
 
-/* The edge of the whole by its linear program, which is asked at `at`, where
-   the pass came to no end: where it stands there, and something is known to
-   fall just beyond, that is the edge. Else, or from the start on, it climbs. */
-static kern_status kern_path_simplex(kern_model *m, kern_path *path,
-                                     kern_real at, kern_real step)
-{
-    const kern_real fell = path->fell, edge = path->edge;
-    kern_status status;
-    if (!(path->stood >= path->holds))
-        path->holds = path->start; /* the pass gave no proof there */
-    status = at <= path->start && path->stood >= at
-             ? KERN_STANDS : kern_path_evaluate(m, path, at);
-    if (status == KERN_FALLS)
-        return at > path->start ? kern_path_edge(m, path) : status;
-    if (status != KERN_STANDS)
-        return status;
-    if (at >= path->end)
-        return kern_path_saturate(path);
-    if (!(fell > at && fell - at <= path->tolerance * KERN_WIDEST))
-        return kern_path_walk(m, path, step, 0);
-    path->fails = fell;
-    path->edge = edge;
-    return status;
-}
-
 /* The edge of the whole where a load grows or gravity turns, which one program
    finds: the largest place, or the tangent of the largest angle, that rhs can
    reach. KERN_UNDECIDED where it is none. */
@@ -6159,12 +5874,13 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
 }
 
 /* The edge of the whole beyond path->holds: of many groups by the interior
-   point, of few, or where that finds none, by their linear program, at first at
-   `at`; from the start on where that is not decided. */
+   point, of few, or where that finds none, by their linear program: in the
+   bracket that is known; where that is none, or too near to critical to be
+   narrowed, by a climb. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
-                                   kern_real at, kern_real step)
+                                   kern_real first, kern_real step)
 {
-    const kern_real edge = path->edge;
+    const kern_real fails = path->fails, edge = path->edge;
     const kern_query q = kern_path_at(path, path->holds);
     kern_status status = KERN_UNDECIDED;
     if (!m->whole && (m->graph.groups > KERN_SMALL
@@ -6175,113 +5891,99 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
         status = kern_model_whole(m, path->part, &q);
         if (status == KERN_OK)
             status = KERN_UNDECIDED;
+        path->fails = fails;
         path->edge = edge; /* that of the interior point may not be exact */
     }
     if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
-    if (status == KERN_UNDECIDED)
-        status = kern_path_simplex(m, path, at, step);
-    if (status == KERN_UNDECIDED && at > path->start) {
-        path->never = 0;
-        path->holds = path->start;
-        status = kern_path_simplex(m, path, path->start, step);
+    if (status == KERN_UNDECIDED && fails < KERN_INFINITY) {
+        status = kern_path_edge(m, path);
+        first = step;
+    }
+    if (status == KERN_UNDECIDED) {
+        path->holds = kern_max(path->start, path->stood);
+        status = kern_path_climb(m, path, first, step);
     }
     return status;
 }
 
-/* What the pass finds at s, and the motion of what falls: KERN_UNDECIDED where
+/* What the pass finds at s, and the edge of what falls: KERN_UNDECIDED where
    it shows neither. */
-static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s,
-                                  int proven)
+static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
-    kern_status status = kern_model_pass(m, path->part, &q, proven);
+    const kern_real holds = path->holds;
+    kern_status status = kern_model_pass(m, path->part, &q);
     if (status == KERN_STANDS) {
-        if (proven)
-            kern_path_note(m, path, status, s);
+        kern_path_note(m, path, status, s);
         path->holds = s;
     }
     if (status != KERN_FALLS)
         return status;
-    if ((2 * m->graph.groups > KERN_SMALL
-         && 2 * path->part->groups > m->graph.groups)
-        || kern_part_lay(path->part) != KERN_OK)
+    if (kern_part_lay(path->part) != KERN_OK)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
+    if (status == KERN_FALLS && s > path->start)
+        status = kern_path_edge(m, path) == KERN_STANDS ? KERN_FALLS
+                                                        : KERN_UNDECIDED;
     path->alone = 0;
-    return status == KERN_FALLS ? status : KERN_UNDECIDED;
+    path->holds = holds;
+    return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Where a search begins: below the edge of what is known of a structure like
-   it, or of a body, or a step from the start. In *fell whether it is known to
-   fall just beyond. */
-static kern_real kern_path_first(kern_model *m, kern_path *path, kern_real step,
-                                 int *fell)
+/* Where a search begins: just before the edge of what is known of a structure
+   like it, or of a body, or a step from the start. */
+static kern_real kern_path_first(kern_model *m, kern_path *path,
+                                 kern_real first)
 {
-    const kern_real start = path->start;
-    kern_real at = start + step;
     const kern_known *warm;
+    kern_real at = path->start + first;
     if (!path->warm)
         at = kern_body_first(m, path, at);
     warm = path->warm;
-    *fell = 0;
-    if (!warm || !(warm->fails > start && warm->fails <= path->end
+    if (!warm || !(warm->fails > path->start && warm->fails <= path->end
                    && warm->holds <= warm->margin
                    && warm->margin <= warm->fails))
         return kern_min(at, path->end);
-    *fell = kern_start_falls(m, path);
-    return kern_max(start, warm->holds);
-}
-
-/* A step on; where little is left, the end. */
-static kern_real kern_path_farther(const kern_path *path, kern_real at,
-                                   kern_real step)
-{
-    at += step;
-    return at > path->end * KERN_R(0.95) ? path->end : at;
+    kern_start_falls(m, path);
+    return kern_max(path->start, warm->holds);
 }
 
 /* The first edge of a path on which the verdict changes but once. What falls at
    some place is a part, most often a small one, and no edge of the whole lies
-   beyond that of a part, all else held. So the pass runs at the edge of the
-   part that fell last, until nothing falls there, or the pass comes to no end. */
+   beyond that of a part, all else held. So the pass runs just before the edge
+   of the part that fell last, until nothing falls there, or the pass comes to
+   no end. At first that is the edge of what is known of a structure like it, or
+   of a body, or a step from the start. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
-    const kern_real start = path->start = path->holds;
-    kern_real holds = start, at, edge;
+    const kern_real aside = path->tolerance * KERN_ASIDE;
     kern_status status = KERN_STANDS;
-    int round, fell;
+    kern_real at;
+    int round;
+    path->start = path->holds;
+    path->fails = path->exact = KERN_INFINITY;
     if (m->whole || path->kind != KERN_PATH_SHRINK)
-        return kern_path_whole(m, path, start, step);
-    at = kern_path_first(m, path, first, &fell);
-    edge = path->edge;
-    for (round = 0; round < KERN_EDGE_ROUNDS && status == KERN_STANDS; round++) {
-        path->holds = holds;
-        status = kern_path_pass(m, path, at, fell || at >= path->end);
-        if (status == KERN_STANDS && fell)
-            return status;
-        if (status == KERN_STANDS && at >= path->end)
+        return kern_path_whole(m, path, step, step);
+    at = kern_path_first(m, path, first);
+    for (round = 0; round < KERN_PARTS_MOST; ) {
+        status = kern_path_pass(m, path, at);
+        if (status == KERN_FALLS && at > path->start) {
+            at = kern_max(path->edge - aside, path->start);
+            status = KERN_UNDECIDED;
+            round++;
+        } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
+            break;
+        else if (at >= path->end)
             return kern_path_saturate(path);
-        if (status == KERN_FALLS && at <= start)
-            return status;
-        if (status == KERN_STANDS) {
-            holds = at;
-            at = kern_path_farther(path, at, first);
-        } else if (status == KERN_FALLS) {
-            path->holds = holds;
-            path->alone = fell = 1;
-            status = kern_path_edge(m, path);
-            path->alone = 0;
-            at = path->holds;
-            edge = path->edge;
-        }
+        else
+            at = at + first < path->end * KERN_R(0.95) ? at + first
+                                                       : path->end;
     }
-    path->holds = holds;
-    path->edge = edge;
-    return status < KERN_UNDECIDED ? status
-                                   : kern_path_whole(m, path, at, step);
+    return status != KERN_UNDECIDED ? status
+           : kern_path_whole(m, path, at - path->holds, step);
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */

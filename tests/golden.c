@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x2aa210d99842b4bbu },
-    { 1000, 0x5a67bbf3eb71d178u },
-    { 5000, 0x9655099608dd2597u },
+    { 200, 0x6133c7fe370a99cbu },
+    { 1000, 0x8b663d91501687fdu },
+    { 5000, 0x7c53d57a87be156cu },
 #else
-    { 200, 0x349b37d32b278e29u },
-    { 1000, 0xbd954d24bee85978u },
-    { 5000, 0x17e4b66cd4a42395u },
+    { 200, 0x0a4c9aed25e45765u },
+    { 1000, 0xd60e24d7169c473fu },
+    { 5000, 0x39327bad5430c466u },
 #endif
 };
 

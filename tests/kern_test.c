@@ -2836,7 +2836,7 @@ static void lone_points(void)
             CHECK_INT(measure(&w, &m), KERN_STANDS);
             CHECK_INT(m.saturated, side >= 0);
             if (side < 0)
-                CHECK_NEAR(m.margin, relative ? 0.75 : 1.5, GEO);
+                CHECK_NEAR(m.margin, relative ? 0.75 : 1.5, EXACT);
         }
     /* a tip beside the end of a bed from 0 to 1: their middle is at 2 */
     world_reset(&w);
