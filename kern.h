@@ -345,6 +345,8 @@
              dilatancy: 0.98 of the simulator's on these 48 in the median, 1.04
              at most. It answers for one path of loading. Use the lower one for
              what must hold.
+             kern_raised() begins without forces: on six published brick walls
+             under 41 loads up to that factor it showed 193 of 246 equilibria.
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 400 rows of one to five wedges between cliffs, with
              nothing below, 181 fell in a simulator though forces exist; 179
@@ -361,6 +363,8 @@
              grow without bound toward critical, within 1e-7, rarely 1e-5; where
              one block weighs more than 1e4 times another, farther. A level is
              undecided only if the verdict at a step that it depends on is.
+             Bricks held by loads up to 1000 times their weight: none of 288
+             with mu up to 100, with mu 1000 2 of 96.
    Brackets  At most 2e-6 mean sizes wide; in jams of 4 to 15 blocks up to 2e-5
              in one of a thousand; above 256 blocks of which many move at once
              up to 3e-5. Above 64 such blocks the margin may lie anywhere in it.
@@ -1083,8 +1087,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; *factor is as it was. Time: 8 times that of
-   the load factor in the median of settled stones, 30 on brick walls whose
+   own weight raises the forces; *factor is as it was. Time: 10 times that of
+   the load factor in the median of settled stones, 37 on brick walls whose
    joints slide. */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
@@ -6603,13 +6607,11 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value)
 /* The largest such set; returns how many blocks are in it. */
 static int kern_hang_find(const kern_structure *s, kern_real *value)
 {
-    int i, n = s->blocks, out;
+    int i, n = s->blocks, out = 1;
     for (i = 0; i < s->blocks; i++)
         value[i] = KERN_R(1);
-    do {
+    for (; out > 0; n -= out)
         out = kern_hang_pass(s, value);
-        n -= out;
-    } while (out > 0);
     return n;
 }
 
@@ -6827,9 +6829,8 @@ static int kern_raise_hangs(kern_model *m, kern_part *p, const kern_query *q,
         status = kern_model_evaluate(m, p, &rest);
     kern_model_group(m, q);
     for (i = 0; i < m->s->blocks; i++) {
-        m->answer.motion[i].vx = value[i] >= 0 ? way.x : KERN_R(0);
-        m->answer.motion[i].vy = value[i] >= 0 ? way.y : KERN_R(0);
-        m->answer.motion[i].spin = KERN_R(0);
+        const kern_motion rests = {0, 0, 0}, falls = {way.x, way.y, 0};
+        m->answer.motion[i] = value[i] >= 0 ? falls : rests;
     }
     return status == KERN_STANDS;
 }
