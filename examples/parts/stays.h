@@ -17,7 +17,10 @@
    stays against moves .976 and .979 (reserve alone .973 and .971), where the
    wall below has a reserve of .0055 or more .978 and .983; where 95 % of what
    stays is kept, .92 and .91 of what moves and .74 and .70 of what is unclear is
-   rejected.
+   rejected. Calibration, in ten groups of equal number in the order of the
+   chance: the mean chance and the share that stays differ by at most .046 on the
+   data the law was fitted to; of a law fitted to one half, by up to .13 and .10
+   on the other, in groups of about 48.
 
    SPDX-License-Identifier: MIT */
 
