@@ -300,6 +300,8 @@ static void test_courses(void)
     near_to("half a box below both", stack_step_up(&w, &low), 0.5, 1e-12);
     near_to("nothing above its middle", stack_step_up(&w, &post), 0.25, 0);
     check(stack_on_end(&post) && !stack_on_end(&slab), "a post", 0, 1);
+    int below = -1;
+    check(stack_carriers(&w.around, &slab, &below) == 2, "on two", 0, 2);
     stack_free(&w);
     stones_free(&stock);
 }
@@ -481,6 +483,32 @@ static void test_walls(int seeds)
                 stack_free(&w);
                 stones_free(&stock);
             }
+}
+
+/* A stone on top of the left end of five courses: a column where joints run
+   through, none where every other course is shifted; a small stone of the
+   foundation costs more than one of mean size. */
+static void test_bond(void)
+{
+    static const struct stack_candidate on_ground;
+    for (int k = 0; k < 2; k++) {
+        struct stones stock;
+        struct stack_wall w;
+        struct stone on_top = box(0, 5, 2, 6), middle = box(4, 5, 6, 6);
+        struct stone small = box(0, 0, 1, 0.5), large = box(0, 0, 2, 1);
+        if (bricks(&w, &stock, 0.5 * k)) return;
+        check(stack_column_of(&w, &on_top, 21) == (k ? 0 : 4), "column",
+              stack_column_of(&w, &on_top, 21), k ? 0 : 4);
+        check(stack_column_of(&w, &middle, 23) == 0, "not at an end",
+              stack_column_of(&w, &middle, 23), 0);
+        w.options.bonded = 1;
+        check(stack_fault_of_bond(&w, &small, &on_ground) >
+                  stack_fault_of_bond(&w, &large, &on_ground),
+              "small foundation", stack_fault_of_bond(&w, &small, &on_ground),
+              stack_fault_of_bond(&w, &large, &on_ground));
+        stack_free(&w);
+        stones_free(&stock);
+    }
 }
 
 /* Notches between the boxes and beside them; a large stone at a side. */
@@ -710,6 +738,7 @@ int main(int argc, char **argv)
     test_sky();
     test_masonry();
     test_courses();
+    test_bond();
     test_rest();
     test_quality();
     test_limit();

@@ -143,22 +143,19 @@ static int masonry_counted(const kern_structure *s, int k, int over, int under)
     return 0;
 }
 
-static void masonry_rests_of(const kern_structure *s, struct masonry_rest *r)
+static struct masonry_rest masonry_rest_on(const kern_structure *s, int i)
 {
-    for (int i = 0; i < s->blocks; i++) {
-        r[i].stones = r[i].ground = 0;
-        r[i].below = MASONRY_NONE;
-    }
+    struct masonry_rest r = { 0, MASONRY_NONE, 0 };
     for (int k = 0; k < s->contacts; k++) {
         const kern_contact *c = &s->contact[k];
         const int over = c->n.y > 0 ? c->b : c->a, under = c->a + c->b - over;
-        if (fabs(c->n.y) < masonry_rests ||
+        if (over != i || fabs(c->n.y) < masonry_rests ||
             masonry_counted(s, k, over, under))
             continue;
-        if (s->block[under].fixed) r[over].ground = 1;
-        else if (r[over].stones++ == 0 || under < r[over].below)
-            r[over].below = under;
+        if (s->block[under].fixed) r.ground = 1;
+        else if (r.stones++ == 0 || under < r.below) r.below = under;
     }
+    return r;
 }
 
 /* Is a stone the last one to a side (-1 left, 1 right) at its own height? */
@@ -197,8 +194,8 @@ static int masonry_bond(const kern_structure *s, struct masonry *m)
     struct masonry_rest *r = malloc(((size_t)s->blocks + 1) * sizeof *r);
     int above = 0, bonded = 0;
     if (!r) return -1;
-    masonry_rests_of(s, r);
     for (int i = 0; i < s->blocks; i++) {
+        r[i] = masonry_rest_on(s, i);
         if (s->block[i].fixed || r[i].stones == 0) continue;
         above++;
         bonded += r[i].stones + r[i].ground >= 2;

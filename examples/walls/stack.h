@@ -375,6 +375,31 @@ static int stack_compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Does a stone end a course at a side of the frame: less than so many sizes from
+   it? */
+static int stack_at_side(const struct stack_wall *w, const struct stone *s,
+                         double sizes)
+{
+    const double side = sizes * w->stock->size;
+    return s->low.x < side || s->high.x > w->options.width - side;
+}
+
+/* Of the stones at a side of the frame that carry each other alone below a stone
+   that block `alone` carries: how many there are beyond the first. */
+static int stack_column_of(const struct stack_wall *w, const struct stone *s,
+                           int alone)
+{
+    const double side = 0.3; /* no other stone fits */
+    int below = 0;
+    while (alone > 0 && stack_at_side(w, s, side)) {
+        const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, alone);
+        s = &w->stone[alone - 1];
+        below += stack_at_side(w, s, side);
+        alone = r.stones == 1 && !r.ground ? r.below : MASONRY_NONE;
+    }
+    return below > 1 ? below - 1 : 0;
+}
+
 /* A fixed cost for each fault, whatever the weights: a stone without a bed, a
    long one on end, a joint that runs on. */
 static double stack_fault(const struct stack_candidate *c)
@@ -384,13 +409,27 @@ static double stack_fault(const struct stack_candidate *c)
                     (c->feature[STACK_BOND] < bond));
 }
 
+/* The same of a wall in bond, where a stone that tilts onto two others may lack a
+   bed: a stone on one alone, a small one in the foundation, and every stone
+   beyond two of a column at an end of the wall. */
+static double stack_fault_of_bond(const struct stack_wall *w,
+                                  const struct stone *s,
+                                  const struct stack_candidate *c)
+{
+    const double point = -0.15, one = 0.8, column = 3, founds = 3;
+    const double small = 1.0 / 3;
+    const int on_ground = s->low.y < masonry_step * w->stock->size;
+    if (!w->options.bonded) return 0;
+    return point * (c->bed < masonry_point) + one * (c->alone > 0) +
+           founds * (on_ground && s->area < small * w->stock->area) +
+           column * stack_column_of(w, s, c->alone);
+}
+
 /* What a stone at a side of the frame has more than the mean area, as a share
    of that. More is better: ends of courses hold what is between. */
 static double stack_end(const struct stack_wall *w, const struct stone *s)
 {
-    const double side = 0.1 * w->stock->size;
-    return s->low.x < side || s->high.x > w->options.width - side
-           ? s->area / w->stock->area - 1 : 0;
+    return stack_at_side(w, s, 0.1) ? s->area / w->stock->area - 1 : 0;
 }
 
 /* What a candidate costs before kern is asked; `low` is the lowest sky. */
@@ -408,7 +447,8 @@ static double stack_cost(const struct stack_wall *w,
          - g->bond * c->feature[STACK_BOND]
          - g->edges * c->feature[STACK_EDGES]
          - g->bed * fmin(c->bed, 1) + g->step * c->step
-         - g->end * stack_end(w, &s) + stack_fault(c);
+         - g->end * stack_end(w, &s) + stack_fault(c)
+         + stack_fault_of_bond(w, &s, c);
 }
 
 /* The candidate of least cost that may be laid; -1: none. The load factor is
@@ -489,12 +529,16 @@ static double stack_value_of_load(struct stack_wall *w)
 }
 
 /* What of a wall is as masons want it, 0 to 1: filled, its joints crossed, its
-   long stones lying, every stone on a bed. */
+   long stones lying, every stone on a bed; in bond half of its stones on two
+   others, and its ends tied. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
     struct masonry m;
+    double bond = 1;
     if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
-    return stack_worth(stack_fill(w) - stack_more)
+    if (w->options.bonded)
+        bond = fmin(1, 0.5 + m.on_two) * (1 - m.end_columns / 2);
+    return bond * stack_worth(stack_fill(w) - stack_more)
          * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless);
 }
 

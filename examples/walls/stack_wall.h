@@ -92,6 +92,8 @@ struct stack_options {
                                look in the simulator; in proportion to
                                `look`, up to twice as much; 0: no limit   */
     enum stack_goal goal;   /* what it wants to be high                   */
+    int bonded;             /* nonzero: `best` lays stones on two others,
+                               and no columns at the ends                 */
     double beat[2];         /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
     /* called before each stone, if not NULL, where someone may wait      */
@@ -102,7 +104,7 @@ STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
                                { 0 }, 0, 0.4, -1, 1, 48, 140000, STACK_SHAKING,
-                               { 0, 0 }, NULL };
+                               0, { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
@@ -388,9 +390,11 @@ STACK_API void stack_look(struct stack_wall *w, double left, double right,
         for (int i = 0; i < block->vertices; i++) {
             kern_vec p = block->vertex[i];
             kern_vec q = block->vertex[i + 1 < block->vertices ? i + 1 : 0];
-            if (fmax(p.y, q.y) >= low && fmin(p.x, q.x) <= right &&
-                fmax(p.x, q.x) >= left)
-                w->around.edge[w->around.edges++] = rest_edge_of(p, q);
+            if (fmax(p.y, q.y) < low || fmin(p.x, q.x) > right ||
+                fmax(p.x, q.x) < left)
+                continue;
+            w->around.edge[w->around.edges] = rest_edge_of(p, q);
+            w->around.edge[w->around.edges++].block = b;
         }
     }
 }
@@ -511,6 +515,35 @@ STACK_API double stack_bed(const struct rest_near *around,
             sum += stack_common(&own, &around->edge[k], 1e-3 * size);
     }
     return sum / size;
+}
+
+/* Do two edges touch within `gap`, the second below the first? */
+static int stack_carries(const struct rest_edge *own,
+                         const struct rest_edge *e, double gap)
+{
+    return (e->n.y >= masonry_rests && rest_on(e, own->a) &&
+            fabs(stones_dot(e->n, stones_sub(own->a, e->a))) < gap) ||
+           (own->n.y <= -masonry_rests && rest_on(own, e->a) &&
+            fabs(stones_dot(own->n, stones_sub(e->a, own->a))) < gap);
+}
+
+/* How many blocks carry a stone, two for more; *below is the first of them, as
+   masonry_rest_on() counts when it is laid. */
+STACK_API int stack_carriers(const struct rest_near *around,
+                             const struct stone *s, int *below)
+{
+    int count = 0;
+    for (int i = 0; i < s->n && count < 2; i++) {
+        const struct rest_edge own = rest_edge_at(s, i);
+        for (int k = 0; k < around->edges && count < 2; k++) {
+            const struct rest_edge *e = &around->edge[k];
+            if ((count > 0 && e->block == *below) ||
+                !stack_carries(&own, e, 1e-3 * sqrt(s->area)))
+                continue;
+            if (count++ == 0) *below = e->block;
+        }
+    }
+    return count;
 }
 
 /* How far the top of a stone is from those beside it, in sizes, at most 0.5:

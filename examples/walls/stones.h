@@ -331,6 +331,7 @@ STONES_API int stones_make(struct stones *s, double level, int stones,
 struct rest_edge {
     kern_vec a, b;          /* the stone is on the left of it */
     kern_vec n;             /* outer normal, unit             */
+    int block;              /* whose it is, where that is asked */
 };
 
 /* Edges near a place. */
@@ -345,7 +346,7 @@ static const double rest_touch = 1e-7, rest_beside = 1e-9;
 
 static struct rest_edge rest_edge_of(kern_vec a, kern_vec b)
 {
-    struct rest_edge e = { a, b, { 0, 0 } };
+    struct rest_edge e = { a, b, { 0, 0 }, 0 };
     kern_vec t = stones_unit(stones_sub(b, a));
     e.n = stones_vec(t.y, -t.x);
     return e;
