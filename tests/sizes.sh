@@ -14,11 +14,11 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|10400
-lines of the engine|3500|4800
-text of the library|54000|63700
-text, kern_measure with contacts given|32000|38200
-text, kern_verdict with contacts given|22000|29600
+limits="lines of kern.h|8800|10100
+lines of the engine|3500|4450
+text of the library|54000|61600
+text, kern_measure with contacts given|32000|35700
+text, kern_verdict with contacts given|22000|29100
 deepest stack|2700|2700"
 allowed='sqrtf'  # symbols that the library may need
 
