@@ -132,6 +132,28 @@ static int stack_notches(const struct stack_wall *w, struct stack_anchor *a)
    until the lower one carries it too. */
 enum { STACK_ACROSS = 3 };
 
+/* Places astride a joint between two stones whose tops are about level; with
+   `bonded` also in steps to the side of the lower of them. */
+static int stack_joints(const struct stack_wall *w, struct stack_anchor *a)
+{
+    const double size = w->stock->size;
+    const double level = w->options.bonded ? stack_across : stack_level;
+    const int steps = w->options.bonded ? STACK_ACROSS : 1;
+    int n = 0;
+    for (int c = 1; c < w->columns; c++) {
+        const double rise = w->sky[c] - w->sky[c - 1];
+        if (w->owner[c] == w->owner[c - 1] || fabs(rise) > level * size)
+            continue;
+        for (int k = 0; k < steps; k++) {
+            const double aside = 0.15 * k * size;
+            a[n].x = c * w->options.width / w->columns
+                   + (rise > 0 ? -aside : aside);
+            a[n++].along = stones_vec(1, 0);
+        }
+    }
+    return n;
+}
+
 /* The faces that look upward and can be seen from there, the longer ones of a
    stone of many corners, and a grid; for `best` also the notches, and the joints
    between tops of about one height, that a stone may cross. */
@@ -160,19 +182,7 @@ static int stack_anchors(const struct stack_wall *w, double step,
     }
     if (w->options.planner != STACK_BEST) return n;
     n += stack_notches(w, a + n);
-    for (int c = 1; c < w->columns; c++) {
-        const double rise = w->sky[c] - w->sky[c - 1];
-        if (w->owner[c] == w->owner[c - 1] ||
-            fabs(rise) > (w->options.bonded ? stack_across : stack_level) * size)
-            continue;
-        for (int k = 0; k < (w->options.bonded ? STACK_ACROSS : 1); k++) {
-            const double aside = 0.15 * k * size;
-            a[n].x = c * w->options.width / w->columns
-                   + (rise > 0 ? -aside : aside);
-            a[n++].along = stones_vec(1, 0);
-        }
-    }
-    return n;
+    return n + stack_joints(w, a + n);
 }
 
 /* Slides a stone at rest to one side until something, or the side of the frame,
