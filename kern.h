@@ -1159,8 +1159,10 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
-   Where kerns are not nested it is kern_plan_try() that tells, with its proof.
-   KERN_BAD_NUMBER also for a margin below 0. Time: that of one verdict. */
+   What stands with every kern closed bears any margin. Where kerns are not
+   nested it is kern_plan_try() that tells, with its proof. KERN_BAD_NUMBER also
+   for a margin below 0. Time: that of one verdict; O(B + C) beyond the measured
+   margin where the block does not touch what limits that. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
@@ -5667,18 +5669,28 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
+/* Whether the known motion proves that it falls at that query; then it is the
+   answer's. */
+static int kern_known_falls(kern_model *m, const kern_query *q,
+                            const kern_known *known)
+{
+    int i;
+    if (!kern_model_proven(m, kern_prove_motion(m->s, q, known->motion)))
+        return 0;
+    for (i = 0; i < m->s->blocks; i++)
+        m->answer.motion[i] = known->motion[i];
+    return 1;
+}
+
 /* What is known bounds the edge where its motion proves that it falls where it
    did, close beyond where it stood. */
 static void kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
-    int i;
     if (warm->fails - warm->holds > 2 * path->tolerance
-        || !kern_model_proven(m, kern_prove_motion(m->s, &q, warm->motion)))
+        || !kern_known_falls(m, &q, warm))
         return;
-    for (i = 0; i < m->s->blocks; i++)
-        m->answer.motion[i] = warm->motion[i];
     kern_path_note(m, path, KERN_FALLS, warm->fails);
     path->fails = warm->fails;
     path->edge = path->exact = warm->margin;
@@ -8689,7 +8701,10 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         return status;
     if (kern_travels_of(&task->s, &c.path.q).nested) {
         c.m.answer.known = known->fails > 0 ? known : NULL;
-        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+        status = known->fails > 0 && margin >= known->fails
+                 && kern_known_falls(&c.m, &c.path.q, known)
+                 ? KERN_FALLS
+                 : kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
         return kern_spent(task->work, task->options.limit, status);
     }
