@@ -65,7 +65,7 @@
 
    Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
    count of contacts is the status of the search, and every call that takes the
-   task returns it. examples/one_block.c is this program with all checks,
+   task returns it. examples/copy/one_block.c is this program with all checks,
    examples/kern.c the program for the command line. "multiple definition of
    kern_...": KERN_IMPLEMENTATION is in more than one file; "undefined
    reference": in none, or in one of the other precision.
@@ -310,7 +310,7 @@
    raw points on a grid touch each other (KERN_CROSSING). Steps of a pixel
    carry no load of their own where a pixel is no more than the gap (>>rules):
    else set options.gap to a pixel and a half. The density is that of the
-   material times the thickness. examples/contour.c shows these steps.
+   material times the thickness. examples/copy/contour.c shows these steps.
 
    Error. Tell kern_measured_options() the standard error e of a stone's place
    (pixel, simplification and registration together, as squares) and theta of

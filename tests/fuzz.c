@@ -473,7 +473,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t length)
 /* ==== Without libFuzzer ============================================= */
 
 #ifdef FUZZ_PLAIN
-#include "../examples/parts/random.h"
+#include "../examples/lab/random.h"
 
 static uint64_t state;
 

@@ -45,7 +45,7 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 
-#include "../examples/parts/random.h"
+#include "../examples/lab/random.h"
 
 /* ==== Harness =================================================== >>harness */
 

@@ -24,7 +24,7 @@
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
-#include "../examples/parts/random.h"
+#include "../examples/lab/random.h"
 #include "../examples/parts/text.h"
 
 enum { MOST_FILES = 1000, MOST_VERTICES = 20000, MOST_BLOCKS = 500,

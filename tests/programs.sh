@@ -52,19 +52,18 @@ firmware() { # its commands; pivots, ticks and bytes are not compared
 
 # ---- programs a stranger copies
 
-output() { # output NAME: what it prints is the comment at its end
+output() { # output FILE: what it prints is the comment at its end
     local run
-    run=$(program "$1" "examples/$1.c") && "$run" >"$out/got" || return 1
+    run=$(program "$(basename "$1" .c)" "$1") && "$run" >"$out/got" || return 1
     awk '/^\/\* Output:/ { on = 1; next } /^\*\// { on = 0 } on' \
-        "examples/$1.c" >"$out/want"
+        "$1" >"$out/want"
     diff "$out/want" "$out/got"
 }
 
 outputs() { # of every program with such a comment
-    local name
-    for name in one_block picture tower mechanism lp place contour push nudge
-    do
-        output $name || { echo "FAILED: example $name"; return 1; }
+    local file
+    for file in examples/copy/*.c examples/{place,push,nudge}.c; do
+        output "$file" || { echo "FAILED: $file"; return 1; }
     done
 }
 
@@ -451,8 +450,8 @@ tidy() { # tidy FILES...: the analyzer only where no test's rest is in the way
 tidy_examples() { # one by one: clang-tidy 14 forgets va_start() of the first
     local file lost   # lost: where it no longer knows that arrays were sized,
                       # or that what stands was written
-    for file in examples/*.c examples/shaking/*.c examples/walls/*.c \
-        examples/firmware/main.c; do
+    for file in examples/*.c examples/copy/*.c examples/shaking/*.c \
+        examples/walls/*.c examples/firmware/main.c; do
         lost=
         case $file in
         */figures.c | */nudge.c | */stack.c | */study.c | */walls.c)

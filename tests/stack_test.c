@@ -10,7 +10,7 @@
 #include "../kern.h"
 
 #include "../examples/parts/draw.h"
-#include "../examples/parts/rigid.h"
+#include "../examples/lab/rigid.h"
 #include "../examples/parts/text.h"
 
 #include "../examples/walls/drop.h"

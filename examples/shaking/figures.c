@@ -18,12 +18,12 @@
 #include "../../kern.h"
 
 #include "../parts/args.h"
-#include "../parts/build.h"
+#include "../lab/build.h"
 #include "../parts/draw.h"
 #include "../parts/json.h"
-#include "../parts/measures.h"
+#include "../lab/measures.h"
 #include "../parts/plot.h"
-#include "../parts/table.h"
+#include "../lab/table.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -16,8 +16,8 @@
 #include "../parts/args.h"
 #include "../parts/draw.h"
 #include "../parts/json.h"
-#include "../parts/rigid.h"
-#include "../parts/table.h"
+#include "../lab/rigid.h"
+#include "../lab/table.h"
 #include "../parts/text.h"
 
 #include <errno.h>

@@ -19,7 +19,7 @@
 #include "../../kern.h"
 
 #include "../parts/draw.h"
-#include "../parts/measures.h"
+#include "../lab/measures.h"
 #include "../parts/plot.h"
 
 #include <math.h>

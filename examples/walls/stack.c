@@ -15,8 +15,8 @@
 
 #include "../parts/args.h"
 #include "../parts/draw.h"
-#include "../parts/measures.h"
-#include "../parts/table.h"
+#include "../lab/measures.h"
+#include "../lab/table.h"
 #include "../parts/text.h"
 #include "masonry.h"
 #include "stack.h"

@@ -31,7 +31,7 @@
 #ifndef STACK_H
 #define STACK_H
 
-#include "../parts/random.h"
+#include "../lab/random.h"
 #include "masonry.h"
 #include "stack_place.h"
 #include "stack_wall.h"

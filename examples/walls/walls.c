@@ -26,7 +26,7 @@
 #include "../parts/args.h"
 #include "../parts/draw.h"
 #include "../parts/plot.h"
-#include "../parts/table.h"
+#include "../lab/table.h"
 #include "drop.h"
 #include "masonry.h"
 #include "stack.h"

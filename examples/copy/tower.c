@@ -1,6 +1,6 @@
 /* How does a tower lose its stability as its top stone slides out?
 
-       cc -O2 -o tower examples/tower.c -lm
+       cc -O2 -o tower examples/copy/tower.c -lm
 
    Five cubes of 1 m stand on each other. The top one moves to the right,
    and contacts and verdict are found anew each time. The margin is 0.5 m
@@ -10,17 +10,19 @@
 #include <stdio.h>
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
 enum { STONES = 5, BLOCKS = STONES + 1, CONTACTS = 2 * STONES + 8 };
+enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
+       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
 
 static const double offset[] = { 0, 0.05, 0.15, 0.25, 0.35, 0.45, 0.55 };
 
 static kern_vec corner[BLOCKS][4];
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+static kern_real reals[REALS];
+static int ints[INTS];
 
 /* Makes block i a box: a stone, or with density 0 the ground. */
 static kern_status put(int i, double x, double y, double w, double h,
@@ -38,8 +40,7 @@ static kern_status put(int i, double x, double y, double w, double h,
 
 int main(void)
 {
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
-                                  ints, KERN_INTS(BLOCKS, CONTACTS));
+    kern_work work = kern_work_of(reals, REALS, ints, INTS);
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_margin m;
     int i, step;

@@ -1,6 +1,6 @@
 /* What can the LP solver do alone? Minimise a cost, and prove infeasibility.
 
-       cc -O2 -o lp examples/lp.c -lm
+       cc -O2 -o lp examples/copy/lp.c -lm
 
    A program is minimise cost.x where A x = rhs, x >= 0, with A given column
    by column. An inequality gets a column of its own that takes the slack.
@@ -10,7 +10,7 @@
 #include <stdio.h>
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
 enum { ROWS = 2, COLS = 4 };
 

@@ -12,8 +12,8 @@
 #define MEASURES_H
 
 #include "../../kern.h"
-#include "room.h"
-#include "text.h"
+#include "../parts/room.h"
+#include "../parts/text.h"
 
 #include <limits.h>
 #include <math.h>

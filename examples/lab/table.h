@@ -15,7 +15,7 @@
 #include "../../kern.h"
 #include "random.h"
 #include "rigid.h"
-#include "text.h"
+#include "../parts/text.h"
 
 #include <math.h>
 #include <stdint.h>

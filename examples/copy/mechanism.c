@@ -1,6 +1,6 @@
 /* Why does it fall? The proof of a fall is the motion of every block.
 
-       cc -O2 -o mechanism examples/mechanism.c -lm
+       cc -O2 -o mechanism examples/copy/mechanism.c -lm
 
    A beam rests on a fixed pier and reaches out too far. A stone on its short
    end should hold it down, and is too light: beam and stone turn as one about
@@ -10,9 +10,11 @@
 #include <stdio.h>
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
 enum { BLOCKS = 3, CONTACTS = 12 };
+enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
+       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
 
 static const kern_vec corner[BLOCKS][4] = {
     { { 0, 0 }, { 1, 0 }, { 1, 2 }, { 0, 2 } },                 /* pier  */
@@ -24,13 +26,12 @@ static const char *const name[BLOCKS] = { "pier", "beam", "stone" };
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
 static kern_motion motion[BLOCKS];
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+static kern_real reals[REALS];
+static int ints[INTS];
 
 int main(void)
 {
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
-                                  ints, KERN_INTS(BLOCKS, CONTACTS));
+    kern_work work = kern_work_of(reals, REALS, ints, INTS);
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_proof proof = { NULL, motion };
     kern_real deficit;

@@ -1,6 +1,6 @@
 /* From a camera's outline of a stone to its margin.
 
-       cc -O2 -o contour examples/contour.c -lm
+       cc -O2 -o contour examples/copy/contour.c -lm
 
    A camera gives thousands of points on a grid of pixels. Three steps make a
    stone of them:
@@ -18,9 +18,11 @@
 #include <stdio.h>
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
 enum { POINTS = 10000, CONTACTS = 4000, BLOCKS = 2 };
+enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
+       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
 
 static const kern_vec ground[] = { { -3, -4 }, { 3, -4 }, { 3, -1 }, { -3, -1 } };
 static const double pixel = 0.002, thickness = 0.3, density = 2400;
@@ -29,8 +31,8 @@ static kern_vec outline[POINTS], simple[POINTS];
 static char kept[POINTS];
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+static kern_real reals[REALS];
+static int ints[INTS];
 
 /* ---- simplify ---- */
 
@@ -101,8 +103,7 @@ static void look(int n, double grid)
 /* Prints what the stone of these vertices is worth, told an error of e. */
 static void row(const char *what, const kern_vec *vertex, int n, double e)
 {
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
-                                  ints, KERN_INTS(BLOCKS, CONTACTS));
+    kern_work work = kern_work_of(reals, REALS, ints, INTS);
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_margin m = { 0, 0, 0, 0, 0, 0, 0 };
     kern_interval within;

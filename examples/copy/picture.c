@@ -1,19 +1,22 @@
 /* Three stones of your own: do they stand, how safely, and how does it look?
 
-       cc -O2 -o picture examples/picture.c -lm && ./picture three.svg
+       cc -O2 -o picture examples/copy/picture.c -lm && ./picture three.svg
 
    Two stones carry a third. The picture, written only where a name is given,
-   is that of parts/draw.h, which a program of your own may include too. */
+   is that of examples/parts/draw.h. Copy it with the program; both need no
+   other file but kern.h. */
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
-#include "parts/draw.h"
+#include "../parts/draw.h"
 
 #include <stdio.h>
 #include <string.h>
 
 enum { BLOCKS = 4, CONTACTS = KERN_CONTACTS(BLOCKS) };
+enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
+       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
 
 static const kern_vec corner[BLOCKS][4] = {
     { { -3, -1 }, { 3, -1 }, { 3, 0 }, { -3, 0 } },
@@ -32,15 +35,14 @@ static kern_motion motion[BLOCKS];
 static kern_task stones_task(void)
 {
     static kern_contact contact[CONTACTS];
-    static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-    static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+    static kern_real reals[REALS];
+    static int ints[INTS];
     static kern_block block[BLOCKS];
     static kern_work work;
     kern_task task;
     int i;
 
-    work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS), ints,
-                        KERN_INTS(BLOCKS, CONTACTS));
+    work = kern_work_of(reals, REALS, ints, INTS);
     task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_ground_init(&block[0], corner[0], 4, NULL);
     for (i = 1; i < BLOCKS; i++)

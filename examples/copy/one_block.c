@@ -1,6 +1,6 @@
 /* Does a block stand on the ground, and how safely?
 
-       cc -O2 -o one_block examples/one_block.c -lm
+       cc -O2 -o one_block examples/copy/one_block.c -lm
 
    The smallest complete program: two polygons, their contacts, the verdict.
    All memory is static, sized by macros, as firmware wants it. The centre
@@ -9,22 +9,23 @@
 #include <stdio.h>
 
 #define KERN_IMPLEMENTATION
-#include "../kern.h"
+#include "../../kern.h"
 
 enum { BLOCKS = 2, CONTACTS = 8 }; /* with room for a few more than needed */
+enum { REALS = KERN_REALS(BLOCKS, CONTACTS),
+       INTS = KERN_INTS(BLOCKS, CONTACTS) }; /* of work memory */
 
 static const kern_vec ground[] = { { -5, -1 }, { 5, -1 }, { 5, 0 }, { -5, 0 } };
 static const kern_vec stone[] = { { 0, 0 }, { 2, 0 }, { 3, 1.5 }, { 1, 1.5 } };
 
 static kern_block block[BLOCKS];
 static kern_contact contact[CONTACTS];
-static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
-static int ints[KERN_INTS(BLOCKS, CONTACTS)];
+static kern_real reals[REALS];
+static int ints[INTS];
 
 int main(void)
 {
-    kern_work work = kern_work_of(reals, KERN_REALS(BLOCKS, CONTACTS),
-                                  ints, KERN_INTS(BLOCKS, CONTACTS));
+    kern_work work = kern_work_of(reals, REALS, ints, INTS);
     kern_task task = kern_task_of(block, BLOCKS, contact, 0, &work);
     kern_margin m;
     kern_status status;
