@@ -6258,7 +6258,7 @@ static int kern_ipm_step(kern_ipm *in)
     of_z = KERN_IPM_SHARE * kern_ipm_share(in->z, in->dz, rays);
     if (in->s + ds >= in->most && of_x >= KERN_IPM_SHARE)
         of_x = KERN_R(1);
-    in->s += of_x * ds;
+    in->s = kern_min(in->s + of_x * ds, in->most); /* a sum that is rounded */
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * in->dx[i], p->x[i] * KERN_EPS);
         in->z[i] += of_z * in->dz[i];
