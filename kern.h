@@ -152,7 +152,6 @@
          |-- every block balanced ------------------------> STANDS
          |-- some blocks cannot be held, all others fixed:
          |   simplex method on these (>>lp) --------------> FALLS
-       least change >>norm    minimum-norm change of all forces -> STANDS
        whole        >>ipm     above 64 free blocks the interior-point method,
                     >>lp      else, and last, the simplex method
 
@@ -4047,7 +4046,6 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
 #define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
-#define KERN_HOLD_ROUNDS   8       /* of all groups, for a verdict            */
 #define KERN_PASS_ROUNDS   8       /* of one group                            */
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_CLUSTER_MOST  20      /* groups of a cluster, and one more       */
@@ -4337,16 +4335,17 @@ static void kern_norm_write(kern_part *p)
     }
 }
 
-/* Minimum-norm forces of all groups: KERN_STANDS with the forces and their
-   proof. */
+/* Minimum-norm forces of all groups that prove that it stands. */
 static kern_status kern_norm_hold(kern_model *m, kern_part *p,
-                                   const kern_query *q, int rounds)
+                                  const kern_query *q)
 {
     kern_status status;
+    kern_model_set(m, q);
+    kern_model_unload(m);
     if (!kern_norm_open(p, m))
         return KERN_NO_SPACE;
     status = kern_norm_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
-                             rounds);
+                            KERN_FORCES_ROUNDS);
     if (status == KERN_LIMIT)
         return status;
     if (status != KERN_STANDS)
@@ -4361,12 +4360,9 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     const kern_proof proof = {force, NULL};
     kern_call c;
     kern_status status = kern_call_open(&c, task, shrink, force);
-    if (status == KERN_OK) {
-        kern_model_set(&c.m, &c.path.q);
-        kern_model_unload(&c.m);
-        status = kern_spent(task->work, task->options.limit, kern_norm_hold(
-            &c.m, &c.part, &c.path.q, KERN_FORCES_ROUNDS));
-    }
+    if (status == KERN_OK)
+        status = kern_spent(task->work, task->options.limit,
+                            kern_norm_hold(&c.m, &c.part, &c.path.q));
     kern_proof_out(&c.m, &proof, status);
     return status;
 }
@@ -5118,18 +5114,6 @@ static int kern_pass_proven(kern_model *m, const kern_query *q)
     return kern_answer_holds(m, q);
 }
 
-/* The verdict by the least change that makes the forces of the pass balance all
-   groups, where it does not: KERN_STANDS or KERN_UNDECIDED. At the edge of a
-   load it would take many steps. */
-static kern_status kern_model_hold(kern_model *m, kern_part *p,
-                                   const kern_query *q)
-{
-    if (q->factor > 0)
-        return KERN_UNDECIDED;
-    p->found = kern_norm_hold(m, p, q, KERN_HOLD_ROUNDS);
-    return p->found == KERN_NO_SPACE ? KERN_UNDECIDED : p->found;
-}
-
 /* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
    an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
@@ -5185,17 +5169,12 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     p->found = KERN_UNDECIDED;
     if (!m->whole) {
         status = kern_model_pass(m, p, q);
-        if (status == KERN_STANDS)
+        if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
         if (status == KERN_FALLS && kern_part_falls(p, q))
             return KERN_FALLS;
-        if (status == KERN_UNDECIDED)
-            status = kern_model_hold(m, p, q);
-        if (status != KERN_STANDS && status != KERN_LIMIT
-            && m->graph.groups > KERN_SMALL)
-            status = kern_ipm_verdict(m, p, q);
-        else if (status == KERN_FALLS)
-            status = KERN_UNDECIDED;
+        status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
+                                              : KERN_UNDECIDED;
         if (status != KERN_UNDECIDED)
             return status;
         status = kern_model_whole(m, p, q);

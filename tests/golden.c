@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x6133c7fe370a99cbu },
-    { 1000, 0x8b663d91501687fdu },
-    { 5000, 0x7c53d57a87be156cu },
+    { 200, 0x8fd228aca4c38819u },
+    { 1000, 0xd94947f689556175u },
+    { 5000, 0x633e428d412d350fu },
 #else
-    { 200, 0x0a4c9aed25e45765u },
-    { 1000, 0xd60e24d7169c473fu },
-    { 5000, 0x39327bad5430c466u },
+    { 200, 0x136ec2391ad8ae2cu },
+    { 1000, 0xda0cdbfd87bdcaf7u },
+    { 5000, 0x80e7751a02034d4du },
 #endif
 };
 
