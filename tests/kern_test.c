@@ -9538,7 +9538,7 @@ static void measured_gaps(void)
     const double angle = 0.01, e = 0.01;
     const double place = 5.25 * e + 1e-3;
     const double gap = sqrt(place * place + 3.4 * 3.4 * angle * angle);
-    int open_;
+    int open_, k;
     for (open_ = 0; open_ < 2; open_++) {
         const double h = open_ ? 1.2 * gap : 0.9 * gap;
         world_reset(&w);
@@ -9549,6 +9549,15 @@ static void measured_gaps(void)
         CHECK_INT(verdict(&w, 0), open_ ? KERN_FALLS : KERN_STANDS);
         if (!open_) /* midway */
             CHECK_NEAR(w.contact[0].p.y, h / 2, 1e-6);
+    }
+    for (k = 0; k < 4; k++) { /* the gap of exact contacts is added */
+        const double size = 1 + k / 2, h = 5.25e-4 + 1e-3 * size;
+        const double low = (k % 2 ? 1.02 : 0.98) * h;
+        world_reset(&w);
+        world_box(&w, 0, 0, -1, 2, 0);
+        world_box(&w, 1, 0, low, size, size + low);
+        w.options = kern_measured_options(&w.options, R(1e-4), R(0));
+        CHECK_INT(world_touch(&w), k % 2 ? 0 : 2);
     }
     w.options = kern_measured_options(NULL, R(0), R(0.1));
     CHECK_INT(world_touch(&w), KERN_BAD_OPTION);
@@ -9764,6 +9773,32 @@ static void measured_bounds(void)
     CHECK_INT(kern_contacts(w.block, 2, &w.options, w.contact, MAX_POINTS,
                             &work), KERN_OVERLAP);
     CHECK_NEAR(work.fault.allowed, 8 * e + 3.4 * angle * (2.5 + 2.5), GEO);
+}
+
+/* The corner of a stone, two errors beyond the end of ground that has a step: its
+   foot is on the chord of the ground, y = -0.002 x, whose normal it takes. The
+   corner is the end of its own chords, which have no normal there. So is the
+   corner of the ground, with its foot on the side of the stone, x + y = 0.02. */
+static void measured_corner_beyond_steps(void)
+{
+    static const double ground[] = {-2, -1,  0,  -1,    0,  0,
+                                    -1, 0, -1, 0.004, -2, 0.004};
+    static const double stone[] = {0.02, 0, 1.02, 1, -0.98, 1};
+    static world w;
+    const double square = 1 + 0.002 * 0.002, length = sqrt(square);
+    int first; /* of the two blocks: the ground or the stone */
+    for (first = 0; first < 2; first++) {
+        const double up = first ? -1 : 1;
+        world_reset(&w);
+        world_polygon(&w, first, first ? stone : ground, first ? 3 : 6);
+        world_polygon(&w, !first, first ? ground : stone, first ? 6 : 3);
+        w.options = kern_measured_options(&w.options, R(0.01), R(0));
+        CHECK_INT(world_touch(&w), 2);
+        CHECK(contact_at(&w, 0, 1, 0.02 / square, -0.00004 / square,
+                         up * 0.002 / length, up / length, GEO));
+        CHECK(contact_at(&w, 0, 1, 0.01, 0.01, up * sqrt(0.5),
+                         up * sqrt(0.5), GEO));
+    }
 }
 
 /* A unit box on a bed that ends at `end`, `gap` above it, gravity leaning: the
@@ -11056,6 +11091,7 @@ static const test tests[] = {
     TEST(overlaps_of_three),
     TEST(certain_verdicts),
     TEST(measured_bounds),
+    TEST(measured_corner_beyond_steps),
     TEST(certain_supports),
     TEST(certain_limit),
     TEST(certain_bounds),
