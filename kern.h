@@ -3143,13 +3143,21 @@ static kern_status kern_push(kern_call *c, const kern_task *task,
     return status;
 }
 
+/* The same, where nothing else is asked of the call. */
+static kern_status kern_push_alone(const kern_task *task, kern_real shrink,
+                                   const kern_growth *growth, kern_real *out,
+                                   const kern_proof *proof)
+{
+    kern_call c;
+    return kern_push(&c, task, shrink, growth, out, proof);
+}
+
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof)
 {
     const kern_growth growth = {KERN_PATH_LOAD, NULL, side};
-    kern_call c;
-    return kern_push(&c, task, shrink, &growth, factor, proof);
+    return kern_push_alone(task, shrink, &growth, factor, proof);
 }
 
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
@@ -3159,8 +3167,7 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          const kern_proof *proof)
 {
     const kern_growth growth = {KERN_PATH_LOAD, pattern, KERN_SHRINK};
-    kern_call c;
-    return pattern ? kern_push(&c, task, shrink, &growth, factor, proof)
+    return pattern ? kern_push_alone(task, shrink, &growth, factor, proof)
                    : KERN_BAD_POINTER;
 }
 
@@ -3169,8 +3176,7 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                const kern_proof *proof)
 {
     const kern_growth growth = {KERN_PATH_TILT, NULL, side};
-    kern_call c;
-    return kern_push(&c, task, shrink, &growth, angle, proof);
+    return kern_push_alone(task, shrink, &growth, angle, proof);
 }
 
 /* ---- The profile --------------------------------------------- >>profile */

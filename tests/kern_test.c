@@ -344,12 +344,8 @@ static int world_touch(world *w)
 
 static kern_structure structure_of(const world *w)
 {
-    kern_structure s;
-    s.block = w->block;
-    s.blocks = w->blocks;
-    s.contact = w->contact;
-    s.contacts = w->contacts;
-    s.gravity = w->gravity;
+    const kern_structure s = {w->block, w->blocks, w->contact, w->contacts,
+                              w->gravity};
     return s;
 }
 
@@ -436,6 +432,17 @@ static int guard_holds(const kern_work *work, int reals, int ints)
 static kern_work work_of(const world *w)
 {
     return work_for(w->blocks, w->contacts);
+}
+
+/* The same, with only part of 50 of what is needed. */
+static kern_work work_of_part(const world *w, int part)
+{
+    kern_work work = work_of(w);
+    int reals, ints;
+    kern_work_need(w->blocks, w->contacts, &reals, &ints);
+    work.reals = reals * part / 50;
+    work.indices = ints * part / 50;
+    return work;
 }
 
 /* ==== The independent solver ====================================== >>twin */
@@ -10104,14 +10111,11 @@ static void raised_memory(void)
     static world w;
     kern_work work;
     kern_raising got = KERN_NOT_SHOWN;
-    int reals, ints, part, enough = 0;
+    int part, enough = 0;
     jack_arch(&w);
-    kern_work_need(w.blocks, w.contacts, &reals, &ints);
     for (part = 0; part <= 50; part++) {
         kern_status status;
-        work = work_of(&w);
-        work.reals = reals * part / 50;
-        work.indices = ints * part / 50;
+        work = work_of_part(&w, part);
         status = kern_raised(world_task(&w, &work), 0, &got, NULL, NULL);
         CHECK(status == KERN_NO_SPACE || status == KERN_STANDS);
         CHECK(status == KERN_STANDS || !enough);
@@ -10899,14 +10903,11 @@ static void forces_refused(void)
 {
     static world w;
     kern_work work;
-    int reals, ints, part, enough = 0;
+    int part, enough = 0;
     jack_arch(&w);
-    kern_work_need(w.blocks, w.contacts, &reals, &ints);
     for (part = 0; part <= 50; part++) {
         kern_status status;
-        work = work_of(&w);
-        work.reals = reals * part / 50;
-        work.indices = ints * part / 50;
+        work = work_of_part(&w, part);
         least_of[0].normal = -1;
         status = kern_forces(world_task(&w, &work), 0, least_of);
         CHECK(status == (enough ? KERN_STANDS : KERN_NO_SPACE)

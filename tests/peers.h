@@ -163,7 +163,6 @@ static inline int glpk_solve(void *model)
     glp_init_smcp(&how);
     how.msg_lev = GLP_MSG_OFF;
     how.meth = GLP_DUAL;
-    how.presolve = GLP_OFF;
     how.pricing = GLP_PT_STD; /* some 10 % faster here than the default       */
     if (glp_simplex(model, &how)) {
         glp_std_basis(model);

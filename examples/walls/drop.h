@@ -183,7 +183,6 @@ static int drop_filter(struct stack_wall *w, struct stack_list *list)
 {
     const int levels = w->options.planner == STACK_COMBINED
                      ? w->options.levels : -1;
-    int best = -1;
     for (int i = 0; i < list->count; i++) list->one[i].out = 0;
     for (int k = 0; k <= STACK_FILTERS; k++) {
         if (k == levels) {
@@ -192,12 +191,7 @@ static int drop_filter(struct stack_wall *w, struct stack_list *list)
         }
         if (k < STACK_FILTERS) stack_sift(w, list, k);
     }
-    for (int i = 0; i < list->count; i++)
-        if (!list->one[i].out &&
-            (best < 0 || list->one[i].feature[STACK_EDGES]
-                             > list->one[best].feature[STACK_EDGES]))
-            best = i;
-    return best;
+    return stack_most_edges(list);
 }
 
 /* ---- The whole wall ------------------------------------------------------ */

@@ -104,6 +104,19 @@ static int stack_drop_falling(struct stack_wall *w, struct stack_list *list)
     return fell;
 }
 
+/* Of what the filters left, the candidate with the longest common edges; -1:
+   none is left. */
+static int stack_most_edges(const struct stack_list *list)
+{
+    int best = -1;
+    for (int i = 0; i < list->count; i++)
+        if (!list->one[i].out &&
+            (best < 0 || list->one[i].feature[STACK_EDGES]
+                             > list->one[best].feature[STACK_EDGES]))
+            best = i;
+    return best;
+}
+
 /* What all filters leave, and of this the candidate with the longest common
    edges; -1: none stands. Filters see only what stands: where some of those
    that they left fall, they begin again without these. */
@@ -111,7 +124,7 @@ static int stack_filter(struct stack_wall *w, struct stack_list *list)
 {
     const int levels = w->options.planner == STACK_HEURISTIC
                      ? -1 : w->options.levels;
-    int best = -1, k = 0;
+    int k = 0;
     while (k <= STACK_FILTERS) {
         if (k == 0)
             for (int i = 0; i < list->count; i++) list->one[i].out = 0;
@@ -123,12 +136,7 @@ static int stack_filter(struct stack_wall *w, struct stack_list *list)
         if (k < STACK_FILTERS) stack_sift(w, list, k);
         k++;
     }
-    for (int i = 0; i < list->count; i++)
-        if (!list->one[i].out &&
-            (best < 0 || list->one[i].feature[STACK_EDGES]
-                             > list->one[best].feature[STACK_EDGES]))
-            best = i;
-    return best;
+    return stack_most_edges(list);
 }
 
 /* ---- Search: what both kinds need ---------------------------------------- */

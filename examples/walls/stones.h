@@ -61,9 +61,7 @@ struct stones {
 
 static kern_vec stones_vec(double x, double y)
 {
-    kern_vec v;
-    v.x = x;
-    v.y = y;
+    const kern_vec v = { x, y };
     return v;
 }
 
