@@ -13,12 +13,13 @@
                             >>config >>method >>rules >>measures >>measured
                             >>limits >>determinism
      II   Declarations      >>decl >>types >>sizes >>api
-     III  The argument      >>impl >>vec >>statics >>kern (Algorithm 1)
-                            >>work >>check >>proof >>model >>engine
-                            >>measure >>profile >>critical >>sensitivity
+     III  The argument      >>impl >>vec >>statics (Eq. 5)
+                            >>kern (Algorithm 1) >>work >>check >>proof >>model
+                            >>engine >>measure >>profile >>critical
+                            >>sensitivity
      IV   Forces, motions   >>part >>skyline >>norm >>pass >>verdict
                             >>search >>ipm >>raised
-     V    Geometry          >>tol >>polygon >>contact, and >>plan
+     V    Geometry          >>tol (tolerances) >>polygon >>contact, and >>plan
      VI   Linear programs   >>lp, and >>words
      VII  Sources           >>references >>changes, and the licence
 
@@ -155,18 +156,19 @@
        whole        >>ipm     above 64 free blocks the interior-point method,
                     >>lp      else, and last, the simplex method
 
-   A measure is the first place on a path (kerns shrink, a load grows, gravity
-   turns) at which it falls. No edge of the whole lies beyond that of a part
-   with all others fixed: the search (>>search) begins at the edge of the first
-   body (a block with what rests on it alone), runs the pass there, and goes on
-   to the edge of the part that falls, until none does; where the pass gives no
-   proof the whole is asked. Load factor and tilt of up to 64 free blocks are one
-   linear program with the place as a column. A verdict to each side of the edge
-   proves the bracket.
+   A measure is the critical value of a path (kerns shrink, a load grows,
+   gravity turns): the first at which it falls. That of the whole is at most
+   that of a part with all others fixed: the search (>>search) begins at the
+   critical value of the first body (a block with what rests on it alone), runs
+   the pass there, and goes on to that of the part that falls, until none does;
+   where the pass gives no proof the whole is asked. Load factor and tilt of up
+   to 64 free blocks are one linear program with the value as a column. A
+   verdict to each side of the critical value proves the bracket.
 
    RULES                                                               >>rules
 
-   What each number is, exactly, so that another program can reproduce it.
+   What each number is, exactly, so that another program can reproduce it; the
+   tests of each rule: CONTENTS of tests/kern_test.c.
 
    Contacts of two polygons that are not both fixed. `gap` and `angle` are
    those of the options; no tolerance is below 64 roundings of the largest
@@ -205,12 +207,12 @@
      points    Two or more points of one pair go to the middle q of the two that
                are farthest apart, each along its own t: l = |(q - p) . t|.
      one point stays: l = 0, as does every l below 1e-9 of the mean size.
-     lone      Where options.lone asks for it the one point of a pair goes to the
-               middle of what carries its block, as in Fig. 2 c, d of the paper:
-               a contact carries the block that its normal pushes up, and the
-               middle is that of the two points farthest apart that carry the
-               same one. Kerns are then not nested (>>limits): a measure takes
-               ten to thirty times as long.
+     lone      Where options.lone asks for it, the one point of a pair goes to
+               the middle of what carries its block, as in Fig. 2 c, d of the
+               paper: a contact carries the block that its normal pushes up, and
+               the middle is that of the two points farthest apart that carry
+               the same one. Kerns are then not nested (>>limits): a measure
+               takes ten to thirty times as long.
    At shrinkage d it acts at p + min(d, l) u; relative: at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
    alone the contacts are nested and a structure that has fallen falls at every
@@ -298,8 +300,8 @@
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
-   forces (kern_forces()): one set, symmetric where the structure is, which loads
-   all that can carry and uses no more friction than it must. Those of
+   forces (kern_forces()): one set, symmetric where the structure is, which
+   loads all that can carry and uses no more friction than it must. Those of
    kern_raised() are closer to friction, but not unique. Neither says how stones
    of some stiffness share a load.
 
@@ -1017,7 +1019,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    proof can be completed nearer to critical (>>limits). The level is proven
    with the margin where kerns are nested, else by a proof of each step.
    options.narrow = k: at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1
-   + mu k d)), the tangent of its angle less that of the slope k d, in every
+   + mu k d)), the tangent of its angle less atan(k d), in every
    question about shrunk kerns. A robot that places stones within e and theta
    asks with k = tan(theta) / (2 e): margin / (2 e) is how many times its own
    error the structure bears; a measure, not a bound. Where k is so large that
@@ -1511,12 +1513,11 @@ static kern_query kern_query_of(const kern_structure *s,
 static kern_real kern_slope(const kern_query *q)
 { return kern_max(q->narrow * q->shrink, KERN_R(0)); }
 
-/* Friction of a contact whose cone is narrower: the tangent of its angle less
-   that of the slope. */
-static inline kern_real kern_friction(const kern_contact *c, kern_real slope)
+/* Friction of a contact whose cone is narrower by an angle: the tangent of the
+   difference of both angles. */
+static inline kern_real kern_friction(const kern_contact *c, kern_real by)
 {
-    return slope > 0 ? kern_max(c->mu - slope, KERN_R(0)) / (1 + c->mu * slope)
-                     : c->mu;
+    return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu;
 }
 
 /* Whether one of two blocks has been taken away. */
@@ -1669,9 +1670,9 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
    they are the bracket.
 
    Where a load grows or gravity turns s is a variable of the linear program,
-   and the edge its largest value (kern_path_follow()). Where kerns shrink the
-   search evaluates a small part as long as possible (kern_path_search()), and
-   the whole only where it finds none (kern_path_whole()). */
+   and its largest value is critical (kern_path_follow()). Where kerns shrink
+   the search evaluates a small part as long as possible (kern_path_search()),
+   and the whole only where it finds none (kern_path_whole()). */
 
 typedef struct kern_model kern_model; /* the structure in units: >>model      */
 typedef struct kern_part kern_part;   /* some of its blocks: >>part           */
@@ -1687,8 +1688,8 @@ typedef struct kern_path {
     kern_real tolerance;      /* width of the bracket                         */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
-    kern_real edge;           /* where Newton's method sees the edge          */
-    kern_real exact;          /* an edge that a verdict there has confirmed   */
+    kern_real edge;           /* critical value that Newton's method predicts */
+    kern_real exact;          /* one that a verdict there has confirmed       */
     kern_real stood, fell;    /* the farthest that is proven to stand, the
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
@@ -2944,7 +2945,7 @@ static kern_real kern_extent(const kern_structure *s)
     return kern_max(side.x, side.y);
 }
 
-/* Grows the kerns of what falls until it stands, and finds the edge. */
+/* Grows the kerns of what falls until it stands: the critical growth. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     const kern_travels travels = kern_travels_of(m->s, &path->q);
@@ -3100,7 +3101,7 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* The search for the edge of a path along which a load grows or gravity turns.
+/* The critical value of a path along which a load grows or gravity turns.
    Under loads that stay a tilt may stand again after it fell: then in even
    steps. */
 static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
@@ -3180,7 +3181,7 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: the path goes on after its first edge. What moves in
+/* Progressive collapse: the path goes on past its critical value. What moves in
    the mechanism there is taken away with its contacts, and the rest goes on
    from the same place, until nothing is left or the path ends. A model of fewer
    blocks is the same model with fewer groups: it needs no memory of its own,
@@ -3237,9 +3238,9 @@ static kern_status kern_fall_take(kern_model *m, kern_path *path,
     return m->graph.groups > 0 ? kern_fall_beyond(m, path) : KERN_STANDS;
 }
 
-/* To the next edge, in the steps that its measure takes by itself, and to the
-   proven mechanism there: the search for the edge may have ended with another
-   verdict. */
+/* To the next critical value, in the steps that its measure takes by itself,
+   and to the proven mechanism there: the search for it may have ended with
+   another verdict. */
 static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
@@ -3254,8 +3255,9 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                                  : status;
 }
 
-/* The whole collapse along a path: from edge to edge. Where both proofs hold at
-   one place a round may take nothing away: there may be so many of these. */
+/* The whole collapse along a path, from one critical value to the next. Where
+   both proofs hold at one place a round may take nothing away: there may be so
+   many of these. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -7538,15 +7540,18 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 
    1. Each two blocks whose boxes are within the gap are a pair.
    2. Overlap: if a boundary or an inner point of one block of a pair lies in
-      the other deeper than the gap, the search fails.
+      the other deeper than the gap, the search fails: kern_overlap_depth().
    3. Edges: each two edges of the pair whose boxes are within the gap make a
-      line contact, or a point contact where a corner stands on an edge.
+      line contact (kern_pair_line()), or a point contact where a corner stands
+      on an edge or in a corner (kern_pair_point()).
    4. Steps: where an outline has risers lower than the gap, a contact takes
-      the place and the normal of the simplified outline (Douglas-Peucker).
-   5. Faces: points next to a line are dropped, and what has one normal and
-      lies on one line is merged to one contact from end to end.
+      the place and the normal of the simplified outline (Douglas-Peucker):
+      kern_outline_chord().
+   5. Faces: points next to a line are dropped (kern_pair_filter()), and what
+      has one normal and lies on one line is merged to one contact from end to
+      end (kern_pair_face()).
    6. Travels: lines close to their middle, points to the middle of their
-      interface.
+      interface: kern_point_travels(); lone points: kern_lone_travels().
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
@@ -8049,8 +8054,8 @@ static void kern_pair_edges(kern_pair *pair)
 /* ---- faces ---- */
 /* A point that a line contact with about its normal passes belongs to it. Of
    the rest, the longest contact leads a face; all others with its normal and on
-   its line join it. The face takes the leader's place in the array and the rest
-   moves up in order, so the next one leads again. */
+   its line join it. The face takes its place in the array and the rest moves up
+   in order, so that the first of the rest leads the next face. */
 
 /* Does the line pass within the gap of the point, about as inclined? */
 static int kern_line_passes(const kern_contact *line, const kern_contact *point,
@@ -8125,7 +8130,7 @@ static void kern_pair_face(kern_pair *pair, int i)
     face.low = face.high = face.lead.p;
     face.least = face.most = KERN_R(0);
     face.sum = kern_vec_make(KERN_R(0), KERN_R(0));
-    for (k = i; k < pair->count; k++) /* the leader itself first */
+    for (k = i; k < pair->count; k++) /* itself first */
         if (!kern_face_join(&face, pair, &at[k]) && k > i)
             at[rest++] = at[k];
     pair->count = rest;

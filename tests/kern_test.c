@@ -29,6 +29,20 @@
                 >>forces: the least
      all        >>all: the list of tests, main()
 
+   RULES of the header and their tests; `kern_test NAME` runs those alone whose
+   names contain NAME:
+     steps        steps_           line         contact_cube contact_narrow
+     point        contact_points   corner       contact_concave
+     face         contact_merged   overlap      overlap contact_in_a_mouth
+     gap, angle   contact_gap contact_floor contact_angle
+     each of them where it alone decides: contact_rules
+     shrinkage    contact_travels  lone         lone_points
+     level        margin_steps     margin       margin_ known_
+     deficit      deficit_         load factor  load_ laws_load
+     tilt         tilt_            profile      profile_
+     mechanism    proof_motions    critical     critical_
+     stands       twin_ known_     falls        proof_
+
    Of the private parts of kern.h only these are called: kern_max, kern_closes;
    the boxes of an outline (kern_parts_set, kern_polygon_depth); in >>engine what
    is listed there. */
