@@ -343,14 +343,13 @@
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (sliding is dilatant). Where a wall's own joints slide, load factor
              and tilt are too high: against a simulator by 11 to 26 % on four
-             published brick walls with openings (tests/PUBLISHED.md), 10 % in
-             the median and 54 % at most on 48 random ones; settled rubble never
-             collapsed below its load factor. kern_raised_load() has no
-             dilatancy: 0.98 of the simulator's on these 48 in the median, 1.04
-             at most. It answers for one path of loading. Use the lower one for
-             what must hold.
-             kern_raised() begins without forces: on six published brick walls
-             under 41 loads up to that factor it showed 193 of 246 equilibria.
+             published brick walls with openings (tests/PUBLISHED.md), 6 % in
+             the median and 47 % at most on 175 random ones; settled rubble
+             never collapsed below its load factor. kern_raised_load() has no
+             dilatancy: 0.98 of the simulator's on these 175 in the median, 0.94
+             or more on 94 % of them, at most 1.01 on 96 %, 1.05 at most. It
+             answers for one path of loading. Use the lower one for what must
+             hold. Bricks that hang in a flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 400 rows of one to five wedges between cliffs, with
              nothing below, 181 fell in a simulator though forces exist; 179
@@ -981,7 +980,9 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 
 /* Whether the forces that hold it are such as its load raises in contacts that
    were not stressed before: blocks approach wherever a force acts, stick where
-   there is friction to spare, and slide against it where there is not.
+   there is friction to spare, and slide against it where there is not. Where
+   loads of blocks that act at once show nothing, they grow from 0, as in
+   kern_raised_load().
    KERN_STANDS: *out, and the proof as kern_check_raised() takes it, both its
    arrays (KERN_NOT_SHOWN: forces alone). KERN_FALLS: motion as in
    kern_verdict(), *out as it was.
@@ -1084,15 +1085,16 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
 /* The load factor of Coulomb friction, from rest: stones that slide need not
    part. *factor is the largest multiple of the load at which equilibrium is
    proven that the load raises, as in kern_raised(), when the load grows from 0
-   in 40 steps and each is found from those before. With friction equilibrium
-   is not unique: another path of loading may collapse earlier (seen: 5 %) or
-   later. It is never above the load factor, which is asked for first. The load
-   is `pattern`, or where that is NULL horizontal to the side. KERN_STANDS:
+   in steps of a sixteenth of the load factor, and of a tenth of that once one
+   has failed; each is found from those before. With friction equilibrium is not
+   unique: another path of loading may collapse earlier (seen: 5 %) or later. It
+   is never above the load factor, which is asked for first. The load is
+   `pattern`, or where that is NULL horizontal to the side. KERN_STANDS:
    *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; *factor is as it was. Time: 10 times that of
-   the load factor in the median of settled stones, 37 on brick walls whose
+   own weight raises the forces; *factor is as it was. Time: 7 times that of
+   the load factor in the median of settled stones, 13 on brick walls whose
    joints slide. */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
@@ -1489,6 +1491,7 @@ typedef struct kern_query {
     kern_vec gravity;
     const kern_wrench *pattern; /* NULL: side * m |g| horizontally            */
     kern_real factor;           /* of the pattern                             */
+    kern_real loads;            /* share of the blocks' loads                 */
     int side;
     const kern_real *fallen;    /* a block with a value >= 0 has been taken
                                    away; NULL: all are there                  */
@@ -1506,6 +1509,7 @@ static kern_query kern_query_of(const kern_structure *s,
     q.gravity = s->gravity;
     q.pattern = NULL;
     q.factor = KERN_R(0);
+    q.loads = KERN_R(1);
     q.side = 0;
     q.fallen = NULL;
     q.shortest = KERN_R(0);
@@ -1598,7 +1602,7 @@ static kern_real kern_wrench_on(const kern_structure *s,
     kern_wrench pattern;
     kern_real size;
     kern_weigh(q->gravity, b->mass, sum);
-    size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, KERN_R(1));
+    size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, q->loads);
     if (q->factor > 0) {
         kern_pattern_on(s, q, i, &pattern);
         size += kern_wrench_add(sum, b, &pattern, q->factor);
@@ -6530,7 +6534,9 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
    approaches, the forces and the displacement are a proof, for contacts of
    other stiffnesses. From one round to the next prices are extrapolated
    (Anderson's method with one difference): where contacts neither open nor
-   begin to slide any more, the map from prices to prices is linear. */
+   begin to slide any more, the map from prices to prices is linear. Along a
+   load the method takes two differences, and prices fall slowly: else those of
+   joints that lean on each other alternate. */
 
 /* The most that a proof takes for sticking, in approaches. */
 #define KERN_STICKS      KERN_PICK(2e-3, 0.2)
@@ -6540,12 +6546,14 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_PATH    100     /* from those of a smaller load            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
-/* Along a load: steps to the load factor, what a step that fails is divided
-   by, and the least step, as a share of the load factor. Longer steps are too
-   long to start from, more of them bring nothing. */
-#define KERN_LOAD_STEPS    40
-#define KERN_LOAD_CUT      4
-#define KERN_LOAD_LEAST    KERN_R(0.004)
+/* Rounds along a load in which the sum of squares of the changes of prices does
+   not fall by a fifth: it no longer converges, or slides away. */
+#define KERN_RAISE_STILL   KERN_PICK(12, 30)
+/* Along a load: steps to the load factor, and of which length once one of these
+   has failed; and by which share of what it should a price falls. */
+#define KERN_LOAD_STEPS    16
+#define KERN_LOAD_FINE     160
+#define KERN_LOAD_FALL     KERN_R(0.3)
 
 static kern_real kern_prove_raised(const kern_structure *s,
                                    const kern_query *q,
@@ -6624,8 +6632,11 @@ typedef struct kern_raise {
     kern_real tolerance;      /* of a group's equilibrium                     */
     kern_real *price;         /* of each contact of the part                  */
     kern_real *last;          /* of each: what its last price led to, and how
-                                 much more that was                           */
+                                 much more that was; along a load what both
+                                 were more than those before, else 0          */
     int rounds;               /* prices since then                            */
+    int gained;               /* of these, when their change was the least    */
+    kern_real least;          /* sum of its squares                           */
     kern_real enough;         /* no larger push is asked for                  */
     kern_real *begin, *best;  /* u and prices: without a push, with the largest
                                  so far; the last two along a load            */
@@ -6640,7 +6651,7 @@ static int kern_raise_open(kern_raise *r)
     if (!kern_norm_open(p, r->m))
         return 0;
     r->price = kern_take_reals(&p->rest, p->contacts);
-    r->last = kern_take_reals(&p->rest, 2 * p->contacts);
+    r->last = kern_take_reals(&p->rest, 4 * p->contacts);
     r->begin = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
     r->best = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
     if (!kern_take_fits(&p->rest))
@@ -6652,21 +6663,40 @@ static int kern_raise_open(kern_raise *r)
     return 1;
 }
 
-/* How much of the last change of what prices led to is taken back: what makes
-   the next change of prices least if the map is linear; and no more than that
-   change, or cycles begin. */
-static kern_real kern_raise_back(const kern_raise *r)
+/* How much of the last two changes of what prices led to is taken back: what
+   makes the next change of prices least if the map is linear; and no more than
+   those changes, or cycles begin. */
+static void kern_raise_back(kern_raise *r, kern_real back[2])
 {
-    kern_real up = KERN_R(0), down = KERN_R(0);
+    kern_real up[2] = {0, 0}, down[2] = {0, 0}, both = KERN_R(0);
+    kern_real all = KERN_R(0), area;
     int k;
-    for (k = 0; k < r->p->contacts && r->rounds > 0; k++) {
+    for (k = 0; k < r->p->contacts; k++) {
+        const kern_real *last = r->last + 4 * (size_t)k;
         const kern_real more = r->p->dual.way[4 * (size_t)k + 3];
-        const kern_real change = more - r->last[2 * (size_t)k + 1];
-        up += more * change;
-        down += change * change;
+        const kern_real change = r->rounds > 0 ? more - last[1] : KERN_R(0);
+        const kern_real before = r->rounds > 0 ? last[3] : KERN_R(0);
+        all += more * more;
+        up[0] += more * change;
+        up[1] += more * before;
+        down[0] += change * change;
+        down[1] += before * before;
+        both += change * before;
     }
-    return down > 0 ? kern_max(kern_min(up / down, KERN_R(1)), KERN_R(-1))
-                    : KERN_R(0);
+    if (!r->along || r->rounds == 0 || all < KERN_R(0.8) * r->least) {
+        r->least = all;
+        r->gained = r->rounds;
+    }
+    area = down[0] * down[1] - both * both;
+    back[0] = down[0] > 0 ? up[0] / down[0] : KERN_R(0);
+    back[1] = KERN_R(0);
+    if (area > KERN_R(1e-4) * down[0] * down[1]) {
+        back[0] = (up[0] * down[1] - both * up[1]) / area;
+        back[1] = (up[1] * down[0] - both * up[0]) / area;
+    }
+    area = kern_max(kern_abs(back[0]), kern_abs(back[1]));
+    for (k = 0; k < 2 && area > 1; k++)
+        back[k] /= area;
 }
 
 /* Writes the forces, and makes new prices. Returns whether every loaded contact
@@ -6679,7 +6709,7 @@ static int kern_raise_price(kern_raise *r, int keep)
 {
     kern_part *p = r->p;
     kern_model *m = r->m;
-    kern_real back, slid = KERN_R(0), most = KERN_R(0);
+    kern_real back[2], slid = KERN_R(0), most = KERN_R(0);
     int k, pressed = 1;
     kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
@@ -6697,14 +6727,19 @@ static int kern_raise_price(kern_raise *r, int keep)
         if (keep && !(approach > 0))
             w[2] = kern_max(w[2], r->price[k]) + 2 * kern_max(
                 w[0] + kern_model_mu(m, i) * kern_abs(w[1]), 0);
+        if (r->along && w[2] < r->price[k])
+            w[2] = r->price[k] + KERN_LOAD_FALL * (w[2] - r->price[k]);
         w[3] = w[2] - r->price[k];
     }
-    back = kern_raise_back(r);
+    kern_raise_back(r, back);
     for (k = 0; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        kern_real *last = r->last + 2 * (size_t)k;
-        r->price[k] = r->rounds > 0
-                      ? kern_max(w[2] - back * (w[2] - last[0]), 0) : w[2];
+        kern_real *last = r->last + 4 * (size_t)k;
+        const kern_real change = r->rounds > 0 ? w[2] - last[0] : KERN_R(0);
+        r->price[k] = r->rounds > 0 ? kern_max(w[2] - back[0] * change
+                                               - back[1] * last[2], 0) : w[2];
+        last[2] = r->along ? change : KERN_R(0);
+        last[3] = r->along && r->rounds > 0 ? w[3] - last[1] : KERN_R(0);
         last[0] = w[2];
         last[1] = w[3];
     }
@@ -6732,8 +6767,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
 {
     r->q = q;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
-    r->rounds = 0;
-    while (r->rounds < rounds) {
+    r->rounds = r->gained = 0;
+    while (r->rounds < rounds && r->rounds - r->gained <= KERN_RAISE_STILL) {
         const int first = cold && r->rounds == 0;
         const kern_status found = kern_norm_find(
             r->p, r->tolerance, 4 * KERN_NORM_MOST, !first,
@@ -6858,6 +6893,89 @@ static kern_status kern_raise_begin(kern_raise *r, const kern_query *q,
     return status;
 }
 
+/* Keeps u and prices as the last of a load, and goes on from there in the same
+   direction: `ahead` is how far, in steps from the last but one. */
+static void kern_raise_lead(kern_raise *r, int keep, kern_real ahead)
+{
+    const int n = 3 * r->p->groups;
+    int i;
+    if (keep) {
+        kern_real *const before = r->begin;
+        r->begin = r->best;
+        r->best = before;
+        kern_raise_copy(r, r->best, 1);
+    }
+    kern_raise_copy(r, r->best, 0);
+    for (i = 0; i < n; i++)
+        r->p->dual.u[i] += ahead * (r->best[i] - r->begin[i]);
+    for (i = 0; i < r->p->contacts; i++)
+        r->price[i] = kern_max(r->price[i] + ahead * (r->best[n + i]
+                                                      - r->begin[n + i]), 0);
+}
+
+/* Whether it is raised under the load of q. The proof is written. */
+static int kern_raise_at(kern_raise *r, const kern_query *q, int cold,
+                         const kern_proof *proof)
+{
+    if (!kern_model_spend(r->m, r->m->budget.query_units)
+        || !kern_raise_settle(r, q, cold, KERN_RAISE_PATH))
+        return 0;
+    kern_proof_out(r->m, proof, KERN_STANDS);
+    kern_proof_out(r->m, proof, KERN_FALLS);
+    return 1;
+}
+
+/* Raises the load of q, by *share of it, from 0 to at most `most` in steps, each
+   from the last two. Where nothing is known to end it before, the end of the
+   path doubles. Returns the last share that was proven, below 0 if none. */
+static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
+                                  kern_real *share, kern_real most,
+                                  const kern_proof *proof)
+{
+    kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
+    kern_real stood = KERN_R(0), taken = KERN_R(1);
+    int steps = KERN_LOAD_STEPS;
+    int good;
+    *share = stood;
+    r->along = 1;
+    good = kern_raise_at(r, q, 1, proof);
+    if (!good)
+        return KERN_R(-1);
+    kern_raise_copy(r, r->best, 1);
+    while (stood < end && steps > 0) {
+        const kern_real at = kern_min(stood + end / (kern_real)steps, end);
+        *share = at;
+        kern_raise_lead(r, good, (at - stood) / taken);
+        good = kern_raise_at(r, q, 0, proof);
+        if (good) {
+            taken = at - stood;
+            stood = at;
+        } else
+            steps = steps < KERN_LOAD_FINE ? KERN_LOAD_FINE : 0;
+        if (!(stood < end) && end < most) {
+            end = kern_min(2 * end, most);
+            steps = KERN_LOAD_STEPS;
+        }
+    }
+    return stood;
+}
+
+/* Whether it is raised where the blocks' loads grow from 0. */
+static int kern_raise_grown(kern_raise *r, const kern_query *q)
+{
+    kern_query grown = *q;
+    kern_real loads = KERN_R(0);
+    int i;
+    for (i = 0; i < r->m->s->blocks; i++)
+        loads += kern_wrench_sum(&r->m->s->block[i].load);
+    if (!(loads > 0)
+        || kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL) < 1)
+        return 0;
+    r->q = q;
+    r->along = 0;
+    return 1;
+}
+
 /* Whether the structure hangs, or is raised; with *reserve unless that is
    NULL. */
 static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
@@ -6872,7 +6990,8 @@ static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
         kern_model_set(m, q);
         if (!kern_raise_open(r))
             return KERN_NO_SPACE;
-        if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS))
+        if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS)
+            || kern_raise_grown(r, q))
             *out = KERN_RAISED;
         else
             status = kern_model_evaluate(m, r->p, q);
@@ -6910,69 +7029,6 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
     return status;
 }
 
-/* Keeps u and prices as the last of a load, and goes on from there in the same
-   direction: `ahead` is how far, in steps from the last but one. */
-static void kern_raise_lead(kern_raise *r, int keep, kern_real ahead)
-{
-    const int n = 3 * r->p->groups;
-    int i;
-    if (keep) {
-        kern_real *const before = r->begin;
-        r->begin = r->best;
-        r->best = before;
-        kern_raise_copy(r, r->best, 1);
-    }
-    kern_raise_copy(r, r->best, 0);
-    for (i = 0; i < n; i++)
-        r->p->dual.u[i] += ahead * (r->best[i] - r->begin[i]);
-    for (i = 0; i < r->p->contacts; i++)
-        r->price[i] = kern_max(r->price[i] + ahead * (r->best[n + i]
-                                                      - r->begin[n + i]), 0);
-}
-
-/* Whether it is raised under a factor of the load. The proof is written. */
-static int kern_raise_at(kern_raise *r, kern_query *q, kern_real factor,
-                         int cold, const kern_proof *proof)
-{
-    q->factor = factor;
-    if (!kern_model_spend(r->m, r->m->budget.query_units)
-        || !kern_raise_settle(r, q, cold, KERN_RAISE_PATH))
-        return 0;
-    kern_proof_out(r->m, proof, KERN_STANDS);
-    kern_proof_out(r->m, proof, KERN_FALLS);
-    return 1;
-}
-
-/* Raises the load from 0 to at most `most` in steps, each from the last two.
-   Where nothing is known to end it before, the end of the path doubles. Returns
-   the last factor that was proven, below 0 if none. */
-static kern_real kern_raise_climb(kern_raise *r, kern_query *q, kern_real most,
-                                  const kern_proof *proof)
-{
-    kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
-    kern_real step = end / KERN_LOAD_STEPS, taken = KERN_R(1);
-    kern_real stood = KERN_R(0);
-    int good = kern_raise_at(r, q, stood, 1, proof);
-    if (!good)
-        return KERN_R(-1);
-    kern_raise_copy(r, r->best, 1);
-    while (stood < end && step > KERN_LOAD_LEAST * end) {
-        const kern_real at = kern_min(stood + step, end);
-        kern_raise_lead(r, good, (at - stood) / taken);
-        good = kern_raise_at(r, q, at, 0, proof);
-        if (good) {
-            taken = at - stood;
-            stood = at;
-        } else
-            step /= KERN_LOAD_CUT;
-        if (!(stood < end) && end < most) {
-            end = kern_min(2 * end, most);
-            step = end / KERN_LOAD_STEPS;
-        }
-    }
-    return stood;
-}
-
 /* The path of kern_raised_load() below the load factor `most`. */
 static kern_status kern_raise_load(kern_raise *r, kern_query *q, kern_real most,
                                    kern_real *factor, const kern_proof *proof)
@@ -6985,8 +7041,7 @@ static kern_status kern_raise_load(kern_raise *r, kern_query *q, kern_real most,
     kern_model_set(r->m, q);
     if (!kern_raise_open(r))
         return KERN_NO_SPACE;
-    r->along = 1;
-    *factor = kern_raise_climb(r, q, most, proof);
+    *factor = kern_raise_climb(r, q, &q->factor, most, proof);
     return *factor < 0 ? KERN_UNDECIDED : KERN_STANDS;
 }
 

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x8fd228aca4c38819u },
-    { 1000, 0xd94947f689556175u },
-    { 5000, 0x633e428d412d350fu },
+    { 200, 0x35d9f6ac2cd741d9u },
+    { 1000, 0x79f0bfb9eaa5df31u },
+    { 5000, 0xb91fce9df8658262u },
 #else
-    { 200, 0x136ec2391ad8ae2cu },
-    { 1000, 0xda0cdbfd87bdcaf7u },
-    { 5000, 0x80e7751a02034d4du },
+    { 200, 0xc9b743a4565b74c9u },
+    { 1000, 0x1565e84e7cd8ee8fu },
+    { 5000, 0xf4033df23024d83du },
 #endif
 };
 
