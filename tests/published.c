@@ -557,10 +557,6 @@ static void walls(void)
     static const char *const value[6] = {
         "0.639", "0.562", "0.311", "0.264", "0.214", "0.285"
     };
-    static const char *const associative[3] = {
-        "0.64286", "0.40369", "0.33195"
-    };
-    static const int number[3] = { 1, 3, 4 };
     section("Brick walls, mu .65 (Ferris and Tin-Loi, Int. J. Mech. Sci. 2001)");
     for (int i = 0; i < 6; i++)
         row(named("wall %d, load from rest, without dilatancy", i + 1), value[i],
@@ -569,11 +565,6 @@ static void walls(void)
             i == 2 ? "a solver's local answer; a simulator falls at .360-.365"
             : i == 5 ? "not converged; a simulator falls at .290-.295"
             : "steps of the load");
-    for (int i = 0; i < 3; i++)
-        row(named("wall %d, load factor by another linear program", number[i]),
-            associative[i], ask(named("tests/published/ferris-tin-loi-%d.kern",
-                                      number[i]), LOAD, -1), "dilatant", 0,
-            NULL);
 }
 
 static void grids(void)
