@@ -1149,7 +1149,8 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
 
 /* Adds a block behind the others and finds its contacts. Returns how many
    contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
-   also where there is no room for it; the plan is then as it was. The block is
+   also where there is no room for it, KERN_BAD_POINTER also where the plan has
+   no known forces or motions; the plan is then as it was. The block is
    copied, its vertices are NOT: they must outlive the plan. Options that change
    later, friction too, leave its contacts as they are. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
@@ -8665,10 +8666,11 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
     kern_structure *s;
     kern_motion *rest;
     int k, found;
+    if (plan && plan->task.work)
+        kern_work_begin(plan->task.work);
     if (!kern_plan_is_whole(plan) || !block)
         return (int)KERN_BAD_POINTER;
     s = &plan->task.s;
-    kern_work_begin(plan->task.work);
     if (s->blocks >= plan->block_room)
         return (int)KERN_NO_SPACE;
     plan->block[s->blocks] = *block;

@@ -44,6 +44,7 @@ struct pushes {
     kern_contact *contact;
     kern_wrench *pattern;     /* one a block, 0 but where it is pushed        */
     double (*most)[DIRECTIONS]; /* of a block, in its weights; NAN: undecided */
+    double median;            /* of those that are bounded                    */
 };
 
 static double degrees(int direction) { return 360.0 * direction / DIRECTIONS; }
@@ -204,8 +205,35 @@ static void print_json(const struct pushes *p, const char *path)
 
 /* ---- the picture: on each stone its pushes, around its centre ----------- */
 
-/* A push of m weights is drawn m / (1 + m) of the outer ring long: one weight
-   reaches the inner ring, at half of it, and what has no bound the outer one. */
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* The median of all pushes that have a bound, in weights; 1: none has. */
+static double median_push(const struct pushes *p)
+{
+    double *all = malloc((size_t)p->task.s.blocks * sizeof *p->most);
+    double median;
+    int i, k, n = 0;
+
+    if (!all)
+        return 1;
+    for (i = 0; i < p->task.s.blocks; i++)
+        for (k = 0; k < DIRECTIONS; k++)
+            if (!p->task.s.block[i].fixed && p->most[i][k] > 0 &&
+                !isinf(p->most[i][k]))
+                all[n++] = p->most[i][k];
+    qsort(all, (size_t)n, sizeof *all, ascending);
+    median = n > 0 ? all[n / 2] : 1;
+    free(all);
+    return median;
+}
+
+/* A push of m weights is drawn m / (p->median + m) of the outer ring long: the
+   median reaches the inner ring, at half of it, what has no bound the outer. */
 static void draw_pushes(const struct draw_view *v, const void *data)
 {
     const struct pushes *p = data;
@@ -233,7 +261,7 @@ static void draw_pushes(const struct draw_view *v, const void *data)
             const double most = p->most[i][k];
             const double angle = degrees(k) * 3.14159265358979323846 / 180;
             const double r = isinf(most) ? radius
-                             : isnan(most) ? 0 : radius * most / (1 + most);
+                             : isnan(most) ? 0 : radius * most / (p->median + most);
 
             fprintf(v->out, "%c%.2f %.2f", k > 0 ? 'L' : 'M',
                     draw_px(c.x + r * cos(angle)),
@@ -248,6 +276,7 @@ static void draw_pushes(const struct draw_view *v, const void *data)
 static int draw(const struct pushes *p, const char *path)
 {
     struct draw_scene scene = { 0 };
+    char caption[160];
     FILE *out = fopen(path, "w");
     int bad;
 
@@ -257,8 +286,11 @@ static int draw(const struct pushes *p, const char *path)
     scene.limiting = -1;
     scene.over = draw_pushes;
     scene.data = p;
-    scene.caption = "The largest push at the centre of each stone, by direction."
-        "\nInner ring: the weight of the stone. Outer ring: any push.";
+    snprintf(caption, sizeof caption,
+             "The largest push at the centre of each stone, by direction.\n"
+             "Inner ring: the median, %.3g weights of the stone. Outer ring: "
+             "any push.", p->median);
+    scene.caption = caption;
     bad = draw_svg(out, &scene);
     bad |= fclose(out);
     return bad ? complain(path, "cannot be written") : 0;
@@ -278,6 +310,7 @@ int main(int argc, char **argv)
         return strcmp(svg, "--help") == 0 || strcmp(svg, "-h") == 0 ? 0 : 2;
     }
     bad = open_file(&p, path) || find_pushes(&p);
+    p.median = bad ? 1 : median_push(&p);
     if (!bad && json)
         print_json(&p, path);
     else if (!bad)

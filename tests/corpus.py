@@ -1,10 +1,12 @@
 """python3 tests/corpus.py baseline KERN LP >tests/corpus/baseline.csv
 python3 tests/corpus.py summary
+python3 tests/corpus.py score VALUES
 
 baseline: what the library says of every structure of the corpus, by the program
 KERN (examples/kern.c), and what one cold LP costs, from the lines that
 bash tests/work.sh lp LIST prints for both halves, in the file LP. summary: the
-tables of tests/CORPUS.md, from tests/corpus/*.csv.
+tables of tests/CORPUS.md, from tests/corpus/*.csv. score: how well another
+measure does; VALUES has a line NAME,VALUE a structure, larger is safer.
 """
 import csv
 import json
@@ -85,20 +87,42 @@ def spearman(a, b):
                    * sum((q - mean) ** 2 for q in y)) ** 0.5
 
 
-def shaken(found):
+def correlations(found, what, sign=1):
+    """A row of the table of shaken(): by half, and of how many structures."""
     level = {r['name']: float(r['level']) for r in rows('shaken.csv')}
+    cells = []
+    for half in ('odd', 'even', ''):
+        some = [r for r in found if r['set'] == 'shaken' and r[what]
+                and half in ('', r['half'])]
+        cells.append('%.2f (%d)' % (
+            spearman([sign * float(r[what]) for r in some],
+                     [level[r['name']] for r in some]), len(some)))
+    print('| %s | %s |' % (what, ' | '.join(cells)))
+
+
+def shaken(found):
     print('| rank correlation with the level of collapse | odd | even | all |')
     print('|---|---:|---:|---:|')
     for what, sign in (('margin', 1), ('load', 1), ('reserve', 1),
                        ('drop', -1)):
-        cells = []
-        for half in ('odd', 'even', ''):
-            some = [r for r in found if r['set'] == 'shaken' and r[what]
-                    and half in ('', r['half'])]
-            cells.append('%.2f (%d)' % (
-                spearman([sign * float(r[what]) for r in some],
-                         [level[r['name']] for r in some]), len(some)))
-        print('| %s | %s |' % (what, ' | '.join(cells)))
+        correlations(found, what, sign)
+
+
+def score(found, values):
+    """The same row for other values, and the share of the pairs of a new stone
+    that stays and one that moves which they order as they should; ties half."""
+    with open(values, encoding='utf-8') as file:
+        value = dict(line.strip().split(',') for line in file if line.strip())
+    for r in found:
+        r['value'] = value.get(r['name'], '')
+    correlations(found, 'value')
+    label = {r['name']: r['label'] for r in rows('placed.csv')}
+    stays, moves = ([float(r['value']) for r in found if r['value']
+                     and r['set'] == 'placed' and label[r['name']] == name]
+                    for name in ('stays', 'moves'))
+    right = sum((a > b) + (a == b) / 2 for a in stays for b in moves)
+    print('stays above moves: %.2f of %d pairs'
+          % (right / max(len(stays) * len(moves), 1), len(stays) * len(moves)))
 
 
 def placed(found):
@@ -133,12 +157,15 @@ def sizes(found):
             margin[len(margin) // 2], cost[len(cost) // 2] / 1e6))
 
 
-def summary():
-    found = rows('baseline.csv')
+def summary(found):
     shaken(found)
     placed(found)
     sizes(found)
 
 
 if __name__ == '__main__':
-    {'baseline': baseline, 'summary': summary}[sys.argv[1]](*sys.argv[2:])
+    if sys.argv[1] == 'baseline':
+        baseline(*sys.argv[2:])
+    else:
+        {'summary': summary, 'score': score}[sys.argv[1]](
+            rows('baseline.csv'), *sys.argv[2:])

@@ -20,10 +20,10 @@ strict() { # strict COMPILER STANDARD FLAGS...: included three times, and run
         -o "$out/probe" -lm && "$out/probe"
 }
 
-strict_all() { # strict_all COMPILER: every standard, in both precisions
+strict_all() { # strict_all COMPILER: the first and the last standards, in both
     local std precision
     for precision in "" -DKERN_SINGLE; do
-        for std in c99 c11 c17 c++11 c++17; do
+        for std in c99 c17 c++11 c++2b; do
             # shellcheck disable=SC2086
             strict "$1" $std -O2 $precision ||
                 { echo "FAILED: $1 $std $precision"; return 1; }

@@ -6836,6 +6836,11 @@ static void plan_bad_input(void)
     keep = p.plan;
     b.mass = 0;
     plan_say(&p, &b, 0, 0, 0, KERN_BAD_MASS, __LINE__);
+    p.plan.task.known.force = NULL;
+    CHECK_INT(kern_plan_add(&p.plan, &w.block[1]), KERN_BAD_POINTER);
+    CHECK_INT(p.work.fault.block, -1); /* not that of the call before */
+    p.plan = keep;
+    plan_say(&p, &b, 0, 0, 0, KERN_BAD_MASS, __LINE__);
     CHECK_INT(p.work.fault.block, w.blocks);
     b.area = R(not_a_number());
     plan_say(&p, &b, KERN_BAD_NUMBER, 0, 0, KERN_BAD_NUMBER, __LINE__);
