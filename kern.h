@@ -5465,6 +5465,22 @@ static void kern_narrow_by(kern_narrow *n, kern_status status, kern_real at,
         n->share = KERN_NEAR;
 }
 
+/* Where it fell so near the edge that the proof is at the limit of its digits,
+   shows that it falls `aside` from the edge. */
+static void kern_path_strengthen(kern_model *m, kern_path *path,
+                                 kern_real aside)
+{
+    const kern_real edge = path->edge, at = edge + aside;
+    if (path->alone || path->ipm || !(path->fails - edge < aside / 8)
+        || !(at < path->end))
+        return;
+    if (kern_path_ask(m, path, at) == KERN_FALLS) {
+        path->fell = path->fails = at;
+        kern_path_note(m, path, KERN_FALLS, at);
+    }
+    path->edge = edge;
+}
+
 /* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
    place, where the verdict changes. With w half of the tolerance: shows that
    it falls at the edge that is predicted plus w, verifies the edge, and shows
@@ -5502,6 +5518,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         && !path->alone)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
+    kern_path_strengthen(m, path, w);
     return KERN_STANDS;
 }
 

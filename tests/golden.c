@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x35d9f6ac2cd741d9u },
-    { 1000, 0x79f0bfb9eaa5df31u },
-    { 5000, 0xb91fce9df8658262u },
+    { 200, 0x30581a715717a9d5u },
+    { 1000, 0x5237c74f527d0482u },
+    { 5000, 0xc6b52968047f7dc3u },
 #else
     { 200, 0xc9b743a4565b74c9u },
-    { 1000, 0x1565e84e7cd8ee8fu },
-    { 5000, 0xf4033df23024d83du },
+    { 1000, 0xf5a02b0793811645u },
+    { 5000, 0x46634b7c14c638e9u },
 #endif
 };
 
