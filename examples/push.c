@@ -273,7 +273,7 @@ static void draw_pushes(const struct draw_view *v, const void *data)
     }
 }
 
-static int draw(const struct pushes *p, const char *path)
+static int draw(struct pushes *p, const char *path)
 {
     struct draw_scene scene = { 0 };
     char caption[160];
@@ -282,6 +282,7 @@ static int draw(const struct pushes *p, const char *path)
 
     if (!out)
         return complain(path, strerror(errno));
+    p->median = median_push(p);
     scene.s = &p->task.s;
     scene.limiting = -1;
     scene.over = draw_pushes;
@@ -310,7 +311,6 @@ int main(int argc, char **argv)
         return strcmp(svg, "--help") == 0 || strcmp(svg, "-h") == 0 ? 0 : 2;
     }
     bad = open_file(&p, path) || find_pushes(&p);
-    p.median = bad ? 1 : median_push(&p);
     if (!bad && json)
         print_json(&p, path);
     else if (!bad)
