@@ -10222,6 +10222,34 @@ static void raised_loads(void)
     }
 }
 
+/* The same walls under loads of their blocks, which kern_raised() finds raised
+   where they grow from 0: up to 97 % of where the simulator lets them fall. */
+static void raised_grown(void)
+{
+    static const double(*const wall[3])[10] = {wall1, wall3, wall4};
+    static const double falls[3] = {.645, .365, .265};
+    const kern_proof proof = proof_here();
+    static world w;
+    int i, k, b;
+    for (i = 0; i < 3 && !SINGLE; i++)
+        for (k = 1; k <= 12; k++) {
+            kern_raising out = KERN_NOT_SHOWN;
+            kern_work work;
+            kern_task *task;
+            brick_wall(&w, wall[i], 0.65, 1);
+            for (b = 0; b < w.blocks; b++)
+                if (!w.block[b].fixed)
+                    kern_block_load(&w.block[b], vec(
+                        .97 * falls[i] * k / 12 * w.block[b].mass * 9.81, 0),
+                        w.block[b].centre, 0);
+            work = work_of(&w);
+            task = world_task(&w, &work);
+            CHECK_INT(kern_raised(task, 0, &out, NULL, &proof), KERN_STANDS);
+            CHECK_INT(out, KERN_RAISED);
+            CHECK(kern_check_raised(task, 0, out, &proof) <= 1);
+        }
+}
+
 /* A load on one block; loads without bound; what is refused. */
 static void raised_patterns(void)
 {
@@ -11122,6 +11150,7 @@ static const test tests[] = {
     TEST(raised_random),
     TEST(raised_memory),
     TEST(raised_loads),
+    TEST(raised_grown),
     TEST(raised_patterns),
     TEST(plan_raised),
     TEST(narrow_by_hand),
