@@ -1267,7 +1267,7 @@ extern "C" {
 #define KERN_ASSERT(condition) ((void)0)
 #endif
 #ifndef KERN_AUDIT
-#define KERN_AUDIT(room, state) ((void)0)
+#define KERN_AUDIT(engine, state) ((void)0)
 #endif
 
 #define KERN_R(x) ((kern_real)(x))

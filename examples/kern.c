@@ -3,7 +3,7 @@
    Reads structures in the text format of parts/text.h, or drawings as
    parts/dxf.h says, and reports on each: verdict, level and margin, what limits
    them, how it falls, the horizontal load and the tilt it bears; for a person,
-   as JSON (one object a line), or as a picture. Its rooms are in kern/:
+   as JSON (one object a line), or as a picture. Its parts are in kern/:
 
        state.h        settings, and what was found of one file
        analysis.h     reads, finds contacts, decides, measures

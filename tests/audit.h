@@ -1,5 +1,5 @@
 /* audit.h - kern.h with its asserts, and with the state of its engines checked
-   where KERN_AUDIT(room, state) stands: the simplex method after every pivot, a
+   where KERN_AUDIT(engine, state) stands: the simplex method after every pivot, a
    skyline factor when it is made, a part when it is opened, the interior point
    after every step.
 
@@ -24,7 +24,7 @@ static void audit_ipm(const struct kern_ipm *in);
 #define KERN_STATIC
 #define KERN_IMPLEMENTATION
 #define KERN_ASSERT(condition) assert(condition)
-#define KERN_AUDIT(room, state) audit_##room(state)
+#define KERN_AUDIT(engine, state) audit_##engine(state)
 #include "../kern.h"
 
 /* Bases of float, and of jams, may be nearly singular. */

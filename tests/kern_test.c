@@ -4053,7 +4053,7 @@ static void open_joint(void)
     CHECK(clock() - start < CLOCKS_PER_SEC);
 }
 
-/* ==== The engine, room by room =================================== >>engine */
+/* ==== The engine, part by part =================================== >>engine */
 
 /* Each tool of the engine by itself: what no answer shows, since every answer is
    proven and a tool that is wrong only costs time. Private parts of kern.h that
