@@ -496,16 +496,16 @@ static void test_bond(void)
         struct stack_wall w;
         struct stone on_top = box(0, 5, 2, 6), middle = box(4, 5, 6, 6);
         struct stone small = box(0, 0, 1, 0.5), large = box(0, 0, 2, 1);
-        if (bricks(&w, &stock, 0.5 * k)) return;
+        if (bricks(&w, &stock, k)) return;
         check(stack_column_of(&w, &on_top, 21) == (k ? 0 : 4), "column",
               stack_column_of(&w, &on_top, 21), k ? 0 : 4);
         check(stack_column_of(&w, &middle, 23) == 0, "not at an end",
               stack_column_of(&w, &middle, 23), 0);
-        w.options.bonded = 1;
-        check(stack_fault_of_bond(&w, &small, &on_ground) >
-                  stack_fault_of_bond(&w, &large, &on_ground),
-              "small foundation", stack_fault_of_bond(&w, &small, &on_ground),
-              stack_fault_of_bond(&w, &large, &on_ground));
+        check(stack_fault(&w, &small, &on_ground) >
+                  stack_fault(&w, &large, &on_ground), "small foundation",
+              stack_fault(&w, &small, &on_ground),
+              stack_fault(&w, &large, &on_ground));
+        near_to("of the bricks on two", stack_on_two(&w), k ? 0.8 : 0, 1e-12);
         stack_free(&w);
         stones_free(&stock);
     }

@@ -63,9 +63,6 @@ static const char help[] =
 "                        predicts, or load\n"
 "      --beat F,M        best: a wall with more filling than F and a limit\n"
 "                        multiplier above M is wanted; implies --goal load\n"
-"      --bonded          best: stones rest on two others, tilting where their\n"
-"                        tops differ, no end of the wall is a column, and\n"
-"                        large stones lie below; walls fill 3 % less\n"
 "      --out FILE        the wall; default stacked.kern\n"
 "      --svg OUT.svg     its picture; default stacked.svg\n"
 "      --film OUT.svg    a picture that shows how it is built, with margin, level\n"
@@ -261,8 +258,6 @@ static int read_arguments(struct settings *o, int argc, char **argv)
             o->shaking = 0;
         } else if (strcmp(argv[i], "--json") == 0) {
             o->json = 1;
-        } else if (strcmp(argv[i], "--bonded") == 0) {
-            o->plan.bonded = 1;
         } else if (argv[i][0] == '-' && argv[i][1] != '\0') {
             if (read_option(o, argv[i], argv[i + 1])) return -1;
             i++;

@@ -150,6 +150,7 @@ struct stack_weights {
     double slope, bond, edges; /* the features                             */
     double bed, step;       /* length of beds; unevenness of a course      */
     double end;             /* area of what ends a course                  */
+    double one;             /* a stone on one alone, while these are many  */
     double noise;
     double share;           /* of the candidates that are looked at        */
 };
@@ -397,7 +398,7 @@ static int stack_at_side(const struct stack_wall *w, const struct stone *s,
 static int stack_column_of(const struct stack_wall *w, const struct stone *s,
                            int alone)
 {
-    const double side = 0.3; /* no other stone fits */
+    const double side = 0.6; /* hardly any other stone fits */
     int below = 0;
     while (alone > 0 && stack_at_side(w, s, side)) {
         const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, alone);
@@ -408,27 +409,31 @@ static int stack_column_of(const struct stack_wall *w, const struct stone *s,
     return below > 1 ? below - 1 : 0;
 }
 
-/* A fixed cost for each fault, whatever the weights: a stone without a bed, a
-   long one on end, a joint that runs on. */
-static double stack_fault(const struct stack_candidate *c)
+static const double stack_bonded = 0.6; /* share on two of a wall in bond */
+
+/* The share of the stones above the ground that rest on two or more. */
+static double stack_on_two(const struct stack_wall *w)
 {
-    const double fault = 0.5, bond = 0.15;
-    return fault * ((c->bed < masonry_point) + (c->upright != 0) +
-                    (c->feature[STACK_BOND] < bond));
+    int above = 0, two = 0;
+    for (int i = 1; i <= w->laid; i++) {
+        const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, i);
+        above += r.stones > 0;
+        two += r.stones > 0 && r.stones + r.ground > 1;
+    }
+    return above > 0 ? (double)two / above : 0;
 }
 
-/* The same of a wall in bond, where a stone that tilts onto two others may lack a
-   bed: a stone on one alone, a small one in the foundation, and every stone
-   beyond two of a column at an end of the wall. */
-static double stack_fault_of_bond(const struct stack_wall *w,
-                                  const struct stone *s,
-                                  const struct stack_candidate *c)
+/* A fixed cost for each fault, whatever the weights: a stone without a bed, a
+   long one on end, a joint that runs on, a small one in the foundation, and every
+   stone beyond two of a column at an end of the wall. */
+static double stack_fault(const struct stack_wall *w, const struct stone *s,
+                          const struct stack_candidate *c)
 {
-    const double point = -0.15, one = 0.8, column = 3, founds = 3;
-    const double small = 1.0 / 3;
+    const double fault = 0.5, bond = 0.15;
+    const double column = 3, founds = 3, small = 1.0 / 3;
     const int on_ground = s->low.y < masonry_step * w->stock->size;
-    if (!w->options.bonded) return 0;
-    return point * (c->bed < masonry_point) + one * (c->alone > 0) +
+    return fault * ((c->bed < masonry_point) + (c->upright != 0) +
+                    (c->feature[STACK_BOND] < bond)) +
            founds * (on_ground && s->area < small * w->stock->area) +
            column * stack_column_of(w, s, c->alone);
 }
@@ -438,6 +443,14 @@ static double stack_fault_of_bond(const struct stack_wall *w,
 static double stack_end(const struct stack_wall *w, const struct stone *s)
 {
     return stack_at_side(w, s, 0.1) ? s->area / w->stock->area - 1 : 0;
+}
+
+/* Is a stone on one alone that could rest on two? Where courses end, every other
+   one ends so. */
+static int stack_on_one(const struct stack_wall *w, const struct stone *s,
+                        const struct stack_candidate *c)
+{
+    return c->alone > 0 && !stack_at_side(w, s, 0.1);
 }
 
 /* What a candidate costs before kern is asked; `low` is the lowest sky. */
@@ -455,23 +468,25 @@ static double stack_cost(const struct stack_wall *w,
          - g->bond * c->feature[STACK_BOND]
          - g->edges * c->feature[STACK_EDGES]
          - g->bed * fmin(c->bed, 1) + g->step * c->step
-         - g->end * stack_end(w, &s) + stack_fault(c)
-         + stack_fault_of_bond(w, &s, c);
+         - g->end * stack_end(w, &s) + g->one * stack_on_one(w, &s, c)
+         + stack_fault(w, &s, c);
 }
 
-/* The candidate of least cost that may be laid; -1: none. The load factor is
-   weighed among the cheapest that stand. */
+/* The candidate of least cost that may be laid; -1: none. A stone on one alone
+   costs more until the wall is in bond. The load factor is weighed among the
+   cheapest that stand. */
 static int stack_pick(struct stack_wall *w, struct stack_search *s,
-                      const struct stack_weights *g)
+                      struct stack_weights g)
 {
     struct stack_list *list = &s->list;
     const int ask = w->options.goal == STACK_LOAD ? 8 : 1;
     int stand = 0;
     double low = HUGE_VAL;
+    if (stack_on_two(w) > stack_bonded) g.one = 0;
     for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
     for (int i = 0; i < list->count; i++)
-        list->one[i].cost = stack_cost(w, &list->one[i], low, g, &s->skies)
-                          + g->noise * random_uniform(&s->chance, 0, 1);
+        list->one[i].cost = stack_cost(w, &list->one[i], low, &g, &s->skies)
+                          + g.noise * random_uniform(&s->chance, 0, 1);
     if (list->count == 0) return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
     for (int from = 0; from < list->count; from += stand) {
@@ -479,7 +494,7 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
         for (int i = from; i < list->count && stand < ask; i++) {
             struct stack_candidate c = list->one[i];
             if (!stack_ask(w, &c)) continue;
-            c.cost -= g->stable * c.stable;
+            c.cost -= g.stable * c.stable;
             list->one[i] = list->one[from + stand];
             list->one[from + stand++] = c;
         }
@@ -504,7 +519,7 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
         for (int all = 0; all < 2 && best < 0 && !bad; all++) {
             w->lie = !all || w->upright + 1 > stack_soldiers * (w->laid + 1);
             bad = stack_propose(w, &s->list, g->share, &s->chance, all);
-            if (!bad) best = stack_pick(w, s, g);
+            if (!bad) best = stack_pick(w, s, *g);
         }
         if (!bad && (best < 0 || stack_lay(w, &s->list.one[best].place))) {
             stack_give_up(w);
@@ -516,7 +531,7 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
 
 /* So much more filling than in stack_worth() is worth the same to `best`: else
    it would build walls that are low. */
-static const double stack_more = 0.04;
+static const double stack_more = 0.07;
 
 /* The limit multiplier times what the filling is worth. A wall without a limit is
    worth less than any that has one. What is to be exceeded counts little more
@@ -537,17 +552,17 @@ static double stack_value_of_load(struct stack_wall *w)
 }
 
 /* What of a wall is as masons want it, 0 to 1: filled, its joints crossed, its
-   long stones lying, every stone on a bed; in bond half of its stones on two
-   others, and its ends tied. */
+   long stones lying, every stone on a bed, half of its stones on two others, and
+   no column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
     struct masonry m;
-    double bond = 1;
+    double bond;
     if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
-    if (w->options.bonded)
-        bond = fmin(1, 0.5 + m.on_two) * (1 - m.end_columns / 2);
-    return bond * stack_worth(stack_fill(w) - stack_more)
-         * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless);
+    bond = fmin(1, 0.5 + m.on_two);
+    return stack_worth(stack_fill(w) - stack_more)
+         * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless)
+         * bond * bond * (1 - 0.8 * m.end_columns);
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is
@@ -584,6 +599,7 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
     g.bed = stack_between(chance, 0.15, 0.9);
     g.step = stack_between(chance, 0.2, 1.2);
     g.end = stack_between(chance, 0.15, 1);
+    g.one = stack_between(chance, 0.8, 1.6);
     g.noise = stack_between(chance, 0.005, 0.1);
     g.share = random_uniform(chance, 0.15, 0.6);
     if (o->goal == STACK_LOAD) g.share = fmin(1, 2 * g.share);
@@ -594,7 +610,8 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
 static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
 {
     double *one[] = { &g.height, &g.stable, &g.slope, &g.bond, &g.edges,
-                      &g.bed, &g.step, &g.end, &g.noise, &g.share };
+                      &g.bed, &g.step, &g.end, &g.one, &g.noise,
+                      &g.share };
     for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
         *one[i] *= exp(random_uniform(chance, -0.4, 0.4));
     g.notch = fmin(1.85, fmax(0.9, g.notch + random_uniform(chance, -0.1, 0.1)));

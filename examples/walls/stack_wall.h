@@ -92,8 +92,6 @@ struct stack_options {
                                look in the simulator; in proportion to
                                `look`, up to twice as much; 0: no limit   */
     enum stack_goal goal;   /* what it wants to be high                   */
-    int bonded;             /* nonzero: `best` lays stones on two others,
-                               and no columns at the ends                 */
     double beat[2];         /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
     /* called before each stone, if not NULL, where someone may wait      */
@@ -104,7 +102,7 @@ STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
                                { 0 }, 0, 0.4, -1, 1, 48, 140000, STACK_SHAKING,
-                               0, { 0, 0 }, NULL };
+                               { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
 }
