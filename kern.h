@@ -1691,7 +1691,7 @@ typedef enum kern_path_kind {
 
 typedef struct kern_path {
     kern_path_kind kind;
-    kern_query q;          /* at s = 0; what the path changes is replaced  */
+    kern_query q;             /* at s = 0; what the path changes is replaced  */
     kern_real unit;           /* of the path: a block's size, or 1            */
     kern_real tolerance;      /* width of the bracket                         */
     kern_real start, end;     /* of the path; the first stands                */
@@ -1736,7 +1736,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step);
 static int kern_moves(const kern_model *m, int i);
 static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real first, kern_real step);
+                                    kern_real step);
 static kern_real kern_largest(const kern_real *v, int n);
 static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 #ifndef KERN_NO_INTERIOR
@@ -2716,18 +2716,31 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-/* Width of the bracket of a measure, in mean block sizes, and how many times
-   wider it may get where neither proof can be completed nearer to critical. */
+/* Width of the bracket of a measure [mean block size; load factor; tangent of
+   a quarter of the angle]. Narrower, fewer verdicts beside the edge have a
+   proof; wider, the bracket is no longer within the 2e-6 that are promised. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
+/* How many times wider it may get where no nearer verdict has a proof; beyond,
+   the answer is KERN_UNDECIDED. */
 #define KERN_WIDEST      KERN_PICK(20, 20)
-/* Edges that differ by less, in the same unit, are one. */
+/* Edges that differ by less, in the unit of KERN_WIDTH, are one: some hundred
+   times the rounding of Newton's method. Smaller, a search does not end. */
 #define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
-#define KERN_EDGE_ROUNDS   200     /* evaluations to narrow a bracket         */
-#define KERN_FIRST         KERN_R(0.48) /* first place, in mean block sizes   */
-#define KERN_CLIMB         KERN_R(0.12) /* first step of a climb, in the same */
-#define KERN_SCAN          1001    /* steps where kerns are not nested        */
-#define KERN_SMALL         64      /* groups of a small structure             */
-#define KERN_TILTS         400     /* steps of a tilt under loads             */
+/* Evaluations to narrow a bracket: a bound, since four to eight suffice. */
+#define KERN_EDGE_ROUNDS   200
+/* First place of a search, its step, and the first of a climb [mean block
+   size]: chosen on the odd half of the corpus. At 0.08 or 0.5 a measure costs
+   more, by 5 % at the least. */
+#define KERN_CLIMB         KERN_R(0.2)
+/* Steps to the largest travel where kerns are not nested: a range of shrinkages
+   that falls, and is narrower than one, may be missed. */
+#define KERN_SCAN          1001
+/* Groups up to which one linear program is solved: margins are then exact. */
+#define KERN_SMALL         64
+/* Steps of half a circle of tilt under loads that stay: a range of angles that
+   falls, and is narrower than one (half a degree), may be missed. */
+#define KERN_TILTS         400
+/* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
 static kern_real kern_step(const kern_query *q, const kern_options *o)
@@ -2814,8 +2827,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
     kern_status status = nested
-        ? kern_path_search(m, path, path->unit * KERN_FIRST,
-                           path->unit * KERN_CLIMB)
+        ? kern_path_search(m, path, path->unit * KERN_CLIMB)
         : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
         status = kern_level_scan(m, path, 1, last, out);
@@ -3116,8 +3128,7 @@ static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
 {
     if (tilt && kern_model_loaded(m))
         return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS);
-    return kern_path_search(m, path, KERN_R(0),
-                            tilt ? KERN_R(0.0125) : KERN_R(0.05));
+    return kern_path_search(m, path, tilt ? KERN_R(0.0125) : KERN_R(0.05));
 }
 
 /* How a load grows or gravity turns: a verdict where the path begins, the
@@ -3256,7 +3267,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
     const kern_real step = shrinks ? path->unit * KERN_CLIMB : KERN_R(0.05);
     const kern_status status =
         !shrinks || kern_travels_of(m->s, &path->q).nested
-        ? kern_path_search(m, path, step, step)
+        ? kern_path_search(m, path, step)
         : kern_path_walk(m, path, path->end / KERN_SCAN);
     *at = path->edge;
     return status == KERN_STANDS && !path->never ? kern_fall_beyond(m, path)
@@ -4046,19 +4057,21 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
    ends after a few steps; its matrix is A_S A_S' of the rays S that press.
    Where no forces exist the dual grows without limit. */
 
-/* Residual of a group's equilibrium, as a share of its load: far less than a
-   proof allows. */
+/* Residual of a group's equilibrium, as a share of its load. A proof allows far
+   more, and so residuals of many groups may add up. */
 #define KERN_PASS_TOL    KERN_PICK(1e-11, 1e-6)
-/* Added to the diagonal of the matrix, as a share of its mean. */
-#define KERN_NORM_SHIFT KERN_PICK(1e-13, 1e-6)
-/* Pivot of a 3 x 3 matrix, as a share of its trace, that is rounding; and above
-   which its solution needs no refinement. */
+/* Added to the diagonal of the matrix, as a share of its mean. Without it a
+   group that no ray presses has no pivot. */
+#define KERN_NORM_SHIFT  KERN_PICK(1e-13, 1e-6)
+/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding. */
 #define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
+/* The same, above which the solution needs no refinement. */
 #define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
-/* Norm of the forces, in loads of a cluster, beyond which it is infeasible.
-   Larger: clusters grow less often, Newton's method takes more steps. */
-#define KERN_NORM_MOST  KERN_R(50)
-/* Share of the largest velocity that is no approach. */
+/* Norm of the forces, in loads of a cluster, beyond which it counts as
+   infeasible. Larger, clusters grow later and Newton's method takes more
+   steps: without the bound trying a stone costs 4 % more. */
+#define KERN_NORM_MOST   KERN_R(50)
+/* Share of the largest velocity below which two blocks do not approach. */
 #define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
 #define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
@@ -4069,8 +4082,8 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 #define KERN_PASS_BUDGET   1500    /* products for each group and contact     */
 #define KERN_PASS_LARGEST  400000  /* of these: their product is an int       */
 
-/* Where the motion of contact i begins: its law then exerts the force that
-   is there, so what is found is the least change of that. */
+/* The approach of contact i at which its law exerts the force of the answer.
+   Newton's method begins there, and finds the least change of the forces. */
 static inline void kern_model_prior(const kern_model *m, int i,
                                     kern_real way[2])
 {
@@ -4111,8 +4124,9 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
                              &p->dual.cost);
 }
 
-/* w += how v moves the part's contact k along n and t. Differences come first:
-   what moves as one moves no contact, to the last digit. */
+/* w += the approach of the part's contact k along n and t by the motion v. The
+   difference of velocities is formed first, so that a rigid motion gives exactly
+   0. */
 static inline void kern_part_speed(const kern_part *p, int k,
                                    const kern_real *v, kern_real *w)
 {
@@ -4126,8 +4140,8 @@ static inline void kern_part_speed(const kern_part *p, int k,
     w[1] += tail.turn * t[2];
 }
 
-/* b += the wrenches of contact k of the part by f along n and r along t; those
-   of held blocks go to the last three numbers */
+/* b += the wrenches of contact k of the part by f along n and r along t. Those
+   on held blocks go to the last three numbers. */
 static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
                                    kern_real r, kern_real *b)
 {
@@ -4137,7 +4151,8 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(&tail, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* How v moves the contacts along n and t: to p->dual.way from `to` on. */
+/* Approach of the contacts along n and t by the motion v, to p->dual.way from
+   `to` on; from 0 on with that of the prior forces. */
 static void kern_norm_ways(kern_part *p, const kern_real *v, int contacts,
                             int to)
 {
@@ -4207,8 +4222,8 @@ static void kern_norm_matrix(kern_part *p, int all)
     kern_skyline_shift(a, KERN_NORM_SHIFT);
 }
 
-/* The slope of the dual at u + share * step, where the loads' own part of it is
-   `push`. */
+/* The derivative of the dual along the step at u + share * step; `push` is the
+   loads' part of it. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                   kern_real share)
 {
@@ -4222,8 +4237,8 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
     return push;
 }
 
-/* How far to go along the step: where the dual is largest, to a few percent.
-   Its slope falls: regula falsi, an end that stays counting half (Illinois). */
+/* Line search: the share of the step at which the dual is largest, to an eighth
+   of its derivative. The dual is concave: regula falsi (Illinois). */
 static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
@@ -4384,15 +4399,16 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
-/* A top-down equilibrium pass: from top to bottom each group passes its load on
-   to what carries it, by the least change of the forces that are there, in
-   three unknowns. A group that cannot do so alone forms a cluster with those
-   that rest on it. Where forces change what carries them is balanced again.
-   Forces that balance every group prove that the structure stands. A cluster
-   that cannot be balanced, and moves away from what rests on it, is a part that
-   falls: nothing else could hold it. */
+/* The pass balances the groups from top to bottom. A group passes its load, and
+   what rests on it, on to the contacts that carry it: by the least change of
+   their forces, in three unknowns. A group that cannot do so alone forms a
+   cluster with the groups that rest on it. A group whose load changes is
+   balanced again. Forces that balance every group prove that the structure
+   stands. Where a cluster cannot be balanced, and its motion parts it from all
+   that rests on it, no forces from above could hold it: it is a part that
+   falls. */
 
-/* What is found out about a cluster, or all. */
+/* The outcome of a cluster, or of the whole pass. */
 typedef enum kern_passed {
     KERN_PASSED,              /* its groups are balanced                      */
     KERN_PASS_FALLS,          /* a part that seems to fall is open            */
@@ -4408,8 +4424,8 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.at = last;
 }
 
-/* Writes the force of contact i; what carries it, group `on`, must be balanced
-   if that is new. */
+/* Writes the force of contact i. If it has changed, group `on`, which carries
+   it, must be balanced again. */
 static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
                             kern_real tolerance)
 {
@@ -4438,9 +4454,9 @@ static void kern_pass_load(const kern_model *m, int g, kern_real *b)
     }
 }
 
-/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. A direction in
-   which there is nothing but rounding is left out. Returns whether the matrix
-   is far from singular. */
+/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. An unknown whose
+   pivot is rounding becomes 0. Returns whether the matrix is far from
+   singular. */
 static int kern_pass_three(const kern_real h[6], const kern_real b[3],
                             kern_real x[3])
 {
@@ -4460,7 +4476,7 @@ static int kern_pass_three(const kern_real h[6], const kern_real b[3],
     return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
 }
 
-/* The motion u that a matrix in three unknowns leaves free, against b. */
+/* The motion u in the null space of a singular 3 x 3 matrix, with u.b <= 0. */
 static void kern_pass_free(const kern_real h[6], const kern_real b[3],
                            kern_real u[3])
 {
@@ -4696,9 +4712,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     }
 }
 
-/* Whether the part, which cannot be balanced under what rests on it, moves away
-   from that along u, and is driven by its own loads: then no other forces from
-   above would help. */
+/* Whether u, the motion of a part that cannot be balanced, parts it from all
+   that rests on it, and its own loads do work on u. Then it falls under any
+   forces from above. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -4749,9 +4765,9 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     return status;
 }
 
-/* Balances the cluster of `last`, and lets it grow until it can be balanced, or
-   a part of it is seen to fall. One that has grown to groups farther down comes
-   later. `failed`: it is one group that cannot be balanced alone. */
+/* Balances the cluster of `last`. A cluster that cannot be balanced grows, until
+   it can or falls. Where it has grown to a group below `last` it is left to the
+   turn of that. `failed`: the cluster is one group that cannot be balanced. */
 static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
                                      int failed)
 {
@@ -4792,9 +4808,9 @@ static void kern_pass_begin(kern_model *m)
     kern_model_unload(m);
 }
 
-/* Makes the forces of the line that begins with contact i at shrinkage `from`
-   into forces at a smaller one: they move outward, and exert the same. Returns
-   whether it is a line. */
+/* Replaces the forces of the line that begins with contact i, whose ends are
+   where `from` puts them, by forces of the same wrench with the ends where
+   `shrink` < `from` puts them. Returns whether contact i begins a line. */
 static int kern_force_widen(kern_model *m, int i, kern_real from,
                             kern_real shrink)
 {
@@ -4822,8 +4838,8 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
     return line;
 }
 
-/* The forces that are known, in units: only groups that they do not balance
-   must be. */
+/* Begins from the known forces, in the model's unit. Only groups that these do
+   not balance are to be balanced. */
 static void kern_pass_known(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -5201,15 +5217,20 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */
-/* Verdicts along a path, and the bracket of the place where they change. */
+/* Verdicts along a path, and the bracket of the edge: the critical place, where
+   the verdict changes. */
 
-#define KERN_CLIMB_ROUNDS  5000    /* evaluations to find one                 */
-#define KERN_PARTS_MOST    8       /* that fall, until the whole is asked     */
-#define KERN_BENDS         8       /* closing kerns that a Newton step sees   */
-#define KERN_ASIDE KERN_R(0.45)    /* of a bracket's width: from edge to end  */
-#define KERN_NEAR  KERN_R(0.25)    /* of a bracket: beyond a wrong prediction */
+#define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
+#define KERN_PARTS_MOST    8       /* parts that fall, before the whole       */
+#define KERN_BENDS         8       /* Newton steps from bend to bend          */
+/* From the edge to either end of its bracket, as a share of KERN_WIDTH: at 0.5
+   rounding could make the bracket wider than that. */
+#define KERN_ASIDE KERN_R(0.45)
+/* Share of the bracket at which it is divided where no edge is predicted in it;
+   it adapts (kern_narrow_by()). */
+#define KERN_NEAR  KERN_R(0.25)
 
-/* How fast y turns the two sides of contact k of the part against each other. */
+/* Relative spin of the two blocks of contact k of the part in the motion y. */
 static kern_real kern_part_spin(const kern_part *p, int k)
 {
     const kern_model *m = p->m;
@@ -5340,8 +5361,8 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
             proof->motion[i] = m->answer.motion[i];
 }
 
-/* Notes a verdict about the whole at s, and hands its proof to the caller: the
-   motion there belongs to the nearest place that is known to fall. */
+/* Records a verdict on the whole at s, and hands its proof to the caller. The
+   caller's motion stays that of the nearest place that falls. */
 static void kern_path_note(const kern_model *m, kern_path *path,
                            kern_status status, kern_real s)
 {
@@ -5378,8 +5399,8 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
            ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
 }
 
-/* The verdict at s. Where a mechanism falls, proven or not, its edge becomes
-   that of the path: close to critical even a motion that proves nothing tells. */
+/* The verdict at s. The edge of a mechanism, proven or not, becomes that of the
+   path: rounding may spoil the proof close to the edge, but not the edge. */
 static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
@@ -5407,8 +5428,9 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Asks at the edge itself. Where another mechanism falls there its edge takes
-   the place; else the edge is exact. The bracket stays. */
+/* The verdict at the edge itself, which leaves the bracket as it is. Where
+   another mechanism falls there its edge is the path's; else the edge is
+   exact. */
 static kern_status kern_path_verify(kern_model *m, kern_path *path)
 {
     const kern_real at = path->edge, same = KERN_SAME_EDGE * path->unit;
@@ -5451,7 +5473,7 @@ static kern_real kern_narrow_next(const kern_path *path, const kern_narrow *n)
            ? kern_max(edge - n->under, path->start) : KERN_INFINITY;
 }
 
-/* What a verdict at such a place tells for the next one. */
+/* Adapts the distances and the share to the verdict at `at`. */
 static void kern_narrow_by(kern_narrow *n, kern_status status, kern_real at,
                            kern_real edge, int inside)
 {
@@ -5555,21 +5577,18 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Point c about the first point of its pair as what carries, the unit of
-   torques being the mean size; adds what its force exerts to b. */
-static void kern_walk_row(const kern_model *m, const kern_contact *first,
-                          const kern_contact *c, kern_real place,
-                          const kern_force *force, kern_support *to,
-                          kern_real *b)
+/* Contact c as a support that has not moved: its normal times `sign`, its arm
+   from `centre` to where it acts at `place`, times `unit`. */
+static void kern_support_set(kern_support *to, const kern_model *m,
+                             const kern_contact *c, kern_real sign,
+                             kern_real place, kern_vec centre, kern_real unit)
 {
     const kern_vec arm = kern_vec_sub(kern_contact_at(c, place, m->relative),
-                                      first->p);
-    to->row = kern_row_of(kern_vec_scale(c->n, c->a == first->a ? KERN_R(1)
-                                                               : KERN_R(-1)),
-                          kern_vec_scale(arm, 1 / m->mean), KERN_R(1));
+                                      centre);
+    to->row = kern_row_of(kern_vec_scale(c->n, sign), kern_vec_scale(arm, unit),
+                          KERN_R(1));
     to->mu = kern_friction(c, m->cone.slope);
     to->way[0] = to->way[1] = KERN_R(0);
-    kern_row_exert(&to->row, force->normal, force->tangential, b);
 }
 
 /* Whether points of a pair that lie in a row from contact i to j carry at
@@ -5578,17 +5597,19 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
                              kern_real place)
 {
     const kern_contact *c = m->s->contact + i;
-    kern_support row[KERN_ROWS_MOST];
-    kern_real b[3] = {0, 0, 0}, none[3] = {0, 0, 0}, u[3];
+    kern_support row[KERN_ROWS_MOST], was;
+    kern_real b[3] = {0, 0, 0}, u[3];
     int k;
     if (j - i > KERN_ROWS_MOST)
         return 0;
-    for (k = i; k < j; k++)
-        kern_walk_row(m, c, m->s->contact + k, from, m->answer.force + k, row,
-                      b);
-    for (k = i; k < j; k++)
-        kern_walk_row(m, c, m->s->contact + k, place, m->answer.force + k,
-                      row + (k - i), none);
+    for (k = i; k < j; k++) {
+        const kern_contact *d = m->s->contact + k;
+        const kern_force *f = m->answer.force + k;
+        const kern_real sign = KERN_R(d->a == c->a ? 1 : -1), one = 1 / m->mean;
+        kern_support_set(&was, m, d, sign, from, c->p, one);
+        kern_support_set(row + (k - i), m, d, sign, place, c->p, one);
+        kern_row_exert(&was.row, f->normal, f->tangential, b);
+    }
     return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3), u)
            == KERN_STANDS;
 }
@@ -5638,43 +5659,58 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
+/* Whether it stands at the steps from `at` to path->holds too. Where gravity
+   turns under loads that stay it does: the gravities that are held are a convex
+   set, and the arc lies in the triangle of its ends and of the corner where
+   their tangents meet. */
+static int kern_walk_between(kern_model *m, const kern_path *path, kern_real at,
+                             kern_real step, int stride)
+{
+    kern_query q = kern_path_at(path, path->holds);
+    int k;
+    if (path->kind == KERN_PATH_TILT && stride > 1) {
+        const kern_vec from = kern_path_at(path, at).gravity, to = q.gravity;
+        const kern_real square = kern_vec_dot(to, to);
+        q.gravity = kern_vec_scale(kern_vec_add(from, to), square
+                                   / (square + kern_vec_dot(from, to)));
+        return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
+    }
+    for (k = 1; k < stride; k++)
+        if (!kern_walk_holds(m, path->holds, at + KERN_R(stride - k) * step))
+            return 0;
+    return 1;
+}
+
 /* Goes from a place that stands toward the end in even steps, where verdicts
    may change more than once, until it falls; then finds the edge. Steps are
-   left out where forces found farther on hold it too. */
+   left out where what was found farther on shows that it stands. */
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step)
 {
     const kern_real end = path->end;
     kern_real at = path->holds, fell = KERN_INFINITY;
-    int round, stride = 1, k;
+    int round, stride = 1;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
         const kern_real next = kern_min(end, at + KERN_R(stride) * step);
         const kern_real holds = path->holds;
         const kern_status status = kern_path_evaluate(m, path, next);
         if (status < KERN_UNDECIDED)
             return status;
-        for (k = stride - 1; k > 0 && status == KERN_STANDS
-                             && kern_walk_holds(m, path->holds,
-                                                at + KERN_R(k) * step); k--)
-            continue;
-        if (k > 0) {
+        if (status == KERN_STANDS
+            && kern_walk_between(m, path, at, step, stride)) {
+            if (next >= end)
+                return kern_path_saturate(path);
+            at = next;
+            stride *= 2;
+        } else if (stride > 1) {
             if (status == KERN_FALLS)
-                fell = next;
+                fell = kern_min(next, path->edge);
             stride /= 2;
             path->holds = holds;
             if (status == KERN_STANDS) /* the proof is that of `next` */
                 kern_path_evaluate(m, path, holds);
-            continue;
-        }
-        if (status == KERN_FALLS)
-            return kern_path_edge(m, path);
-        if (status != KERN_STANDS)
-            return status;
-        if (next >= end)
-            return kern_path_saturate(path);
-        at = next;
-        if (path->kind == KERN_PATH_SHRINK)
-            stride *= 2;
+        } else
+            return status == KERN_FALLS ? kern_path_edge(m, path) : status;
         while (stride > 1 && !(at + KERN_R(stride) * step < fell))
             stride /= 2;
     }
@@ -5694,8 +5730,8 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
     return 1;
 }
 
-/* What is known bounds the edge where its motion proves that it falls where it
-   did, close beyond where it stood. */
+/* If the known motion proves that the structure falls at the known place, that
+   bounds the edge. Not where the known bracket is wide. */
 static void kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = path->warm;
@@ -5720,9 +5756,9 @@ static int kern_moves(const kern_model *m, int i)
 }
 
 /* ---- bodies ---- */
-/* A block is a body with what rests on it alone. Where it falls, all else held,
-   the whole falls: three equations tell. The edge of most structures is that of
-   a body. */
+/* A body is a block with all that rests on it alone, moved as one. Three
+   equations decide whether it falls with all others held, and then the whole
+   falls. The edge of most structures is that of a body. */
 
 /* The rows of what holds body g, about its block's centre; returns how many
    there are. If they are of one block it belongs to the body of that:
@@ -5737,16 +5773,9 @@ static int kern_body_rows(kern_model *m, int g, kern_real s,
         if (other < g && m->graph.carrier[other] == g)
             continue;
         on = on == KERN_OUT || on == other ? other : m->graph.groups;
-        if (n < KERN_ROWS_MOST) {
-            row[n].row = kern_row_of(
-                kern_vec_scale(c->n, e & 1 ? KERN_R(-1) : KERN_R(1)),
-                kern_vec_scale(kern_vec_sub(
-                    kern_contact_at(c, s, m->relative),
-                    m->s->block[m->graph.block[g]].centre), m->unit[g]),
-                KERN_R(1));
-            row[n].mu = kern_friction(c, m->cone.slope);
-            row[n].way[0] = row[n].way[1] = KERN_R(0);
-        }
+        if (n < KERN_ROWS_MOST)
+            kern_support_set(row + n, m, c, KERN_R(e & 1 ? -1 : 1), s,
+                             m->s->block[m->graph.block[g]].centre, m->unit[g]);
         n++;
     }
     m->graph.carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
@@ -5774,12 +5803,12 @@ static kern_real kern_body_power(kern_model *m, int g, kern_real s,
     return kern_min(kern_three(b, u), KERN_R(0));
 }
 
-/* Where body g, which falls at `fails`, stops to, by secants: to 4 EPS of the
-   path; at most `start` where it falls there, `fails` where that is not found. */
+/* The edge of body g, which falls at `fails`, by secants: `fails` itself where
+   they do not converge. */
 static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
                                 kern_real power, kern_real fails)
 {
-    const kern_real aside = path->tolerance * KERN_R(0.45);
+    const kern_real aside = path->tolerance * KERN_ASIDE;
     const kern_real same = KERN_SAME_EDGE / 8 * path->unit, none = fails;
     kern_real holds = path->holds, at = (holds + fails) / 2, edge = fails, u[3];
     int round;
@@ -5801,8 +5830,8 @@ static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
     return none;
 }
 
-/* The motion u of body g, of all that belongs to it; the fastest block has
-   speed 1. */
+/* The motion u of a body, written to all its blocks; the fastest has speed
+   1. */
 static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 {
     const kern_real spin = u[2] * m->unit[body];
@@ -5829,14 +5858,14 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
         }
 }
 
-/* The first body that falls nearer than `first` becomes the path's warm start.
-   Returns that place, or the start where one falls there. */
+/* The body with the nearest edge becomes the path's warm start. Returns `first`,
+   or the start where a body falls there. */
 static kern_real kern_body_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     const kern_query q = kern_path_at(path, path->holds);
-    const kern_real start = path->holds, aside = path->tolerance * KERN_R(0.45);
-    kern_real best = kern_min(first, path->end), u[3];
+    const kern_real start = path->holds, aside = path->tolerance * KERN_ASIDE;
+    kern_real best = path->end, u[3];
     int g;
     if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
         return first;
@@ -5897,6 +5926,7 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
         return KERN_UNDECIDED;
     path->edge = path->kind == KERN_PATH_LOAD
         ? s + place : kern_path_turned(s, 4 / (1 + s * s) * place);
+    path->exact = path->edge;
     path->fails = path->end;
     return path->edge < path->end ? kern_path_edge(m, path) : KERN_UNDECIDED;
 }
@@ -5935,8 +5965,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     return status;
 }
 
-/* What the pass finds at s, and the edge of what falls: KERN_UNDECIDED where
-   it shows neither. */
+/* The verdict of the pass at s. After KERN_FALLS path->edge is the edge of the
+   part that falls; without forces and such a part KERN_UNDECIDED. */
 static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
@@ -5978,14 +6008,12 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     return kern_max(path->start, warm->holds);
 }
 
-/* The first edge of a path on which the verdict changes but once. What falls at
-   some place is a part, most often a small one, and no edge of the whole lies
-   beyond that of a part, all else held. So the pass runs just before the edge
-   of the part that fell last, until nothing falls there, or the pass comes to
-   no end. At first that is the edge of what is known of a structure like it, or
-   of a body, or a step from the start. */
+/* The first edge of a path on which the verdict changes but once. No edge of the
+   whole lies beyond that of a part with all others held. So the pass is asked
+   just before the edge of the part that fell last, until nothing falls there or
+   the pass ends without a verdict. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real first, kern_real step)
+                                    kern_real step)
 {
     const kern_real aside = path->tolerance * KERN_ASIDE;
     kern_status status = KERN_STANDS;
@@ -5995,7 +6023,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     path->fails = path->exact = KERN_INFINITY;
     if (m->whole || path->kind != KERN_PATH_SHRINK)
         return kern_path_whole(m, path, step, step);
-    at = kern_path_first(m, path, first);
+    at = kern_path_first(m, path, step);
     for (round = 0; round < KERN_PARTS_MOST; ) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && at > path->start) {
@@ -6007,8 +6035,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         else if (at >= path->end)
             return kern_path_saturate(path);
         else
-            at = at + first < path->end * KERN_R(0.95) ? at + first
-                                                       : path->end;
+            at = at + step < path->end * KERN_R(0.95) ? at + step : path->end;
     }
     return status != KERN_UNDECIDED ? status
            : kern_path_whole(m, path, at - path->holds, step);
@@ -6512,7 +6539,7 @@ static kern_real kern_ipm_follow(kern_ipm *in)
    where it is not found. */
 static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 {
-    const kern_real aside = path->tolerance * KERN_R(0.45);
+    const kern_real aside = path->tolerance * KERN_ASIDE;
     kern_ipm in;
     kern_status status = KERN_STANDS;
     if (m->cone.narrow > 0 || !kern_ipm_open(&in, m, path))

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x30581a715717a9d5u },
-    { 1000, 0x5237c74f527d0482u },
-    { 5000, 0xc6b52968047f7dc3u },
+    { 200, 0x0dcf26ff0d8f338du },
+    { 1000, 0xe410c632fb54016fu },
+    { 5000, 0xe60894837919643eu },
 #else
-    { 200, 0xc9b743a4565b74c9u },
-    { 1000, 0xf5a02b0793811645u },
-    { 5000, 0x46634b7c14c638e9u },
+    { 200, 0x069789fdf817bf32u },
+    { 1000, 0xb7ccf78339c4413eu },
+    { 5000, 0x2538c18cf6b41cf3u },
 #endif
 };
 
