@@ -398,12 +398,8 @@ static void draw_nudges(const struct draw_view *v, const void *data)
 static int draw(struct nudge *n, const char *path)
 {
     struct draw_scene scene = { 0 };
-    FILE *out = fopen(path, "w");
     char text[300];
-    int bad;
 
-    if (!out)
-        return complain(path, strerror(errno));
     if (n->climber >= 0) {
         move_stone(n, n->climber, n->along, -n->way);
         measure(n);
@@ -417,9 +413,7 @@ static int draw(struct nudge *n, const char *path)
     scene.caption = text;
     scene.over = draw_nudges;
     scene.data = n;
-    bad = draw_svg(out, &scene);
-    bad |= fclose(out);
-    return bad ? complain(path, "cannot be written") : 0;
+    return draw_file(path, &scene) ? complain(path, strerror(errno)) : 0;
 }
 
 int main(int argc, char **argv)

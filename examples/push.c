@@ -277,11 +277,7 @@ static int draw(struct pushes *p, const char *path)
 {
     struct draw_scene scene = { 0 };
     char caption[160];
-    FILE *out = fopen(path, "w");
-    int bad;
 
-    if (!out)
-        return complain(path, strerror(errno));
     p->median = median_push(p);
     scene.s = &p->task.s;
     scene.limiting = -1;
@@ -292,9 +288,7 @@ static int draw(struct pushes *p, const char *path)
              "Inner ring: the median, %.3g weights of the stone. Outer ring: "
              "any push.", p->median);
     scene.caption = caption;
-    bad = draw_svg(out, &scene);
-    bad |= fclose(out);
-    return bad ? complain(path, "cannot be written") : 0;
+    return draw_file(path, &scene) ? complain(path, strerror(errno)) : 0;
 }
 
 int main(int argc, char **argv)

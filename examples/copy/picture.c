@@ -55,19 +55,14 @@ static kern_task stones_task(void)
 static int draw(const kern_task *task, kern_status verdict, const char *path)
 {
     struct draw_scene scene = { 0 };
-    FILE *out = fopen(path, "w");
-    int bad;
 
-    if (!out)
-        return -1;
     scene.s = &task->s;
     scene.names = name;
     scene.force = verdict == KERN_STANDS ? force : NULL;
     scene.motion = verdict == KERN_FALLS ? motion : NULL;
     scene.limiting = -1;
     scene.caption = kern_status_text(verdict);
-    bad = draw_svg(out, &scene);
-    return bad | fclose(out);
+    return draw_file(path, &scene);
 }
 
 int main(int argc, char **argv)

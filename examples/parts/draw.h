@@ -1536,4 +1536,16 @@ DRAW_API int draw_svg(FILE *out, const struct draw_scene *scene)
     return draw_end(out);
 }
 
+/* The same to a file. Nonzero: it cannot be written, and errno says why. */
+DRAW_API int draw_file(const char *path, const struct draw_scene *scene)
+{
+    FILE *out = fopen(path, "w");
+    int bad;
+
+    if (!out)
+        return -1;
+    bad = draw_svg(out, scene);
+    return fclose(out) | bad;
+}
+
 #endif /* DRAW_H */
