@@ -8956,10 +8956,12 @@ static int kern_lp_first(const kern_program *lp, int j, int groups)
                                     : groups;
 }
 
-/* Column j's entries in the rows of one end; returns the first of these rows. */
-static int kern_lp_part(const kern_program *lp, int j, int end,
+/* Column j's entries in the rows of the group whose own it is, or those of its
+   other end; returns the first of these rows. */
+static int kern_lp_part(const kern_program *lp, int j, int other,
                         kern_real out[3])
 {
+    const int end = kern_lp_end(lp, j) ^ other;
     const kern_real *c = lp->a + 4 * (size_t)j;
     out[0] = end ? -c[0] : c[0];
     out[1] = end ? -c[1] : c[1];
@@ -9100,16 +9102,13 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
     kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY, share[3];
     int i, j, k, take[3] = {KERN_OUT, KERN_OUT, KERN_OUT};
     for (i = 0; i < n; i++)
-        kern_lp_part(sx->lp, mine[i], kern_lp_end(sx->lp, mine[i]), part[i]);
+        kern_lp_part(sx->lp, mine[i], 0, part[i]);
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
-            const kern_real ab[3] = {a[1] * b[2] - a[2] * b[1],
-                                     a[2] * b[0] - a[0] * b[2],
-                                     a[0] * b[1] - a[1] * b[0]};
-            const kern_real last = kern_three(ab, load);
+            const kern_real last = kern_three_det(a, b, load);
             for (k = j + 1; k < n; k++) {
-                const kern_real *c = part[k], det = kern_three(ab, c);
+                const kern_real *c = part[k], det = kern_three_det(a, b, c);
                 kern_real la, lb, least;
                 if (kern_abs(det) < KERN_CRASH_TOL
                     || (det > 0 ? last <= best * det : last >= best * det))
@@ -9136,8 +9135,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
 static int kern_crash_faces(const kern_simplex *sx, int j)
 {
     kern_real part[3], along;
-    const kern_real *load = sx->alpha
-        + kern_lp_part(sx->lp, j, kern_lp_end(sx->lp, j), part);
+    const kern_real *load = sx->alpha + kern_lp_part(sx->lp, j, 0, part);
     along = part[0] * load[0] + part[1] * load[1];
     return along > 0 && 4 * along * along
            >= (part[0] * part[0] + part[1] * part[1])
@@ -9181,14 +9179,13 @@ static void kern_simplex_crash(kern_simplex *sx)
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
-    const int own_of = kern_lp_first(lp, j, sx->groups), row = 3 * own_of;
-    const int end = own_of < sx->groups && kern_lp_end(lp, j);
+    const int row = 3 * kern_lp_first(lp, j, sx->groups);
     kern_real part[3], alpha[3], least = KERN_OWN_TOL;
     kern_real *block = sx->factors.block + 6 * (size_t)row, *own;
     int i, k, best = KERN_OUT;
-    if (own_of == sx->groups)
+    if (row == 3 * sx->groups)
         return 0;
-    kern_lp_part(lp, j, end, part);
+    kern_lp_part(lp, j, 0, part);
     for (k = 0; k < 3; k++) {
         alpha[k] = kern_three(block + 6 * k, part);
         if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
@@ -9204,7 +9201,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
     for (k = 0; k < 3; k++)
         for (i = 0; i < 3 && k != best; i++)
             block[6 * k + i] -= alpha[k] * own[i];
-    sx->factors.to[row + best] = kern_lp_part(lp, j, 1 - end, own + 3);
+    sx->factors.to[row + best] = kern_lp_part(lp, j, 1, own + 3);
     sx->base[row + best] = j;
     sx->place[j] = row + best;
     return 1;
