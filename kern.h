@@ -1318,6 +1318,13 @@ extern "C" {
 #define KERN_ANGLE_MOST KERN_R(0.5)
 #define KERN_OUT (-1)
 
+/* Of functions of many callers, whose copies firmware has no room for. */
+#if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
+#define KERN_SHARED __attribute__((noinline))
+#else
+#define KERN_SHARED
+#endif
+
 /* Without its sign, also where it is -0: on most processors one instruction,
    which compilers do not find by themselves. */
 static kern_real kern_abs(kern_real a)
@@ -1392,7 +1399,7 @@ static int kern_vec_is_finite(kern_vec a)
 { return kern_is_finite(a.x) && kern_is_finite(a.y); }
 
 /* The larger coordinate, without its sign. */
-static kern_real kern_vec_largest(kern_vec a)
+KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
 { return kern_max(kern_abs(a.x), kern_abs(a.y)); }
 
 /* Numbers, and none too large to reckon with? */
@@ -1518,7 +1525,7 @@ static kern_query kern_query_of(const kern_structure *s,
 }
 
 /* The tangent by which cones of friction are narrower. */
-static kern_real kern_slope(const kern_query *q)
+KERN_SHARED static kern_real kern_slope(const kern_query *q)
 { return kern_max(q->narrow * q->shrink, KERN_R(0)); }
 
 /* Friction of a contact whose cone is narrower by an angle: the tangent of the
@@ -1533,7 +1540,7 @@ static inline int kern_is_gone(const kern_query *q, int a, int b)
 { return q->fallen && (q->fallen[a] >= 0 || q->fallen[b] >= 0); }
 
 /* A travel too short to be one counts as none. */
-static kern_real kern_travel(const kern_contact *c, kern_real mean)
+KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
 {
     return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0)
                                                           : c->travel;
@@ -1545,8 +1552,7 @@ static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
     return 2 * kern_abs(kern_travel(c, mean));
 }
 
-/* Whether a contact carries nothing: one of its blocks is gone, or it is too
-   short. */
+/* Whether a contact carries nothing: too short, or one of its blocks gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
     return kern_is_gone(q, c->a, c->b)
@@ -1693,7 +1699,6 @@ typedef struct kern_path {
     kern_path_kind kind;
     kern_query q;             /* at s = 0; what the path changes is replaced  */
     kern_real unit;           /* of the path: a block's size, or 1            */
-    kern_real tolerance;      /* width of the bracket                         */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real edge;           /* critical value that Newton's method predicts */
@@ -1702,8 +1707,8 @@ typedef struct kern_path {
                                  nearest to fall; -1, infinity: none          */
     int never;                /* nonzero: it stands to the end                */
     kern_part *part;          /* that fell last                               */
-    const kern_known *warm;   /* of a structure like it, of `body`, or NULL   */
-    kern_known body;          /* the body that falls first                    */
+    kern_known warm;          /* of a structure like it, or of the body that
+                                 falls first; `fails` 0: nothing              */
     int alone;                /* nonzero: the part is evaluated alone         */
     struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
@@ -1718,8 +1723,7 @@ typedef struct kern_travels {
 } kern_travels;
 
 /* ---- what finds forces and motions ---- */
-/* Declared here, defined and told behind the argument: >>verdict, >>search,
-   >>ipm. */
+/* Defined and told behind the argument: >>verdict, >>search, >>ipm. */
 
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q);
@@ -1742,9 +1746,7 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 #ifndef KERN_NO_INTERIOR
 static kern_status kern_ipm_evaluate(struct kern_ipm *in, kern_real place,
                                        kern_real *edge);
-#if defined(__GNUC__) /* its frame is not to lie below all other verdicts */
-__attribute__((noinline))
-#endif
+KERN_SHARED /* its frame is not to lie below all other verdicts */
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                       const kern_query *q);
 static kern_status kern_ipm_search(kern_model *m, kern_path *path);
@@ -1979,8 +1981,7 @@ static kern_status kern_structure_check(const kern_structure *s,
     return status;
 }
 
-/* The task, a shrinkage, and where the answer goes; in *q the query that they
-   ask. */
+/* The task, a shrinkage, and where the answer goes; in *q their query. */
 static kern_status kern_query_check(const kern_task *task, kern_real shrink,
                                     const void *out, kern_query *q)
 {
@@ -2758,11 +2759,10 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->part = part;
     path->proof = NULL;
     path->q = *q;
-    path->warm = NULL;
+    path->warm = kern_known_of(NULL, NULL);
     path->alone = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
-    path->tolerance = KERN_WIDTH * path->unit;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->edge = KERN_R(0);
     path->stood = KERN_R(-1);
@@ -2778,7 +2778,6 @@ static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->q.pattern = pattern;
     path->q.side = side;
     path->unit = KERN_R(1);
-    path->tolerance = KERN_WIDTH;
 }
 
 /* What a call works on. */
@@ -2883,7 +2882,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     int last;
     path->proof = proof;
     if (known && known->fails > 0 && known->fails < KERN_INFINITY) {
-        path->warm = known;
+        path->warm = *known;
         c->m.answer.known = known->force ? known : NULL;
     }
     path->end = r.most = travels.most;
@@ -3239,7 +3238,7 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     int tries;
     for (tries = 0; status == KERN_UNDECIDED && tries < 9; tries++) {
         status = kern_path_evaluate(m, path, beyond);
-        beyond += path->tolerance;
+        beyond += KERN_WIDTH * path->unit;
     }
     return status;
 }
@@ -3689,8 +3688,7 @@ static void kern_part_ends(kern_part *p)
     }
 }
 
-/* Lists the contacts of the part by which its groups are carried, then those by
-   which others rest on them. */
+/* Lists the part's contacts: those that carry its groups, then those above. */
 static void kern_part_list(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -3711,8 +3709,7 @@ static void kern_part_list(kern_part *p)
     }
 }
 
-/* The loads of a query, to three numbers a group. Returns what equilibrium may
-   miss. */
+/* Three loads of a query a group. Returns what equilibrium may miss. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -3830,8 +3827,7 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt,
     return s;
 }
 
-/* The wrenches v and w that n and t of a row answer by a law: its stiffness is
-   n v' + t w'. */
+/* The wrenches v and w by which a law's stiffness of a row is n v' + t w'. */
 static inline void kern_row_answer(const kern_row *c, const kern_law *s,
                                    kern_real v[3], kern_real w[3])
 {
@@ -3898,8 +3894,7 @@ static void kern_skyline_clear(kern_skyline *a)
 
 /* Adds to the block of groups g and h <= g: what moving h does to the forces on
    g (xx, xy, yy, times a sign), what turning h does (f and r along n and t of
-   g), and what either does to the torque on g. Above the diagonal nothing is
-   read. */
+   g), and what either does to the torque on g; only up to the diagonal. */
 static inline void kern_skyline_add(kern_skyline *a, int g, int h,
                                     kern_real sign, const kern_real k[3],
                                     const kern_row *of_g, const kern_row *of_h,
@@ -3986,8 +3981,7 @@ static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
     c2[0] = s20; c2[1] = s21; c2[2] = s22;
 }
 
-/* Cholesky's L of the matrix where it stands, block by block. A pivot that is
-   rounding becomes that. */
+/* Cholesky's L of the matrix in its place; a pivot is at least rounding. */
 static void kern_skyline_factor(kern_skyline *a)
 {
     int g, h, r, k;
@@ -4108,8 +4102,7 @@ static inline kern_law kern_part_law(const kern_part *p, int k,
                     : kern_law_pressed(wn, wt, mu);
 }
 
-/* Lays out what the minimum-norm forces of the part need; 0 if there is no
-   room. */
+/* Lays out the arrays for the part's minimum-norm forces; 0: no room. */
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
@@ -4125,8 +4118,7 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
 }
 
 /* w += the approach of the part's contact k along n and t by the motion v. The
-   difference of velocities is formed first, so that a rigid motion gives exactly
-   0. */
+   difference of velocities is formed first: a rigid motion gives exactly 0. */
 static inline void kern_part_speed(const kern_part *p, int k,
                                    const kern_real *v, kern_real *w)
 {
@@ -4203,8 +4195,7 @@ static void kern_part_add(kern_part *p, int k, const kern_law *s)
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * (size_t)k, row, s);
 }
 
-/* The matrix of the contacts that press at u, or of all, with a little more on
-   its diagonal. */
+/* The matrix of what presses at u, or of all, with more on its diagonal. */
 static void kern_norm_matrix(kern_part *p, int all)
 {
     kern_skyline *a = &p->dual.matrix;
@@ -4222,8 +4213,7 @@ static void kern_norm_matrix(kern_part *p, int all)
     kern_skyline_shift(a, KERN_NORM_SHIFT);
 }
 
-/* The derivative of the dual along the step at u + share * step; `push` is the
-   loads' part of it. */
+/* The dual's derivative at u + share * step, along it; `push`: the loads'. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
                                   kern_real share)
 {
@@ -4276,8 +4266,7 @@ static kern_real kern_norm_share(const kern_part *p)
 
 /* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
    rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
-   with u; KERN_FALLS, which is no proof, where they would be larger than
-   `bound`; or KERN_UNDECIDED. */
+   with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                    kern_real bound, int first, int end)
 {
@@ -4424,8 +4413,7 @@ static void kern_pass_mark_open(kern_model *m, int g)
         m->cluster.at = last;
 }
 
-/* Writes the force of contact i. If it has changed, group `on`, which carries
-   it, must be balanced again. */
+/* Writes the force of contact i. Where it changed `on` is balanced again. */
 static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
                             kern_real tolerance)
 {
@@ -4437,8 +4425,7 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
     *to = f;
 }
 
-/* The load of group g and of what rests on it, but for members of its own
-   cluster. */
+/* The load of group g and of what rests on it from outside of its cluster. */
 static void kern_pass_load(const kern_model *m, int g, kern_real *b)
 {
     int e;
@@ -4455,8 +4442,7 @@ static void kern_pass_load(const kern_model *m, int g, kern_real *b)
 }
 
 /* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. An unknown whose
-   pivot is rounding becomes 0. Returns whether the matrix is far from
-   singular. */
+   pivot is rounding becomes 0. Returns whether no pivot is small. */
 static int kern_pass_three(const kern_real h[6], const kern_real b[3],
                             kern_real x[3])
 {
@@ -4510,8 +4496,7 @@ static inline void kern_support_move(kern_support *c, int n,
         u[k] += step[k];
 }
 
-/* Lists the contacts that carry group g; returns how many, or one more than
-   there is room for. */
+/* Lists what carries group g; returns how many, or one more than fit. */
 static int kern_pass_supports(const kern_model *m, int g,
                               kern_support c[KERN_ROWS_MOST])
 {
@@ -4649,8 +4634,7 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Adds the clusters that rest on g's, which is marked, to it; takes the marks
-   back. */
+/* Adds the clusters that rest on g's, which is marked; takes marks back. */
 static void kern_pass_grow(kern_model *m, int last)
 {
     int g, e;
@@ -4838,8 +4822,7 @@ static int kern_force_widen(kern_model *m, int i, kern_real from,
     return line;
 }
 
-/* Begins from the known forces, in the model's unit. Only groups that these do
-   not balance are to be balanced. */
+/* Begins from the known forces: groups that they balance are not asked. */
 static void kern_pass_known(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -4997,8 +4980,7 @@ static void kern_part_motion(kern_part *p)
 static int kern_part_is_whole(const kern_part *p)
 { return p->groups == p->m->graph.groups; }
 
-/* The forces of a program of all groups. What is negative by rounding is
-   nothing. */
+/* The forces of a program of all groups; 0 where rounding made them less. */
 static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
@@ -5072,8 +5054,7 @@ static kern_status kern_part_norm(kern_part *p, int own)
     return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
 }
 
-/* How far rhs can grow at eq.rate from where it is, to `place`: 0 if it never
-   ends. */
+/* How far rhs can grow at eq.rate, to `place`; returns 0: without end. */
 static int kern_part_follow(kern_part *p, kern_real *place)
 {
     kern_simplex *sx = &p->eq.simplex;
@@ -5172,8 +5153,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
     return KERN_UNDECIDED;
 }
 
-/* From now on the linear program of all groups answers every query; it starts
-   from its last basis. */
+/* From now on one linear program of all groups answers, from its last basis. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
@@ -5217,8 +5197,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */
-/* Verdicts along a path, and the bracket of the edge: the critical place, where
-   the verdict changes. */
+/* Verdicts along a path; the edge is the place where they change. */
 
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
 #define KERN_PARTS_MOST    8       /* parts that fall, before the whole       */
@@ -5226,8 +5205,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* From the edge to either end of its bracket, as a share of KERN_WIDTH: at 0.5
    rounding could make the bracket wider than that. */
 #define KERN_ASIDE KERN_R(0.45)
-/* Share of the bracket at which it is divided where no edge is predicted in it;
-   it adapts (kern_narrow_by()). */
+/* Where a bracket without a predicted edge is divided (kern_narrow_by()). */
 #define KERN_NEAR  KERN_R(0.25)
 
 /* Relative spin of the two blocks of contact k of the part in the motion y. */
@@ -5282,8 +5260,7 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
 }
 
 /* Where the mechanism y that falls at s, by `power` < 0, stops to fall: its
-   power is straight but for bends where kerns close. Returns `holds` where it
-   is not seen to stop after that. */
+   power is straight but for bends where kerns close. At least `holds`. */
 static kern_real kern_shrink_edge(const kern_part *p, kern_real holds,
                                   kern_real s, kern_real power)
 {
@@ -5304,8 +5281,7 @@ static kern_real kern_shrink_edge(const kern_part *p, kern_real holds,
     return holds;
 }
 
-/* How the wrench on block i changes along a path on which a load grows or
-   gravity turns. */
+/* How the wrench on block i changes as a load grows or gravity turns. */
 static void kern_path_rate(const kern_path *path, const kern_model *m,
                            const kern_query *q, kern_real s, int i,
                            kern_wrench *w)
@@ -5375,8 +5351,7 @@ static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* The place at which gravity is turned from where it is at s by an angle of
-   tangent t. */
+/* The place at which gravity is turned by atan(t) from where it is at s. */
 static kern_real kern_path_turned(kern_real s, kern_real t)
 {
     t = t / (1 + KERN_SQRT(1 + t * t));
@@ -5429,8 +5404,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 }
 
 /* The verdict at the edge itself, which leaves the bracket as it is. Where
-   another mechanism falls there its edge is the path's; else the edge is
-   exact. */
+   another mechanism falls its edge is the path's; else the edge is exact. */
 static kern_status kern_path_verify(kern_model *m, kern_path *path)
 {
     const kern_real at = path->edge, same = KERN_SAME_EDGE * path->unit;
@@ -5460,7 +5434,7 @@ static kern_real kern_narrow_next(const kern_path *path, const kern_narrow *n)
         && kern_min(edge, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
-        || n->aside + n->under > path->tolerance * KERN_WIDEST)
+        || n->aside + n->under > KERN_WIDTH * path->unit * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(edge >= lo && edge <= hi))
         return lo + (hi - lo) * n->share;
@@ -5513,7 +5487,7 @@ static void kern_path_strengthen(kern_model *m, kern_path *path,
    comes nearer. KERN_FALLS where it does at the start, which was not proven. */
 static kern_status kern_path_edge(kern_model *m, kern_path *path)
 {
-    const kern_real w = path->tolerance * KERN_ASIDE;
+    const kern_real w = KERN_WIDTH * path->unit * KERN_ASIDE;
     kern_narrow n;
     int round;
     n.aside = n.under = w;
@@ -5533,10 +5507,10 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         if (!verify)
             kern_narrow_by(&n, status, at, edge, inside);
         if (status == KERN_UNDECIDED && !inside
-            && path->fails - lo <= path->tolerance * KERN_WIDEST)
+            && path->fails - lo <= KERN_WIDTH * path->unit * KERN_WIDEST)
             break;
     }
-    if (path->fails - path->holds > path->tolerance * KERN_WIDEST
+    if (path->fails - path->holds > KERN_WIDTH * path->unit * KERN_WIDEST
         && !path->alone)
         return KERN_UNDECIDED;
     path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
@@ -5648,7 +5622,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             return kern_path_edge(m, path);
         if (status == KERN_STANDS && next >= path->end)
             return kern_path_saturate(path);
-        if (status == KERN_UNDECIDED && step > path->tolerance) {
+        if (status == KERN_UNDECIDED && step > KERN_WIDTH * path->unit) {
             ratio = KERN_R(1);
             step = kern_min(step, next - path->holds) / 2;
         } else if (status != KERN_STANDS)
@@ -5717,8 +5691,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* Whether the known motion proves that it falls at that query; then it is the
-   answer's. */
+/* Whether the known motion, then the answer's, proves that it falls. */
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
@@ -5734,9 +5707,9 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
    bounds the edge. Not where the known bracket is wide. */
 static void kern_start_falls(kern_model *m, kern_path *path)
 {
-    const kern_known *warm = path->warm;
+    const kern_known *warm = &path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
-    if (warm->fails - warm->holds > 2 * path->tolerance
+    if (warm->fails - warm->holds > 2 * KERN_WIDTH * path->unit
         || !kern_known_falls(m, &q, warm))
         return;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
@@ -5760,9 +5733,8 @@ static int kern_moves(const kern_model *m, int i)
    equations decide whether it falls with all others held, and then the whole
    falls. The edge of most structures is that of a body. */
 
-/* The rows of what holds body g, about its block's centre; returns how many
-   there are. If they are of one block it belongs to the body of that:
-   m->graph.carrier. */
+/* The rows of what holds body g, about its block's centre; returns how many.
+   If they are of one block that carries it (m->graph.carrier). */
 static int kern_body_rows(kern_model *m, int g, kern_real s,
                           kern_support row[KERN_ROWS_MOST])
 {
@@ -5803,12 +5775,11 @@ static kern_real kern_body_power(kern_model *m, int g, kern_real s,
     return kern_min(kern_three(b, u), KERN_R(0));
 }
 
-/* The edge of body g, which falls at `fails`, by secants: `fails` itself where
-   they do not converge. */
+/* The edge of body g, which falls at `fails`, by secants; or else `fails`. */
 static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
                                 kern_real power, kern_real fails)
 {
-    const kern_real aside = path->tolerance * KERN_ASIDE;
+    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
     const kern_real same = KERN_SAME_EDGE / 8 * path->unit, none = fails;
     kern_real holds = path->holds, at = (holds + fails) / 2, edge = fails, u[3];
     int round;
@@ -5830,8 +5801,7 @@ static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
     return none;
 }
 
-/* The motion u of a body, written to all its blocks; the fastest has speed
-   1. */
+/* The motion u of a body, to all its blocks; the fastest has speed 1. */
 static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 {
     const kern_real spin = u[2] * m->unit[body];
@@ -5864,7 +5834,8 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     const kern_query q = kern_path_at(path, path->holds);
-    const kern_real start = path->holds, aside = path->tolerance * KERN_ASIDE;
+    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
+    const kern_real start = path->holds;
     kern_real best = path->end, u[3];
     int g;
     if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
@@ -5882,11 +5853,10 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
             if (edge + aside < best
                 && kern_body_power(m, g, edge + aside, u) < 0) {
                 best = edge + aside;
-                path->body.holds = edge - aside;
-                path->body.margin = edge;
-                path->body.fails = best;
-                path->body.motion = m->answer.motion;
-                path->warm = &path->body;
+                path->warm.holds = edge - aside;
+                path->warm.margin = edge;
+                path->warm.fails = best;
+                path->warm.motion = m->answer.motion;
                 kern_body_moves(m, g, u);
             }
         }
@@ -5995,14 +5965,12 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
-    const kern_known *warm;
+    const kern_known *warm = &path->warm;
     kern_real at = path->start + first;
-    if (!path->warm)
+    if (!(warm->fails > 0))
         at = kern_body_first(m, path, at);
-    warm = path->warm;
-    if (!warm || !(warm->fails > path->start && warm->fails <= path->end
-                   && warm->holds <= warm->margin
-                   && warm->margin <= warm->fails))
+    if (!(warm->fails > path->start && warm->fails <= path->end
+          && warm->holds <= warm->margin && warm->margin <= warm->fails))
         return kern_min(at, path->end);
     kern_start_falls(m, path);
     return kern_max(path->start, warm->holds);
@@ -6015,7 +5983,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real step)
 {
-    const kern_real aside = path->tolerance * KERN_ASIDE;
+    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
     kern_status status = KERN_STANDS;
     kern_real at;
     int round;
@@ -6071,8 +6039,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 #define KERN_IPM_LOST    KERN_R(1e6)      /* gap that leaves no digits        */
 #define KERN_IPM_SHARP   KERN_R(1e-4)   /* gap, in what s lacks of the place,
                                              at which y predicts an edge      */
-/* On the diagonal of M, in means, to begin with and where M is singular, as in a
-   chain of closed kerns. */
+/* On the diagonal of M, in means, at first and where M is singular. */
 #define KERN_IPM_SHIFT   KERN_PICK(1e-13, 1e-6)
 
 typedef struct kern_ipm {
@@ -6272,8 +6239,7 @@ static void kern_ipm_predict(kern_ipm *in)
                     - in->d[i] * p->dual.way[i];
 }
 
-/* One step of the method; 0 if the call has no more work for it, or the digits
-   do not reach for one. */
+/* One step of the method; 0: the limit or the digits do not reach for one. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6527,7 +6493,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 static kern_real kern_ipm_follow(kern_ipm *in)
 {
     in->p->m->budget.work->solves++;
-    in->least = in->path->tolerance / 8;
+    in->least = KERN_WIDTH * in->path->unit / 8;
     if (kern_ipm_begin(in, in->path->holds, 0)
         && kern_ipm_run(in, 0) == KERN_STANDS)
         return in->s;
@@ -6535,11 +6501,10 @@ static kern_real kern_ipm_follow(kern_ipm *in)
     return KERN_INFINITY;
 }
 
-/* The edge of the whole beyond path->holds, with both proofs; KERN_UNDECIDED
-   where it is not found. */
+/* The whole's edge beyond path->holds, with both proofs; or undecided. */
 static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 {
-    const kern_real aside = path->tolerance * KERN_ASIDE;
+    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
     kern_ipm in;
     kern_status status = KERN_STANDS;
     if (m->cone.narrow > 0 || !kern_ipm_open(&in, m, path))
@@ -6558,7 +6523,8 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_edge(m, path);
-        if (path->fell > path->fails || path->fails - path->holds > path->tolerance)
+        if (path->fell > path->fails
+            || path->fails - path->holds > KERN_WIDTH * path->unit)
             status = KERN_UNDECIDED;
     }
     path->ipm = NULL;
@@ -7021,8 +6987,7 @@ static int kern_raise_grown(kern_raise *r, const kern_query *q)
     return 1;
 }
 
-/* Whether the structure hangs, or is raised; with *reserve unless that is
-   NULL. */
+/* Whether the structure hangs, or is raised; *reserve unless NULL. */
 static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
                                   kern_raising *out, kern_real *reserve,
                                   const kern_proof *proof)
@@ -7160,8 +7125,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* ==== Part V: Geometry and planning ====================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
-/* All are shares of a length that the user knows: a gap, a block's size, the
-   largest coordinate. */
+/* Shares of a length of the user's: a gap, a block's size, a coordinate. */
 
 /* Share of the largest coordinate below which places are the same: some tens
    of roundings of a coordinate. No gap is less; smaller, and cubes that were
@@ -7369,8 +7333,7 @@ static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
 static void kern_edge_open(kern_edge *e)
 { e->at = -1; }
 
-/* Goes to the first edge that starts behind vertex e->at and is near the box;
-   0: there is none. */
+/* Goes to the first edge behind vertex e->at that is near the box; 0: none. */
 static int kern_edge_next(kern_edge *e, const kern_parts *parts,
                           const kern_box *box, kern_real gap)
 {
@@ -7393,8 +7356,7 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
 
 /* ---- places ---- */
 
-/* Square of the distance of the origin from the edge from u to v, which may be
-   a point. */
+/* Squared distance of the origin from the edge u, v, which may be a point. */
 static kern_real kern_edge_square(kern_vec u, kern_vec v)
 {
     const kern_vec d = kern_vec_sub(v, u);
@@ -7879,8 +7841,7 @@ static void kern_outline_whole(kern_outline *o)
         &o->parts, whole->start, KERN_RISER * o->step));
 }
 
-/* The chord that stands for an edge: 1, or the edge itself: 0. A convex outline
-   has no steps. */
+/* 1: the chord that stands for an edge; 0: itself, as in a convex outline. */
 static int kern_outline_chord(kern_outline *o, const kern_edge *e,
                               kern_edge *chord)
 {
@@ -7956,8 +7917,7 @@ static void kern_line_set(kern_contact *c, kern_vec p, kern_vec n,
     c->line = half > 0;
 }
 
-/* Adds a contact behind those that are as long or longer. What finds no room is
-   only counted. */
+/* Adds a contact behind those as long or longer; without room it is counted. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
@@ -8054,8 +8014,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *i,
 
 /* ---- lines and points ---- */
 
-/* The widest gap at place p. Errors of angle count by the distance from the
-   blocks' centres. */
+/* The widest gap at p. Errors of angle count by the distance from centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->of[0].parts.block->centre);
@@ -8400,8 +8359,7 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->of[0].spans = pair->of[1].spans = 0;
 }
 
-/* Whether the vertices are no longer those that kern_block_init() saw: box or
-   area differ. */
+/* Whether box or area of the vertices changed since kern_block_init(). */
 static int kern_block_is_stale(const kern_block *block)
 {
     kern_block now = *block;
@@ -8780,8 +8738,7 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
     return status;
 }
 
-/* Whether it stands at that margin; where kerns are not nested its measure says
-   so. */
+/* Whether it stands at that margin; by its measure if kerns are not nested. */
 static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                                     const kern_proof *proof)
 {
