@@ -4697,8 +4697,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 }
 
 /* Whether u, the motion of a part that cannot be balanced, parts it from all
-   that rests on it, and its own loads do work on u. Then it falls under any
-   forces from above. */
+   that rests on it, and its loads do work: no force from above holds it. */
 static int kern_pass_parts(kern_part *p)
 {
     const kern_model *m = p->m;
@@ -5461,18 +5460,22 @@ static void kern_narrow_by(kern_narrow *n, kern_status status, kern_real at,
         n->share = KERN_NEAR;
 }
 
-/* Where it fell so near the edge that the proof is at the limit of its digits,
-   shows that it falls `aside` from the edge. */
+/* Moves an end so near the edge that its proof may have no digits left. */
 static void kern_path_strengthen(kern_model *m, kern_path *path,
                                  kern_real aside)
 {
-    const kern_real edge = path->edge, at = edge + aside;
-    if (path->alone || path->ipm || !(path->fails - edge < aside / 8)
-        || !(at < path->end))
+    const kern_real edge = path->edge, at = edge + aside, from = edge - aside;
+    if (path->alone || path->ipm)
         return;
-    if (kern_path_ask(m, path, at) == KERN_FALLS) {
+    if (path->fails - edge < aside / 8 && at < path->end
+        && kern_path_ask(m, path, at) == KERN_FALLS) {
         path->fell = path->fails = at;
         kern_path_note(m, path, KERN_FALLS, at);
+    }
+    if (edge - path->holds < aside / 8 && from > path->start
+        && kern_path_ask(m, path, from) == KERN_STANDS) {
+        path->holds = from;
+        kern_path_note(m, path, KERN_STANDS, from);
     }
     path->edge = edge;
 }
@@ -6416,9 +6419,8 @@ static kern_status kern_ipm_prove(kern_ipm *in, kern_status before)
            ? KERN_FALLS : before;
 }
 
-/* Steps until the path's end, as far as the gap and A x - b tell it, or where
-   it is held until a proof, which is sharp enough for Newton's method if
-   `sharp`. */
+/* Steps until the path's end, as far as the gap and A x - b tell it, or held
+   until a proof: with `sharp` one that is sharp enough for Newton's method. */
 static kern_status kern_ipm_run(kern_ipm *in, int sharp)
 {
     kern_status status = KERN_UNDECIDED;
@@ -6445,8 +6447,7 @@ static kern_status kern_ipm_run(kern_ipm *in, int sharp)
     return status;
 }
 
-/* The verdict at a place: from what was found before, and where that leads to
-   none, from the beginning. */
+/* The verdict at a place: from what was found before, else from the start. */
 static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
                                        kern_real *edge)
 {
@@ -6675,8 +6676,7 @@ static int kern_raise_open(kern_raise *r)
 }
 
 /* How much of the last two changes of what prices led to is taken back: what
-   makes the next change of prices least if the map is linear; and no more than
-   those changes, or cycles begin. */
+   makes the next least if the map is linear; at most those, or it cycles. */
 static void kern_raise_back(kern_raise *r, kern_real back[2])
 {
     kern_real up[2] = {0, 0}, down[2] = {0, 0}, both = KERN_R(0);
@@ -6809,8 +6809,7 @@ static void kern_raise_copy(const kern_raise *r, kern_real *state, int save)
 
 /* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
    share of the mean size: the worst that errors of places, and of angles over
-   that size, do. Where kerns are not nested it must stay raised without the
-   second, too. */
+   that size, do. Kerns that are not nested: raised without the second too. */
 static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
                            kern_real share)
 {

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x0dcf26ff0d8f338du },
-    { 1000, 0xe410c632fb54016fu },
-    { 5000, 0xe60894837919643eu },
+    { 200, 0x1ace1efd1c38a816u },
+    { 1000, 0x25de45e884b39308u },
+    { 5000, 0x66dc767e9d74ebfdu },
 #else
     { 200, 0x069789fdf817bf32u },
-    { 1000, 0xb7ccf78339c4413eu },
-    { 5000, 0x2538c18cf6b41cf3u },
+    { 1000, 0x1e3347d0e2ee22b7u },
+    { 5000, 0xd59f6c2ac270cb5eu },
 #endif
 };
 
