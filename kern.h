@@ -6560,7 +6560,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 /* Rounds along a load in which the sum of squares of the changes of prices does
    not fall by a fifth: it no longer converges, or slides away. */
-#define KERN_RAISE_STILL   KERN_PICK(12, 30)
+#define KERN_RAISE_STILL   ((int)KERN_PICK(12, 30))
 /* Along a load: steps to the load factor, and of which length once one of these
    has failed; and by which share of what it should a price falls. */
 #define KERN_LOAD_STEPS    16
