@@ -1746,7 +1746,9 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 #ifndef KERN_NO_INTERIOR
 static kern_status kern_ipm_evaluate(struct kern_ipm *in, kern_real place,
                                        kern_real *edge);
-KERN_SHARED /* its frame is not to lie below all other verdicts */
+#if defined(__GNUC__) /* its frame is not to lie below all other verdicts */
+__attribute__((noinline))
+#endif
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                       const kern_query *q);
 static kern_status kern_ipm_search(kern_model *m, kern_path *path);
@@ -7177,8 +7179,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Deviation of stairs from a chord between two of their corners, in risers: the
    square root of 2 where treads are as long. */
 #define KERN_STAIRS     KERN_R(1.4142135623730951)
-/* Nested spans of an outline that are kept: fewer take longer, more take more
-   stack. */
+/* Nested spans of an outline that are kept: fewer cost time, more stack. */
 #define KERN_SPANS      16
 /* Length in steps of a way whose direction steps hardly change, and the sine of
    10 degrees: by so much they still do. */
