@@ -121,6 +121,7 @@ static int grows_less(void (*run)(int), int n, double most)
 /* ---- numbers --------------------------------------------------- >>numbers */
 
 #define R(x) ((kern_real)(x))
+#define COUNT_OF(array) ((int)(sizeof(array) / sizeof *(array)))
 
 #ifdef KERN_USE_GLPK
 #define GLPK 1
@@ -354,6 +355,25 @@ static int world_touch(world *w)
                         MAX_POINTS, &work);
     w->contacts = got > 0 ? got : 0;
     return got;
+}
+
+/* A floor and a cube on it. */
+static void one_cube(world *w)
+{
+    world_reset(w);
+    world_box(w, 0, -2, -1, 3, 0);
+    world_box(w, 1, 0, 0, 1, 1);
+    CHECK_INT(world_touch(w), 2);
+}
+
+/* A wide floor, a cube on it, and a cube shifted by s: d* = 1/2 - s. */
+static void stack_of_two(world *w, double s)
+{
+    world_reset(w);
+    world_box(w, 0, -5, -1, 5, 0);
+    world_box(w, 1, 0, 0, 1, 1);
+    world_box(w, 1, s, 1, 1 + s, 2);
+    world_touch(w);
 }
 
 static kern_structure structure_of(const world *w)
@@ -2006,19 +2026,33 @@ static void check_contacts(const world *w)
     }
 }
 
+/* Contact points at both ends of a level bed between blocks 0 and 1. */
+static void bed_at(const world *w, double x0, double x1, double y)
+{
+    CHECK(contact_at(w, 0, 1, x0, y, 0, 1, GEO));
+    CHECK(contact_at(w, 0, 1, x1, y, 0, 1, GEO));
+}
+
+/* The unit cube and one with its lower left corner at (x, y): their contact is
+   the line from `from` to (1, 1). */
+static void cubes_touch(world *w, double x, double y, kern_vec from, kern_vec n)
+{
+    world_reset(w);
+    world_box(w, 0, 0, 0, 1, 1);
+    world_box(w, 1, x, y, x + 1, y + 1);
+    CHECK_INT(world_touch(w), 2);
+    CHECK(contact_at(w, 0, 1, from.x, from.y, n.x, n.y, GEO));
+    CHECK(contact_at(w, 0, 1, 1, 1, n.x, n.y, GEO));
+    CHECK_INT(lines_of(w), 1);
+    check_contacts(w);
+}
+
 static void contact_cube_on_cube(void)
 {
     static world w;
     kern_vec p;
     int k;
-    world_reset(&w);
-    world_box(&w, 0, 0, 0, 1, 1);
-    world_box(&w, 1, 0, 1, 1, 2);
-    CHECK_INT(world_touch(&w), 2);
-    CHECK(contact_at(&w, 0, 1, 0, 1, 0, 1, GEO));
-    CHECK(contact_at(&w, 0, 1, 1, 1, 0, 1, GEO));
-    CHECK_INT(lines_of(&w), 1);
-    check_contacts(&w);
+    cubes_touch(&w, 0, 1, vec(0, 1), vec(0, 1));
     for (k = 0; k < 2; k++) {
         const kern_contact *c = &w.contact[k];
         const double out = c->p.x < R(0.5) ? -1 : 1;
@@ -2036,21 +2070,8 @@ static void contact_cube_on_cube(void)
         p = kern_contact_at(c, R(-3), 1);
         CHECK_NEAR(p.x, 0.5 + out * 2, GEO);
     }
-    /* shifted by .3 */
-    world_reset(&w);
-    world_box(&w, 0, 0, 0, 1, 1);
-    world_box(&w, 1, 0.3, 1, 1.3, 2);
-    CHECK_INT(world_touch(&w), 2);
-    CHECK(contact_at(&w, 0, 1, 0.3, 1, 0, 1, GEO));
-    CHECK(contact_at(&w, 0, 1, 1, 1, 0, 1, GEO));
-    /* side by side, a head joint */
-    world_reset(&w);
-    world_box(&w, 1, 0, 0, 1, 1);
-    world_box(&w, 1, 1, 0.25, 2, 1.25);
-    CHECK_INT(world_touch(&w), 2);
-    CHECK(contact_at(&w, 0, 1, 1, 0.25, 1, 0, GEO));
-    CHECK(contact_at(&w, 0, 1, 1, 1, 1, 0, GEO));
-    check_contacts(&w);
+    cubes_touch(&w, 0.3, 1, vec(0.3, 1), vec(0, 1));
+    cubes_touch(&w, 1, 0.25, vec(1, 0.25), vec(1, 0)); /* a head joint */
     /* friction of contacts found is the options' */
     w.options.mu = R(0.7);
     CHECK_INT(world_touch(&w), 2);
@@ -2067,8 +2088,7 @@ static void contact_two_feet(void)
     world_polygon(&w, 1, bridge, 8);
     CHECK_INT(world_touch(&w), 2);
     CHECK_INT(lines_of(&w), 1);
-    CHECK(contact_at(&w, 0, 1, 0, 0, 0, 1, GEO));
-    CHECK(contact_at(&w, 0, 1, 3, 0, 0, 1, GEO));
+    bed_at(&w, 0, 3, 0);
     check_contacts(&w);
     /* feet at two heights of one stepped bed are two faces */
     {
@@ -2081,10 +2101,8 @@ static void contact_two_feet(void)
         world_polygon(&w, 1, step, 8);
         CHECK_INT(world_touch(&w), 4);
         CHECK_INT(lines_of(&w), 2);
-        CHECK(contact_at(&w, 0, 1, 0, 0.5, 0, 1, GEO));
-        CHECK(contact_at(&w, 0, 1, 1, 0.5, 0, 1, GEO));
-        CHECK(contact_at(&w, 0, 1, 2, 0, 0, 1, GEO));
-        CHECK(contact_at(&w, 0, 1, 3, 0, 0, 1, GEO));
+        bed_at(&w, 0, 1, 0.5);
+        bed_at(&w, 2, 3, 0);
         check_contacts(&w);
     }
 }
@@ -2104,8 +2122,7 @@ static void contact_concave(void)
     world_box(&w, 1, 0, 0, 1, 1);
     CHECK_INT(world_touch(&w), 6);
     CHECK_INT(lines_of(&w), 3);
-    CHECK(contact_at(&w, 0, 1, 0, 0, 0, 1, GEO));
-    CHECK(contact_at(&w, 0, 1, 1, 0, 0, 1, GEO));
+    bed_at(&w, 0, 1, 0);
     CHECK(contact_at(&w, 0, 1, 0, 0, 1, 0, GEO));
     CHECK(contact_at(&w, 0, 1, 0, 1, 1, 0, GEO));
     CHECK(contact_at(&w, 0, 1, 1, 0, -1, 0, GEO));
@@ -2528,7 +2545,7 @@ static void contact_overlap(void)
     double ring[200];
     static world w;
     int k;
-    for (k = 0; k < (int)(sizeof overlaps / sizeof *overlaps); k++) {
+    for (k = 0; k < COUNT_OF(overlaps); k++) {
         sprintf(context, "(%s)", overlaps[k].what);
         world_reset(&w);
         world_box(&w, 0, 90, 0, 91, 1);
@@ -2621,7 +2638,7 @@ static void contact_given(void)
 {
     kern_contact c[2];
     int i, j;
-    for (i = 0; i < (int)(sizeof makes / sizeof *makes); i++) {
+    for (i = 0; i < COUNT_OF(makes); i++) {
         sprintf(context, "(contact %d)", i);
         memset(c, 0x55, sizeof c);
         CHECK_INT(make_given(makes[i].a, makes[i].b, makes[i].v,
@@ -2651,11 +2668,8 @@ static void contact_stale(void)
     kern_contact out[8];
     int index[6], k;
     kern_work work = kern_work_of(NULL, 0, index, 6);
-    world_reset(&w);
-    world_box(&w, 0, -2, -1, 4, 0);
-    world_box(&w, 1, 0, 0, 1, 1);
-    world_box(&w, 1, 0, 1, 1, 2);
-    CHECK_INT(world_touch(&w), 4);
+    stack_of_two(&w, 0);
+    CHECK_INT(w.contacts, 4);
     for (k = 0; k < 5; k++) {
         /* moved, smaller, larger, one corner, no number: by box and by area */
         kern_vec *v = w.vertex + 4;
@@ -4161,8 +4175,7 @@ static void ties_open(ties *t)
 {
     kern_take take;
     const kern_work work = kern_work_of(
-        t->real, (int)(sizeof t->real / sizeof *t->real), t->index,
-        (int)(sizeof t->index / sizeof *t->index));
+        t->real, COUNT_OF(t->real), t->index, COUNT_OF(t->index));
     int k, cost = 0;
     t->groups = random_int(1, ENGINE_GROUPS);
     t->count = random_int(t->groups, ENGINE_TIES);
@@ -4276,7 +4289,7 @@ static void engine_group(void)
 {
     static const double at[] = {0, 0.25, -0.7, 0.99, 1.01, -3};
     int i;
-    for (i = 0; i < (int)(sizeof at / sizeof *at); i++)
+    for (i = 0; i < COUNT_OF(at); i++)
         engine_group_on(at[i]);
 }
 
@@ -4377,16 +4390,6 @@ static void engine_place(void)
     CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_UNBOUNDED);
 }
 
-/* A wide floor, a cube on it, and a cube shifted by s: d* = 1/2 - s. */
-static void stack_of_two(world *w, double s)
-{
-    world_reset(w);
-    world_box(w, 0, -5, -1, 5, 0);
-    world_box(w, 1, 0, 0, 1, 1);
-    world_box(w, 1, s, 1, 1 + s, 2);
-    world_touch(w);
-}
-
 #ifndef KERN_NO_INTERIOR
 /* There every interior point ends, with forces and speeds above 0 in each and a
    gap that goes to 0. */
@@ -4423,7 +4426,7 @@ static void engine_bracket(void)
     static const double off[] = {0.05, 0.1, 0.25, 0.3, 0.4};
     static world w;
     int i;
-    for (i = 0; i < (int)(sizeof off / sizeof *off); i++) {
+    for (i = 0; i < COUNT_OF(off); i++) {
         const double edge = 0.5 - off[i];
         kern_work work;
         kern_call c;
@@ -5292,29 +5295,25 @@ static void proof_without_rounding(void)
     context[0] = 0;
 }
 
-/* An arch of three, leaning at a thousand kilometres from the origin. */
+/* An arch of three, leaning at a thousand kilometres from the origin: from each
+   joint, a point inside and one outside, to the next. */
 static void proof_far_away(void)
 {
-    static const double right[] = {
-        1000006.85734197, 1000.1728159780357, 1000007.5851202048,
-        1000.3435271441456, 1000007.0821204553, 1003.343025644229,
-        1000006.6543420705, 1003.1726144780692};
-    static const double left[] = {
-        999993.1862584405, 1002.8255061236022, 999992.8068576313,
-        1003.0864454616521, 999992.3098578807, 1000.0859469617354,
-        999992.98925854, 999.8253076236354};
-    static const double v0[] = {
-        1000006.6543420705, 1003.1726144780692, 1000007.0821204553,
-        1003.343025644229, 1000001.2061444587, 1007.7383689172251,
-        1000001.119489143, 1007.2861243280652};
-    static const double v1[] = {
-        1000001.119489143, 1007.2861243280652, 1000001.2061444587,
-        1007.7383689172251, 999996.1739658307, 1006.8337550843848,
-        999996.3914897689, 1006.4279008636657};
-    static const double v2[] = {
-        999996.3914897689, 1006.4279008636657, 999996.1739658307,
-        1006.8337550843848, 999992.8068576313, 1003.0864454616521,
-        999993.1862584405, 1002.8255061236022};
+    static const double joint[][4] = {
+        {1000006.85734197, 1000.1728159780357, 1000007.5851202048,
+         1000.3435271441456},
+        {1000006.6543420705, 1003.1726144780692, 1000007.0821204553,
+         1003.343025644229},
+        {1000001.119489143, 1007.2861243280652, 1000001.2061444587,
+         1007.7383689172251},
+        {999996.3914897689, 1006.4279008636657, 999996.1739658307,
+         1006.8337550843848},
+        {999993.1862584405, 1002.8255061236022, 999992.8068576313,
+         1003.0864454616521},
+        {999992.98925854, 999.8253076236354, 999992.3098578807,
+         1000.0859469617354}};
+    static const int from[] = {0, 4, 1, 2, 3}; /* the supports first */
+    int k;
     static world w;
 #if defined(KERN_SINGLE) || LDBL_MANT_DIG < 60
     return;
@@ -5322,11 +5321,11 @@ static void proof_far_away(void)
     world_reset(&w);
     w.options.mu = R(5);
     w.gravity = vec(0.009809998365000083, -9.80999509500041);
-    world_polygon(&w, 0, right, 4);
-    world_polygon(&w, 0, left, 4);
-    world_polygon(&w, 1, v0, 4);
-    world_polygon(&w, 1, v1, 4);
-    world_polygon(&w, 1, v2, 4);
+    for (k = 0; k < 5; k++) {
+        const double *p = joint[from[k]], *q = joint[from[k] + 1];
+        const double xy[] = {p[0], p[1], p[2], p[3], q[2], q[3], q[0], q[1]};
+        world_polygon(&w, k > 1, xy, 4);
+    }
     strict_motions(&w);
 }
 
@@ -5482,7 +5481,7 @@ static void margin_steps(void)
     stack_of_two(&w, 0.25);
     CHECK_INT(measure(&w, &m), KERN_STANDS);
     CHECK_NEAR(m.epsilon, 0.02, EPS); /* by default, of the mean size */
-    for (k = 0; k < (int)(sizeof steps / sizeof *steps); k++) {
+    for (k = 0; k < COUNT_OF(steps); k++) {
         double ratio = 0.25 / steps[k];
         if (SINGLE &&
             steps[k] < 1e-3) /* 1e-5 is finer than float knows the margin */
@@ -5695,7 +5694,7 @@ static void load_by_hand(void)
     double factor;
     change c = no_change();
     int i;
-    for (i = 0; i < (int)(sizeof pushes / sizeof *pushes); i++) {
+    for (i = 0; i < COUNT_OF(pushes); i++) {
         const int block = pushes[i].block;
         kern_wrench pattern[2];
         memset(pattern, 0, sizeof pattern);
@@ -5780,7 +5779,7 @@ static void tilt_by_hand(void)
     double angle, factor;
     int side, i;
     for (side = -1; side <= 1; side += 2)
-        for (i = 0; i < (int)(sizeof cubes / sizeof *cubes); i++) {
+        for (i = 0; i < COUNT_OF(cubes); i++) {
             sprintf(context, "(cube %d)", i);
             shifted_cube(&w, cubes[i].shift);
             world_friction(&w, cubes[i].mu);
@@ -6328,6 +6327,18 @@ static kern_block candidate(world *w, double density, double x, double y,
     return w->block[i];
 }
 
+/* The plan of a slab on a pillar, measured. Returns a candidate upon it. */
+static kern_block on_slab(world *w, site *p, double x)
+{
+    kern_block b;
+    kern_margin m;
+    slab_on_pillar(w);
+    b = candidate(w, 1, x, 1.2, 0.2);
+    site_with(p, w, w->blocks);
+    CHECK_INT(site_measure(p, &m), KERN_STANDS);
+    return b;
+}
+
 static void plan_candidates(void)
 {
     static world w;
@@ -6348,7 +6359,7 @@ static void plan_candidates(void)
     slab_on_pillar(&w);
     site_with(&p, &w, w.blocks);
     for (round = 0; round < 2; round++) { /* of a plan not measured, measured */
-        for (i = 0; i < (int)(sizeof tries / sizeof *tries); i++) {
+        for (i = 0; i < COUNT_OF(tries); i++) {
             const kern_block b =
                 candidate(&w, tries[i].density, tries[i].x, tries[i].y, 0.2);
             const int got = site_try(&p, &b, &m);
@@ -6740,10 +6751,7 @@ static void plan_by_hand(void)
     kern_contact *bad, good;
     kern_block b, aside;
     kern_margin m;
-    slab_on_pillar(&w);
-    b = candidate(&w, 1, 0.4, 1.2, 0.2);
-    site_with(&p, &w, w.blocks);
-    site_measure(&p, &m);
+    b = on_slab(&w, &p, 0.4);
     bad = p.contact + p.plan.task.s.contacts++;
     *bad = good = p.contact[0];
     bad->mu = -1;
@@ -6784,10 +6792,7 @@ static void plan_faults(void)
     kern_block b;
     kern_margin m;
     int i;
-    slab_on_pillar(&w);
-    b = candidate(&w, 1, 1.1, 1.2, 0.2);
-    site_with(&p, &w, w.blocks);
-    site_measure(&p, &m);
+    b = on_slab(&w, &p, 1.1);
     keep = p.plan;
     for (i = 0; i < 4; i++) {
         p.plan.block = i == 0 ? NULL : keep.block;
@@ -6829,10 +6834,7 @@ static void plan_bad_input(void)
     kern_plan keep;
     kern_block b;
     kern_margin m;
-    slab_on_pillar(&w);
-    b = candidate(&w, 1, 1.1, 1.2, 0.2);
-    site_with(&p, &w, w.blocks);
-    site_measure(&p, &m);
+    b = on_slab(&w, &p, 1.1);
     keep = p.plan;
     b.mass = 0;
     plan_say(&p, &b, 0, 0, 0, KERN_BAD_MASS, __LINE__);
@@ -6867,10 +6869,7 @@ static void plan_every_size(void)
     kern_block b;
     kern_margin m;
     int array, size, call, need[2], want;
-    slab_on_pillar(&w);
-    b = candidate(&w, 1, 1.2, 1.2, 0.2);
-    site_with(&was, &w, w.blocks);
-    site_measure(&was, &m);
+    b = on_slab(&w, &was, 1.2);
     kern_work_need(w.blocks + 1, was.plan.task.s.contacts + 2, &need[0],
                    &need[1]);
     for (array = 0; array < 2; array++)
@@ -7393,8 +7392,8 @@ static void bearing_by_definition(void)
     static world w;
     int seed, slivers = 0;
     for (seed = 0; seed < 300; seed++) {
+        int got; /* of the verdict on all contacts */
         double here, by_hand;
-        int got;
         random_world(&w, 780000u + (unsigned long long)seed, 10);
         here = bearing(&w, &got);
         by_hand = bearing_by_hand(&w);
@@ -8659,6 +8658,20 @@ static void spoil(world *w, const spoilt *row, double value)
         *(kern_real *)field = R(value);
 }
 
+/* Calls say() of each row with its own value, and of each of a second table
+   with all that is not a number. */
+static void spoil_each(const world *good, const spoilt *row, int rows,
+                       const spoilt *number, int numbers,
+                       void (*say)(const world *, const spoilt *, double))
+{
+    int i, j;
+    for (i = 0; i < rows; i++)
+        say(good, &row[i], row[i].value);
+    for (i = 0; i < numbers; i++)
+        for (j = 0; j < NO_NUMBERS; j++)
+            say(good, &number[i], no_number(j));
+}
+
 /* Every entry, asked about a stack of two in which one field has a value. */
 static void say_of_row(const world *good, const spoilt *row, double value)
 {
@@ -8674,26 +8687,18 @@ static void say_of_row(const world *good, const spoilt *row, double value)
 
 static void bad_structure(void)
 {
-    enum {
-        VALUES = (int)(sizeof bad_values / sizeof *bad_values),
-        NUMBERS = (int)(sizeof numbers_of_a_structure /
-                        sizeof *numbers_of_a_structure)
-    };
     static world w;
     kern_structure s;
     kern_work work;
-    int i, j;
+    int i;
     stack_of_two(&w, 0.25);
     CHECK_INT(w.contacts, 4);
     s = structure_of(&w);
     work = work_of(&w);
     CHECK_INT(kern_verdict(task_of(&s, &w.options, &work), 0, NULL),
               KERN_STANDS);
-    for (i = 0; i < VALUES; i++)
-        say_of_row(&w, &bad_values[i], bad_values[i].value);
-    for (j = 0; j < NO_NUMBERS; j++)
-        for (i = 0; i < NUMBERS; i++)
-            say_of_row(&w, &numbers_of_a_structure[i], no_number(j));
+    spoil_each(&w, bad_values, COUNT_OF(bad_values), numbers_of_a_structure,
+               COUNT_OF(numbers_of_a_structure), say_of_row);
     /* no block, the ground alone, nothing but fixed blocks */
     work = work_of(&w);
     s.contacts = 0;
@@ -8826,21 +8831,13 @@ static void contacts_say_of_row(const world *good, const spoilt *row,
 
 static void bad_geometry(void)
 {
-    enum {
-        VALUES = (int)(sizeof bad_geometries / sizeof *bad_geometries),
-        NUMBERS = (int)(sizeof numbers_of_a_geometry /
-                        sizeof *numbers_of_a_geometry)
-    };
     static world w;
     kern_fault fault;
-    int i, j;
     stack_of_two(&w, 0.25);
     CHECK_INT(contacts_say(&w, &fault), 4);
-    for (j = 0; j < NO_NUMBERS; j++)
-        for (i = 0; i < NUMBERS; i++)
-            contacts_say_of_row(&w, &numbers_of_a_geometry[i], no_number(j));
-    for (i = 0; i < VALUES; i++)
-        contacts_say_of_row(&w, &bad_geometries[i], bad_geometries[i].value);
+    spoil_each(&w, bad_geometries, COUNT_OF(bad_geometries),
+               numbers_of_a_geometry, COUNT_OF(numbers_of_a_geometry),
+               contacts_say_of_row);
     w.options.angle = R(0.49);
     CHECK(contacts_say(&w, &fault) >= 0);
     w.options = kern_defaults();
@@ -9091,7 +9088,7 @@ static void statuses_of_geometry(void)
 /* Every status has a text of its own and can be had. */
 static void status_of_every_kind(void)
 {
-    enum { ROWS = (int)(sizeof statuses / sizeof *statuses) };
+    enum { ROWS = COUNT_OF(statuses) };
     int i, j;
     had_count = 0;
     statuses_of_measures();
@@ -10070,10 +10067,7 @@ static void raised_reserve(void)
 {
     static world w;
     kern_real reserve;
-    world_reset(&w);
-    world_box(&w, 0, -2, -1, 2, 0);
-    world_box(&w, 1, 0, 0, 1, 1);
-    world_touch(&w);
+    one_cube(&w);
     w.gravity = vec(9.81 * 0.1, -9.81);
     CHECK_INT(raised(&w, &reserve), KERN_RAISED);
     CHECK_NEAR(reserve, 0.1, EXACT);
@@ -10350,10 +10344,7 @@ static void narrow_by_hand(void)
     static world w;
     double margin;
     size_t i;
-    world_reset(&w);
-    world_box(&w, 0, -2, -1, 3, 0);
-    world_box(&w, 1, 0, 0, 1, 1);
-    world_touch(&w);
+    one_cube(&w);
     w.gravity = vec(-9.81 * 0.2, -9.81);
     for (i = 0; i < sizeof rate / sizeof *rate; i++) {
         const double slides = 0.2 / 1.08 / rate[i];
@@ -10493,10 +10484,7 @@ static void sensitivity_by_hand(void)
 {
     static world w;
     int k;
-    world_reset(&w);
-    world_box(&w, 0, -2, -1, 3, 0);
-    world_box(&w, 1, 0, 0, 1, 1);
-    world_touch(&w);
+    one_cube(&w);
     w.block[1].centre.x += R(0.1);
     CHECK_NEAR(margin_rates(&w, 1), 0.4, 2 * EDGE);
     CHECK_NEAR(block_rate[1].centre.x, -1, SINGLE ? 0.02 : 1e-3);
@@ -10558,10 +10546,7 @@ static void sensitivity_of_points(void)
     for (k = 0; k < 2; k++) {
         static kern_block_rate keep[MAX_BLOCKS];
         int b;
-        world_reset(&w);
-        world_box(&w, 0, -2, -1, 3, 0);
-        world_box(&w, 1, 0, 0, 1, 1);
-        world_touch(&w);
+        one_cube(&w);
         w.block[1].centre.x += R(0.1);
         w.contact[0].line = 0;
         w.contact[1].line = k;
@@ -10815,10 +10800,7 @@ static void forces_by_hand(void)
     static world w;
     const double tol = SINGLE ? 1e-4 : 1e-9;
     int k;
-    world_reset(&w);
-    world_box(&w, 0, -1, -1, 2, 0);
-    world_box(&w, 1, 0, 0, 1, 1);
-    world_touch(&w);
+    one_cube(&w);
     CHECK_INT(least_forces(&w, 0, least_of), KERN_STANDS);
     for (k = 0; k < 2; k++) {
         CHECK_NEAR(least_of[k].normal, W / 2, tol * W);
@@ -10881,14 +10863,36 @@ static const kern_force *force_at(const world *w, int k, const world *t,
     return NULL;
 }
 
+/* The forces of w, changed by c, are least_of[] within tol; mirrored with it. */
+static void forces_changed(const world *w, const change *c, double d, double tol)
+{
+    static world t;
+    static kern_force image[MAX_POINTS];
+    static int order[MAX_BLOCKS];
+    const int side = c->mirror ? -1 : 1;
+    int k;
+    world_changed(&t, w, c, order);
+    if (least_forces(&t, d, image) != KERN_STANDS) {
+        CHECK(SINGLE); /* some are less exact there */
+        return;
+    }
+    for (k = 0; k < w->contacts; k++) {
+        const kern_force *f =
+            c->shuffle ? force_at(w, k, &t, order, image) : &image[k];
+        CHECK(f != NULL);
+        if (!f)
+            continue;
+        CHECK_NEAR(f->normal, least_of[k].normal, tol);
+        CHECK_NEAR(f->tangential, side * least_of[k].tangential, tol);
+    }
+}
+
 /* Forces of a mirror image are mirrored, those of a structure whose blocks and
    contacts stand in another order the same; and no admissible forces are less:
    f.(g - f) >= 0 for the least f and any g. */
 static void forces_laws(void)
 {
-    static world w, t;
-    static kern_force image[MAX_POINTS];
-    static int order[MAX_BLOCKS];
+    static world w;
     const double tol = SINGLE ? 1e-2 : 1e-6;
     int seed, place, k, done = 0, asked_here = 0;
     for (seed = 1; seed <= some(1000); seed++) {
@@ -10911,32 +10915,9 @@ static void forces_laws(void)
             CHECK(force_product(&w, least_of, force_of) >= size * (1 - tol));
             for (k = 0; k < w.contacts; k++)
                 most = fmax(most, (double)least_of[k].normal);
-            c.shuffle = 0;
-            c.mirror = 1;
-            world_changed(&t, &w, &c, order);
-            if (least_forces(&t, d, image) != KERN_STANDS) {
-                CHECK(SINGLE); /* some are less exact there */
-                continue;
-            }
-            for (k = 0; k < w.contacts; k++) {
-                CHECK_NEAR(image[k].normal, least_of[k].normal, tol * most);
-                CHECK_NEAR(image[k].tangential, -least_of[k].tangential,
-                           tol * most);
-            }
-            c.shuffle = 1;
-            c.mirror = 0;
-            world_changed(&t, &w, &c, order);
-            if (least_forces(&t, d, image) != KERN_STANDS) {
-                CHECK(SINGLE); /* some are less exact there */
-                continue;
-            }
-            for (k = 0; k < w.contacts; k++) {
-                const kern_force *f = force_at(&w, k, &t, order, image);
-                CHECK(f != NULL);
-                if (!f)
-                    continue;
-                CHECK_NEAR(f->normal, least_of[k].normal, tol * most);
-                CHECK_NEAR(f->tangential, least_of[k].tangential, tol * most);
+            for (c.mirror = 0; c.mirror < 2; c.mirror++) {
+                c.shuffle = !c.mirror;
+                forces_changed(&w, &c, d, tol * most);
             }
         }
     }

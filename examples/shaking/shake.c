@@ -29,6 +29,18 @@
 #include <string.h>
 #include <time.h>
 
+enum { EXIT_DONE = 0, EXIT_BAD = 2, MOST_LEVELS = 1000, NAME_ROOM = 4096 };
+
+struct settings {
+    struct table_plan plan;
+    int first, last;        /* seeds                                   */
+    int json;
+    int show;               /* level of the pictures, 0: collapse      */
+    const char *svg, *film;
+    char **file;
+    int files;
+};
+
 static const char help[] =
 "usage: shake [options] FILE...\n"
 "Shakes structures, each time as they were built and harder from level to\n"
@@ -57,18 +69,6 @@ static const char help[] =
 "displacement of the stones after each level; first: of each block the level\n"
 "after which it is displaced by a quarter of U; seconds of CPU time.\n"
 "Exit status: 0 done, 2 bad use or input.\n";
-
-enum { EXIT_DONE = 0, EXIT_BAD = 2, MOST_LEVELS = 1000, NAME_ROOM = 4096 };
-
-struct settings {
-    struct table_plan plan;
-    int first, last;        /* seeds                                   */
-    int json;
-    int show;               /* level of the pictures, 0: collapse      */
-    const char *svg, *film;
-    char **file;
-    int files;
-};
 
 static time_t began; /* the file that is shaken */
 

@@ -581,9 +581,24 @@ static double stack_value(struct stack_wall *w, double most)
            ? worth * stack_endured_level(w, most / worth) : 0;
 }
 
-static double stack_between(uint64_t *chance, double low, double high)
+/* Weights that a search multiplies, and between what it draws them first. */
+static const struct { size_t at; double low, high; } stack_factors[] = {
+    { offsetof(struct stack_weights, height), 0.4, 2 },
+    { offsetof(struct stack_weights, stable), 0.01, 0.3 },
+    { offsetof(struct stack_weights, slope), 0.02, 0.5 },
+    { offsetof(struct stack_weights, bond), 0.1, 1 },
+    { offsetof(struct stack_weights, edges), 0.02, 0.5 },
+    { offsetof(struct stack_weights, bed), 0.15, 0.9 },
+    { offsetof(struct stack_weights, step), 0.2, 1.2 },
+    { offsetof(struct stack_weights, end), 0.15, 1 },
+    { offsetof(struct stack_weights, one), 0.8, 1.6 },
+    { offsetof(struct stack_weights, noise), 0.005, 0.1 }
+};
+enum { STACK_FACTORS = sizeof stack_factors / sizeof stack_factors[0] };
+
+static double *stack_factor(struct stack_weights *g, int i)
 {
-    return low * pow(high / low, random_uniform(chance, 0, 1));
+    return (double *)((char *)g + stack_factors[i].at);
 }
 
 static struct stack_weights stack_weigh(const struct stack_options *o,
@@ -591,16 +606,11 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
 {
     struct stack_weights g;
     g.notch = random_uniform(chance, 1.15, 1.75);
-    g.height = stack_between(chance, 0.4, 2);
-    g.stable = stack_between(chance, 0.01, 0.3);
-    g.slope = stack_between(chance, 0.02, 0.5);
-    g.bond = stack_between(chance, 0.1, 1);
-    g.edges = stack_between(chance, 0.02, 0.5);
-    g.bed = stack_between(chance, 0.15, 0.9);
-    g.step = stack_between(chance, 0.2, 1.2);
-    g.end = stack_between(chance, 0.15, 1);
-    g.one = stack_between(chance, 0.8, 1.6);
-    g.noise = stack_between(chance, 0.005, 0.1);
+    for (int i = 0; i < STACK_FACTORS; i++) {
+        const double low = stack_factors[i].low, high = stack_factors[i].high;
+        *stack_factor(&g, i) = low * pow(high / low,
+                                         random_uniform(chance, 0, 1));
+    }
     g.share = random_uniform(chance, 0.15, 0.6);
     if (o->goal == STACK_LOAD) g.share = fmin(1, 2 * g.share);
     return g;
@@ -609,11 +619,9 @@ static struct stack_weights stack_weigh(const struct stack_options *o,
 /* Weights like others, each by a factor of 1.5 at the most. */
 static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
 {
-    double *one[] = { &g.height, &g.stable, &g.slope, &g.bond, &g.edges,
-                      &g.bed, &g.step, &g.end, &g.one, &g.noise,
-                      &g.share };
-    for (size_t i = 0; i < sizeof one / sizeof one[0]; i++)
-        *one[i] *= exp(random_uniform(chance, -0.4, 0.4));
+    for (int i = 0; i < STACK_FACTORS; i++)
+        *stack_factor(&g, i) *= exp(random_uniform(chance, -0.4, 0.4));
+    g.share *= exp(random_uniform(chance, -0.4, 0.4));
     g.notch = fmin(1.85, fmax(0.9, g.notch + random_uniform(chance, -0.1, 0.1)));
     return g;
 }
