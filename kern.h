@@ -1506,8 +1506,8 @@ typedef struct kern_query {
     kern_real shortest;         /* a shorter contact carries nothing [m]      */
 } kern_query;
 
-static kern_query kern_query_of(const kern_structure *s,
-                                      const kern_options *o, kern_real shrink)
+static kern_query kern_query_of(const kern_structure *s, const kern_options *o,
+                                kern_real shrink)
 {
     kern_query q;
     q.shrink = shrink;
@@ -1525,7 +1525,7 @@ static kern_query kern_query_of(const kern_structure *s,
 }
 
 /* The tangent by which cones of friction are narrower. */
-KERN_SHARED static kern_real kern_slope(const kern_query *q)
+KERN_SHARED static kern_real kern_reduction(const kern_query *q)
 { return kern_max(q->narrow * q->shrink, KERN_R(0)); }
 
 /* Friction of a contact whose cone is narrower by an angle: the tangent of the
@@ -1701,7 +1701,7 @@ typedef struct kern_path {
     kern_real unit;           /* of the path: a block's size, or 1            */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
-    kern_real edge;           /* critical value that Newton's method predicts */
+    kern_real critical;       /* value that Newton's method predicts          */
     kern_real exact;          /* one that a verdict there has confirmed       */
     kern_real stood, fell;    /* the farthest that is proven to stand, the
                                  nearest to fall; -1, infinity: none          */
@@ -1733,7 +1733,7 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status);
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s);
-static kern_status kern_path_edge(kern_model *m, kern_path *path);
+static kern_status kern_path_critical(kern_model *m, kern_path *path);
 static kern_travels kern_travels_of(const kern_structure *s,
                                     const kern_query *q);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
@@ -1745,15 +1745,15 @@ static kern_real kern_largest(const kern_real *v, int n);
 static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 #ifndef KERN_NO_INTERIOR
 static kern_status kern_ipm_evaluate(struct kern_ipm *in, kern_real place,
-                                       kern_real *edge);
+                                     kern_real *crit);
 #if defined(__GNUC__) /* its frame is not to lie below all other verdicts */
 __attribute__((noinline))
 #endif
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
-                                      const kern_query *q);
+                                    const kern_query *q);
 static kern_status kern_ipm_search(kern_model *m, kern_path *path);
 #else /* it decides nothing */
-#define kern_ipm_evaluate(in, place, edge) KERN_UNDECIDED
+#define kern_ipm_evaluate(in, place, crit) KERN_UNDECIDED
 #define kern_ipm_verdict(m, p, q)          KERN_UNDECIDED
 #define kern_ipm_search(m, path)           KERN_UNDECIDED
 #endif
@@ -2057,7 +2057,7 @@ static kern_real kern_prove_rows(const kern_structure *s,
    its cone. */
 static inline int kern_prove_contact(const kern_structure *s,
                                      const kern_query *q, const kern_contact *c,
-                                     const kern_force *force, kern_real slope,
+                                     const kern_force *force, kern_real by,
                                      kern_real *sum)
 {
     const kern_real f = force->normal, r = force->tangential;
@@ -2074,7 +2074,7 @@ static inline int kern_prove_contact(const kern_structure *s,
         at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
         at[3] = kern_max(at[3], f);
     }
-    return f >= 0 && kern_abs(r) <= kern_friction(c, slope) * f
+    return f >= 0 && kern_abs(r) <= kern_friction(c, by) * f
                                     * (1 + 8 * KERN_EPS);
 }
 
@@ -2083,7 +2083,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
                                    const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
-    const kern_real slope = kern_slope(q);
+    const kern_real reduction = kern_reduction(q);
     kern_real total = KERN_R(0);
     int i;
     for (i = 0; i < 4 * s->blocks; i++)
@@ -2092,7 +2092,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         if (kern_is_out(q, c))
             continue;
-        if (!kern_prove_contact(s, q, c, force + i, slope, sum))
+        if (!kern_prove_contact(s, q, c, force + i, reduction, sum))
             return KERN_INFINITY;
         total += force[i].normal;
     }
@@ -2109,7 +2109,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 {
     kern_vec arm[2], v = kern_vec_make(0, 0), lost = v;
     const kern_real shift = kern_abs(kern_arms(s, c, q, arm));
-    const kern_real mu = kern_friction(c, kern_slope(q));
+    const kern_real mu = kern_friction(c, kern_reduction(q));
     const kern_real nx = kern_abs(c->n.x), ny = kern_abs(c->n.y);
     kern_real gap;
     int end;
@@ -2251,7 +2251,7 @@ typedef struct kern_clusters {
 /* By how much the cones of friction are narrower. */
 typedef struct kern_cones {
     kern_real narrow;         /* rate at which they narrow, of the options    */
-    kern_real slope;          /* tangent of that angle, of the last question  */
+    kern_real reduction;      /* tangent of that angle, of the last question  */
 } kern_cones;
 
 struct kern_model {
@@ -2305,8 +2305,7 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->arm = kern_take_reals(take, 4 * contacts);
 }
 
-KERN_API void kern_work_need(int blocks, int contacts, int *reals,
-                             int *indices)
+KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
 {
     const int fit = blocks >= 0 && blocks <= KERN_BLOCKS_MOST
                     && contacts >= 0 && contacts <= KERN_CONTACTS_MOST;
@@ -2433,7 +2432,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->weight = KERN_R(1);
     m->answer.known = NULL;
     m->cone.narrow = q->narrow;
-    m->cone.slope = KERN_R(0);
+    m->cone.reduction = KERN_R(0);
     m->graph.groups = m->whole = 0;
     return KERN_OK;
 }
@@ -2528,7 +2527,7 @@ static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 }
 
 static inline kern_real kern_model_mu(const kern_model *m, int i)
-{ return kern_friction(m->s->contact + i, m->cone.slope); }
+{ return kern_friction(m->s->contact + i, m->cone.reduction); }
 
 /* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
 static void kern_model_load(kern_model *m, const kern_query *q, int g)
@@ -2547,7 +2546,7 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = KERN_R(0);
     int g;
-    m->cone.slope = kern_slope(q);
+    m->cone.reduction = kern_reduction(q);
     m->weight = KERN_R(1);
     m->unit[m->graph.groups] = KERN_R(0);
     for (g = 0; g < m->graph.groups; g++) {
@@ -2672,7 +2671,7 @@ typedef struct kern_skyline {
 /* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
 typedef struct kern_dual {
     kern_skyline matrix;      /* of the contacts that carry                   */
-    kern_real *u, *step, *left; /* three a group, and three of 0              */
+    kern_real *u, *step, *grad; /* three a group, and three of 0              */
     kern_real *b;             /* loads, three a group                         */
     kern_real *way;           /* four a contact: u and step along n and t     */
     const kern_real *price;   /* one a contact: see >>raised; or NULL         */
@@ -2720,17 +2719,17 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
 /* ---- The measures --------------------------------------------- >>measure */
 
 /* Width of the bracket of a measure [mean block size; load factor; tangent of
-   a quarter of the angle]. Narrower, fewer verdicts beside the edge have a
+   a quarter of the angle]. Narrower, fewer verdicts near critical have a
    proof; wider, the bracket is no longer within the 2e-6 that are promised. */
 #define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
 /* How many times wider it may get where no nearer verdict has a proof; beyond,
    the answer is KERN_UNDECIDED. */
 #define KERN_WIDEST      KERN_PICK(20, 20)
-/* Edges that differ by less, in the unit of KERN_WIDTH, are one: some hundred
+/* Critical values that differ by less, in units of KERN_WIDTH, are one: hundred
    times the rounding of Newton's method. Smaller, a search does not end. */
-#define KERN_SAME_EDGE   KERN_PICK(1e-10, 1e-5)
+#define KERN_SAME_VALUE   KERN_PICK(1e-10, 1e-5)
 /* Evaluations to narrow a bracket: a bound, since four to eight suffice. */
-#define KERN_EDGE_ROUNDS   200
+#define KERN_BRACKET_ROUNDS   200
 /* First place of a search, its step, and the first of a climb [mean block
    size]: chosen on the odd half of the corpus. At 0.08 or 0.5 a measure costs
    more, by 5 % at the least. */
@@ -2766,7 +2765,7 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->edge = KERN_R(0);
+    path->holds = path->fails = path->critical = KERN_R(0);
     path->stood = KERN_R(-1);
     path->fell = path->exact = KERN_INFINITY;
     path->never = 0;
@@ -2841,7 +2840,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
         return KERN_UNDECIDED;
     if (status != KERN_STANDS)
         return status;
-    out->margin = path->edge;
+    out->margin = path->critical;
     out->holds = path->holds;
     out->fails = path->fails;
     out->saturated = path->never;
@@ -2983,12 +2982,12 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
             break;
         if (grown >= limit) {
-            path->edge = -KERN_INFINITY;
+            path->critical = -KERN_INFINITY;
             return status;
         }
     }
     if (status == KERN_STANDS)
-        status = kern_path_edge(m, path);
+        status = kern_path_critical(m, path);
     return status == KERN_STANDS ? KERN_FALLS : status;
 }
 
@@ -3005,7 +3004,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     if (status == KERN_LIMIT)
         *deficit = c.path.fell <= 0 ? 0 - c.path.fell : KERN_R(-1);
     else if (status >= 0)
-        *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.edge;
+        *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.critical;
     return status;
 }
 
@@ -3157,10 +3156,10 @@ static kern_status kern_push(kern_call *c, const kern_task *task,
         status = kern_push_search(&c->m, path, tilt);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        path->edge = path->stood;
+        path->critical = path->stood;
     if (status == KERN_STANDS || status == KERN_LIMIT)
-        *out = tilt ? 4 * kern_angle_of(path->edge)
-                    : path->never ? KERN_INFINITY : path->edge;
+        *out = tilt ? 4 * kern_angle_of(path->critical)
+                    : path->never ? KERN_INFINITY : path->critical;
     return status;
 }
 
@@ -3270,7 +3269,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
         !shrinks || kern_travels_of(m->s, &path->q).nested
         ? kern_path_search(m, path, step)
         : kern_path_walk(m, path, path->end / KERN_SCAN);
-    *at = path->edge;
+    *at = path->critical;
     return status == KERN_STANDS && !path->never ? kern_fall_beyond(m, path)
                                                  : status;
 }
@@ -3315,8 +3314,7 @@ static kern_real kern_decay(kern_real x)
 }
 
 /* A stone's chance to fall times how far, above the lowest of them. */
-static kern_real kern_expected_drop(const kern_model *m,
-                                    const kern_real *value)
+static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
 {
     const kern_structure *s = m->s;
     const kern_real pull = kern_vec_length(s->gravity);
@@ -3784,7 +3782,7 @@ typedef struct kern_law {
 
 /* The law of rays n + mu t and n - mu t of stiffness plus and minus. */
 static inline kern_law kern_law_rays(kern_real plus, kern_real minus,
-                                           kern_real mu)
+                                     kern_real mu)
 {
     kern_law s;
     s.nn = plus + minus;
@@ -3796,7 +3794,7 @@ static inline kern_law kern_law_rays(kern_real plus, kern_real minus,
 
 /* The law of rays of stiffness 1 that only press. */
 static inline kern_law kern_law_pressed(kern_real wn, kern_real wt,
-                                              kern_real mu)
+                                        kern_real mu)
 {
     const kern_real plus = kern_max(wn + mu * wt, KERN_R(0));
     const kern_real minus = kern_max(wn - mu * wt, KERN_R(0));
@@ -3809,8 +3807,8 @@ static inline kern_law kern_law_pressed(kern_real wn, kern_real wt,
 
 /* The law of a contact that answers what presses it by `stiff`, and what shears
    it by KERN_STIFF times as much until it slides. */
-static inline kern_law kern_law_stiff(kern_real wn, kern_real wt,
-                                            kern_real mu, kern_real stiff)
+static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
+                                      kern_real stiff)
 {
     const kern_real side = wt > 0 ? mu : -mu;
     kern_law s = {0, 0, 0, {0, 0}};
@@ -3859,7 +3857,7 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 
 /* Takes room for the matrix of so many groups, with what the two groups of each
    of n contacts exert on each other: the later one's row reaches to the column
-   of the other. Adds to *cost the products of a factor; 0 if there is no room. */
+   of the other. Adds the products of a factor to *cost; 0: there is no room. */
 static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                              int n, kern_take *take, int *cost)
 {
@@ -3920,7 +3918,7 @@ static inline void kern_skyline_add(kern_skyline *a, int g, int h,
 
 /* Adds what the two groups of a contact exert on each other by its law. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
-                                const kern_row row[2], const kern_law *s)
+                             const kern_row row[2], const kern_law *s)
 {
     const kern_real x = row->n[0], y = row->n[1];
     const kern_real xx = x * x, yy = y * y, xy = x * y;
@@ -3963,7 +3961,7 @@ static void kern_skyline_shift(kern_skyline *a, kern_real share)
 /* Takes from the 3 x 3 block c of rows a what rows a and b have in common in n
    columns. The rows are `wide_a` and `wide_b` apart. */
 static void kern_skyline_common(kern_real *c, const kern_real *a, int wide_a,
-                              const kern_real *b, int wide_b, int n)
+                                const kern_real *b, int wide_b, int n)
 {
     const kern_real *a1 = a + wide_a, *a2 = a1 + wide_a;
     const kern_real *b1 = b + wide_b, *b2 = b1 + wide_b;
@@ -4094,8 +4092,8 @@ static inline kern_real kern_stiffness(const kern_contact *c, kern_real mean)
 { return KERN_R(0.1) + (c->line ? kern_abs(c->travel) / mean : KERN_R(0)); }
 
 /* The contact law of the part's contact k at (wn, wt). */
-static inline kern_law kern_part_law(const kern_part *p, int k,
-                                           kern_real wn, kern_real wt)
+static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
+                                     kern_real wt)
 {
     const int i = p->contact[k];
     const kern_real mu = kern_model_mu(p->m, i);
@@ -4111,7 +4109,7 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     p->dual.price = NULL;
     p->dual.u = kern_take_reals(take, n);
     p->dual.step = kern_take_reals(take, n);
-    p->dual.left = kern_take_reals(take, n);
+    p->dual.grad = kern_take_reals(take, n);
     p->dual.b = kern_take_reals(take, n);
     p->dual.way = kern_take_reals(take, 4 * p->contacts);
     p->dual.cost = 100 * p->contacts;
@@ -4148,7 +4146,7 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
 /* Approach of the contacts along n and t by the motion v, to p->dual.way from
    `to` on; from 0 on with that of the prior forces. */
 static void kern_norm_ways(kern_part *p, const kern_real *v, int contacts,
-                            int to)
+                           int to)
 {
     int k;
     for (k = 0; k < contacts; k++) {
@@ -4162,16 +4160,16 @@ static void kern_norm_ways(kern_part *p, const kern_real *v, int contacts,
     }
 }
 
-/* The gradient of the dual at u, to p->dual.left: b less what the forces of u
-   exert. Returns its value, and in *most the largest force. */
-static kern_real kern_norm_left(kern_part *p, kern_real *most)
+/* Writes the gradient of the dual at u: b less what the forces of u exert.
+   Returns the dual's value, and in *most the largest force. */
+static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 {
     const int n = 3 * p->groups;
     kern_real value = KERN_R(0);
     int i, k;
     *most = KERN_R(0);
     for (i = 0; i < n; i++) {
-        p->dual.left[i] = p->dual.b[i];
+        p->dual.grad[i] = p->dual.b[i];
         value += p->dual.b[i] * p->dual.u[i];
     }
     for (k = 0; k < p->own; k++) {
@@ -4182,9 +4180,9 @@ static kern_real kern_norm_left(kern_part *p, kern_real *most)
             continue;
         *most = kern_max(*most, f);
         value -= (f * w[0] + r * w[1]) / 2;
-        kern_part_exert(p, k, -f, -r, p->dual.left);
+        kern_part_exert(p, k, -f, -r, p->dual.grad);
     }
-    p->dual.left[n] = p->dual.left[n + 1] = p->dual.left[n + 2] = KERN_R(0);
+    p->dual.grad[n] = p->dual.grad[n + 1] = p->dual.grad[n + 2] = KERN_R(0);
     return value;
 }
 
@@ -4217,7 +4215,7 @@ static void kern_norm_matrix(kern_part *p, int all)
 
 /* The dual's derivative at u + share * step, along it; `push`: the loads'. */
 static kern_real kern_norm_slope(const kern_part *p, kern_real push,
-                                  kern_real share)
+                                 kern_real share)
 {
     int k;
     for (k = 0; k < p->own; k++) {
@@ -4234,7 +4232,7 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
-    const kern_real first = kern_dot(p->dual.left, p->dual.step, 3 * p->groups);
+    const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at = hi, at_hi;
     int round, side = 0;
     at_hi = kern_norm_slope(p, push, hi);
@@ -4270,7 +4268,7 @@ static kern_real kern_norm_share(const kern_part *p)
    rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
    with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
-                                   kern_real bound, int first, int end)
+                                  kern_real bound, int first, int end)
 {
     const int n = 3 * p->groups;
     kern_real before = KERN_INFINITY;
@@ -4281,8 +4279,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     for (round = first; round < end; round++) {
         kern_real most, value, share, left;
         kern_norm_ways(p, p->dual.u, p->own, 0);
-        value = kern_norm_left(p, &most);
-        left = kern_largest(p->dual.left, n);
+        value = kern_norm_gradient(p, &most);
+        left = kern_largest(p->dual.grad, n);
         if (left <= (left > before / 2 ? 8 * tolerance : tolerance)
                     + 4 * KERN_EPS * most)
             return KERN_STANDS;
@@ -4293,7 +4291,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
             return KERN_LIMIT;
         kern_norm_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
-        kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
+        kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
         kern_norm_ways(p, p->dual.step, p->own, 2);
         p->dual.rounds = round + 1 - first;
         share = round == 0 ? KERN_R(1) : kern_norm_share(p);
@@ -4443,10 +4441,10 @@ static void kern_pass_load(const kern_model *m, int g, kern_real *b)
     }
 }
 
-/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. An unknown whose
-   pivot is rounding becomes 0. Returns whether no pivot is small. */
+/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. The unknown of
+   a pivot that is rounding becomes 0. Returns whether no pivot is small. */
 static int kern_pass_three(const kern_real h[6], const kern_real b[3],
-                            kern_real x[3])
+                           kern_real x[3])
 {
     const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
     const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
@@ -4750,9 +4748,9 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     return status;
 }
 
-/* Balances the cluster of `last`. A cluster that cannot be balanced grows, until
-   it can or falls. Where it has grown to a group below `last` it is left to the
-   turn of that. `failed`: the cluster is one group that cannot be balanced. */
+/* Balances the cluster of `last`. A cluster that cannot be balanced grows until
+   it can, or falls. Where it has grown to a group below `last`, it waits for
+   the turn of that. `failed`: it is one group that cannot be balanced. */
 static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
                                      int failed)
 {
@@ -4796,8 +4794,8 @@ static void kern_pass_begin(kern_model *m)
 /* Replaces the forces of the line that begins with contact i, whose ends are
    where `from` puts them, by forces of the same wrench with the ends where
    `shrink` < `from` puts them. Returns whether contact i begins a line. */
-static int kern_force_widen(kern_model *m, int i, kern_real from,
-                            kern_real shrink)
+static int kern_force_transfer(kern_model *m, int i, kern_real from,
+                               kern_real shrink)
 {
     const kern_contact *c = m->s->contact + i;
     const int line = kern_line_begins(m->s->contact, m->s->contacts, i);
@@ -4833,7 +4831,7 @@ static void kern_pass_known(kern_model *m, kern_real shrink)
         m->answer.force[i].tangential = known->force[i].tangential / m->weight;
     }
     for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
-        i += kern_force_widen(m, i, known->holds, shrink);
+        i += kern_force_transfer(m, i, known->holds, shrink);
     for (g = 0; g < m->graph.groups; g++) {
         kern_real left[3] = {0, 0, 0};
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -4926,7 +4924,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     kern_model *m = p->m;
     int k, edge;
     KERN_ASSERT(p->eq.lp.rows == 3 * p->groups);
-    m->cone.slope = kern_slope(q);
+    m->cone.reduction = kern_reduction(q);
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, p->eq.rhs);
@@ -5117,7 +5115,7 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
     return kern_part_lay(p);
 }
 
-/* Whether the forces of the pass, in the caller's unit, prove that it stands. */
+/* Whether the pass's forces, in the caller's unit, prove that it stands. */
 static int kern_pass_proven(kern_model *m, const kern_query *q)
 {
     int i;
@@ -5198,15 +5196,15 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */
-/* Verdicts along a path; the edge is the place where they change. */
+/* Verdicts along a path; the critical value is the place where they change. */
 
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
 #define KERN_PARTS_MOST    8       /* parts that fall, before the whole       */
 #define KERN_BENDS         8       /* Newton steps from bend to bend          */
-/* From the edge to either end of its bracket, as a share of KERN_WIDTH: at 0.5
-   rounding could make the bracket wider than that. */
+/* From the critical value to either end of its bracket, as a share of
+   KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
 #define KERN_ASIDE KERN_R(0.45)
-/* Where a bracket without a predicted edge is divided (kern_narrow_by()). */
+/* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR  KERN_R(0.25)
 
 /* Relative spin of the two blocks of contact k of the part in the motion y. */
@@ -5244,10 +5242,10 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         sum -= work * kern_shift(travel, from, m->relative, &was);
         sum += work * kern_shift(travel, to, m->relative, &is);
         *rate += work * is;
-        if (m->cone.narrow > 0 && mu > 0) { /* the slope of `from` is set */
-            const kern_real slope = kern_max(m->cone.narrow * to, KERN_R(0));
-            const kern_real narrow = kern_friction(c, slope);
-            const kern_real one = 1 + c->mu * slope;
+        if (m->cone.narrow > 0 && mu > 0) { /* the reduction of `from` is set */
+            const kern_real by = kern_max(m->cone.narrow * to, KERN_R(0));
+            const kern_real narrow = kern_friction(c, by);
+            const kern_real one = 1 + c->mu * by;
             work = (p->x[2 * i] - p->x[2 * i + 1])
                    * (kern_lp_dot(&p->eq.lp, 2 * i, p->y)
                       - kern_lp_dot(&p->eq.lp, 2 * i + 1, p->y)) / (2 * mu);
@@ -5262,10 +5260,10 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
 
 /* Where the mechanism y that falls at s, by `power` < 0, stops to fall: its
    power is straight but for bends where kerns close. At least `holds`. */
-static kern_real kern_shrink_edge(const kern_part *p, kern_real holds,
-                                  kern_real s, kern_real power)
+static kern_real kern_shrink_critical(const kern_part *p, kern_real holds,
+                                      kern_real s, kern_real power)
 {
-    const kern_real same = KERN_SAME_EDGE
+    const kern_real same = KERN_SAME_VALUE
                            * (p->m->relative ? 1 : p->m->mean) / 8;
     kern_real lo = holds, hi = s, at = s, rate;
     int round;
@@ -5369,24 +5367,24 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
     const kern_real power = kern_dot(p->y, p->eq.rhs, 3 * p->groups);
     kern_real share;
     if (path->kind == KERN_PATH_SHRINK)
-        return kern_shrink_edge(p, path->holds, s, power);
+        return kern_shrink_critical(p, path->holds, s, power);
     share = power / kern_load_rate(path, q, s);
     return path->kind == KERN_PATH_LOAD
            ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
 }
 
-/* The verdict at s. The edge of a mechanism, proven or not, becomes that of the
-   path: rounding may spoil the proof close to the edge, but not the edge. */
+/* The verdict at s. The critical value of a mechanism, proven or not, becomes
+   the path's: near it rounding may spoil the proof, but not the value. */
 static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
     const kern_status status = path->ipm
-        ? kern_ipm_evaluate(path->ipm, s, &path->edge)
+        ? kern_ipm_evaluate(path->ipm, s, &path->critical)
         : path->alone ? kern_part_evaluate(p, &q)
                       : kern_model_evaluate(m, p, &q);
     if (!path->ipm && status != KERN_STANDS && p->found == KERN_FALLS)
-        path->edge = kern_path_newton(path, &q, s);
+        path->critical = kern_path_newton(path, &q, s);
     return status;
 }
 
@@ -5404,56 +5402,57 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The verdict at the edge itself, which leaves the bracket as it is. Where
-   another mechanism falls its edge is the path's; else the edge is exact. */
+/* The verdict at the critical value, which leaves the bracket as it is. Where
+   another mechanism falls, its value is the path's; else the value is exact. */
 static kern_status kern_path_verify(kern_model *m, kern_path *path)
 {
-    const kern_real at = path->edge, same = KERN_SAME_EDGE * path->unit;
+    const kern_real at = path->critical, same = KERN_SAME_VALUE * path->unit;
     const kern_status status = kern_path_ask(m, path, at);
-    if (status != KERN_FALLS || path->edge > at)
-        path->edge = kern_abs(path->edge - at) <= same ? path->edge : at;
-    if (status != KERN_FALLS || path->edge >= at - same)
-        path->exact = path->edge;
+    if ((status != KERN_FALLS || path->critical > at)
+        && !(kern_abs(path->critical - at) <= same))
+        path->critical = at;
+    if (status != KERN_FALLS || path->critical >= at - same)
+        path->exact = path->critical;
     return status;
 }
 
 /* How a bracket is narrowed. */
-typedef struct kern_narrow {
-    kern_real aside, under;   /* from the edge to where it is shown to fall, and
+typedef struct kern_bracket {
+    kern_real aside, under;   /* from critical to where it is shown to fall, and
                                  to stand                                     */
     kern_real share;          /* of a bracket in which nothing is predicted   */
-} kern_narrow;
+} kern_bracket;
 
-/* Where the bracket is narrowed next: beyond the edge, where it is shown to
-   fall, or before it, where it is to stand; the edge itself: that is to be
-   verified; where no edge lies in the bracket, a share of it; infinity: it is
-   narrow. A part is only asked for its edge. */
-static kern_real kern_narrow_next(const kern_path *path, const kern_narrow *n)
+/* Where the bracket is narrowed next: beyond the critical value, where it is
+   shown to fall; before it, where it is to stand; at the value, to be verified;
+   where none lies in the bracket, at a share of that; infinity: it is narrow.
+   A part is only asked for its critical value. */
+static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
 {
-    const kern_real lo = path->holds, hi = path->fails, edge = path->edge;
+    const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
     if (!path->alone && !path->ipm && path->stood < lo
-        && kern_min(edge, hi) < lo + 2 * n->under)
+        && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
         || n->aside + n->under > KERN_WIDTH * path->unit * KERN_WIDEST)
         return KERN_INFINITY;
-    if (!(edge >= lo && edge <= hi))
+    if (!(crit >= lo && crit <= hi))
         return lo + (hi - lo) * n->share;
-    if (hi - edge > n->aside * KERN_R(1.05))
-        return edge + n->aside;
-    if (!path->ipm && edge > lo
-        && kern_abs(path->exact - edge) > KERN_SAME_EDGE * path->unit)
-        return edge;
-    return edge - lo > n->under * KERN_R(1.05) && !path->alone
-           ? kern_max(edge - n->under, path->start) : KERN_INFINITY;
+    if (hi - crit > n->aside * KERN_R(1.05))
+        return crit + n->aside;
+    if (!path->ipm && crit > lo
+        && kern_abs(path->exact - crit) > KERN_SAME_VALUE * path->unit)
+        return crit;
+    return crit - lo > n->under * KERN_R(1.05) && !path->alone
+           ? kern_max(crit - n->under, path->start) : KERN_INFINITY;
 }
 
 /* Adapts the distances and the share to the verdict at `at`. */
-static void kern_narrow_by(kern_narrow *n, kern_status status, kern_real at,
-                           kern_real edge, int inside)
+static void kern_bracket_adapt(kern_bracket *n, kern_status status,
+                               kern_real at, kern_real crit, int inside)
 {
     if (status == KERN_UNDECIDED && inside)
-        *(at > edge ? &n->aside : &n->under) *= 2;
+        *(at > crit ? &n->aside : &n->under) *= 2;
     else if (status == KERN_UNDECIDED)
         n->share *= KERN_R(0.7);
     else if (status == KERN_STANDS && !inside)
@@ -5462,46 +5461,46 @@ static void kern_narrow_by(kern_narrow *n, kern_status status, kern_real at,
         n->share = KERN_NEAR;
 }
 
-/* Moves an end so near the edge that its proof may have no digits left. */
+/* Moves an end so near critical that its proof may have no digits left. */
 static void kern_path_strengthen(kern_model *m, kern_path *path,
                                  kern_real aside)
 {
-    const kern_real edge = path->edge, at = edge + aside, from = edge - aside;
+    const kern_real c = path->critical, at = c + aside, from = c - aside;
     if (path->alone || path->ipm)
         return;
-    if (path->fails - edge < aside / 8 && at < path->end
+    if (path->fails - c < aside / 8 && at < path->end
         && kern_path_ask(m, path, at) == KERN_FALLS) {
         path->fell = path->fails = at;
         kern_path_note(m, path, KERN_FALLS, at);
     }
-    if (edge - path->holds < aside / 8 && from > path->start
+    if (c - path->holds < aside / 8 && from > path->start
         && kern_path_ask(m, path, from) == KERN_STANDS) {
         path->holds = from;
         kern_path_note(m, path, KERN_STANDS, from);
     }
-    path->edge = edge;
+    path->critical = c;
 }
 
-/* Narrows [holds, fails] to the tolerance, and leaves in `edge` the critical
-   place, where the verdict changes. With w half of the tolerance: shows that
-   it falls at the edge that is predicted plus w, verifies the edge, and shows
-   that it stands at the edge less w. Each verdict may find a mechanism with a
-   nearer edge. The interior point knows the edge no better than its bracket.
-   Where nothing is predicted in the bracket, a share of it is tried; where no
-   verdict can be proven, w is doubled, up to a limit: in a jam neither proof
-   comes nearer. KERN_FALLS where it does at the start, which was not proven. */
-static kern_status kern_path_edge(kern_model *m, kern_path *path)
+/* Narrows [holds, fails] to the tolerance around path->critical, where the
+   verdict changes. With w half of the tolerance: shows that it falls at the
+   predicted value plus w, verifies the value, and shows that it stands at the
+   value less w. Each verdict may find a mechanism with a smaller one. The
+   interior point knows the value no better than its bracket. Without a
+   prediction in the bracket a share of that is tried; where no verdict can be
+   proven, w is doubled, up to a limit: in a jam neither proof comes nearer.
+   KERN_FALLS where the structure falls at the start, which was not proven. */
+static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     const kern_real w = KERN_WIDTH * path->unit * KERN_ASIDE;
-    kern_narrow n;
+    kern_bracket n;
     int round;
     n.aside = n.under = w;
     n.share = KERN_NEAR;
-    for (round = 0; round < KERN_EDGE_ROUNDS; round++) {
-        const kern_real lo = path->holds, edge = path->edge;
-        const kern_real at = kern_narrow_next(path, &n);
-        const int inside = edge >= lo && edge <= path->fails;
-        const int verify = at > lo && at >= edge && at <= edge;
+    for (round = 0; round < KERN_BRACKET_ROUNDS; round++) {
+        const kern_real lo = path->holds, crit = path->critical;
+        const kern_real at = kern_bracket_next(path, &n);
+        const int inside = crit >= lo && crit <= path->fails;
+        const int verify = at > lo && at >= crit && at <= crit;
         kern_status status;
         if (!(at < KERN_INFINITY))
             break;
@@ -5510,7 +5509,7 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
         if (!verify)
-            kern_narrow_by(&n, status, at, edge, inside);
+            kern_bracket_adapt(&n, status, at, crit, inside);
         if (status == KERN_UNDECIDED && !inside
             && path->fails - lo <= KERN_WIDTH * path->unit * KERN_WIDEST)
             break;
@@ -5518,7 +5517,8 @@ static kern_status kern_path_edge(kern_model *m, kern_path *path)
     if (path->fails - path->holds > KERN_WIDTH * path->unit * KERN_WIDEST
         && !path->alone)
         return KERN_UNDECIDED;
-    path->edge = kern_min(kern_max(path->edge, path->holds), path->fails);
+    path->critical = kern_max(path->critical, path->holds);
+    path->critical = kern_min(path->critical, path->fails);
     kern_path_strengthen(m, path, w);
     return KERN_STANDS;
 }
@@ -5552,7 +5552,7 @@ static kern_travels kern_travels_of(const kern_structure *s,
 static kern_status kern_path_saturate(kern_path *path)
 {
     path->never = 1;
-    path->edge = path->fails = path->end;
+    path->critical = path->fails = path->end;
     return KERN_STANDS;
 }
 
@@ -5566,7 +5566,7 @@ static void kern_support_set(kern_support *to, const kern_model *m,
                                       centre);
     to->row = kern_row_of(kern_vec_scale(c->n, sign), kern_vec_scale(arm, unit),
                           KERN_R(1));
-    to->mu = kern_friction(c, m->cone.slope);
+    to->mu = kern_friction(c, m->cone.reduction);
     to->way[0] = to->way[1] = KERN_R(0);
 }
 
@@ -5613,7 +5613,7 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
 }
 
 /* Climbs from a place that stands until the whole falls, in steps that grow, or
-   are halved where nothing can be proven; then finds the edge. */
+   are halved where nothing can be proven; then finds the critical value. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -5624,7 +5624,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         next = kern_min(next, path->end);
         status = kern_path_evaluate(m, path, next);
         if (status == KERN_FALLS)
-            return kern_path_edge(m, path);
+            return kern_path_critical(m, path);
         if (status == KERN_STANDS && next >= path->end)
             return kern_path_saturate(path);
         if (status == KERN_UNDECIDED && step > KERN_WIDTH * path->unit) {
@@ -5661,8 +5661,8 @@ static int kern_walk_between(kern_model *m, const kern_path *path, kern_real at,
 }
 
 /* Goes from a place that stands toward the end in even steps, where verdicts
-   may change more than once, until it falls; then finds the edge. Steps are
-   left out where what was found farther on shows that it stands. */
+   may change more than once, until it falls; then finds the critical
+   value. Steps are left out where a later one shows that it stands there. */
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step)
 {
@@ -5683,13 +5683,13 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
             stride *= 2;
         } else if (stride > 1) {
             if (status == KERN_FALLS)
-                fell = kern_min(next, path->edge);
+                fell = kern_min(next, path->critical);
             stride /= 2;
             path->holds = holds;
             if (status == KERN_STANDS) /* the proof is that of `next` */
                 kern_path_evaluate(m, path, holds);
         } else
-            return status == KERN_FALLS ? kern_path_edge(m, path) : status;
+            return status == KERN_FALLS ? kern_path_critical(m, path) : status;
         while (stride > 1 && !(at + KERN_R(stride) * step < fell))
             stride /= 2;
     }
@@ -5709,7 +5709,7 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
 }
 
 /* If the known motion proves that the structure falls at the known place, that
-   bounds the edge. Not where the known bracket is wide. */
+   bounds the critical value. Not where the known bracket is wide. */
 static void kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
@@ -5719,7 +5719,7 @@ static void kern_start_falls(kern_model *m, kern_path *path)
         return;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
     path->fails = warm->fails;
-    path->edge = path->exact = warm->margin;
+    path->critical = path->exact = warm->margin;
 }
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
@@ -5736,7 +5736,7 @@ static int kern_moves(const kern_model *m, int i)
 /* ---- bodies ---- */
 /* A body is a block with all that rests on it alone, moved as one. Three
    equations decide whether it falls with all others held, and then the whole
-   falls. The edge of most structures is that of a body. */
+   falls. The critical value of most structures is that of a body. */
 
 /* The rows of what holds body g, about its block's centre; returns how many.
    If they are of one block that carries it (m->graph.carrier). */
@@ -5780,26 +5780,26 @@ static kern_real kern_body_power(kern_model *m, int g, kern_real s,
     return kern_min(kern_three(b, u), KERN_R(0));
 }
 
-/* The edge of body g, which falls at `fails`, by secants; or else `fails`. */
-static kern_real kern_body_edge(kern_model *m, const kern_path *path, int g,
-                                kern_real power, kern_real fails)
+/* The critical value of body g, falling at `fails`, by secants; or `fails`. */
+static kern_real kern_body_critical(kern_model *m, const kern_path *path, int g,
+                                    kern_real power, kern_real fails)
 {
     const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
-    const kern_real same = KERN_SAME_EDGE / 8 * path->unit, none = fails;
-    kern_real holds = path->holds, at = (holds + fails) / 2, edge = fails, u[3];
+    const kern_real same = KERN_SAME_VALUE / 8 * path->unit, none = fails;
+    kern_real holds = path->holds, at = (holds + fails) / 2, crit = fails, u[3];
     int round;
     for (round = 0; round < 24; round++) {
-        const kern_real now = kern_body_power(m, g, at, u), before = edge;
+        const kern_real now = kern_body_power(m, g, at, u), before = crit;
         if (now < 0) {
-            edge = at - now * (fails - at) / (power - now);
+            crit = at - now * (fails - at) / (power - now);
             fails = at;
             power = now;
-            if (kern_abs(edge - before) <= same
+            if (kern_abs(crit - before) <= same
                 || fails <= path->holds + aside)
-                return edge;
+                return crit;
         } else
             holds = at;
-        at = edge + aside;
+        at = crit + aside;
         if (!(at > holds && at < fails))
             at = (holds + fails) / 2;
     }
@@ -5833,8 +5833,8 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
         }
 }
 
-/* The body with the nearest edge becomes the path's warm start. Returns `first`,
-   or the start where a body falls there. */
+/* The body with the smallest critical value becomes the path's warm start.
+   Returns `first`, or the start where a body falls there. */
 static kern_real kern_body_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -5850,16 +5850,16 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
         const kern_real *load = m->load + 3 * (size_t)g;
         const kern_real power = kern_body_power(m, g, best, u);
         const int on = m->graph.carrier[g];
-        kern_real edge;
+        kern_real crit;
         if (power < 0) {
-            edge = kern_body_edge(m, path, g, power, best);
-            if (edge <= start + 2 * aside)
+            crit = kern_body_critical(m, path, g, power, best);
+            if (crit <= start + 2 * aside)
                 return start;
-            if (edge + aside < best
-                && kern_body_power(m, g, edge + aside, u) < 0) {
-                best = edge + aside;
-                path->warm.holds = edge - aside;
-                path->warm.margin = edge;
+            if (crit + aside < best
+                && kern_body_power(m, g, crit + aside, u) < 0) {
+                best = crit + aside;
+                path->warm.holds = crit - aside;
+                path->warm.margin = crit;
                 path->warm.fails = best;
                 path->warm.motion = m->answer.motion;
                 kern_body_moves(m, g, u);
@@ -5881,8 +5881,8 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
 
 /* ---- the search: which method is asked when ---- */
 
-/* The edge of the whole where a load grows or gravity turns, which one program
-   finds: the largest place, or the tangent of the largest angle, that rhs can
+/* The critical value of the whole where a load grows or gravity turns, by one
+   program: the largest place, or the tangent of the largest angle, that rhs can
    reach. KERN_UNDECIDED where it is none. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
@@ -5899,21 +5899,22 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     }
     if (!kern_part_follow(p, &place))
         return KERN_UNDECIDED;
-    path->edge = path->kind == KERN_PATH_LOAD
+    path->critical = path->kind == KERN_PATH_LOAD
         ? s + place : kern_path_turned(s, 4 / (1 + s * s) * place);
-    path->exact = path->edge;
+    path->exact = path->critical;
     path->fails = path->end;
-    return path->edge < path->end ? kern_path_edge(m, path) : KERN_UNDECIDED;
+    return path->critical < path->end ? kern_path_critical(m, path)
+                                      : KERN_UNDECIDED;
 }
 
-/* The edge of the whole beyond path->holds: of many groups by the interior
-   point, of few, or where that finds none, by their linear program: in the
-   bracket that is known; where that is none, or too near to critical to be
-   narrowed, by a climb. */
+/* The critical value of the whole beyond path->holds: of many groups by the
+   interior point; of few, or where that finds none, by their linear program:
+   in the known bracket, or where there is none, or none that can be narrowed,
+   by a climb. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
-    const kern_real fails = path->fails, edge = path->edge;
+    const kern_real fails = path->fails, crit = path->critical;
     const kern_query q = kern_path_at(path, path->holds);
     kern_status status = KERN_UNDECIDED;
     if (!m->whole && (m->graph.groups > KERN_SMALL
@@ -5925,12 +5926,12 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
         if (status == KERN_OK)
             status = KERN_UNDECIDED;
         path->fails = fails;
-        path->edge = edge; /* that of the interior point may not be exact */
+        path->critical = crit; /* that of the interior point may not be exact */
     }
     if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
     if (status == KERN_UNDECIDED && fails < KERN_INFINITY) {
-        status = kern_path_edge(m, path);
+        status = kern_path_critical(m, path);
         first = step;
     }
     if (status == KERN_UNDECIDED) {
@@ -5940,7 +5941,7 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The verdict of the pass at s. After KERN_FALLS path->edge is the edge of the
+/* The verdict of the pass at s. After KERN_FALLS path->critical is that of the
    part that falls; without forces and such a part KERN_UNDECIDED. */
 static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 {
@@ -5958,15 +5959,15 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
     if (status == KERN_FALLS && s > path->start)
-        status = kern_path_edge(m, path) == KERN_STANDS ? KERN_FALLS
+        status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                         : KERN_UNDECIDED;
     path->alone = 0;
     path->holds = holds;
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Where a search begins: just before the edge of what is known of a structure
-   like it, or of a body, or a step from the start. */
+/* Where a search begins: just before the critical value known of a structure
+   like it, or that of a body, or a step from the start. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -5981,10 +5982,10 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     return kern_max(path->start, warm->holds);
 }
 
-/* The first edge of a path on which the verdict changes but once. No edge of the
-   whole lies beyond that of a part with all others held. So the pass is asked
-   just before the edge of the part that fell last, until nothing falls there or
-   the pass ends without a verdict. */
+/* The critical value of a path on which the verdict changes but once. That of
+   the whole is at most that of a part with all others held. So the pass is
+   asked just before the value of the part that fell last, until nothing falls
+   there or the pass ends without a verdict. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real step)
 {
@@ -6000,7 +6001,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     for (round = 0; round < KERN_PARTS_MOST; ) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && at > path->start) {
-            at = kern_max(path->edge - aside, path->start);
+            at = kern_max(path->critical - aside, path->start);
             status = KERN_UNDECIDED;
             round++;
         } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
@@ -6042,8 +6043,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
 #define KERN_IPM_SHARE   KERN_R(0.9995)   /* of the way to x, z = 0 in a step */
 #define KERN_IPM_APART   KERN_R(0.03)     /* least x z, in means              */
 #define KERN_IPM_LOST    KERN_R(1e6)      /* gap that leaves no digits        */
-#define KERN_IPM_SHARP   KERN_R(1e-4)   /* gap, in what s lacks of the place,
-                                             at which y predicts an edge      */
+#define KERN_IPM_SHARP   KERN_R(1e-4)     /* gap, as a share of what s lacks of
+                                             the place, to predict by y       */
 /* On the diagonal of M, in means, at first and where M is singular. */
 #define KERN_IPM_SHIFT   KERN_PICK(1e-13, 1e-6)
 
@@ -6054,7 +6055,7 @@ typedef struct kern_ipm {
     kern_real s;
     kern_real at;             /* place of A, b and g                          */
     kern_real most;           /* s goes no farther                            */
-    kern_real gap;            /* sum of x z: how far s can be from the maximum */
+    kern_real gap;            /* sum of x z: s is so near to the maximum      */
     kern_real least;          /* gap that is small enough                     */
     kern_real *z;             /* of a ray: its closing speed                  */
     kern_real *dx, *dz;       /* of a ray: the step                           */
@@ -6066,7 +6067,7 @@ typedef struct kern_ipm {
 
 /* out := A'v, two rays a contact */
 static void kern_ipm_ways(const kern_part *p, const kern_real *v,
-                            kern_real *out)
+                          kern_real *out)
 {
     int k;
     for (k = 0; k < p->contacts; k++, out += 2) {
@@ -6080,30 +6081,30 @@ static void kern_ipm_ways(const kern_part *p, const kern_real *v,
 
 /* out += A x */
 static void kern_ipm_carry(const kern_part *p, const kern_real *x,
-                             kern_real *out)
+                           kern_real *out)
 {
     int k;
     for (k = 0; k < p->contacts; k++, x += 2)
-        kern_part_exert(p, k, x[0] + x[1],
-                        kern_model_mu(p->m, p->contact[k]) * (x[0] - x[1]), out);
+        kern_part_exert(p, k, x[0] + x[1], kern_model_mu(p->m, p->contact[k])
+                                           * (x[0] - x[1]), out);
 }
 
 /* out += share times what the shrinking of kerns makes of forces x: a point
    moves along t, and t x (f n + r t) = -f */
 static void kern_ipm_shrink(const kern_ipm *in, const kern_real *x,
-                              kern_real share, kern_real *out)
+                            kern_real share, kern_real *out)
 {
     const kern_part *p = in->p;
     const kern_model *m = p->m;
     int k;
     for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k];
+        const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         kern_real f = share * (x[2 * k] + x[2 * k + 1]), rate;
         kern_shift(kern_travel(m->s->contact + i, m->mean), in->at,
                    m->relative, &rate);
         f *= rate;
-        out[3 * p->ends[2 * k] + 2] -= f * m->unit[m->graph.ends[2 * i]];
-        out[3 * p->ends[2 * k + 1] + 2] += f * m->unit[m->graph.ends[2 * i + 1]];
+        out[3 * p->ends[2 * k] + 2] -= f * m->unit[ends[0]];
+        out[3 * p->ends[2 * k + 1] + 2] += f * m->unit[ends[1]];
     }
 }
 
@@ -6116,7 +6117,7 @@ static void kern_ipm_place(kern_ipm *in, kern_real place)
     kern_model *m = p->m;
     int k;
     in->at = place;
-    m->cone.slope = kern_slope(&q);
+    m->cone.reduction = kern_reduction(&q);
     kern_part_load(p, &q, p->eq.rhs);
     for (k = 0; k < p->groups; k++) {
         kern_real *g = in->g + 3 * k;
@@ -6161,7 +6162,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift)
 
 /* How much of a step keeps v above 0; at most all of it. */
 static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
-                                  int n)
+                                int n)
 {
     kern_real share = KERN_R(1);
     int i;
@@ -6198,9 +6199,9 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     kern_real *turn = p->dual.way + rays, ds;
     int i;
     for (i = 0; i < n; i++)
-        p->dual.left[i] += in->over[i];
-    kern_ipm_carry(p, in->dx, p->dual.left);
-    kern_skyline_solve(&p->dual.matrix, p->dual.left, p->dual.step);
+        p->dual.grad[i] += in->over[i];
+    kern_ipm_carry(p, in->dx, p->dual.grad);
+    kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
     ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
          / kern_dot(in->g, in->gain, n);
     ds = kern_min(ds, in->most - in->s);
@@ -6214,7 +6215,7 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* The predictor: leaves in dx and dual.left what the corrector begins with. */
+/* The predictor: leaves in dx and dual.grad what the corrector begins with. */
 static void kern_ipm_predict(kern_ipm *in)
 {
     kern_part *p = in->p;
@@ -6223,7 +6224,7 @@ static void kern_ipm_predict(kern_ipm *in)
     int i;
     kern_ipm_ways(p, p->y, p->dual.way);
     for (i = 0; i < n; i++)
-        p->dual.left[i] = KERN_R(0);
+        p->dual.grad[i] = KERN_R(0);
     for (i = 0; i < rays; i++)
         in->dx[i] = -in->d[i] * p->dual.way[i];
     ds = kern_ipm_solve(in);
@@ -6236,9 +6237,9 @@ static void kern_ipm_predict(kern_ipm *in)
     mu = kern_max(in->gap * left * left * left, in->least / 8);
     mu = kern_min(mu, in->gap) / KERN_R(rays);
     for (i = 0; i < n; i++)
-        p->dual.left[i] = KERN_R(0);
+        p->dual.grad[i] = KERN_R(0);
     if (!in->held && in->path->kind == KERN_PATH_SHRINK)
-        kern_ipm_shrink(in, in->dx, of_x * of_x * ds, p->dual.left);
+        kern_ipm_shrink(in, in->dx, of_x * of_x * ds, p->dual.grad);
     for (i = 0; i < rays; i++)
         in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
                     - in->d[i] * p->dual.way[i];
@@ -6364,8 +6365,7 @@ static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
 }
 
 /* Opens all groups for questions about a path; 0 if there is no room. */
-static int kern_ipm_open(kern_ipm *in, kern_model *m,
-                           const kern_path *path)
+static int kern_ipm_open(kern_ipm *in, kern_model *m, const kern_path *path)
 {
     const kern_query q = kern_path_at(path, path->holds);
     kern_part *p = path->part;
@@ -6451,10 +6451,10 @@ static kern_status kern_ipm_run(kern_ipm *in, int sharp)
 
 /* The verdict at a place: from what was found before, else from the start. */
 static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
-                                       kern_real *edge)
+                                     kern_real *crit)
 {
     const kern_query q = kern_path_at(in->path, place);
-    const int sharp = edge && in->p->groups <= KERN_SMALL; /* exact to 1e-9 */
+    const int sharp = crit && in->p->groups <= KERN_SMALL; /* exact to 1e-9 */
     kern_status status = KERN_UNDECIDED;
     in->p->m->budget.work->solves++;
     in->least = KERN_R(0);
@@ -6470,14 +6470,14 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
     }
     if (status == KERN_UNDECIDED && kern_ipm_begin(in, place, 1))
         status = kern_ipm_run(in, sharp);
-    if (status == KERN_FALLS && edge)
-        *edge = kern_path_newton(in->path, &q, place);
+    if (status == KERN_FALLS && crit)
+        *crit = kern_path_newton(in->path, &q, place);
     return status;
 }
 
 /* The verdict on all groups for a query. */
 static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
-                                      const kern_query *q)
+                                    const kern_query *q)
 {
     kern_path path;
     kern_ipm in;
@@ -6504,7 +6504,7 @@ static kern_real kern_ipm_follow(kern_ipm *in)
     return KERN_INFINITY;
 }
 
-/* The whole's edge beyond path->holds, with both proofs; or undecided. */
+/* The critical value of the whole, with both proofs; or KERN_UNDECIDED. */
 static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 {
     const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
@@ -6514,18 +6514,18 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
         return KERN_UNDECIDED;
     path->ipm = &in;
     path->fails = path->end;
-    path->edge = kern_ipm_follow(&in);
-    if (!(path->edge < KERN_INFINITY))
+    path->critical = kern_ipm_follow(&in);
+    if (!(path->critical < KERN_INFINITY))
         status = kern_path_evaluate(m, path, path->holds);
     if (status == KERN_STANDS)
-        status = kern_path_evaluate(m, path,
-                                    kern_min(path->edge + aside, path->end));
+        status = kern_path_evaluate(
+            m, path, kern_min(path->critical + aside, path->end));
     if (status == KERN_STANDS && path->holds < path->end)
         status = kern_path_evaluate(m, path, path->end);
     if (status == KERN_STANDS)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
-        status = kern_path_edge(m, path);
+        status = kern_path_critical(m, path);
         if (path->fell > path->fails
             || path->fails - path->holds > KERN_WIDTH * path->unit)
             status = KERN_UNDECIDED;
@@ -6583,7 +6583,7 @@ static kern_real kern_prove_raised(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
         const kern_motion v = kern_meeting_motion(s, q, c, motion);
-        const kern_real mu = kern_friction(c, kern_slope(q));
+        const kern_real mu = kern_friction(c, kern_reduction(q));
         const kern_real press = -(c->n.x * v.vx + c->n.y * v.vy);
         const kern_real slide = c->n.x * v.vy - c->n.y * v.vx;
         kern_real least = KERN_HUGE;
@@ -6820,7 +6820,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     q->factor = share;
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
-        r->m->cone.slope = kern_slope(q);
+        r->m->cone.reduction = kern_reduction(q);
         kern_model_arms(r->m, q);
         raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM);
     }
@@ -6937,9 +6937,9 @@ static int kern_raise_at(kern_raise *r, const kern_query *q, int cold,
     return 1;
 }
 
-/* Raises the load of q, by *share of it, from 0 to at most `most` in steps, each
-   from the last two. Where nothing is known to end it before, the end of the
-   path doubles. Returns the last share that was proven, below 0 if none. */
+/* Raises the load of q, by *share of it, from 0 to `most` in steps, each
+   from the last two. The end of the path doubles where nothing is known to end
+   it before. Returns the last share that was proven, below 0 if none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most,
                                   const kern_proof *proof)
@@ -7166,7 +7166,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    errors of place; how far cones are turned, in errors of angle; how many times
    the error is allowed in gaps and angles; least cosine of a wider cone. */
 #define KERN_CERTAIN_SHIFT  KERN_R(3.5)
-#define KERN_CERTAIN_SLOPE  KERN_R(3.0)
+#define KERN_CERTAIN_TURN  KERN_R(3.0)
 #define KERN_CERTAIN_WIDE   KERN_R(2.0)
 #define KERN_CERTAIN_STEEP  KERN_R(0.01)
 /* Share of the size of the smaller free block: higher steps are not simplified
@@ -7694,7 +7694,7 @@ static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
    vertex has its triangle inside. Where no boundary is deep, one point far
    inside a speaks for all around it. */
 static void kern_overlap_within(const kern_parts *a, const kern_parts *b,
-                               kern_real *deep)
+                                kern_real *deep)
 {
     const kern_vec *vertex = a->block->vertex;
     const int n = a->block->vertices;
@@ -9344,7 +9344,7 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
 }
 
 /* Gain below which no column enters. One that would have to carry more than
-   lp->most to undo the violations is no help: the bound on the forces of a jam. */
+   lp->most to undo the violations is no help: the bound on forces of a jam. */
 static kern_real kern_gain_least(const kern_simplex *sx, kern_real sum)
 {
     const kern_program *lp = sx->lp;
@@ -9661,9 +9661,9 @@ static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 
 /* What the sum of u v over n numbers, those of v so far apart, leaves of
    `from`; in `terms` the sum of all without signs. */
-static kern_real kern_lp_left(kern_real from, const kern_real *u,
-                              const kern_real *v, int apart, int n,
-                              kern_real *terms)
+static kern_real kern_lp_residual(kern_real from, const kern_real *u,
+                                  const kern_real *v, int apart, int n,
+                                  kern_real *terms)
 {
     int i;
     *terms = kern_abs(from);
@@ -9683,7 +9683,7 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
     kern_real left, terms = KERN_R(0);
     int i;
     for (i = 0; i < n && kern_is_finite(terms); i++) {
-        left = kern_lp_left(from ? from[i] : KERN_R(0), u,
+        left = kern_lp_residual(from ? from[i] : KERN_R(0), u,
                             lp->a + (size_t)i * (size_t)(columns ? rows : 1),
                             columns ? 1 : rows, columns ? rows : lp->cols,
                             &terms);
@@ -9703,7 +9703,7 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 {
     const int ray = status == KERN_LP_UNBOUNDED;
     kern_real paid, spent, value;
-    const kern_real gain = -kern_lp_left(KERN_R(0), y, lp->rhs, 1, lp->rows,
+    const kern_real gain = -kern_lp_residual(KERN_R(0), y, lp->rhs, 1, lp->rows,
                                          &paid);
     if (status == KERN_LP_INFEASIBLE)
         return kern_lp_side(lp, y, 1, NULL) && gain < -KERN_TOL * paid
@@ -9712,7 +9712,7 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
         return 0;
     if (!lp->cost)
         return 1;
-    value = -kern_lp_left(KERN_R(0), lp->cost, x, 1, lp->cols, &spent);
+    value = -kern_lp_residual(KERN_R(0), lp->cost, x, 1, lp->cols, &spent);
     if (ray)
         return value < -KERN_TOL * spent && kern_is_finite(spent);
     return kern_lp_side(lp, y, 1, lp->cost) && kern_is_finite(spent + paid)
@@ -9833,19 +9833,19 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
 }
 
 /* Moves the points of n contacts along their ways by `by`, apart where that is
-   below 0, and turns the edges of their cones by an angle of tangent `slope`,
+   below 0, and turns the edges of their cones by an angle of tangent `turn`,
    inward where that is above 0. */
 static void kern_contacts_err(kern_contact *c, int n, kern_real by,
-                              kern_real slope)
+                              kern_real turn)
 {
     for (; n-- > 0; c++) {
         kern_real rate;
         const kern_real shift = kern_shift(c->travel, by, 0, &rate);
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
-        c->mu = slope > 0 ? kern_friction(c, slope)
-                          : (c->mu - slope)
-                            / kern_max(1 + c->mu * slope, KERN_CERTAIN_STEEP);
+        c->mu = turn > 0 ? kern_friction(c, turn)
+                          : (c->mu - turn)
+                            / kern_max(1 + c->mu * turn, KERN_CERTAIN_STEEP);
     }
 }
 
@@ -9927,9 +9927,9 @@ static kern_status kern_certain_low(kern_task *task, kern_interval *out,
 }
 
 /* The upper end, at least `least`, with every contact that may exist; `by` and
-   `slope` are what kerns and cones gain. */
+   `turn` are what kerns and cones gain. */
 static kern_status kern_certain_high(kern_task *task, kern_contact *contact,
-                                     int room, kern_real by, kern_real slope,
+                                     int room, kern_real by, kern_real turn,
                                      kern_real least, kern_interval *out)
 {
     kern_margin m;
@@ -9941,7 +9941,7 @@ static kern_status kern_certain_high(kern_task *task, kern_contact *contact,
                                      &task->options, contact, room, task->work);
     if (task->s.contacts < 0)
         return (kern_status)task->s.contacts;
-    kern_contacts_err(contact, task->s.contacts, -by, -slope);
+    kern_contacts_err(contact, task->s.contacts, -by, -turn);
     status = kern_measure(task, &m, NULL);
     if (status == KERN_FALLS)
         out->high = KERN_R(0);
@@ -9972,12 +9972,12 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 {
     kern_task other;
     kern_raising raised = KERN_NOT_SHOWN;
-    kern_real by, slope;
+    kern_real by, turn;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
     by = KERN_CERTAIN_SHIFT * task->options.pose_error;
-    slope = KERN_CERTAIN_SLOPE * task->options.pose_turn;
+    turn = KERN_CERTAIN_TURN * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = KERN_INFINITY;
     other = kern_task_of(task->s.block, task->s.blocks, contact,
@@ -9985,13 +9985,13 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                          task->work);
     other.s.gravity = task->s.gravity;
     other.options = task->options;
-    kern_contacts_err(contact, other.s.contacts, by, slope);
+    kern_contacts_err(contact, other.s.contacts, by, turn);
     status = kern_certain_low(&other, out, &raised);
     out->low = kern_min(out->low, margin);
     if (status < KERN_UNDECIDED)
         return status;
     status = kern_certain_high(
-        &other, contact, room, by, slope,
+        &other, contact, room, by, turn,
         !(margin > 0) ? KERN_R(0)
         : task->options.relative ? margin : margin + by, out);
     if (status < KERN_UNDECIDED || status == KERN_FALLS)

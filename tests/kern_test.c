@@ -4080,7 +4080,7 @@ static void open_joint(void)
      group    kern_pass_solve
      basis    kern_simplex_lay, kern_program_solve, kern_basis_solve
      step     kern_call_open, kern_ipm_open, kern_ipm_begin, kern_ipm_step
-     bracket  kern_path_evaluate, kern_path_edge
+     bracket  kern_path_evaluate, kern_path_critical
 
    With tests/audit.h included first, the state of an engine is checked wherever
    a test of this file uses it: see there. */
@@ -4437,9 +4437,9 @@ static void engine_bracket(void)
         path->end = R(edge * 1.04); /* within half of the joint */
         CHECK_INT(kern_path_evaluate(&c.m, path, 0), KERN_STANDS);
         CHECK_INT(kern_path_evaluate(&c.m, path, path->end), KERN_FALLS);
-        CHECK(kern_path_edge(&c.m, path) >= 0);
-        CHECK_NEAR(path->edge, edge, EXACT);
-        CHECK(path->holds <= path->edge && path->edge <= path->fails);
+        CHECK(kern_path_critical(&c.m, path) >= 0);
+        CHECK_NEAR(path->critical, edge, EXACT);
+        CHECK(path->holds <= path->critical && path->critical <= path->fails);
         CHECK(path->fails - path->holds <= KERN_WIDTH * path->unit * R(1.01));
         CHECK_INT(kern_verdict(world_task(&w, &work), path->holds, NULL),
                   KERN_STANDS);
