@@ -113,7 +113,7 @@
    is not begun: the call returns KERN_LIMIT and writes what is proven by then.
    Below the limit the answer is the same, to the last bit, as without. A unit
    of work is some 1,000 instructions, within a factor of 3, or 0.1 to 0.6
-   microseconds of a desktop computer; on top a call reads what is handed in,
+   microseconds of a desktop computer. To read its input costs a call another
    170 to 550 instructions a block and contact point (tests/work.sh limits).
 
    CONFIGURATION                                                     >>config
@@ -128,8 +128,8 @@
    KERN_USE_GLPK        large programs go to GLPK (under the GPL): see kern_lp.h
    KERN_GLPK_ROWS       rows above which they do (three a free block); 96
 
-   Without a C library gcc is kept from calls of memcpy and memset by -Os and
-   -fno-tree-loop-distribute-patterns; -fno-math-errno makes the square root an
+   Without a C library, -Os -fno-tree-loop-distribute-patterns keep gcc from
+   calling memcpy and memset; -fno-math-errno makes the square root an
    instruction where there is one.
 
    METHOD                                                            >>method
@@ -158,10 +158,10 @@
 
    A measure is the critical value of a path (kerns shrink, a load grows,
    gravity turns): the first at which it falls. That of the whole is at most
-   that of a part with all others fixed: the search (>>search) begins at the
-   critical value of the first body (a block with what rests on it alone), runs
-   the pass there, and goes on to that of the part that falls, until none does;
-   where the pass gives no proof the whole is asked. Load factor and tilt of up
+   that of a part with all other blocks fixed. So the search (>>search) begins
+   at the smallest value of a body (a block with what rests on it alone), runs
+   the pass there, and goes on to that of the part that falls, until none does.
+   Where the pass gives no proof, the whole is asked. Load factor and tilt of up
    to 64 free blocks are one linear program with the value as a column. A
    verdict to each side of the critical value proves the bracket.
 
@@ -179,16 +179,16 @@
                Douglas-Peucker simplification (within the gap, or 1.42 risers)
                does: contacts lie on its chords and have their normals. Arcs and
                knees, whose corners all turn to one side, keep their edges.
-     line      An edge of each run antiparallel within `angle`, and are within
-               the gap over a length of more than the gap or 1e-3 of the size,
-               whichever is less. The contact points are the ends of that
+     line      Two edges, one of each block, antiparallel within `angle`, and
+               within the gap over a length of more than the gap or 1e-3 of the
+               size, whichever is less. The contact points are the ends of that
                stretch, midway between the edges; n is the mean normal.
      point     A convex vertex within the gap of an edge, its foot more than
                1e-6 of the size from both ends, both edges of the vertex on the
                outer side of that edge within `angle`. The contact point is the
-               vertex, n is the normal of the edge. None where a line contact
-               of the pair whose normal differs by less than 10 degrees passes
-               within the gap.
+               vertex, n is the normal of the edge. It is no contact where a
+               line contact of the pair, its normal within 10 degrees of n,
+               passes within the gap.
      corner    A convex vertex within the gap of a reflex one: a point contact
                with each edge there on whose outer side both its edges lie.
                A convex vertex on a convex one is no contact.
@@ -202,7 +202,7 @@
    they are: normals are made unit; the two points of a line lie along t within
    `angle`, or it is refused.
 
-   Shrinkage. A contact point has a way u = t or -t and a travel l >= 0:
+   Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
      line      The two ends go to each other; l is half the length.
      points    Two or more points of one pair go to the middle q of the two that
                are farthest apart, each along its own t: l = |(q - p) . t|.
@@ -213,7 +213,7 @@
                the middle is that of the two points farthest apart that carry
                the same one. Kerns are then not nested (>>limits): a measure
                takes ten to thirty times as long.
-   At shrinkage d it acts at p + min(d, l) u; relative: at p + d l u, d <= 1.
+   It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
    alone the contacts are nested and a structure that has fallen falls at every
    larger d; with points of different normals it may stand again.
@@ -287,16 +287,16 @@
    low walls, all load factors end at mu and rank less well. Near contacts are
    not for verdicts: a gap carries nothing yet.
 
-   Where a stone stays when it is let go: raised with a reserve of 0.0055 or
-   more. Out of sample (956 placements for which forces exist; 630 stayed in
-   another simulator, 205 moved, of 121 its noise decided) this keeps 0.941
+   A stone that is let go is said to stay where kern_raised() finds a reserve of
+   0.0055 or more. Out of sample (956 placements that stand; 630 stayed in
+   another simulator, 205 moved, 121 depended on its noise) this keeps 0.941
    [0.92, 0.96] of what stays and rejects 0.888 [0.84, 0.93] of what moves and
    0.636 of what is unclear; area under the ROC curve 0.979 [0.969, 0.987],
    load factor 0.90, margin 0.87 (measured with 0.1.0). In sample (969
    placements, tests/truth.c): 0.95, 0.90, 0.70. Most that stay and are
    rejected stand on walls that were below 0.0055 before.
-   examples/parts/stays.h asks about the new stone besides. "Not shown" is no
-   proof of falling.
+   examples/parts/stays.h also asks about the new stone alone. KERN_NOT_SHOWN
+   is no proof of falling.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -315,10 +315,10 @@
 
    Error. Tell kern_measured_options() the standard error e of a stone's place
    (pixel, simplification and registration together, as squares) and theta of
-   its angle. Of a stone of 40, 200, 1000 vertices the margin is then the same
-   within 2 %; without, it is that of the discretisation. Overlaps beyond the
-   error are modelling errors: kern_overlaps() lists them. Measure the stones
-   again, or accept them: options.overlap.
+   its angle. The margin of a stone of 40, 200 or 1000 vertices is then the same
+   within 2 %; else the discretisation decides it. Overlaps beyond the error are
+   modelling errors: kern_overlaps() lists them. Measure the stones again, or
+   accept the overlaps: options.overlap.
 
    Certainty. kern_certain() tells whether the verdict is certain within the
    error, and between what the margin lies. A gap below the error may be open,
@@ -536,7 +536,7 @@ typedef struct kern_fault {
     int block;            /* index of a block, -1: none                       */
     int other;            /* the other block of an overlap, -1: none          */
     int index;            /* vertex of the polygon or contact point, -1: none */
-    kern_real value;      /* an overlap is at least so deep [m], 0: none      */
+    kern_real value;      /* an overlap is at least this deep [m], 0: none    */
     kern_real allowed;    /* overlap that would be a contact [m], 0: none     */
 } kern_fault;
 
@@ -752,7 +752,7 @@ typedef struct kern_lp {
     const kern_real *cost; /* one a column; NULL: any solution will do        */
     int limit;             /* most units of work, as in kern_options          */
 } kern_lp;
-/* Elsewhere a product that overflows, in the precision it is written in. */
+/* Infinity: outside of gcc and clang a product that overflows when compiled. */
 #if defined(__GNUC__)
 #define KERN_INFINITY ((kern_real)__builtin_inff())
 #elif defined(KERN_SINGLE)
@@ -764,10 +764,9 @@ typedef struct kern_lp {
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions, for arrays: of contact points, and of work memory for
    a structure of so many blocks (fixed ones included) and contact points or
-   for a linear program by itself. See >>memory. KERN_ROOM holds the factors of
-   so many columns that fill (see >>lp), in groups of three entries;
-   KERN_LEAN_EXTRAS is what a wall needs, KERN_LP_ROOM what a dense program
-   does. */
+   for a linear program by itself. See >>memory. KERN_ROOM is for the factors of
+   so many columns with fill-in (>>lp), in groups of three entries: a wall has
+   KERN_LEAN_EXTRAS of these. KERN_LP_ROOM is the same for a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
@@ -798,15 +797,15 @@ typedef struct kern_lp {
     (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
 
 /* ---- Functions ----------------------------------------------------- >>api */
-/* B is the number of blocks, C of contact points. A pointer must not be NULL
-   unless it says so: KERN_BAD_POINTER. Every function that takes work memory
+/* B is the number of blocks, C of contact points. No pointer may be NULL unless
+   its function says so: KERN_BAD_POINTER. Every function that takes work memory
    may return KERN_NO_SPACE, every one that takes a structure:
    KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
    1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
    shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
-   KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT, and where the number of contacts is
-   below -1 that status of kern_contacts(), with its fault. With KERN_LIMIT a
-   measure is the largest that is proven to stand by then, below 0 if none is.
+   KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT; where the number of contacts is below
+   -1 it is the status of kern_contacts(), returned with its fault. A measure
+   with KERN_LIMIT is the largest proven to stand by then, below 0 if none is.
    Numbers that cannot be squared or multiplied safely are refused, with the
    block in the fault: a centre, place or travel above 1e100 m
    (KERN_BAD_NUMBER), a mass or area out of the range of kern_block_init()
@@ -837,8 +836,8 @@ KERN_API kern_options kern_near(const kern_options *options,
      overlap  8 e, and 3.4 theta r for r half the diagonal of both boxes;
               contacts lie at half the depth. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. A stone
-   that hovers by more than the gap carries and bears nothing. Contacts say
-   KERN_BAD_OPTION unless e > 0 and theta >= 0. */
+   that hovers by more than the gap touches nothing. Every call that takes these
+   options returns KERN_BAD_OPTION unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta);
 
@@ -878,7 +877,7 @@ KERN_API kern_status kern_ground_init(kern_block *block,
 KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
                               kern_real torque);
 
-/* Mean size of the free blocks [m]: the square roots of their areas. */
+/* Mean size of the free blocks [m]: the mean of the roots of their areas. */
 KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
 
 /* -- contacts -- */
@@ -898,7 +897,7 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
 
-/* Lists all pairs of blocks that overlap too deep for contacts. Returns how
+/* Lists all pairs of blocks that overlap too deeply for a contact. Returns how
    many there are, of which no more than room are written, or below 0 what
    kern_contacts() returns. */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
@@ -925,12 +924,12 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
                                const kern_options *options);
 
 /* Sets the travel of every contact point (>>rules), a point's from the others
-   of its interface: the same two blocks, in either order. Nothing for NULL.
+   of its interface: the same two blocks, in either order. NULL: no effect.
    Time: O(C) for each interface, and O(C) for each of its points. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
-/* Where a contact point acts at a shrinkage; grown, where it is negative;
-   relative: at the middle for a share above 1. The origin for NULL. */
+/* Where a contact point acts at a shrinkage, or where it is negative a growth;
+   relative: at a share, above 1 at the middle. The origin for NULL. */
 KERN_API kern_vec kern_contact_at(const kern_contact *contact,
                                   kern_real shrink, int relative);
 
@@ -955,18 +954,19 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* Between what the margin of a measured structure lies within the error that
-   kern_measured_options() was given, and which verdict is certain: KERN_STANDS
-   (low is above 0 and its forces are raised), KERN_FALLS (it falls with all
-   that high allows), or KERN_OK, neither. `margin` is that of kern_measure(),
-   0 where it falls.
+/* The interval of the margin of a measured structure, from the error that
+   kern_measured_options() was given, and the verdict that is certain:
+   KERN_STANDS (low is above 0 and its forces are raised), KERN_FALLS (it falls
+   with all that high allows), or KERN_OK: neither. `margin` is that of
+   kern_measure(), 0 where it falls.
      low   Margin without doubtful contacts: of the blocks that carry a block
            only that with the widest bed, as gravity sees it, is kept, since a
            gap within the error may be open; kerns are shorter by 3.5 e,
            friction angles less by 3 theta.
      high  Margin with every contact that may exist: twice the error allowed in
            gaps and angles, kerns longer by 3.5 e, friction angles more by 3
-           theta; where it stands at least `margin` and 3.5 e.
+           theta. Where it stands, at least `margin` + 3.5 e (relative:
+           `margin`).
    A larger error never makes a fall certain, and lowers `low` for the same
    contacts. Errors are absolute in relative mode too. contact[0..room) receives
    the contacts for `high`; work memory is for `room` contact points.
@@ -978,20 +978,20 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
                                   int room);
 
-/* Whether the forces that hold it are such as its load raises in contacts that
-   were not stressed before: blocks approach wherever a force acts, stick where
-   there is friction to spare, and slide against it where there is not. Where
-   loads of blocks that act at once show nothing, they grow from 0, as in
+/* Whether the load, put on contacts without stress, raises forces that hold the
+   structure: blocks approach wherever a force acts, stick where there is
+   friction to spare, and slide against it where there is not. Where the loads
+   of all blocks at once show nothing, they grow from 0, as in
    kern_raised_load().
-   KERN_STANDS: *out, and the proof as kern_check_raised() takes it, both its
-   arrays (KERN_NOT_SHOWN: forces alone). KERN_FALLS: motion as in
-   kern_verdict(), *out as it was.
+   KERN_STANDS: *out is written, and both arrays of the proof, which passes
+   kern_check_raised() (KERN_NOT_SHOWN: forces alone). KERN_FALLS: the motion is
+   that of kern_verdict(), *out as it was.
    *reserve (may be NULL) is the largest share of gravity, among 0, .001 ...
-   .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1, that may push
-   to either side, kerns being shrunk further by that share of the mean size
-   (relative: by that share), so that it is still shown to be raised; 0 where it
-   is not raised. No share above options.reserve is asked for; KERN_BAD_OPTION:
-   a reserve without gravity.
+   .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1, with which a
+   push to either side, and kerns shrunk further by that share of the mean size
+   (relative: by that share), leave it raised; 0 where it is not raised. No
+   share above options.reserve is asked for; KERN_BAD_OPTION: a reserve without
+   gravity.
    KERN_NO_SPACE also where a structure is much wider than a wall of squares.
    Time: 3 times that of the margin in the mean of 969 walls; with the
    reserve 5 times. */
@@ -1010,8 +1010,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 
 /* Margin and level.
      KERN_STANDS    All of *out. proof->force holds the structure at out->holds,
-                    so with its kerns shrunk; proof->motion moves it at
-                    out->fails (saturated: is not written).
+                    with its kerns shrunk; proof->motion moves it at out->fails
+                    (not written where the margin is saturated).
      KERN_FALLS     level, margin, holds, fails are 0, most and epsilon are set;
                     proof->motion says how it falls.
      KERN_LIMIT     level -1, saturated 0; margin and holds are the largest
@@ -1054,7 +1054,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
 /* The length [m] of the shortest contact that the structure needs: it stands on
-   its contacts of this length and longer ones alone, and not on longer ones
+   its contacts of at least this length alone, but not on the longer ones
    alone. A point of an interface of several counts with twice its travel; a
    lone point that stays is never left out. KERN_STANDS: *length, KERN_INFINITY
    where it needs no contact that has a length; proof->force holds the structure
@@ -1083,10 +1083,10 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          const kern_proof *proof);
 
 /* The load factor of Coulomb friction, from rest: stones that slide need not
-   part. *factor is the largest multiple of the load at which equilibrium is
-   proven that the load raises, as in kern_raised(), when the load grows from 0
-   in steps of a sixteenth of the load factor, and of a tenth of that once one
-   has failed; each is found from those before. With friction equilibrium is not
+   part. *factor is the largest multiple of the load with forces that it raises,
+   as in kern_raised(), proven while the load grows from 0: in steps of a
+   sixteenth of the load factor, and of a tenth of that once a step has failed.
+   Each step is found from those before. With friction equilibrium is not
    unique: another path of loading may collapse earlier (seen: 5 %) or later. It
    is never above the load factor, which is asked for first. The load is
    `pattern`, or where that is NULL horizontal to the side. KERN_STANDS:
@@ -1119,7 +1119,7 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
-/* What a measure hinges on, from its proof: proof->motion, not NULL, moves the
+/* What limits a measure, from its proof: proof->motion, not NULL, moves the
    structure at about `shrink`, proof->force holds it there or is NULL. After
    kern_measure(): out.margin and its proof; where it falls, 0 and the motion
    alone. A contact point limits by the power that the mechanism gains per
@@ -1167,8 +1167,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
    What stands with every kern closed bears any margin. Where kerns are not
-   nested it is kern_plan_try() that tells, with its proof. KERN_BAD_NUMBER also
-   for a margin below 0. Time: that of one verdict; O(B + C) beyond the measured
+   nested, kern_plan_try() decides, with its proof. KERN_BAD_NUMBER also for a
+   margin below 0. Time: that of one verdict; O(B + C) beyond the measured
    margin where the block does not touch what limits that. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
