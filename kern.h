@@ -13,7 +13,7 @@
                             >>config >>method >>rules >>measures >>measured
                             >>limits >>determinism
      II   Declarations      >>decl >>types >>sizes >>api
-     III  The argument      >>impl >>vec >>statics (Eq. 5)
+     III  The argument      >>impl (tolerances) >>vec >>statics (Eq. 5)
                             >>kern (Algorithm 1) >>work >>check >>proof >>model
                             >>engine >>measure >>profile >>critical
                             >>sensitivity
@@ -7166,7 +7166,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    errors of place; how far cones are turned, in errors of angle; how many times
    the error is allowed in gaps and angles; least cosine of a wider cone. */
 #define KERN_CERTAIN_SHIFT  KERN_R(3.5)
-#define KERN_CERTAIN_TURN  KERN_R(3.0)
+#define KERN_CERTAIN_TURN   KERN_R(3.0)
 #define KERN_CERTAIN_WIDE   KERN_R(2.0)
 #define KERN_CERTAIN_STEEP  KERN_R(0.01)
 /* Share of the size of the smaller free block: higher steps are not simplified

@@ -3,7 +3,8 @@
 structures, profiles: JSON of examples/kern.c; pushes: of examples/push.c, of
 the structure that is built in; figures, walls: the folder that
 examples/shaking/figures.c and examples/walls/walls.c wrote into; svg: pictures;
-functions: C sources, whose functions must be short and simple.
+functions: C sources, whose functions must be short and simple; rules: the map
+from the rules of kern.h to the tests.
 Fails with the first thing that is wrong.
 """
 import csv
@@ -180,6 +181,22 @@ def functions(*names):
     assert not long, long
 
 
+def rules(header='kern.h', tests='tests/kern_test.c'):
+    """Each rule stands in the map of the tests, each name there is a test's."""
+    with open(header, encoding='utf-8') as file:
+        stated = re.search(r'>>rules\n(.*?)>>measures\n', file.read(), re.S)[1]
+    with open(tests, encoding='utf-8') as file:
+        text = file.read()
+    listed = re.search(r'RULES of the header.*?:\n(.*?)\n\n', text, re.S)[1]
+    named = re.findall(r'\w+_\w*|(?<= )overlap(?= \w+_)', listed)
+    assert len(named) > 20, named
+    run = ' '.join(re.findall(r'\bTEST\((\w+)\)', text))
+    missed = [n for n in named if n not in run]
+    missed += [r for r in re.findall(r'^ {5}([a-z]+)  ?(?=[ A-Z])', stated, re.M)
+               if not re.search(r' %ss?\b' % r.rstrip('s'), listed)]
+    assert not missed, missed
+
+
 def walls(folder):
     found = rows(folder, 'walls.csv')
     assert len(found) == 5 * 2 * 3
@@ -191,5 +208,5 @@ def walls(folder):
 
 if __name__ == '__main__':
     checks = (svg, structures, axles, keys, profiles, pushes, figures, functions,
-              walls)
+              rules, walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])
