@@ -181,6 +181,11 @@ sweep() { # as an ordinary load at its place and on its block, what --sweep says
     grep -q '^11 files: 0 stand, 11 fall' "$out/o" || return 1
     "$kern" --help >"$out/help" && $judge keys "$out/axle.json" "$out/help" &&
         $judge svg "$out"/axle*.svg && [ -s "$out/axle-sweep.svg" ] || return 1
+    grep -q 'live load' "$out/axle.svg" && ! grep -q '>mass<' "$out/axle.svg" &&
+        { cat "$arch"; echo mass v7 9 -5 9; } >"$out/fill.kern" &&
+        "$kern" --svg "$out/fill.svg" "$out/fill.kern" >"$out/o" &&
+        grep -q '>mass<' "$out/fill.svg" &&
+        ! grep -q 'live load' "$out/fill.svg" || return 1
     ! "$kern" --sweep 3 "$arch" >"$out/o" 2>"$out/e" &&
         grep -q 'no live load' "$out/e"
 }

@@ -265,6 +265,9 @@ static inline struct draw_scene scene_of(const struct analysis *a)
     scene.s = &a->task.s;
     scene.relative = a->set->relative;
     scene.shrink = (double)shrinkage(a);
+    scene.live = a->text.live;
+    scene.mass = a->text.mass;
+    scene.masses = a->text.masses;
     scene.force = a->shown == KERN_STANDS ? a->force : NULL;
     scene.force_name = a->least ? "least forces" : NULL;
     scene.limiting = -1;

@@ -1,11 +1,11 @@
 /* draw.h - pictures of structures as SVG, for the example programs.
 
    draw_svg() writes one self-contained picture: stones, hatched ground,
-   contacts whole and shrunk, the resultant force of each interface, the thrust
-   line, the limiting contact, the collapse mechanism with its hinges, a key with
-   scales, a caption. A viewer that plays SMIL (browsers do) shows the mechanism
-   moving. The functions above it write single
-   shapes and serve other pictures too.
+   contacts whole and shrunk, loads, live loads and masses, the resultant force
+   of each interface, the thrust line, the limiting contact, the collapse
+   mechanism with its hinges, a key with scales, a caption. A viewer that plays
+   SMIL (browsers do) shows the mechanism moving. The functions above it write
+   single shapes and serve other pictures too.
 
    Lengths on the page are in pixels, y downwards; the model has y upwards, and
    draw_place() goes from one to the other. The same input gives the same file.
@@ -37,6 +37,10 @@ struct draw_scene {
     char *const *names;        /* one a block; NULL: none                     */
     int relative;              /* how `shrink` is meant, as in kern_options   */
     double shrink;             /* shrinkage at which the kerns are shown      */
+    const kern_wrench *live;   /* one a block: a load whose factor is asked for;
+                                  NULL: none                                  */
+    const kern_vec *mass;      /* where weight acts that is no stone          */
+    int masses;                /* how many such places                        */
     const kern_force *force;   /* one a contact point; NULL: none             */
     const char *force_name;    /* which they are; NULL: one admissible set of
                                   forces                                      */
@@ -63,6 +67,7 @@ struct draw_scene {
 #define DRAW_KERN "#174a73"    /* contacts as they are, or shrunk             */
 #define DRAW_FORCE "#a8232d"   /* contact forces                              */
 #define DRAW_LOAD "#2f6b3a"    /* loads                                       */
+#define DRAW_LIVE "#6b3a8c"    /* live loads                                  */
 #define DRAW_LIMIT "#f2a900"   /* the limiting contact                        */
 #define DRAW_GHOST "#b4511a"   /* where the stones go                         */
 #define DRAW_FONT "Helvetica, Arial, 'Liberation Sans', sans-serif"
@@ -71,6 +76,8 @@ struct draw_scene {
 #define DRAW_HEIGHT 640.0      /* highest drawing on it                       */
 #define DRAW_LEAST 440.0       /* narrowest page, for the key and the caption */
 #define DRAW_STONE 120.0       /* largest mean stone                          */
+#define DRAW_MASS 3.5          /* radius of a mass                            */
+#define DRAW_MASS_STYLE "fill=\"" DRAW_INK "\" fill-opacity=\"0.7\""
 #define DRAW_PAD 16.0          /* white border                                */
 #define DRAW_TURN 0.2          /* radius of a torque over the mean stone      */
 #define DRAW_VALUES 8          /* loads that have their values beside them    */
@@ -484,8 +491,8 @@ DRAW_API void draw_block(const struct draw_view *v, const kern_block *block,
 struct draw_sizes {
     double stone;              /* mean size of the free blocks, model         */
     double weight;             /* mean weight of the free blocks              */
-    double longest, heaviest;  /* largest resultant and load that are shown   */
-    double force, load;        /* model lengths of a unit of each             */
+    double force, load[2];     /* model lengths of a unit of a resultant, of
+                                  a load, and of a live load                  */
     double time;               /* how long the rates act for the ghosts       */
     double line, bar, arrow;   /* widths on the page                          */
 };
@@ -570,13 +577,22 @@ static int draw_force_ends(const struct draw_scene *d, double unit, int c,
     return 1;
 }
 
+/* The load of block i, or its live load. */
+static const kern_wrench *draw_load_of(const struct draw_scene *d, int i,
+                                       int live)
+{
+    static const kern_wrench none = { 0, 0, 0 };
+
+    return !live ? &d->s->block[i].load : d->live ? &d->live[i] : &none;
+}
+
 /* The load of a block as an arrow that pushes on its outline from outside,
    along the line of action which its torque gives; it acts at the centre, and
    the torque is shown apart (returns 2), if that line misses the block. */
-static int draw_load_ends(const kern_block *b, double unit,
-                          struct draw_pt *from, struct draw_pt *to)
+static int draw_load_ends(const kern_block *b, const kern_wrench *load,
+                          double unit, struct draw_pt *from, struct draw_pt *to)
 {
-    double fx = b->load.fx, fy = b->load.fy, t = b->load.torque;
+    double fx = load->fx, fy = load->fy, t = load->torque;
     double f = draw_hypot(fx, fy), ux, uy, side, first = 0;
     int i, hits = 0;
 
@@ -609,13 +625,14 @@ static int draw_load_ends(const kern_block *b, double unit,
     return hits > 0 || !(fabs(t) > 0) ? 1 : 2;
 }
 
-/* Mean size and weight of the free blocks, the longest force and load; *v
+/* Mean size and weight of the free blocks, units of forces and loads; *v
    becomes what they and the contacts span. */
 static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
                                struct draw_sizes *z)
 {
     const kern_structure *s = d->s;
     double g = draw_hypot(s->gravity.x, s->gravity.y);
+    double longest = 0, heaviest[2] = { 0, 0 };
     struct draw_pt a, b;
     int i, j, c, free_blocks = 0;
 
@@ -630,7 +647,11 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
         free_blocks++;
         z->stone += sqrt(fabs((double)k->area));
         z->weight += k->mass * g;
-        z->heaviest = fmax(z->heaviest, draw_hypot(k->load.fx, k->load.fy));
+        for (j = 0; j < 2; j++) {
+            const kern_wrench *load = draw_load_of(d, i, j);
+
+            heaviest[j] = fmax(heaviest[j], draw_hypot(load->fx, load->fy));
+        }
         draw_widen(v, k->centre.x, k->centre.y);
         for (j = 0; j < k->vertices; j++)
             draw_widen(v, k->vertex[j].x, k->vertex[j].y);
@@ -638,7 +659,7 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
     for (c = 0; c < s->contacts; c++) {
         draw_widen(v, s->contact[c].p.x, s->contact[c].p.y);
         if (d->force && draw_force_ends(d, 1, c, &a, &b))
-            z->longest = fmax(z->longest, draw_hypot(b.x - a.x, b.y - a.y));
+            longest = fmax(longest, draw_hypot(b.x - a.x, b.y - a.y));
     }
     if (free_blocks > 0) {
         z->stone /= free_blocks;
@@ -650,10 +671,11 @@ static void draw_measure_sizes(const struct draw_scene *d, struct draw_view *v,
         z->stone = 0.2 * fmax(v->high.x - v->low.x, v->high.y - v->low.y);
     if (!(z->stone > 0))
         z->stone = 1;
-    if (z->longest > 0)
-        z->force = 0.8 * z->stone / z->longest;
-    if (z->heaviest > 0)
-        z->load = 0.8 * z->stone / z->heaviest;
+    if (longest > 0)
+        z->force = 0.8 * z->stone / longest;
+    for (j = 0; j < 2; j++)
+        if (heaviest[j] > 0)
+            z->load[j] = 0.8 * z->stone / heaviest[j];
 }
 
 /* The time over which motions are drawn: the fastest point moves 0.3 stones. */
@@ -702,18 +724,22 @@ static double draw_measure_blocks(const struct draw_scene *d,
                            k->vertex[j].y);
             draw_widen(v, a.x, a.y);
         }
-        c = draw_load_ends(k, z->load, &a, &b);
-        if (c > 0) {
-            draw_widen(v, a.x, a.y);
-            draw_widen(v, b.x, b.y);
-        }
-        if (c == 2) { /* a torque */
-            double r = 1.2 * DRAW_TURN * z->stone;
+        for (j = 0; j < 2; j++) {
+            c = draw_load_ends(k, draw_load_of(d, i, j), z->load[j], &a, &b);
+            if (c > 0) {
+                draw_widen(v, a.x, a.y);
+                draw_widen(v, b.x, b.y);
+            }
+            if (c == 2) { /* a torque */
+                double r = 1.2 * DRAW_TURN * z->stone;
 
-            draw_widen(v, k->centre.x - r, k->centre.y - r);
-            draw_widen(v, k->centre.x + r, k->centre.y + r);
+                draw_widen(v, k->centre.x - r, k->centre.y - r);
+                draw_widen(v, k->centre.x + r, k->centre.y + r);
+            }
         }
     }
+    for (i = 0; i < d->masses; i++)
+        draw_widen(v, d->mass[i].x, d->mass[i].y);
     return all.low.y;
 }
 
@@ -1032,7 +1058,7 @@ static void draw_hinges(const struct draw_scene *d, const struct draw_view *v,
 
 /* A torque: three quarters of a turn around the centre of mass. */
 static void draw_torque(const struct draw_view *v, const struct draw_sizes *z,
-                        const kern_block *b, double torque)
+                        const kern_block *b, double torque, const char *colour)
 {
     struct draw_pt c = draw_place(v, b->centre.x, b->centre.y);
     double r = DRAW_TURN * z->stone * v->scale, k = r * 0.70710678;
@@ -1040,49 +1066,77 @@ static void draw_torque(const struct draw_view *v, const struct draw_sizes *z,
     double head = fmin(3 + 4 * z->arrow, r);
 
     fprintf(v->out, "<path d=\"M%.2f %.2fA%.2f %.2f 0 1 %d %.2f %.2f\" "
-            "fill=\"none\" stroke=\"" DRAW_LOAD "\" stroke-width=\"%.2f\"/>\n",
+            "fill=\"none\" stroke=\"%s\" stroke-width=\"%.2f\"/>\n",
             draw_px(c.x + side * k), draw_px(c.y + k), r, r, torque > 0 ? 0 : 1,
-            draw_px(c.x - side * k), draw_px(c.y + k), 1.3 * z->arrow);
+            draw_px(c.x - side * k), draw_px(c.y + k), colour, 1.3 * z->arrow);
     draw_head(v->out, draw_vec(c.x - side * (k - 0.6 * head), c.y + k
-              + 0.55 * head), side * 0.80, 0.60, head, DRAW_LOAD);
+              + 0.55 * head), side * 0.80, 0.60, head, colour);
 }
 
 /* The size of a load, at the tail of its arrow. */
-static void draw_load_value(const struct draw_view *v, const kern_block *b,
-                            struct draw_pt tail)
+static void draw_load_value(const struct draw_view *v, const kern_wrench *load,
+                            struct draw_pt tail, const char *colour)
 {
-    const double f = draw_hypot(b->load.fx, b->load.fy);
-    char text[40];
+    const double f = draw_hypot(load->fx, load->fy);
+    char text[40], style[120];
 
     if (!(f > 0))
         return;
     snprintf(text, sizeof text, "%.4g", f);
-    draw_open(v->out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_LOAD "\"");
-    draw_text(v->out, tail.x + (b->load.fx > 0 ? -4 : 4), tail.y - 2, 9.5,
-              b->load.fx > 0 ? "end" : "start", text, strlen(text));
+    snprintf(style, sizeof style, "font-family=\"" DRAW_FONT "\" fill=\"%s\"",
+             colour);
+    draw_open(v->out, style);
+    draw_text(v->out, tail.x + (load->fx > 0 ? -4 : 4), tail.y - 2, 9.5,
+              load->fx > 0 ? "end" : "start", text, strlen(text));
     draw_close(v->out);
+}
+
+/* How many blocks have a load, or a live load. */
+static int draw_loaded(const struct draw_scene *d, int live)
+{
+    struct draw_pt p;
+    int i, loads = 0;
+
+    for (i = 0; i < d->s->blocks; i++)
+        loads += draw_load_ends(&d->s->block[i], draw_load_of(d, i, live), 0,
+                                &p, &p) > 0;
+    return loads;
+}
+
+static void draw_loads_of(const struct draw_scene *d,
+                          const struct draw_view *v,
+                          const struct draw_sizes *z, int live)
+{
+    const char *colour = live ? DRAW_LIVE : DRAW_LOAD;
+    const int named = draw_loaded(d, live) <= DRAW_VALUES;
+    struct draw_pt a, b;
+    int i;
+
+    for (i = 0; i < d->s->blocks; i++) {
+        const kern_block *k = &d->s->block[i];
+        const kern_wrench *load = draw_load_of(d, i, live);
+        int kind = draw_load_ends(k, load, z->load[live], &a, &b);
+
+        if (kind > 0)
+            draw_arrow(v->out, draw_place(v, a.x, a.y), draw_place(v, b.x, b.y),
+                       1.3 * z->arrow, colour);
+        if (kind > 0 && named)
+            draw_load_value(v, load, draw_place(v, a.x, a.y), colour);
+        if (kind == 2)
+            draw_torque(v, z, k, load->torque, colour);
+    }
 }
 
 static void draw_loads(const struct draw_scene *d, const struct draw_view *v,
                        const struct draw_sizes *z)
 {
-    struct draw_pt a, b;
-    int i, loads = 0, named;
+    int i;
 
-    for (i = 0; i < d->s->blocks; i++)
-        loads += draw_load_ends(&d->s->block[i], 0, &a, &b) > 0;
-    named = loads <= DRAW_VALUES;
-    for (i = 0; i < d->s->blocks; i++) {
-        int kind = draw_load_ends(&d->s->block[i], z->load, &a, &b);
-
-        if (kind > 0)
-            draw_arrow(v->out, draw_place(v, a.x, a.y), draw_place(v, b.x, b.y),
-                       1.3 * z->arrow, DRAW_LOAD);
-        if (kind > 0 && named)
-            draw_load_value(v, &d->s->block[i], draw_place(v, a.x, a.y));
-        if (kind == 2)
-            draw_torque(v, z, &d->s->block[i], d->s->block[i].load.torque);
-    }
+    draw_loads_of(d, v, z, 0);
+    draw_loads_of(d, v, z, 1);
+    for (i = 0; i < d->masses; i++)
+        draw_circle(v->out, draw_place(v, d->mass[i].x, d->mass[i].y),
+                    DRAW_MASS, DRAW_MASS_STYLE);
 }
 
 /* ---- Names -------------------------------------------------------------- */
@@ -1174,19 +1228,25 @@ static int draw_box_free(const struct draw_scene *d, const struct draw_view *v,
     const kern_block *b = &d->s->block[block];
     const double r = DRAW_TURN * z->stone * v->scale;
     struct draw_pt p, from, to;
-    int i;
+    int i, live;
 
     if (!draw_box_seen(v, c, w, h) || !draw_box_inside(v, b, c, w, h))
         return 0;
     for (i = 0; i < d->s->contacts; i++)
         if (!draw_box_clear(d, v, z, block, i, c, w, h))
             return 0;
-    i = draw_load_ends(b, z->load, &from, &to);
-    if (i > 0 && draw_box_hit(c, w + 2, h + 2, draw_place(v, from.x, from.y),
-                              draw_place(v, to.x, to.y)))
-        return 0;
     p = draw_place(v, b->centre.x, b->centre.y);
-    return i != 2 || !draw_box_hit(c, w + 3 * r, h + 3 * r, p, p);
+    for (live = 0; live < 2; live++) {
+        i = draw_load_ends(b, draw_load_of(d, block, live), z->load[live],
+                           &from, &to);
+        if (i > 0 && draw_box_hit(c, w + 2, h + 2,
+                                  draw_place(v, from.x, from.y),
+                                  draw_place(v, to.x, to.y)))
+            return 0;
+        if (i == 2 && draw_box_hit(c, w + 3 * r, h + 3 * r, p, p))
+            return 0;
+    }
+    return 1;
 }
 
 /* The place for a name nearest to the block's middle, on a raster. */
@@ -1315,22 +1375,22 @@ static void draw_key_scale(struct draw_key *key, const struct draw_view *v)
                 draw_px(p.x), draw_px(p.y - 3.5), draw_px(w));
 }
 
+/* An arrow of forces that have this model length of a unit. */
 static void draw_key_force(struct draw_key *key, const struct draw_view *v,
-                           const struct draw_sizes *z, const char *what)
+                           const struct draw_sizes *z, double length,
+                           const char *what, const char *colour)
 {
     double unit = z->weight > 0 ? z->weight : 1;
-    double pixels = unit * (what ? z->force : z->load) * v->scale;
+    double pixels = unit * length * v->scale;
     double count = draw_round(48 / pixels), w = count * pixels;
     struct draw_pt p;
     char text[160];
 
-    snprintf(text, sizeof text, "%s%.80s: %g%s", what ? "resultant, " : "load",
-             what ? what : "", count,
+    snprintf(text, sizeof text, "%.100s: %g%s", what, count,
              z->weight > 0 ? " \xc3\x97 mean weight" : "");
     p = draw_key_entry(key, w, text);
     if (key->out)
-        draw_arrow(key->out, p, draw_vec(p.x + w, p.y), z->arrow,
-                   what ? DRAW_FORCE : DRAW_LOAD);
+        draw_arrow(key->out, p, draw_vec(p.x + w, p.y), z->arrow, colour);
 }
 
 static void draw_key_thrust(struct draw_key *key, const struct draw_sizes *z)
@@ -1409,23 +1469,22 @@ static void draw_key_circle(struct draw_key *key, double r, const char *style,
 
 static void draw_key_loads(struct draw_key *key, const struct draw_scene *d,
                            const struct draw_view *v,
-                           const struct draw_sizes *z)
+                           const struct draw_sizes *z, int live)
 {
+    const char *colour = live ? DRAW_LIVE : DRAW_LOAD;
     struct draw_pt p;
-    int i, load = 0;
 
-    for (i = 0; i < d->s->blocks; i++)
-        load |= draw_load_ends(&d->s->block[i], 0, &p, &p) > 0;
-    if (!load)
+    if (draw_loaded(d, live) == 0)
         return;
-    if (z->load > 0) {
-        draw_key_force(key, v, z, NULL);
+    if (z->load[live] > 0) {
+        draw_key_force(key, v, z, z->load[live], live ? "live load" : "load",
+                       colour);
         return;
     }
-    p = draw_key_entry(key, 22, "torque");
+    p = draw_key_entry(key, 22, live ? "live torque" : "torque");
     if (key->out)
         draw_arrow(key->out, p, draw_vec(p.x + 22, p.y), 1.3 * z->arrow,
-                   DRAW_LOAD);
+                   colour);
 }
 
 static void draw_key_motion(struct draw_key *key, const struct draw_scene *d)
@@ -1445,6 +1504,7 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
                            const struct draw_sizes *z, double width, double y)
 {
     struct draw_key key;
+    char text[100];
 
     key.out = out;
     key.x = DRAW_PAD;
@@ -1460,11 +1520,15 @@ static double draw_key_all(FILE *out, const struct draw_scene *d,
         draw_key_circle(&key, 4, "fill=\"#ffffff\" stroke=\"" DRAW_GHOST "\" "
                         "stroke-width=\"1.8\"", "hinge of the mechanism");
     if (d->force && z->force > 0) {
-        draw_key_force(&key, v, z, d->force_name ? d->force_name
-                                   : "one admissible set of forces");
+        snprintf(text, sizeof text, "resultant, %.80s", d->force_name
+                 ? d->force_name : "one admissible set of forces");
+        draw_key_force(&key, v, z, z->force, text, DRAW_FORCE);
         draw_key_thrust(&key, z);
     }
-    draw_key_loads(&key, d, v, z);
+    draw_key_loads(&key, d, v, z, 0);
+    draw_key_loads(&key, d, v, z, 1);
+    if (d->masses > 0)
+        draw_key_circle(&key, DRAW_MASS, DRAW_MASS_STYLE, "mass");
     if (z->time > 0)
         draw_key_motion(&key, d);
     if (d->value)

@@ -58,6 +58,8 @@ struct text_file {
     kern_wrench *live;     /* one a block: load pattern about its centre      */
     int lives, loads;      /* statements of a pattern; of loads that stay     */
     struct text_live *axle; /* the statements of the pattern                  */
+    kern_vec *mass;        /* where statements `mass` put it                  */
+    int masses;            /* how many                                        */
     kern_vec gravity;
     kern_options options;  /* the defaults, and what the file says            */
     int epsilon_line;      /* where `epsilon` stands, 0: nowhere              */
@@ -460,6 +462,7 @@ static int text_mass(struct text_reader *r)
         return text_fail(r->t, "mass: it adds up to %g",
                          (double)b->mass + (double)mass);
     b->mass += mass;
+    r->t->mass[r->t->masses++] = at;
     share = mass / b->mass;
     c.x = b->centre.x + share * (at.x - b->centre.x);
     c.y = b->centre.y + share * (at.y - b->centre.y);
@@ -575,13 +578,14 @@ static int text_begins(const char *s, const char *word)
 static int text_make_room(struct text_reader *r, size_t length)
 {
     struct text_file *t = r->t;
-    size_t blocks = 1, contacts = 1, vertices = 1, lives = 1;
+    size_t blocks = 1, contacts = 1, vertices = 1, points = 1;
     for (size_t i = 0, n; i < length; i += n + 1) {
         const char *line = t->text + i, *end = memchr(line, '\n', length - i);
         n = end ? (size_t)(end - line) : length - i;
         line += strspn(line, " \t\r");
         contacts += (size_t)text_begins(line, "contact");
-        lives += (size_t)text_begins(line, "live");
+        points += (size_t)(text_begins(line, "live") |
+                           text_begins(line, "mass"));
         if (!text_begins(line, "block") && !text_begins(line, "fixed"))
             continue;
         blocks++;
@@ -592,15 +596,20 @@ static int text_make_room(struct text_reader *r, size_t length)
     r->contact = calloc(contacts, sizeof *r->contact);
     t->block = calloc(blocks, sizeof *t->block);
     t->live = calloc(blocks, sizeof *t->live);
-    t->axle = calloc(lives, sizeof *t->axle);
+    t->axle = calloc(points, sizeof *t->axle);
+    t->mass = calloc(points, sizeof *t->mass);
     t->name = calloc(blocks, sizeof *t->name);
     t->block_line = calloc(blocks, sizeof *t->block_line);
     t->vertex = calloc(vertices, sizeof *t->vertex);
     t->contact = calloc(2 * contacts, sizeof *t->contact);
     t->own_mu = calloc(2 * contacts, sizeof *t->own_mu);
-    return r->slot && r->contact && t->block && t->live && t->axle && t->name &&
-           t->block_line && t->vertex && t->contact && t->own_mu
-         ? 0 : text_no_memory(t);
+    const void *const taken[] = {
+        r->slot, r->contact, t->block, t->live, t->axle, t->mass, t->name,
+        t->block_line, t->vertex, t->contact, t->own_mu
+    };
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++)
+        if (!taken[i]) return text_no_memory(t);
+    return 0;
 }
 
 static int text_lines(struct text_reader *r, size_t length)
@@ -681,6 +690,7 @@ static inline void text_free(struct text_file *t)
     free(t->block);
     free(t->live);
     free(t->axle);
+    free(t->mass);
     free(t->name);
     free(t->block_line);
     free(t->contact);
@@ -690,6 +700,7 @@ static inline void text_free(struct text_file *t)
     t->block = NULL;
     t->live = NULL;
     t->axle = NULL;
+    t->mass = NULL;
     t->name = NULL;
     t->block_line = NULL;
     t->contact = NULL;
