@@ -1476,8 +1476,8 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5): in the plane the cone of a contact force f n + r t is spanned by its
-   two edges,
+/* Eq. (5), which kern_part_set() writes: in the plane the cone of a force
+   f n + r t is spanned by its two edges,
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0

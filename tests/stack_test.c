@@ -456,7 +456,7 @@ static void replay(struct stack_wall *w, const struct stack_wall *built)
 /* Thirty stones of 36, in a frame that is high enough. */
 static void test_walls(int seeds)
 {
-    for (int level = 10; level <= 50; level += 10)
+    for (int level = 10; level <= 50; level += 20)
         for (int seed = 1; seed <= seeds; seed++)
             for (int p = 0; p < STACK_PLANNERS; p++) {
                 struct stones stock;
