@@ -1309,7 +1309,7 @@ extern "C" {
 
 /* Largest coordinate and gap: the moment of a polygon is still a number. */
 #define KERN_FAR        KERN_PICK(1e100, 1e10)
-/* Where the least of lengths and areas is looked for: more than any. */
+/* Larger than any length or area: where a search for the least begins. */
 #define KERN_HUGE       KERN_PICK(DBL_MAX, FLT_MAX)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL     KERN_R(1e-9)
@@ -1318,7 +1318,7 @@ extern "C" {
 #define KERN_ANGLE_MOST KERN_R(0.5)
 #define KERN_OUT (-1)
 
-/* Of functions of many callers, whose copies firmware has no room for. */
+/* Functions with many callers: firmware has no room for inlined copies. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define KERN_SHARED __attribute__((noinline))
 #else
@@ -1406,7 +1406,7 @@ KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
 static int kern_vec_is_moderate(kern_vec a)
 { return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
-/* By the series and not by libm, whose last digit differs between machines;
+/* The sine by its series: the last digit of libm's differs between machines;
    angles below KERN_ANGLE_MOST are right to eight digits. */
 static kern_real kern_sine(kern_real angle)
 {
@@ -1436,7 +1436,7 @@ static kern_real kern_block_size(const kern_block *block)
     return KERN_SQRT(kern_abs(block->area));
 }
 
-/* 0 just for a wrench of nothing; a number just for one of numbers. */
+/* Sum of magnitudes: 0 only for no wrench, finite only for a finite one. */
 static kern_real kern_wrench_sum(const kern_wrench *w)
 { return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
 
@@ -1460,7 +1460,7 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
            ? KERN_OK : KERN_BAD_NUMBER;
 }
 
-/* Before anything is in it: every corner is beyond every place. */
+/* Makes the box empty: each corner lies beyond every place. */
 static void kern_box_empty(kern_box *box)
 {
     box->low.x = box->low.y = KERN_HUGE;
@@ -1546,7 +1546,7 @@ KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
                                                           : c->travel;
 }
 
-/* Of its line, or about of its group of points; 0 for a lone point. */
+/* Length of its line, or about that of its points; 0: it is a lone point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 {
     return 2 * kern_abs(kern_travel(c, mean));
@@ -1579,7 +1579,7 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Without the torque. Not 0 where just the squares are. */
+/* Magnitude of the force. Not 0 where only its squares underflow. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
     return kern_max(KERN_SQRT(w->fx * w->fx + w->fy * w->fy),
@@ -2242,9 +2242,9 @@ typedef struct kern_budget {
    are to be: see >>pass. */
 typedef struct kern_clusters {
     int *last;                /* of a group: the last group of its cluster    */
-    int *next;                /* of a group: another one of it, in a circle   */
+    int *next;                /* of a group: the next of its cluster, cyclic  */
     int *open;                /* of a last group: nonzero: to be balanced     */
-    int at;                   /* none before this group is to be              */
+    int at;                   /* no cluster that is open ends before this one */
     int budget;               /* products that are left                       */
 } kern_clusters;
 
@@ -2905,8 +2905,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     return status;
 }
 
-/* The same of a task that has not; once the input is accepted `forget`, unless
-   NULL, holds nothing any longer: the proof may be written over what it had. */
+/* The same of a task that is not open yet. Once the input is accepted, `forget`
+   (or NULL) holds nothing any longer: the proof may overwrite what it had. */
 static kern_status kern_measure_anew(const kern_task *task,
                                      const kern_known *known,
                                      kern_known *forget, kern_margin *out,
@@ -3008,8 +3008,8 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     return status;
 }
 
-/* The length of a contact between lo and hi, about in the middle of those that
-   there are, as powers of ten; 0: there is none. */
+/* A length between lo and hi that a contact has, near the middle of all these
+   on a logarithmic scale; 0: there is none. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -3131,7 +3131,7 @@ static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
     return kern_path_search(m, path, tilt ? KERN_R(0.0125) : KERN_R(0.05));
 }
 
-/* How a load grows or gravity turns: a verdict where the path begins, the
+/* Lets a load grow or gravity turn: a verdict where the path begins, the
    search, the proofs. */
 static kern_status kern_push(kern_call *c, const kern_task *task,
                              kern_real shrink, const kern_growth *growth,
@@ -3163,7 +3163,7 @@ static kern_status kern_push(kern_call *c, const kern_task *task,
     return status;
 }
 
-/* The same, where nothing else is asked of the call. */
+/* kern_push() as the only question of a call. */
 static kern_status kern_push_alone(const kern_task *task, kern_real shrink,
                                    const kern_growth *growth, kern_real *out,
                                    const kern_proof *proof)
@@ -3275,8 +3275,8 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
 }
 
 /* The whole collapse along a path, from one critical value to the next. Where
-   both proofs hold at one place a round may take nothing away: there may be so
-   many of these. */
+   both proofs hold at one place, a round may take nothing away: the number of
+   such rounds is bounded. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -5292,7 +5292,7 @@ static void kern_path_rate(const kern_path *path, const kern_model *m,
                    4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* The same of group g, in units, to `out`. */
+/* kern_path_rate() of group g, in the units of its rows. */
 static void kern_group_rate(const kern_path *path, const kern_model *m,
                             const kern_query *q, kern_real s, int g,
                             kern_real *out)
@@ -5304,7 +5304,7 @@ static void kern_group_rate(const kern_path *path, const kern_model *m,
     out[2] = w.torque * m->unit[g] / m->weight;
 }
 
-/* y.rhs' there. */
+/* How fast y.rhs changes along the path, at s. */
 static kern_real kern_load_rate(const kern_path *path,
                                 const kern_query *q, kern_real s)
 {
@@ -6563,8 +6563,8 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 /* Rounds along a load in which the sum of squares of the changes of prices does
    not fall by a fifth: it no longer converges, or slides away. */
 #define KERN_RAISE_STILL   ((int)KERN_PICK(12, 30))
-/* Along a load: steps to the load factor, and of which length once one of these
-   has failed; and by which share of what it should a price falls. */
+/* Along a load: steps up to the load factor; the same once a step has failed;
+   share of its fall that a price makes in one round. */
 #define KERN_LOAD_STEPS    16
 #define KERN_LOAD_FINE     160
 #define KERN_LOAD_FALL     KERN_R(0.3)
@@ -6628,7 +6628,7 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value)
     return out;
 }
 
-/* The largest such set; returns how many blocks are in it. */
+/* The largest set of blocks that can hang; returns how many they are. */
 static int kern_hang_find(const kern_structure *s, kern_real *value)
 {
     int i, n = s->blocks, out = 1;
@@ -6645,12 +6645,12 @@ typedef struct kern_raise {
     const kern_query *q;
     kern_real tolerance;      /* of a group's equilibrium                     */
     kern_real *price;         /* of each contact of the part                  */
-    kern_real *last;          /* of each: what its last price led to, and how
-                                 much more that was; along a load what both
-                                 were more than those before, else 0          */
-    int rounds;               /* prices since then                            */
-    int gained;               /* of these, when their change was the least    */
-    kern_real least;          /* sum of its squares                           */
+    kern_real *last;          /* of each: what its last price led to, and the
+                                 difference of the two; along a load how both
+                                 differ from those before, else 0             */
+    int rounds;               /* rounds of prices so far                      */
+    int gained;               /* round of the last fall of their change       */
+    kern_real least;          /* sum of squares of the change there           */
     kern_real enough;         /* no larger push is asked for                  */
     kern_real *begin, *best;  /* u and prices: without a push, with the largest
                                  so far; the last two along a load            */
@@ -6677,8 +6677,8 @@ static int kern_raise_open(kern_raise *r)
     return 1;
 }
 
-/* How much of the last two changes of what prices led to is taken back: what
-   makes the next least if the map is linear; at most those, or it cycles. */
+/* Anderson's coefficients: how much of the last two differences is taken back.
+   They make the next change least if the map is linear; more, and it cycles. */
 static void kern_raise_back(kern_raise *r, kern_real back[2])
 {
     kern_real up[2] = {0, 0}, down[2] = {0, 0}, both = KERN_R(0);
@@ -7497,7 +7497,7 @@ static kern_real kern_polygon_area(kern_block *block)
     return spread;
 }
 
-/* Fills them in if the polygon is a good one. */
+/* Fills in area, centre and box, or says what is wrong with the polygon. */
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, least;
@@ -8280,7 +8280,7 @@ static void kern_lone_travels(kern_contact *contact, int contacts,
     }
 }
 
-/* Travels of all points. One is beyond all lengths until it is known. */
+/* Travels of all points. Beyond all lengths means: not known yet. */
 static void kern_point_travels(kern_contact *contact, int contacts)
 {
     int i;
@@ -9897,8 +9897,8 @@ static int kern_beds_keep(const kern_structure *s, kern_contact *out,
     return n;
 }
 
-/* Takes the work of the last call off the limit; what a question of several
-   returns then. */
+/* Takes the work of the last of several calls off the limit. Returns its
+   status, or KERN_LIMIT where nothing is left. */
 static kern_status kern_limit_less(kern_task *task, kern_status status)
 {
     if (task->options.limit == 0)
@@ -9911,7 +9911,7 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
     return status;
 }
 
-/* The lower end; in *raised whether its forces are. */
+/* The lower end of the interval; in *raised whether its forces are raised. */
 static kern_status kern_certain_low(kern_task *task, kern_interval *out,
                                     kern_raising *raised)
 {

@@ -80,13 +80,13 @@ static int too_many(struct analysis *a)
 static void print_error(const struct analysis *a)
 {
     if (!a->error[0]) return;
-    fflush(stdout); /* so that a common log keeps the order */
+    fflush(stdout); /* stdout and stderr may go to one log */
     fprintf(stderr, "%s:", a->file);
     if (a->line > 0) fprintf(stderr, "%d:", a->line);
     fprintf(stderr, " %s\n", a->error);
 }
 
-/* Nonzero where one cannot be written. */
+/* Writes the pictures and arrays asked for. Nonzero: one cannot be written. */
 static int write_files(const struct analysis *a)
 {
     int bad = a->set->svg && draw(a);

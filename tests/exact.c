@@ -476,10 +476,10 @@ static const double distance[DISTANCES] = {
     1e-11, 1e-10, 1e-9, 1e-7, 1e-5, 1e-3, 0
 };
 
-/* By how many times what a block may miss of its weight, 1e-9, as a share of
-   the length, kerns have to grow where "stands" is only true within the
-   tolerance of the proof: the edge of a force that is a part of the weight
-   moves by some times as much. A pebble between boulders may miss more. */
+/* A proof allows a residual of 1e-9 of a block's weight. Where "stands" is only
+   true within that tolerance, kerns that grow by TOLERANCE times 1e-9 of the
+   length must make it true: a force that is a part of the weight has to move by
+   several times its residual. A pebble between boulders may need more. */
 #define TOLERANCE 10
 
 /* By distance: how many were asked, and what was answered. */

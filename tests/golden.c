@@ -56,7 +56,7 @@ enum { GOLDENS = (int)(sizeof golden / sizeof *golden), FEWEST = 200,
 #if defined(__FAST_MATH__)
 #error "golden.c: not with -ffast-math or -Ofast: they change results"
 #endif
-/* 16 is 0 for float and double; gcc says so where there is _Float16. */
+/* 16 (gcc with _Float16) means the same as 0 for float and double. */
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16
 #error "golden.c: numbers are kept in excess precision: -msse2 -mfpmath=sse"
 #endif

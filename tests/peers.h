@@ -34,9 +34,9 @@ struct program {
     double shrink;         /* at which the entries are                        */
 };
 
-/* One end of a column: what the unit force f at p does to a block. A torque
-   that is 0 here may not be 0 at another shrinkage, and solvers drop zeros:
-   they get a number that is none to them. */
+/* One end of a column: what the unit force f at p does to a block. Solvers drop
+   zeros, and a torque of 0 may be another number at another shrinkage: such an
+   entry gets a number that solvers keep, and that changes nothing. */
 static inline int program_end(const struct program *lp, int block, kern_vec f,
                        kern_vec p, double sign, int at)
 {

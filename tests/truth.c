@@ -110,7 +110,8 @@ static double area(double by_load)
     return pairs > 0 ? sum / pairs : 0;
 }
 
-/* The row of a reserve; whether it keeps and rejects the shares wanted. */
+/* Prints the row of a reserve. Returns whether it keeps and rejects the shares
+   that are wanted. */
 static int row(double least, double kept, double rejected)
 {
     double in[LABELS] = { 0 }, all[LABELS] = { 0 };

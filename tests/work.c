@@ -218,7 +218,7 @@ static void print_table(void)
     }
 }
 
-/* Prints a sum where it is not what the table says; whether it is. */
+/* Prints a sum that differs from the table. Returns whether it agrees. */
 static int compare_one(const struct sum *got, const struct sum *want)
 {
     const double ratio = want->units > 0

@@ -53,7 +53,7 @@ static inline int find_contacts(struct analysis *a)
     return 0;
 }
 
-/* What a large structure is busy with, under its verdict on a terminal. */
+/* The stage that a large structure is at, shown on a terminal. */
 static inline void show_stage(const struct analysis *a, const char *what)
 {
     if (a->task.s.blocks < 200 || !ARGS_TERMINAL(2)) return;

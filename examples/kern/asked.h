@@ -207,9 +207,9 @@ static inline int find_stays(struct analysis *a)
                             a->set->stays);
 }
 
-/* Between what the margin of measured blocks lies, and whether the verdict
-   holds within their error; contacts that are given have none. Twice the error
-   allowed finds more contacts, for which there is work memory of its own. */
+/* The interval of the margin of measured blocks, and whether the verdict holds
+   within their error. Contacts that are given have no error. Twice the error
+   finds more contacts, for which there is work memory of its own. */
 static inline int find_certain(struct analysis *a)
 {
     int room = 2 * a->task.s.contacts + KERN_CONTACTS(a->text.blocks);

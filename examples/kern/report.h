@@ -359,7 +359,7 @@ static inline void report_normals(const struct analysis *a)
     }
 }
 
-/* An angle in degrees taken for its tangent: no stones stick like that. */
+/* Warns of a friction above 2: probably degrees where a tangent is meant. */
 static inline void report_friction(const struct analysis *a)
 {
     const double mu = (double)a->task.options.mu;
