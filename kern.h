@@ -1703,8 +1703,8 @@ typedef struct kern_path {
     kern_real holds, fails;   /* the bracket                                  */
     kern_real critical;       /* value that Newton's method predicts          */
     kern_real exact;          /* one that a verdict there has confirmed       */
-    kern_real stood, fell;    /* the farthest that is proven to stand, the
-                                 nearest to fall; -1, infinity: none          */
+    kern_real proven_low;     /* the farthest place that is proven to stand   */
+    kern_real proven_high;    /* the nearest to fall; -1, infinity: none      */
     int never;                /* nonzero: it stands to the end                */
     kern_part *part;          /* that fell last                               */
     kern_known warm;          /* of a structure like it, or of the body that
@@ -2712,7 +2712,7 @@ static void kern_simplex_crash(kern_simplex *sx);
 static kern_real kern_simplex_place(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
-static kern_status kern_program_solve(kern_simplex *sx, int own,
+static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
                                       kern_work *work);
 
@@ -2766,8 +2766,8 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->critical = KERN_R(0);
-    path->stood = KERN_R(-1);
-    path->fell = path->exact = KERN_INFINITY;
+    path->proven_low = KERN_R(-1);
+    path->proven_high = path->exact = KERN_INFINITY;
     path->never = 0;
 }
 
@@ -2895,8 +2895,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     status = kern_spent(task->work, task->options.limit, kern_measure_path(
         &c->m, path, travels.nested, last, &r));
     if (status == KERN_LIMIT) {
-        r.fails = kern_min(path->fell, r.most);
-        r.margin = r.holds = kern_min(path->stood, r.fails);
+        r.fails = kern_min(path->proven_high, r.most);
+        r.margin = r.holds = kern_min(path->proven_low, r.fails);
         r.level = -1;
         r.saturated = 0;
     }
@@ -3002,7 +3002,8 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
         status = kern_grow(&c.m, &c.path);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        *deficit = c.path.fell <= 0 ? 0 - c.path.fell : KERN_R(-1);
+        *deficit = c.path.proven_high <= 0 ? 0 - c.path.proven_high
+                                           : KERN_R(-1);
     else if (status >= 0)
         *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.critical;
     return status;
@@ -3131,8 +3132,7 @@ static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
     return kern_path_search(m, path, tilt ? KERN_R(0.0125) : KERN_R(0.05));
 }
 
-/* Lets a load grow or gravity turn: a verdict where the path begins, the
-   search, the proofs. */
+/* Lets a load grow or gravity turn: a verdict at the start, search, proofs. */
 static kern_status kern_push(kern_call *c, const kern_task *task,
                              kern_real shrink, const kern_growth *growth,
                              kern_real *out, const kern_proof *proof)
@@ -3156,7 +3156,7 @@ static kern_status kern_push(kern_call *c, const kern_task *task,
         status = kern_push_search(&c->m, path, tilt);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        path->critical = path->stood;
+        path->critical = path->proven_low;
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *out = tilt ? 4 * kern_angle_of(path->critical)
                     : path->never ? KERN_INFINITY : path->critical;
@@ -5033,7 +5033,7 @@ static kern_real kern_part_total(const kern_part *p)
 /* Forces were found, but larger than is allowed: the least there are, by
    costs of 1. If they still are too large their prices are a motion that shows
    that no smaller ones exist. */
-static kern_status kern_part_norm(kern_part *p, int own)
+static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_status status;
@@ -5043,7 +5043,7 @@ static kern_status kern_part_norm(kern_part *p, int own)
     for (i = 0; i < p->eq.lp.cols; i++)
         one[i] = KERN_R(1);
     p->eq.lp.cost = one;
-    status = kern_program_solve(&p->eq.simplex, own, p->x, p->y,
+    status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
                                 p->m->budget.work);
     p->eq.lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
@@ -5073,17 +5073,17 @@ static int kern_part_follow(kern_part *p, kern_real *place)
 static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
     kern_status status = KERN_UNDECIDED;
-    int own;
+    int builtin;
     p->found = KERN_UNDECIDED;
     if (!kern_model_spend(p->m, p->m->budget.query_units))
         return KERN_LIMIT;
     kern_part_set(p, q);
-    for (own = 0; own < 2 && status != KERN_LIMIT; own++) {
+    for (builtin = 0; builtin < 2 && status != KERN_LIMIT; builtin++) {
         kern_simplex_crash(&p->eq.simplex);
-        status = kern_program_solve(&p->eq.simplex, own, p->x, p->y,
+        status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
                                     p->m->budget.work);
         if (status == KERN_LP_OPTIMAL)
-            status = kern_part_norm(p, own);
+            status = kern_part_norm(p, builtin);
         else if (status == KERN_LP_INFEASIBLE)
             status = KERN_FALLS;
         p->found = status;
@@ -5342,11 +5342,11 @@ static void kern_path_note(const kern_model *m, kern_path *path,
                            kern_status status, kern_real s)
 {
     if (status == KERN_STANDS)
-        path->stood = kern_max(path->stood, s);
-    if (status == KERN_FALLS && !(s <= path->fell))
+        path->proven_low = kern_max(path->proven_low, s);
+    if (status == KERN_FALLS && !(s <= path->proven_high))
         return;
     if (status == KERN_FALLS)
-        path->fell = s;
+        path->proven_high = s;
     kern_proof_out(m, path->proof, status);
 }
 
@@ -5430,7 +5430,7 @@ typedef struct kern_bracket {
 static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
-    if (!path->alone && !path->ipm && path->stood < lo
+    if (!path->alone && !path->ipm && path->proven_low < lo
         && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
@@ -5470,7 +5470,7 @@ static void kern_path_strengthen(kern_model *m, kern_path *path,
         return;
     if (path->fails - c < aside / 8 && at < path->end
         && kern_path_ask(m, path, at) == KERN_FALLS) {
-        path->fell = path->fails = at;
+        path->proven_high = path->fails = at;
         kern_path_note(m, path, KERN_FALLS, at);
     }
     if (c - path->holds < aside / 8 && from > path->start
@@ -5935,7 +5935,7 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
         first = step;
     }
     if (status == KERN_UNDECIDED) {
-        path->holds = kern_max(path->start, path->stood);
+        path->holds = kern_max(path->start, path->proven_low);
         status = kern_path_climb(m, path, first, step);
     }
     return status;
@@ -6526,14 +6526,14 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_critical(m, path);
-        if (path->fell > path->fails
+        if (path->proven_high > path->fails
             || path->fails - path->holds > KERN_WIDTH * path->unit)
             status = KERN_UNDECIDED;
     }
     path->ipm = NULL;
-    if (path->fell <= path->start)
+    if (path->proven_high <= path->start)
         return KERN_FALLS;
-    return status == KERN_STANDS && path->stood >= path->holds
+    return status == KERN_STANDS && path->proven_low >= path->holds
            ? status : KERN_UNDECIDED;
 }
 #endif /* KERN_NO_INTERIOR */
@@ -8251,7 +8251,8 @@ static kern_vec kern_carried_at(const kern_contact *contact, int contacts,
     kern_real widest = KERN_R(-1);
     int j, k;
     for (j = 0; j < contacts; j++)
-        for (k = j; k < contacts && kern_carried(contact + j, down) == block; k++) {
+        for (k = j; k < contacts
+                    && kern_carried(contact + j, down) == block; k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
             if (square > widest && kern_carried(contact + k, down) == block) {
@@ -9006,8 +9007,7 @@ static int kern_basis_full(const kern_simplex *sx)
     return f->count == f->most || f->first[f->count] + sx->groups > f->room;
 }
 
-/* Column q, which is sx->alpha in terms of the basis, is basic in row p from
-   now on. */
+/* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
@@ -9618,8 +9618,8 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
    kern_simplex_crash(), or logicals. x is written for every verdict: one that
    falls leaves A x = rhs in it, with what is negative about it, which tells how
    the verdict changes with the matrix. y is written for KERN_LP_INFEASIBLE, and
-   with costs for KERN_LP_OPTIMAL. `own` keeps the program from the backend. */
-static kern_status kern_program_solve(kern_simplex *sx, int own,
+   with costs for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
+static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
 {
@@ -9629,12 +9629,12 @@ static kern_status kern_program_solve(kern_simplex *sx, int own,
     int i, ray = KERN_OUT;
     work->solves++;
 #ifdef KERN_USE_GLPK
-    if (!own && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
+    if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
         kern_simplex_change(sx, KERN_BASIS_NONE);
         return kern_lp_glpk(lp, x, y, work);
     }
 #endif
-    (void)own;
+    (void)builtin;
     status = kern_simplex_begin(sx, work);
     if (status == KERN_OK)
         status = kern_simplex_run(sx, work, &ray);
