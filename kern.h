@@ -3104,8 +3104,8 @@ static kern_status kern_growth_check(const kern_growth *growth,
     if (!pattern && !kern_has_side(m->s, growth->side))
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < m->s->blocks; i++)
-        if (kern_is_free(m, i) &&
-            !kern_is_finite(kern_wrench_sum(pattern + i))) {
+        if (kern_is_free(m, i)
+            && !kern_is_finite(kern_wrench_sum(pattern + i))) {
             m->budget.work->fault.block = i;
             return KERN_BAD_NUMBER;
         }

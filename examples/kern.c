@@ -220,8 +220,8 @@ static int read_option(void *settings, char **argv, int *i)
         { "--lone", &set->lone }
     };
     const char *word = argv[*i], *value;
-    if (strcmp(word, "--mechanism") == 0 && argv[*i + 1] &&
-        strcmp(argv[*i + 1], "live") == 0) {
+    if (strcmp(word, "--mechanism") == 0 && argv[*i + 1]
+        && strcmp(argv[*i + 1], "live") == 0) {
         set->mechanism = set->mechanism_live = 1;
         ++*i;
         return 0;
@@ -265,8 +265,8 @@ int main(int argc, char **argv)
     set.files = args_read(argc, argv, read_option, &set);
     if (set.files == ARGS_BAD) return EXIT_BAD;
     if (set.files == ARGS_HELP)
-        return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0 ||
-               fputs(help_json, stdout) < 0 ? EXIT_BAD : EXIT_STANDS;
+        return fputs(help, stdout) < 0 || fputs(help_format, stdout) < 0
+               || fputs(help_json, stdout) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == ARGS_VERSION)
         return puts("kern " KERN_VERSION) < 0 ? EXIT_BAD : EXIT_STANDS;
     if (set.files == 0) {

@@ -223,8 +223,8 @@ static double median_push(const struct pushes *p)
         return 1;
     for (i = 0; i < p->task.s.blocks; i++)
         for (k = 0; k < DIRECTIONS; k++)
-            if (!p->task.s.block[i].fixed && p->most[i][k] > 0 &&
-                !isinf(p->most[i][k]))
+            if (!p->task.s.block[i].fixed && p->most[i][k] > 0
+                && !isinf(p->most[i][k]))
                 all[n++] = p->most[i][k];
     qsort(all, (size_t)n, sizeof *all, ascending);
     median = n > 0 ? all[n / 2] : 1;

@@ -23,8 +23,8 @@
 
    and those of tests/BENCH.md are made anew by
 
-       ./bench --quick --release | awk -v summary=1 -f tests/bench.awk >summary.md &&
-           sed -i -e '/^<!-- bench/,/^<!-- end/{//!d}' \
+       ./bench --quick --release | awk -v summary=1 -f tests/bench.awk >summary.md
+           && sed -i -e '/^<!-- bench/,/^<!-- end/{//!d}' \
                -e '/^<!-- bench/r summary.md' tests/BENCH.md
 
    Instructions instead of times: bash tests/work.sh corpus.

@@ -509,9 +509,9 @@ static int question(kern_work *work, double *shrink, int *expect)
     got = kern_measure(task_of(work), &m, NULL);
     if (got == KERN_STANDS && !m.saturated && m.margin > 2e-3 * unit)
         *shrink = m.margin;
-    else if (got == KERN_FALLS &&
-             kern_deficit(task_of(work), &deficit) == KERN_FALLS &&
-             deficit < 100 * unit)
+    else if (got == KERN_FALLS
+             && kern_deficit(task_of(work), &deficit) == KERN_FALLS
+             && deficit < 100 * unit)
         *shrink = -deficit;
     else
         return DISTANCES - 1;

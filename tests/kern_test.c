@@ -87,8 +87,8 @@ static int check_near(double got, double want, double tol, int line,
                       const char *what)
 {
     /* a NaN fails; equal infinities pass */
-    const int ok = fabs(got - want) <= tol ||
-                   (isinf(got) && isinf(want) && (got > 0) == (want > 0));
+    const int ok = fabs(got - want) <= tol
+                   || (isinf(got) && isinf(want) && (got > 0) == (want > 0));
     check_report(ok, line, what, got, want, tol);
     return ok;
 }
@@ -456,8 +456,8 @@ static int guard_holds(const kern_work *work, int reals, int ints)
 {
     int k, clean = 1;
     for (k = work->reals; k < reals + GUARD; k++)
-        clean = clean && !(work->real[k] < R(MARK)) &&
-                !(work->real[k] > R(MARK));
+        clean = clean && !(work->real[k] < R(MARK))
+                && !(work->real[k] > R(MARK));
     for (k = work->indices; k < ints + GUARD; k++)
         clean = clean && work->index[k] == MARK;
     return clean;
@@ -511,8 +511,8 @@ static int carry_the_same(const world *w, const kern_contact *p,
     const kern_vec down = w->options.lone;
     const double of_p = (double)(p->n.x * down.x + p->n.y * down.y);
     const double of_k = (double)(k->n.x * down.x + k->n.y * down.y);
-    return (of_p < 0 || of_p > 0) && (of_k < 0 || of_k > 0) &&
-           (of_p < 0 ? p->b : p->a) == (of_k < 0 ? k->b : k->a);
+    return (of_p < 0 || of_p > 0) && (of_k < 0 || of_k > 0)
+           && (of_p < 0 ? p->b : p->a) == (of_k < 0 ? k->b : k->a);
 }
 
 /* The middle of what carries the block of contact k. */
@@ -525,8 +525,8 @@ static void middle_of_carriers(const world *w, int k, wide *x, wide *y)
         for (j = i; j < w->contacts; j++) {
             const kern_contact *p = &w->contact[i], *q = &w->contact[j];
             const wide dx = (wide)p->p.x - q->p.x, dy = (wide)p->p.y - q->p.y;
-            if (!carry_the_same(w, p, c) || !carry_the_same(w, q, c) ||
-                dx * dx + dy * dy <= most)
+            if (!carry_the_same(w, p, c) || !carry_the_same(w, q, c)
+                || dx * dx + dy * dy <= most)
                 continue;
             most = dx * dx + dy * dy;
             *x = ((wide)p->p.x + q->p.x) / 2;
@@ -714,8 +714,8 @@ static double share_of_motion(const world *w, double d,
     for (i = 0; i < w->blocks; i++) {
         const kern_block *b = &w->block[i];
         const kern_motion *v = &motion[i];
-        const int moves = v->vx < 0 || v->vx > 0 || v->vy < 0 || v->vy > 0 ||
-                          v->spin < 0 || v->spin > 0;
+        const int moves = v->vx < 0 || v->vx > 0 || v->vy < 0 || v->vy > 0
+                          || v->spin < 0 || v->spin > 0;
         if (!(fabs((double)v->vx) + fabs((double)v->vy) +
                   fabs((double)v->spin) <=
               DBL_MAX))
@@ -822,19 +822,19 @@ static int twin_leave(const tableau *t, int enter)
     int i, leave = -1;
     for (i = 0; i < t->rows; i++) {
         const wide *row = twin_row(t, i);
-        if (row[enter] > (wide)TWIN_PIVOT &&
-            (leave < 0 ||
-             (row[t->all] + (wide)TWIN_ZERO) / row[enter] < least)) {
+        if (row[enter] > (wide)TWIN_PIVOT
+            && (leave < 0
+             || (row[t->all] + (wide)TWIN_ZERO) / row[enter] < least)) {
             least = (row[t->all] + (wide)TWIN_ZERO) / row[enter];
             leave = i;
         }
     }
     for (i = 0; i < t->rows && leave >= 0; i++) {
         const wide *row = twin_row(t, i), *now = twin_row(t, leave);
-        if (row[enter] > (wide)TWIN_PIVOT &&
-            row[t->all] / row[enter] <= least &&
-            (t->still > 2 * t->rows && row[enter] > (wide)1e-6 &&
-                     now[enter] > (wide)1e-6
+        if (row[enter] > (wide)TWIN_PIVOT
+            && row[t->all] / row[enter] <= least
+            && (t->still > 2 * t->rows && row[enter] > (wide)1e-6
+                     && now[enter] > (wide)1e-6
                  ? twin_basis[i] < twin_basis[leave]
                  : row[enter] > now[enter]))
             leave = i;
@@ -1185,9 +1185,9 @@ static void check_saturated(const kern_margin *m)
                  slip = 8 * fmax(EPS, 1e-10) * steps;
     CHECK_NEAR(m->margin, m->most, 0);
     CHECK_NEAR(m->fails, m->most, 0);
-    CHECK((SINGLE && m->level == -1) ||
-          m->level == (int)ceil(steps - slip) + 1 ||
-          m->level == (int)ceil(steps + slip) + 1);
+    CHECK((SINGLE && m->level == -1)
+          || m->level == (int)ceil(steps - slip) + 1
+          || m->level == (int)ceil(steps + slip) + 1);
 }
 
 /* And of one that falls at the end of the bracket. */
@@ -1202,8 +1202,8 @@ static void check_end(const world *w, const kern_margin *m)
     const double wide_as = (SINGLE ? 0.04001 : GLPK ? 2.8001e-5 : 2.0001e-6)
                            * (w->options.relative ? 1 : mean);
     CHECK_NEAR(m->fails - m->holds, 0, wide_as);
-    CHECK(share_of_motion(w, (double)m->fails, motion_of) <= 1.001 ||
-          share_of_motion(w, past, motion_of) <= 1.001);
+    CHECK(share_of_motion(w, (double)m->fails, motion_of) <= 1.001
+          || share_of_motion(w, past, motion_of) <= 1.001);
     CHECK_NEAR(speed_of(w, motion_of), 1, 100 * EPS);
 }
 
@@ -1263,8 +1263,8 @@ static void check_bracket(const world *w, const kern_margin *m)
     const int fails = m->saturated ? KERN_FALLS : verdict(w, (double)m->fails);
     CHECK(decided(holds) && decided(fails));
     CHECK(holds != KERN_FALLS || open_question(w, (double)m->holds));
-    CHECK(fails != KERN_STANDS || m->saturated ||
-          open_question(w, (double)m->fails));
+    CHECK(fails != KERN_STANDS || m->saturated
+          || open_question(w, (double)m->fails));
 }
 
 /* Two margins of one structure are alike, or what differs is an open question.
@@ -1285,11 +1285,11 @@ static void same_level(const world *w, const kern_margin *m,
     const double steps = (double)(m->most / m->epsilon);
     const double edge = (n->level < m->level ? n->level : m->level)
                         * (double)m->epsilon;
-    const int closing = n->saturated && m->saturated &&
-                        abs(n->level - m->level) == 1 &&
-                        fabs(steps - floor(steps + 0.5)) < 1e-6;
-    if (n->level != m->level && !closing &&
-        !open_question(w, fmin(edge, (double)m->most)))
+    const int closing = n->saturated && m->saturated
+                        && abs(n->level - m->level) == 1
+                        && fabs(steps - floor(steps + 0.5)) < 1e-6;
+    if (n->level != m->level && !closing
+        && !open_question(w, fmin(edge, (double)m->most)))
         check_near(n->level, m->level, 0, line, "level of the same");
     passed++;
 }
@@ -1659,8 +1659,8 @@ static void bisect_with_twin(const world *w, const kern_margin *m)
     d = twin_bisect(w, (double)m->holds * 0.999,
                     fmin(most, (double)m->fails + 1e-3 * unit), width);
     /* or it is only a question of how large forces may grow */
-    if (fabs(margin - d) > EXACT * unit &&
-        !twin_agrees(w, (margin + d) / 2, margin > d))
+    if (fabs(margin - d) > EXACT * unit
+        && !twin_agrees(w, (margin + d) / 2, margin > d))
         CHECK_NEAR(margin, d, EXACT * unit);
     passed++;
 }
@@ -1751,8 +1751,8 @@ static void polygon_area_and_centre(void)
     CHECK_NEAR(b.box.high.x, 4, 0);
     CHECK_NEAR(b.box.high.y, 5, 0);
     CHECK(!b.fixed && b.vertices == 4 && b.vertex);
-    CHECK(!(b.load.fx < 0 || b.load.fx > 0 || b.load.fy < 0 || b.load.fy > 0 ||
-            b.load.torque < 0 || b.load.torque > 0));
+    CHECK(!(b.load.fx < 0 || b.load.fx > 0 || b.load.fy < 0 || b.load.fy > 0
+            || b.load.torque < 0 || b.load.torque > 0));
     CHECK_INT(polygon(&b, &fault, 2.5, clock, 4), KERN_OK);
     CHECK_NEAR(b.area, -4, GEO);
     CHECK_NEAR(b.mass, 10, GEO);
@@ -1981,10 +1981,10 @@ static int contact_at(const world *w, int a, int b, double x, double y,
         const double sign = c->a == a && c->b == b   ? 1
                             : c->a == b && c->b == a ? -1
                                                      : 0;
-        if (fabs(sign) > 0 && fabs((double)c->p.x - x) <= tol &&
-            fabs((double)c->p.y - y) <= tol &&
-            fabs(sign * (double)c->n.x - nx) <= tol &&
-            fabs(sign * (double)c->n.y - ny) <= tol)
+        if (fabs(sign) > 0 && fabs((double)c->p.x - x) <= tol
+            && fabs((double)c->p.y - y) <= tol
+            && fabs(sign * (double)c->n.x - nx) <= tol
+            && fabs(sign * (double)c->n.y - ny) <= tol)
             return 1;
     }
     return 0;
@@ -2007,15 +2007,15 @@ static void check_contacts(const world *w)
     own_travels(w, travel);
     for (k = 0; k < w->contacts; k++) {
         const kern_contact *c = &w->contact[k];
-        CHECK(c->a >= 0 && c->a < w->blocks && c->b >= 0 && c->b < w->blocks &&
-              c->a != c->b);
+        CHECK(c->a >= 0 && c->a < w->blocks && c->b >= 0 && c->b < w->blocks
+              && c->a != c->b);
         CHECK(!(w->block[c->a].fixed && w->block[c->b].fixed));
         CHECK_NEAR(hypot((double)c->n.x, (double)c->n.y), 1, 8 * EPS);
         CHECK_NEAR(c->travel, travel[k],
                    64 * EPS *
                        (1 + fabs((double)c->p.x) + fabs((double)c->p.y)));
-        if (c->line && k + 1 < w->contacts && w->contact[k + 1].line &&
-            c->travel > 0 && w->contact[k + 1].travel < 0) {
+        if (c->line && k + 1 < w->contacts && w->contact[k + 1].line
+            && c->travel > 0 && w->contact[k + 1].travel < 0) {
             const kern_contact *e = c + 1;
             CHECK(c->a == e->a && c->b == e->b);
             CHECK_NEAR(c->n.x, e->n.x, 0);
@@ -3120,13 +3120,13 @@ static int is_image(const change *c, const int *order, const kern_contact *o,
     const double sign = e->a == order[o->a] && e->b == order[o->b]   ? 1
                         : e->b == order[o->a] && e->a == order[o->b] ? -1
                                                                      : 0;
-    return fabs(sign) > 0 &&
-           hypot((double)(e->p.x - p.x), (double)(e->p.y - p.y)) <=
-               tol * c->scale &&
-           hypot((double)e->n.x * sign - (double)n.x,
-                 (double)e->n.y * sign - (double)n.y) <= tol &&
-           fabs(fabs((double)e->travel) - fabs((double)o->travel) * c->scale) <=
-               2 * tol * c->scale;
+    return fabs(sign) > 0
+           && hypot((double)(e->p.x - p.x), (double)(e->p.y - p.y)) <=
+               tol * c->scale
+           && hypot((double)e->n.x * sign - (double)n.x,
+                 (double)e->n.y * sign - (double)n.y) <= tol
+           && fabs(fabs((double)e->travel)
+                   - fabs((double)o->travel) * c->scale) <= 2 * tol * c->scale;
 }
 
 static void contact_invariance(void)
@@ -3162,11 +3162,11 @@ static void contact_invariance(void)
 /* Does the same contact stand in both places, bit by bit? */
 static int same_contact(const kern_contact *c, const kern_contact *d)
 {
-    return c->a == d->a && c->b == d->b && c->line == d->line &&
-           memcmp(&c->p, &d->p, sizeof c->p) == 0 &&
-           memcmp(&c->n, &d->n, sizeof c->n) == 0 &&
-           memcmp(&c->mu, &d->mu, sizeof c->mu) == 0 &&
-           memcmp(&c->travel, &d->travel, sizeof c->travel) == 0;
+    return c->a == d->a && c->b == d->b && c->line == d->line
+           && memcmp(&c->p, &d->p, sizeof c->p) == 0
+           && memcmp(&c->n, &d->n, sizeof c->n) == 0
+           && memcmp(&c->mu, &d->mu, sizeof c->mu) == 0
+           && memcmp(&c->travel, &d->travel, sizeof c->travel) == 0;
 }
 
 /* The contacts of block after block, each with those before it, are those of
@@ -3198,8 +3198,8 @@ static void contact_order(void)
                 continue;
             got = kern_touch(w.block, b, &w.options, one, MAX_POINTS, &none);
             for (k = 0; k < got; k++, all++)
-                CHECK(all < w.contacts &&
-                      same_contact(&w.contact[all], &one[k]));
+                CHECK(all < w.contacts
+                      && same_contact(&w.contact[all], &one[k]));
         }
         if (!SINGLE)
             CHECK_INT(all, w.contacts);
@@ -3563,9 +3563,9 @@ static void travels_of_many(void)
                 for (k = j + 1; k < n; k++) {
                     const double dx = (double)(c[k].p.x - c[j].p.x);
                     const double dy = (double)(c[k].p.y - c[j].p.y);
-                    if (c[j].a + c[j].b == c[i].a + c[i].b &&
-                        c[k].a + c[k].b == c[i].a + c[i].b &&
-                        (double)R(dx * dx + dy * dy) > widest) {
+                    if (c[j].a + c[j].b == c[i].a + c[i].b
+                        && c[k].a + c[k].b == c[i].a + c[i].b
+                        && (double)R(dx * dx + dy * dy) > widest) {
                         widest = (double)R(dx * dx + dy * dy);
                         x = (double)(c[j].p.x + c[k].p.x) / 2;
                         y = (double)(c[j].p.y + c[k].p.y) / 2;
@@ -3721,10 +3721,10 @@ static int same_supports(const world *w, const world *t, double gap)
         int found = 0;
         for (j = 0; j < t->contacts; j++) {
             const kern_contact *d = &t->contact[j];
-            found |= c->a == d->a && c->b == d->b && c->line == d->line &&
-                     hypot((double)(c->p.x - d->p.x),
-                           (double)(c->p.y - d->p.y)) <= gap &&
-                     (double)(c->n.x * d->n.x + c->n.y * d->n.y) >=
+            found |= c->a == d->a && c->b == d->b && c->line == d->line
+                     && hypot((double)(c->p.x - d->p.x),
+                           (double)(c->p.y - d->p.y)) <= gap
+                     && (double)(c->n.x * d->n.x + c->n.y * d->n.y) >=
                          cos((double)w->options.angle);
         }
         ok = found;
@@ -3888,8 +3888,8 @@ static void check_stays(const world *w, int got, const kern_margin *m, int now)
 static void check_like_load(const world *w, const world *t)
 {
     double factor, rough;
-    if (load_factor(w, NULL, 1, &factor) != KERN_STANDS ||
-        load_factor(t, NULL, 1, &rough) != KERN_STANDS)
+    if (load_factor(w, NULL, 1, &factor) != KERN_STANDS
+        || load_factor(t, NULL, 1, &rough) != KERN_STANDS)
         return;
     if (isinf(factor) || isinf(rough))
         CHECK(isinf(factor) && isinf(rough));
@@ -3907,8 +3907,8 @@ static void steps_in_random_structures(void)
         random_of_kind(&w, 83000u + (unsigned long long)seed, 8, seed % KINDS);
         w.options.relative = 0;
         w.options.epsilon = 0;
-        if (w.given || w.contacts < 1 || w.contacts > 60 ||
-            !structure_with_steps(&t, &w))
+        if (w.given || w.contacts < 1 || w.contacts > 60
+            || !structure_with_steps(&t, &w))
             continue;
         cases++;
         got = measure(&w, &m);
@@ -4721,8 +4721,8 @@ static double all_bases(int rows, int cols, const double *table,
     for (i = 0; i < rank; i++)
         choice[i] = i;
     do
-        if (basic_solution(rank, cols, t, choice, cost, &sum) &&
-            (!*found || sum < best)) {
+        if (basic_solution(rank, cols, t, choice, cost, &sum)
+            && (!*found || sum < best)) {
             best = sum;
             *found = 1;
         }
@@ -5206,8 +5206,8 @@ static double strict_share(const world *w, double d, const kern_motion *motion)
                           (wide)b->load.torque * v->spin;
         if (b->fixed)
             continue;
-        if (v->vx < 0 || v->vx > 0 || v->vy < 0 || v->vy > 0 || v->spin < 0 ||
-            v->spin > 0)
+        if (v->vx < 0 || v->vx > 0 || v->vy < 0 || v->vy > 0 || v->spin < 0
+            || v->spin > 0)
             weight += own_weight(w, i);
         power += part;
     }
@@ -5483,8 +5483,8 @@ static void margin_steps(void)
     CHECK_NEAR(m.epsilon, 0.02, EPS); /* by default, of the mean size */
     for (k = 0; k < COUNT_OF(steps); k++) {
         double ratio = 0.25 / steps[k];
-        if (SINGLE &&
-            steps[k] < 1e-3) /* 1e-5 is finer than float knows the margin */
+        if (SINGLE
+            && steps[k] < 1e-3) /* 1e-5 is finer than float knows the margin */
             continue;
         w.options.epsilon = R(steps[k]);
         CHECK_INT(measure(&w, &m), KERN_STANDS);
@@ -5648,8 +5648,8 @@ static void deficit_random(void)
             continue;
         CHECK(growth > 0);
         if (isinf(growth)) {
-            CHECK(twin_agrees(&w, -(w.options.relative ? 10 : 10 * scale), 0) ||
-                  !twin_nested(&w));
+            CHECK(twin_agrees(&w, -(w.options.relative ? 10 : 10 * scale), 0)
+                  || !twin_nested(&w));
             continue;
         }
         finite++;
@@ -6099,11 +6099,12 @@ static void site_unchanged(const site *p, int line)
 {
     const size_t b = (size_t)site_was.plan.task.s.blocks,
                  c = (size_t)site_was.plan.task.s.contacts;
-    check_report(!memcmp(&p->plan, &site_was.plan, sizeof site_was.plan) &&
-                     !memcmp(p->block, site_was.block, sizeof *p->block * b) &&
-                     !memcmp(p->contact, site_was.contact,
-                             sizeof *p->contact * c) &&
-                     !memcmp(p->motion, site_was.motion,
+    check_report(!memcmp(&p->plan, &site_was.plan, sizeof site_was.plan)
+                     && !memcmp(p->block, site_was.block,
+                                sizeof *p->block * b)
+                     && !memcmp(p->contact, site_was.contact,
+                             sizeof *p->contact * c)
+                     && !memcmp(p->motion, site_was.motion,
                              sizeof *p->motion * b),
                  line, "the plan is as it was", 0, 0, 0);
 }
@@ -6140,14 +6141,15 @@ static void site_bears(site *p, const kern_block *block, int got,
         if (said == KERN_STANDS) /* where kerns are not nested, at m->holds */
             CHECK(
                 kern_check_forces(task_of(&s, &p->plan.task.options, &p->work),
-                                  at, proof.force) <= 1 ||
-                kern_check_forces(task_of(&s, &p->plan.task.options, &p->work),
-                                  m->holds, proof.force) <= 1);
+                                  at, proof.force) <= 1
+                || kern_check_forces(
+                       task_of(&s, &p->plan.task.options, &p->work), m->holds,
+                       proof.force) <= 1);
         else if (p->w->options.relative == 0)
             CHECK(
                 kern_check_motion(task_of(&s, &p->plan.task.options, &p->work),
-                                  at, proof.motion) <= 1 ||
-                side);
+                                  at, proof.motion) <= 1
+                || side);
     }
 }
 
@@ -7059,9 +7061,9 @@ static void plan_settings(site *p)
 /* Whether a call ended by its limit, or for want of memory. */
 static int plan_ended(const site *p, int got)
 {
-    const int ended = (got == KERN_LIMIT && p->plan.task.options.limit > 0) ||
-                      (got == KERN_NO_SPACE &&
-                       p->work.reals < KERN_REALS(MAX_BLOCKS, MAX_POINTS));
+    const int ended = (got == KERN_LIMIT && p->plan.task.options.limit > 0)
+                      || (got == KERN_NO_SPACE
+                       && p->work.reals < KERN_REALS(MAX_BLOCKS, MAX_POINTS));
     plan_calls++;
     plan_ends += ended;
     return ended;
@@ -7259,8 +7261,8 @@ static void jams_are_bounded(void)
         if (!two_wedges(&w))
             continue;
         work = work_of(&w);
-        CHECK(kern_measure(world_task(&w, &work), &m, NULL) >= 0 ||
-              SINGLE);
+        CHECK(kern_measure(world_task(&w, &work), &m, NULL) >= 0
+              || SINGLE);
         most = work.pivots > most ? work.pivots : most;
         found++;
     }
@@ -8219,8 +8221,8 @@ static void not_worse(const world *w, const kern_margin *m, int got,
             check_near(now, got, 0, line, "verdict of what is not worse");
         return;
     }
-    if ((double)n.margin < (double)m->margin - tol * unit &&
-        !open_question(w, ((double)n.margin + (double)m->margin) / 2))
+    if ((double)n.margin < (double)m->margin - tol * unit
+        && !open_question(w, ((double)n.margin + (double)m->margin) / 2))
         check_near((double)n.margin, (double)m->margin, tol * unit, line,
                    "margin of what is not worse");
     passed++;
@@ -8415,8 +8417,8 @@ static int check_both(const world *a, int got_a, const world *b, int got_b,
     const int stand = got_a == KERN_STANDS && got_b == KERN_STANDS;
     if (got != (stand ? KERN_STANDS : KERN_FALLS)) {
         CHECK(decided(got) && decided(got_a) && decided(got_b));
-        if (got >= 0 && got_a >= 0 && got_b >= 0 && !open_question(a, 0) &&
-            !open_question(b, 0))
+        if (got >= 0 && got_a >= 0 && got_b >= 0 && !open_question(a, 0)
+            && !open_question(b, 0))
             CHECK(!"verdict of two side by side");
         return 0;
     }
@@ -8440,15 +8442,15 @@ static void laws_side_by_side(void)
         got_b = measure(&b, &n);
         world_joined(&both, &a, &b, SINGLE ? 10 : 100);
         got = measure(&both, &o);
-        if ((SINGLE && (got < 0 || got_a < 0 || got_b < 0)) ||
-            !check_both(&a, got_a, &b, got_b, got))
+        if ((SINGLE && (got < 0 || got_a < 0 || got_b < 0))
+            || !check_both(&a, got_a, &b, got_b, got))
             continue;
         stand++;
         want = least_margin(&m, &n);
         unit = a.options.relative ? 1 : mean_size(&both);
         if (fabs((double)o.margin - want) >
-                4 * unit * fmax(law_tolerance(&a), law_tolerance(&b)) &&
-            !open_question(&both, ((double)o.margin + want) / 2))
+                4 * unit * fmax(law_tolerance(&a), law_tolerance(&b))
+            && !open_question(&both, ((double)o.margin + want) / 2))
             CHECK_NEAR(o.margin, want, 0);
         passed++;
     }
@@ -9487,8 +9489,8 @@ static void profile_of_two(void)
         b.gravity = a.gravity;
         b.options = a.options;
         world_joined(&both, &a, &b, SINGLE ? 10 : 100);
-        if (profile(&a, 1, value, &c[0]) || profile(&b, 1, value, &c[1]) ||
-            profile(&both, 1, value, &c[2]))
+        if (profile(&a, 1, value, &c[0]) || profile(&b, 1, value, &c[1])
+            || profile(&both, 1, value, &c[2]))
             continue;
         for (i = 0; i < a.blocks; i++)
             n[0] += !a.block[i].fixed;
@@ -10753,8 +10755,8 @@ static void sensitivity_cost(void)
     const kern_proof proof = proof_here();
     double least[2] = {HUGE_VAL, HUGE_VAL};
     int run, k;
-    for (run = 0; run < (SINGLE ? 0 : 30) &&
-         (run == 0 || least[1] > 0.05 * least[0]); run++) {
+    for (run = 0; run < (SINGLE ? 0 : 30)
+         && (run == 0 || least[1] > 0.05 * least[0]); run++) {
         clock_t spent[2] = {0, 0};
         unsigned long long seed;
         for (seed = 1; seed < 400; seed++) {

@@ -323,8 +323,8 @@ static int open_sample(const char *folder, const char *part, const char *name,
     kern_task task;
     kern_margin margin;
     snprintf(path, sizeof path, "%s/%s/%s.kern", folder, part, name);
-    if (samples == MOST_FILES || text_load(&s->file, path) < 0 ||
-        s->file.message[0]) {
+    if (samples == MOST_FILES || text_load(&s->file, path) < 0
+        || s->file.message[0]) {
         fprintf(stderr, "%s: %s\n", path, s->file.message);
         return 0;
     }
@@ -352,8 +352,8 @@ static int open_table(const char *folder, const char *table, const char *part,
     while (fgets(line, sizeof line, in)) {
         strcpy(verdict, "stands");
         if (sscanf(line, labelled ? "%199[^,],%*[^,],%99[^,\n]" : "%199[^,]",
-                   name, verdict) < 1 + labelled ||
-            strcmp(name, "name") == 0 || strcmp(verdict, "unclear") == 0)
+                   name, verdict) < 1 + labelled
+            || strcmp(name, "name") == 0 || strcmp(verdict, "unclear") == 0)
             continue;
         if (!open_sample(folder, part, name, strcmp(verdict, "stands") == 0)) {
             fclose(in);
@@ -418,8 +418,8 @@ int main(int argc, char **argv)
     bad = near_misses(seeds);
     if (argc < 3)
         return bad > 0;
-    if (!open_table(argv[2], "labels.csv", "structures", 0) ||
-        !open_table(argv[2], "removal.csv", "removal", 1))
+    if (!open_table(argv[2], "labels.csv", "structures", 0)
+        || !open_table(argv[2], "removal.csv", "removal", 1))
         return 1;
     print_needs();
     printf("  noise | right, %% of   | refused | certain, %% of | of    | "

@@ -490,8 +490,8 @@ static double hinged(double thick, int hinge[4][2])
     force.y = d[3] / d[0];
     for (int j = 0; j <= voussoirs; j++) {
         const int in[2] = { j, 0 }, out[2] = { j, 1 };
-        if (!(moment(thick, hinge[0], in, force, d[1] / d[0]) < 1e-9) ||
-            !(moment(thick, hinge[0], out, force, d[1] / d[0]) > -1e-9))
+        if (!(moment(thick, hinge[0], in, force, d[1] / d[0]) < 1e-9)
+            || !(moment(thick, hinge[0], out, force, d[1] / d[0]) > -1e-9))
             return -1;
     }
     return d[1] / d[0];

@@ -1,5 +1,5 @@
-/* cc -O2 -ffp-contract=off -o regressions tests/regressions.c -lm &&
-   ./regressions
+/* cc -O2 -ffp-contract=off -o regressions tests/regressions.c -lm
+   && ./regressions
 
    Structures on which an earlier version gave a wrong answer, none, or none in
    time. Each of tests/regressions is asked everything that there is to ask. It

@@ -63,8 +63,8 @@ static void numbers(void)
                                        "0x1p3", "1.2.3", "e5" };
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         kern_real got = -1;
-        check(text_number(good[i].word, &got) &&
-              fabs((double)got - good[i].value) <=
+        check(text_number(good[i].word, &got)
+              && fabs((double)got - good[i].value) <=
                   4 * (double)KERN_EPS * fabs(good[i].value), good[i].word);
     }
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -78,8 +78,8 @@ static void refused(const char *text, size_t length, int line,
                     const char *words)
 {
     struct text_file t;
-    check(text_read(&t, text, length) == -1 && t.line == line &&
-          strstr(t.message, words), words);
+    check(text_read(&t, text, length) == -1 && t.line == line
+          && strstr(t.message, words), words);
     text_free(&t);
 }
 

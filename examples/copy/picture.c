@@ -80,8 +80,8 @@ int main(int argc, char **argv)
         printf("level %d, margin %.3f m\n", m.level, m.margin);
     if (argc == 1 || verdict < 0)
         return verdict < 0;
-    if (argc != 2 || !strstr(argv[1], ".svg") ||
-        draw(&task, verdict, argv[1])) {
+    if (argc != 2 || !strstr(argv[1], ".svg")
+        || draw(&task, verdict, argv[1])) {
         fputs("usage: picture [OUT.svg]\n", stderr);
         return 2;
     }

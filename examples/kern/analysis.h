@@ -79,8 +79,8 @@ static inline int take_memory(struct analysis *a)
         bad |= !a->fate[k];
     }
     bad |= !a->critical.limit || !a->critical.meeting;
-    return a->work.real && a->work.index && a->force && a->last_force &&
-           a->motion && a->fall && a->collapse && !bad ? 0 : fail_memory(a);
+    return a->work.real && a->work.index && a->force && a->last_force
+           && a->motion && a->fall && a->collapse && !bad ? 0 : fail_memory(a);
 }
 
 static inline void free_work(struct analysis *a)

@@ -85,8 +85,8 @@ static inline void find_raised_loads(struct analysis *a)
         kern_real value = 0;
         a->raised_load[k] = (double)NAN;
         kern_status status;
-        if (a->raising != KERN_RAISED || a->raised != KERN_STANDS ||
-            !(pattern ? a->text.lives > 0 : gravity_of(a) > 0))
+        if (a->raising != KERN_RAISED || a->raised != KERN_STANDS
+            || !(pattern ? a->text.lives > 0 : gravity_of(a) > 0))
             continue;
         status = kern_raised_load(&a->task, shrinkage(a), side[k], pattern,
                                   &value, NULL);
@@ -195,8 +195,8 @@ static inline int find_stays(struct analysis *a)
     a->stays = malloc(sizeof *a->stays * (size_t)blocks);
     for (int i = 0; i < blocks && there && a->stays; i++) {
         a->stays[i] = (double)NAN;
-        if (a->task.s.block[i].fixed ||
-            (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
+        if (a->task.s.block[i].fixed
+            || (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
         found = 1;
         grow_to(a, &g, all ? i : blocks);
         stays_of(&g.task, g.part.place[i], g.value, &a->stays[i]);
@@ -216,8 +216,8 @@ static inline int find_certain(struct analysis *a)
     const int most = 64 * room;
     kern_status got = KERN_NO_SPACE;
     kern_margin m;
-    if (!(a->set->error > 0) || a->text.given || is_open(a->shown) ||
-        shrinkage(a) > 0 || kern_measure(&a->task, &m, NULL) < 0)
+    if (!(a->set->error > 0) || a->text.given || is_open(a->shown)
+        || shrinkage(a) > 0 || kern_measure(&a->task, &m, NULL) < 0)
         return 0;
     for (; got == KERN_NO_SPACE && room <= most; room *= 2) {
         kern_contact *out = malloc((size_t)room * sizeof *out);

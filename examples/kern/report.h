@@ -51,8 +51,8 @@ static inline void report_level(const struct analysis *a)
         return;
     }
     printf("  level       %-8d", a->m.level);
-    if (a->measured == KERN_FALLS && a->shown == KERN_STANDS &&
-        !(shrinkage(a) > 0))
+    if (a->measured == KERN_FALLS && a->shown == KERN_STANDS
+        && !(shrinkage(a) > 0))
         printf("  critical: it stands and it falls, as exactly as proofs "
                "are\n");
     else if (a->measured == KERN_FALLS)
@@ -348,8 +348,8 @@ static inline void report_normals(const struct analysis *a)
     for (int k = 0; k < s->contacts && a->text.given && shown < 5; k++) {
         const kern_contact *c = &s->contact[k];
         const kern_vec u = s->block[c->a].centre, v = s->block[c->b].centre;
-        if ((c->p.x - u.x) * c->n.x + (c->p.y - u.y) * c->n.y >= 0 ||
-            (v.x - c->p.x) * c->n.x + (v.y - c->p.y) * c->n.y >= 0)
+        if ((c->p.x - u.x) * c->n.x + (c->p.y - u.y) * c->n.y >= 0
+            || (v.x - c->p.x) * c->n.x + (v.y - c->p.y) * c->n.y >= 0)
             continue;
         printf("  contact %s %s at (%.6g, %.6g): its normal, %.4g %.4g, leads "
                "into %s\n", name_of(a, c->a, one), name_of(a, c->b, two),
@@ -488,9 +488,9 @@ static inline void report_stays(const struct analysis *a)
 {
     char shown[TEXT_SHOW_ROOM];
     for (int i = 0; i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed ||
-            (!is_all(a->set->stays) &&
-             strcmp(a->text.name[i], a->set->stays) != 0)) continue;
+        if (a->task.s.block[i].fixed
+            || (!is_all(a->set->stays)
+             && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
         printf("  stays       ");
         if (isnan(a->stays[i])) printf("no        ");
         else printf("%-8.3f  ", a->stays[i]);

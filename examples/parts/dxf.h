@@ -293,8 +293,8 @@ static int dxf_sections(struct dxf_reader *r)
     char section[256] = "";
     int found = dxf_group(r), variable = 0;
     while (found == 1 && !dxf_is(r, 0, "EOF")) {
-        if (r->code == 0 && !dxf_is(r, 0, "ENDSEC") &&
-            strcmp(section, "ENTITIES") == 0) {
+        if (r->code == 0 && !dxf_is(r, 0, "ENDSEC")
+            && strcmp(section, "ENTITIES") == 0) {
             if (dxf_entity(r)) return -1;
             continue;
         }

@@ -30,8 +30,8 @@ static inline int falls_moves(kern_motion v, const kern_block *b)
 {
     const kern_real rest = (kern_real)(FALLS_REST * FALLS_REST);
     const kern_real area = b->area < 0 ? -b->area : b->area;
-    return !b->fixed && (v.vx * v.vx + v.vy * v.vy > rest ||
-                         v.spin * v.spin * area > rest);
+    return !b->fixed && (v.vx * v.vx + v.vy * v.vy > rest
+                         || v.spin * v.spin * area > rest);
 }
 
 /* Those of place[] that are not negative, renumbered, with the contacts between
@@ -81,8 +81,8 @@ static inline void falls_all(const kern_task *task, kern_real shrink,
     kern_proof proof = { NULL, NULL };
     proof.motion = left->motion;
     for (int i = 0; i < s->blocks; i++) left->place[i] = i;
-    while (falls_left(s, motion, left, &rest.s) > 0 &&
-           kern_verdict(&rest, shrink, &proof) == KERN_FALLS)
+    while (falls_left(s, motion, left, &rest.s) > 0
+           && kern_verdict(&rest, shrink, &proof) == KERN_FALLS)
         for (int i = 0; i < s->blocks; i++)
             if (left->place[i] >= 0) motion[i] = left->motion[left->place[i]];
 }

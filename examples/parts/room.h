@@ -49,9 +49,9 @@ static inline kern_plan room_plan(int blocks, int contacts, kern_work *work)
 /* Is all of a plan's memory there? */
 static inline int room_is_there(const kern_plan *plan)
 {
-    return plan->block && plan->contact && plan->task.known.motion &&
-           plan->task.known.force && plan->task.work->real &&
-           plan->task.work->index;
+    return plan->block && plan->contact && plan->task.known.motion
+           && plan->task.known.force && plan->task.work->real
+           && plan->task.work->index;
 }
 
 static inline void room_free_plan(kern_plan *plan)

@@ -117,8 +117,8 @@ static inline int text_utf8(const char *s)
           : u[0] < 0xf0 ? 3 : u[0] < 0xf5 ? 4 : 0;
     for (int i = 1; i < n; i++)
         if ((u[i] & 0xc0) != 0x80) return 0;
-    if ((u[0] == 0xe0 && u[1] < 0xa0) || (u[0] == 0xed && u[1] > 0x9f) ||
-        (u[0] == 0xf0 && u[1] < 0x90) || (u[0] == 0xf4 && u[1] > 0x8f))
+    if ((u[0] == 0xe0 && u[1] < 0xa0) || (u[0] == 0xed && u[1] > 0x9f)
+        || (u[0] == 0xf0 && u[1] < 0x90) || (u[0] == 0xf4 && u[1] > 0x8f))
         return 0;
     return n;
 }
@@ -132,8 +132,8 @@ static inline const char *text_show(char *out, const char *word)
     while (*s && s - word < TEXT_SHOWN) {
         const unsigned char *u = (const unsigned char *)s;
         int n = text_utf8(s);
-        int control = u[0] < 0x20 || u[0] == 0x7f ||
-                      (u[0] == 0xc2 && u[1] < 0xa0);
+        int control = u[0] < 0x20 || u[0] == 0x7f
+                      || (u[0] == 0xc2 && u[1] < 0xa0);
         if (n == 0 || control) {
             o += snprintf(o, 5, "\\x%02x", (unsigned)u[0]);
             s++;
@@ -240,9 +240,9 @@ static int text_value(struct text_reader *r, const char *word,
         "a number", "a number not below zero", "a positive number"
     };
     kern_real value;
-    if (!text_number(word, &value) ||
-        (range == TEXT_POSITIVE && !(value > 0)) ||
-        (range == TEXT_NOT_NEGATIVE && value < 0))
+    if (!text_number(word, &value)
+        || (range == TEXT_POSITIVE && !(value > 0))
+        || (range == TEXT_NOT_NEGATIVE && value < 0))
         return text_expect(r, what[range], word);
     *out = value;
     return 0;
@@ -455,8 +455,8 @@ static int text_mass(struct text_reader *r)
     kern_block *b;
     kern_real mass = 0, share;
     kern_vec at, c;
-    if (text_free_block(r, &b) || text_real(r, TEXT_POSITIVE, &mass) ||
-        text_vec(r, &at))
+    if (text_free_block(r, &b) || text_real(r, TEXT_POSITIVE, &mass)
+        || text_vec(r, &at))
         return -1;
     if (!((double)b->mass + (double)mass <= TEXT_MOST))
         return text_fail(r->t, "mass: it adds up to %g",
@@ -514,16 +514,16 @@ static int text_torque(struct text_reader *r)
 static int text_contact(struct text_reader *r)
 {
     struct text_contact *c = &r->contact[r->contacts];
-    if (text_block_named(r, &c->a) || text_block_named(r, &c->b) ||
-        text_vec(r, &c->n) || text_vec(r, &c->p))
+    if (text_block_named(r, &c->a) || text_block_named(r, &c->b)
+        || text_vec(r, &c->n) || text_vec(r, &c->p))
         return -1;
     c->q = c->p;
     c->mu = -1;
     c->line = r->t->line;
     char *word = text_next(r);
     if (*word && strcmp(word, "mu") != 0) {
-        if (text_value(r, word, TEXT_ANY, &c->q.x) ||
-            text_real(r, TEXT_ANY, &c->q.y))
+        if (text_value(r, word, TEXT_ANY, &c->q.x)
+            || text_real(r, TEXT_ANY, &c->q.y))
             return -1;
         word = text_next(r);
     }
@@ -732,8 +732,8 @@ static inline int text_read(struct text_file *t, const char *data,
 
     struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0,
                              { 0 } };
-    int bad = text_make_room(&r, length) || text_lines(&r, length) ||
-              text_contacts(&r);
+    int bad = text_make_room(&r, length) || text_lines(&r, length)
+              || text_contacts(&r);
     free(r.slot);
     free(r.contact);
     return bad ? -1 : 0;

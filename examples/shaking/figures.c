@@ -166,8 +166,8 @@ static int make_samples(struct figures *f)
         struct sample *s = &f->sample[i];
         if (!f->json)
             fprintf(stderr, "figures: structure %d of %d\n", i + 1, f->samples);
-        if (build_sample(f, f->first + i - 1, s) ||
-            shake_file(s->path, 1, LEVELS, f->quick ? 1 : 3, &s->shaken))
+        if (build_sample(f, f->first + i - 1, s)
+            || shake_file(s->path, 1, LEVELS, f->quick ? 1 : 3, &s->shaken))
             return -1;
         if (f->json) print_sample(f->first + i, s);
     }
@@ -217,9 +217,9 @@ static int time_shaking(const char *path, int first, int last,
 static int time_sample(const struct sample *s, double cost[COSTS])
 {
     struct measures_of m;
-    int bad = measures_load(&m, s->path) ||
-              time_shaking(s->path, 10, 10, &cost[COST_ONE_SHAKING]) ||
-              time_shaking(s->path, 1, LEVELS, &cost[COST_SHAKING]);
+    int bad = measures_load(&m, s->path)
+              || time_shaking(s->path, 10, 10, &cost[COST_ONE_SHAKING])
+              || time_shaking(s->path, 1, LEVELS, &cost[COST_SHAKING]);
     for (int which = COST_MARGIN; which < COSTS && !bad; which++)
         bad = time_measure(&m, which, &cost[which]);
     measures_free(&m);
@@ -241,8 +241,8 @@ static int table_one(const struct figures *f)
         const struct sample *s = NULL;
         double cost[COSTS];
         for (int i = 0; i < f->samples; i++)
-            if ((int)f->sample[i].kind == kind &&
-                (!s || f->sample[i].stones > s->stones))
+            if ((int)f->sample[i].kind == kind
+                && (!s || f->sample[i].stones > s->stones))
                 s = &f->sample[i];
         if (!s) continue;
         if (time_sample(s, cost)) return fail("cannot time", "measures");
@@ -269,8 +269,8 @@ static int draw_shrunk(const struct figures *f, struct measures_of *m,
     FILE *out = plot_open(f->folder, name);
     int bad;
     proof.force = calloc((size_t)m->task.s.contacts, sizeof *proof.force);
-    bad = !out || !proof.force ||
-          kern_verdict(&m->task, (kern_real)shrink, &proof) != KERN_STANDS;
+    bad = !out || !proof.force
+          || kern_verdict(&m->task, (kern_real)shrink, &proof) != KERN_STANDS;
     if (!bad && kern_forces(&m->task, (kern_real)shrink, proof.force) ==
                 KERN_STANDS)
         scene.force_name = "least forces";
@@ -292,8 +292,8 @@ static int figure_three(const struct figures *f)
     struct measures_of m;
     kern_margin out = { 0 };
     char caption[160];
-    int bad = measures_load(&m, f->sample[0].path) ||
-              kern_measure(&m.task, &out, NULL) != KERN_STANDS;
+    int bad = measures_load(&m, f->sample[0].path)
+              || kern_measure(&m.task, &out, NULL) != KERN_STANDS;
     if (!bad) {
         double last = (out.level - 1) * (double)out.epsilon;
         bad = draw_shrunk(f, &m, "fig3-first.svg", 0,
@@ -436,8 +436,8 @@ static int draw_wall(const struct figures *f, const char *path,
     struct draw_scene scene = { 0 };
     char caption[120];
     FILE *out = plot_open(f->folder, name);
-    int bad = measures_load(&w, path) || !out ||
-              kern_measure(&w.task, m, NULL) != KERN_STANDS;
+    int bad = measures_load(&w, path) || !out
+              || kern_measure(&w.task, m, NULL) != KERN_STANDS;
     if (!bad) {
         snprintf(caption, sizeof caption, "level %d, margin %.3g stones", m->level,
                  (double)m->margin);
@@ -539,8 +539,8 @@ int main(int argc, char **argv)
     if (bad) return bad > 0 ? 0 : 2;
     bad = make_samples(&f);
     if (!bad && !f.json)
-        bad = table_one(&f) || figure_three(&f) || figure_six(&f) ||
-              figure_seven(&f);
+        bad = table_one(&f) || figure_three(&f) || figure_six(&f)
+              || figure_seven(&f);
     for (int i = 0; i < f.samples && f.sample; i++) {
         free(f.sample[i].shaken.ads);
         free(f.sample[i].shaken.first);

@@ -256,8 +256,8 @@ static void put_scene(const struct table *t, const struct draw_view *v,
     draw_close(v->out);
     for (int i = 0; i < t->stones; i++) {
         put_transform(v, pose[i + 1]);
-        put_stone(t, v, i, pose != t->home &&
-                           table_score(t, i) > table_threshold);
+        put_stone(t, v, i, pose != t->home
+                           && table_score(t, i) > table_threshold);
         draw_close(v->out);
     }
 }
@@ -526,9 +526,9 @@ static int read_option(void *settings, char **argv, int *i)
                                           "--unit", "--show" };
     const char *word = argv[*i], *value;
     for (int k = 0; k < (int)(sizeof number / sizeof number[0]); k++)
-        if (args_value(argv, i, number[k], &value) ||
-            (k == 0 && args_value(argv, i, "-l", &value)) ||
-            (k == 1 && args_value(argv, i, "-n", &value)))
+        if (args_value(argv, i, number[k], &value)
+            || (k == 0 && args_value(argv, i, "-l", &value))
+            || (k == 1 && args_value(argv, i, "-n", &value)))
             return read_number(set, number[k], value);
     if (args_value(argv, i, "--svg", &set->svg))
         return read_picture("--svg", set->svg);

@@ -63,8 +63,8 @@ static void csv_word(const char *line, int column, char out[WORD])
     int n = 0;
     while (column > 0 && *line)
         if (*line++ == ',') column--;
-    while (*line && *line != ',' && *line != '\n' && *line != '\r' &&
-           n < WORD - 1)
+    while (*line && *line != ',' && *line != '\n' && *line != '\r'
+           && n < WORD - 1)
         out[n++] = *line++;
     out[n] = '\0';
 }
@@ -173,8 +173,8 @@ static void read_stones(struct study *y)
         csv_word(line, a, name);
         csv_word(line, b, stone);
         csv_word(line, c, word);
-        for (int tries = 0; tries < y->entries &&
-                            strcmp(y->entry[at].name, name) != 0; tries++)
+        for (int tries = 0; tries < y->entries
+                            && strcmp(y->entry[at].name, name) != 0; tries++)
             at = (at + 1) % y->entries;
         for (int i = 0; i < y->entry[at].stones; i++)
             if (strcmp(y->entry[at].stone[i], stone) == 0)
