@@ -291,7 +291,6 @@ static void find_best(struct wall *w)
    taken away again. */
 static void find_stays(struct wall *w)
 {
-    kern_real *value;
     int i;
 
     w->stays = (double)NAN;
@@ -301,10 +300,7 @@ static void find_stays(struct wall *w)
     i = kern_plan_add(&w->plan, &w->stone);
     if (i < 0)
         return;
-    value = malloc(sizeof *value * (size_t)w->plan.task.s.blocks);
-    if (value)
-        stays_of(&w->plan.task, w->plan.task.s.blocks - 1, value, &w->stays);
-    free(value);
+    stays_of(&w->plan.task, w->plan.task.s.blocks - 1, &w->stays);
     kern_plan_remove(&w->plan, w->plan.task.s.blocks - 1);
 }
 

@@ -324,8 +324,7 @@ PAGE(raised_load) int page_raised_load(int side)
 /* Answer: the chance that block i, laid last, stays where it is let go. */
 PAGE(stays) int page_stays(int i)
 {
-    static kern_real value[BLOCKS];
-    return report(stays_of(&task, i, value, &answer[0]), &work.fault);
+    return report(stays_of(&task, i, &answer[0]), &work.fault);
 }
 
 /* Answer: how it is held (kern_raising), and the sideways reserve. */

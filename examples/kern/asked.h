@@ -132,7 +132,6 @@ static inline int find_raised(struct analysis *a)
 struct grown {
     kern_task task;
     struct falls_part part;
-    kern_real *value;       /* room for a number a block                     */
 };
 
 static inline int open_grown(const struct analysis *a, struct grown *g)
@@ -142,8 +141,7 @@ static inline int open_grown(const struct analysis *a, struct grown *g)
     g->part.contact = array(a->task.s.contacts, sizeof *g->part.contact);
     g->part.block = malloc(sizeof *g->part.block * blocks);
     g->part.place = malloc(sizeof *g->part.place * blocks);
-    g->value = malloc(sizeof *g->value * blocks);
-    return g->part.contact && g->part.block && g->part.place && g->value;
+    return g->part.contact && g->part.block && g->part.place;
 }
 
 static inline void close_grown(struct grown *g)
@@ -151,7 +149,6 @@ static inline void close_grown(struct grown *g)
     free(g->part.contact);
     free(g->part.block);
     free(g->part.place);
-    free(g->value);
 }
 
 /* All blocks up to `last`, with the contacts between them. */
@@ -199,7 +196,7 @@ static inline int find_stays(struct analysis *a)
             || (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
         found = 1;
         grow_to(a, &g, all ? i : blocks);
-        stays_of(&g.task, g.part.place[i], g.value, &a->stays[i]);
+        stays_of(&g.task, g.part.place[i], &a->stays[i]);
     }
     close_grown(&g);
     if (!there || !a->stays) return fail_memory(a);

@@ -255,8 +255,8 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 void kern_py_free(struct text_file *t) { text_free(t); }
 void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
 { room_falls(task, shrink, motion); }
-int kern_py_stays(const kern_task *task, int i, kern_real *value, double *out)
-{ return stays_of(task, i, value, out); }
+int kern_py_stays(const kern_task *task, int i, double *out)
+{ return stays_of(task, i, out); }
 char *kern_py_dxf(const char *data, size_t length, char *message, size_t room)
 { return dxf_read(data, length, message, room); }
 void kern_py_dxf_free(char *text) { free(text); }
@@ -407,7 +407,7 @@ _free = _declare("kern_py_free", None, _p)
 _dxf = _declare("kern_py_dxf", _p, c_char_p, ctypes.c_size_t, _p,
                 ctypes.c_size_t)
 _dxf_free = _declare("kern_py_dxf_free", None, _p)
-_stays = _declare("kern_py_stays", _i, _p, _i, _p, _p)
+_stays = _declare("kern_py_stays", _i, _p, _i, _p)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
                  _p, _r, c_char_p, _i, _p, _r, c_char_p)
@@ -1228,11 +1228,10 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     def stays(self, block: Union[int, str]) -> Optional[float]:
         """The chance from 0 to 1 that a block, laid last, stays where it is let
         go (stays.h); None where the structure falls."""
-        value = (c_double * self._task.s.blocks)()
         out, i = c_double(), self._index(block)
         if self.blocks[i].fixed:
             raise ValueError("'%s' is fixed" % self.blocks[i].name)
-        status = self._check(_stays(self._at_task, i, value, byref(out)))
+        status = self._check(_stays(self._at_task, i, byref(out)))
         return out.value if status == _STANDS else None
 
     def _least(self, shrink: float) -> Any:
