@@ -295,8 +295,8 @@
    load factor 0.90, margin 0.87 (measured with 0.1.0). In sample (969
    placements, tests/truth.c): 0.95, 0.90, 0.70. Most that stay and are
    rejected stand on walls that were below 0.0055 before.
-   examples/parts/stays.h asks for the stone's sag on springs too: area 0.985 and
-   0.988, each half by a law of the other. KERN_NOT_SHOWN is no proof of falling.
+   examples/parts/stays.h asks for its sag on springs: area 0.985 and 0.988,
+   each half by a law of the other. KERN_NOT_SHOWN is no proof of falling.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm

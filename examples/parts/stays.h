@@ -10,20 +10,20 @@
        (2000 r / s)^(7/4),   r = reserve + .004; the reserve is 0 where the
                                  structure is not raised
                              s = sag under its weight and .003 g to either side,
-                                 the larger; at least .05. Each contact point has
-                                 the stiffness 1 along and across its normal:
-                                 a mean weight is 1
+                                 the larger; at least .05. Each contact point
+                                 has the stiffness 1 along and across its
+                                 normal: a mean weight is 1
 
    a logistic law whose exponents were rounded so that square roots will do. It
-   was fitted to 969 placements that stand, of 100 walls under construction, each
-   let go six times in another simulator (tests/truth): 630 stay, 205 move, 134
-   are unclear and count as not staying. Fitted on the walls of odd number and
-   tested on the 509 placements of those of even number, and the other way (460):
-   area under the ROC curve of stays against moves .985 [.971, .995] and .988
-   [.975, .996], of the reserve alone .972 and .971; .989 [.977, .998] and .990
-   [.980, .997] where the wall below has a reserve of .0055 or more (469 and
-   420). Where 95 % of what stays is kept, .95 and .98 of what moves and .82 and
-   .72 of what is unclear is rejected. Intervals: 95 %, walls drawn anew.
+   was fitted to 969 placements that stand, of 100 walls under construction,
+   each let go six times in another simulator (tests/truth): 630 stay, 205 move,
+   134 are unclear and count as not staying. Fitted on the walls of odd number
+   and tested on the 509 placements of those of even number, and the other way
+   (460): area under the ROC curve of stays against moves .985 [.971, .995] and
+   .988 [.975, .996], of the reserve alone .972 and .971; .989 [.977, .998] and
+   .990 [.980, .997] where the wall below has a reserve of .0055 or more (469
+   and 420). Where 95 % of what stays is kept, .95 and .98 of what moves and .82
+   and .72 of what is unclear is rejected. Intervals: 95 %, walls drawn anew.
    Which numbers the law has was chosen on both halves.
    Calibration, in ten groups of equal number in the order of the chance: the
    mean chance and the share that stays differ by at most .034 on the data the
@@ -50,7 +50,7 @@ enum { STAYS_STEPS = 300 };
 struct stays_block {
     kern_real move[3], speed[3]; /* x, y, and the turn times the mean size */
     kern_real force[3];
-    kern_real factor[6]; /* of Cholesky: of its stiffness where all else rests */
+    kern_real factor[6]; /* Cholesky's, of its stiffness where all else rests */
 };
 
 struct stays_springs {

@@ -195,7 +195,7 @@ class _Text(ctypes.Structure):
                 ("given", c_int), ("contact", POINTER(_Contact)),
                 ("own_mu", c_void_p), ("contacts", c_int), ("live", c_void_p),
                 ("lives", c_int), ("loads", c_int), ("axle", POINTER(_Live)),
-                ("gravity", _Vec),
+                ("mass", c_void_p), ("masses", c_int), ("gravity", _Vec),
                 ("options", _Options), ("epsilon_line", c_int),
                 ("line", c_int), ("message", ctypes.c_char * 512),
                 ("text", c_void_p), ("vertex", c_void_p)]
