@@ -29,6 +29,7 @@
    mean chance and the share that stays differ by at most .034 on the data the
    law was fitted to; of a law fitted to one half, by up to .15 and .05 on the
    other, in groups of about 48.
+
    SPDX-License-Identifier: MIT */
 
 #ifndef STAYS_H
