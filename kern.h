@@ -1012,8 +1012,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
      KERN_STANDS    All of *out. proof->force holds the structure at out->holds,
                     with its kerns shrunk; proof->motion moves it at out->fails
                     (not written where the margin is saturated).
-     KERN_FALLS     level, margin, holds, fails are 0, most and epsilon are set;
-                    proof->motion says how it falls.
+     KERN_FALLS     level, margin, holds, fails, saturated are 0; most, epsilon
+                    are set; proof->motion says how it falls.
      KERN_LIMIT     level -1, saturated 0; margin and holds are the largest
                     shrinkage proven to stand, -1: none yet; fails the smallest
                     proven to fall, `most`: none. The proof means nothing.
