@@ -196,11 +196,13 @@ class Calls(unittest.TestCase):
         self.assertEqual((bool(r), r.stands, r.raising), (False, False, None))
 
     def test_stays(self):
-        """A stone in the middle stays, one near its edge hardly; what falls has
-        no chance."""
-        sure, hardly = (Structure(two(x)).stays("top") for x in (0.1, 0.498))
-        self.assertGreater(sure, 0.9)
-        self.assertLess(hardly, 0.5)
+        """A stone in the middle stays, one that a push of .003 g tips hardly, and
+        less the nearer to its edge; what falls has no chance."""
+        chance = [Structure(two(x)).stays("top")
+                  for x in (0.1, 0.4, 0.49, 0.498, 0.4995)]
+        self.assertEqual(chance, sorted(chance, reverse=True))
+        self.assertGreater(chance[0], 0.9)
+        self.assertLess(chance[-1], 0.5)
         self.assertIsNone(Structure(two(0.7)).stays("top"))
 
     def test_in_place(self):
