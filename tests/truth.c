@@ -1,7 +1,8 @@
 /* cc -O2 -ffp-contract=off -o truth tests/truth.c -lm && ./truth FOLDER [KEPT REJECTED]
 
-   How well kern_raised() and its reserve tell placements that stay from those
-   that move. FOLDER holds labels.csv, whose first column is the NAME of a file
+   How well kern_raised() and its reserve, and stays_of(), which asks about the
+   block that is the last of its file, tell placements that stay from those that
+   move. FOLDER holds labels.csv, whose first column is the NAME of a file
    structures/NAME.kern; of a column `label` stays, moves and unclear are read;
    without one all count as stays. What does not stand is left out. Fails where
    a proof is none, or where at the recommended reserve less is kept of what
@@ -16,6 +17,7 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 #include "../examples/parts/room.h"
+#include "../examples/parts/stays.h"
 #include "../examples/parts/text.h"
 
 enum { MANY = 20000, POINTS = 4000, LABELS = 3,
@@ -23,8 +25,11 @@ enum { MANY = 20000, POINTS = 4000, LABELS = 3,
 
 static const char *label_name[LABELS] = { "stays", "moves", "unclear" };
 static kern_contact contact[POINTS];
-static struct found { int label; kern_raising raised; double reserve, load; }
-    found[MANY];
+static struct found {
+    int label;
+    kern_raising raised;
+    double reserve, load, stays;
+} found[MANY];
 static int count, unproven;
 static double seconds[3]; /* margin, raised, with the reserve */
 
@@ -62,6 +67,7 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
         if (kern_load_factor(&task, 0, side > 0 ? KERN_RIGHT : KERN_LEFT,
                              &load[side > 0], NULL) != KERN_STANDS)
             return -1;
+    if (stays_of(&task, t->blocks - 1, &f->stays) != KERN_STANDS) return -1;
     f->reserve = (double)reserve;
     f->load = (double)(load[0] < load[1] ? load[0] : load[1]);
     free(motion);
@@ -91,23 +97,54 @@ static void read_one(const char *folder, const char *name, int label)
     text_free(&t);
 }
 
+static double by_reserve(const struct found *f)
+{ return f->reserve + 1e-3 * (f->raised == KERN_RAISED); }
+
+static double by_load(const struct found *f)
+{ return by_reserve(f) + 1e-6 * f->load; }
+
+static double by_stays(const struct found *f) { return f->stays; }
+
 /* Share of the pairs of one that stays and one that moves in which the first
    has the greater score. */
-static double area(double by_load)
+static double area(double (*score)(const struct found *))
 {
     double sum = 0, pairs = 0;
     for (int i = 0; i < count; i++)
         for (int j = 0; j < count; j++) {
             double a, b;
             if (found[i].label != 0 || found[j].label != 1) continue;
-            a = found[i].reserve + 1e-3 * (found[i].raised == KERN_RAISED) +
-                by_load * found[i].load;
-            b = found[j].reserve + 1e-3 * (found[j].raised == KERN_RAISED) +
-                by_load * found[j].load;
+            a = score(&found[i]);
+            b = score(&found[j]);
             sum += a > b ? 1 : a < b ? 0 : 0.5;
             pairs++;
         }
     return pairs > 0 ? sum / pairs : 0;
+}
+
+/* The share of each label whose chance to stay is at least `least`. */
+static void shares(double least, double *share)
+{
+    double all[LABELS] = { 0 };
+    for (int k = 0; k < LABELS; k++) share[k] = 0;
+    for (int i = 0; i < count; i++) {
+        all[found[i].label]++;
+        share[found[i].label] += found[i].stays >= least;
+    }
+    for (int k = 0; k < LABELS; k++) share[k] /= all[k] > 0 ? all[k] : 1;
+}
+
+/* What the highest chance rejects that keeps 95 % of what stays. */
+static void print_stays(void)
+{
+    double best = 0, share[LABELS];
+    for (int i = 0; i < count; i++) {
+        shares(found[i].stays, share);
+        if (share[0] >= 0.95 && found[i].stays > best) best = found[i].stays;
+    }
+    shares(best, share);
+    printf("stays: area %.4f; from %.3f on kept %.3f, rejected %.3f, %.3f\n",
+           area(by_stays), best, share[0], 1 - share[1], 1 - share[2]);
 }
 
 /* Prints the row of a reserve. Returns whether it keeps and rejects the shares
@@ -173,8 +210,9 @@ int main(int argc, char **argv)
     }
     printf("area under the curve: %.4f, ties by load factor %.4f\n"
            "time in margins: raised %.2f, with the reserve %.2f\n",
-           area(0), area(1e-6), seconds[1] / seconds[0],
+           area(by_reserve), area(by_load), seconds[1] / seconds[0],
            seconds[2] / seconds[0]);
+    print_stays();
     if (unproven > 0) printf("%d proofs that are none\n", unproven);
     return count == 0 || unproven > 0 || !good;
 }
