@@ -8211,31 +8211,6 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
                         || (c->a == d->b && c->b == d->a));
 }
 
-/* Travels of the points of the interface of the first contact: to the feet of
-   the midpoint of the two that are farthest apart, of several such the first by
-   index. A lone one stays. */
-static void kern_interface_travels(kern_contact *contact, int contacts)
-{
-    const kern_contact first = *contact;
-    kern_vec centre = first.p;
-    kern_real widest = KERN_R(0);
-    int j, k;
-    for (j = 0; j < contacts; j++)
-        for (k = j + 1; k < contacts
-                        && kern_same_interface(&first, &contact[j]); k++) {
-            const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
-            const kern_real square = kern_vec_dot(d, d);
-            if (square > widest && kern_same_interface(&first, &contact[k])) {
-                widest = square;
-                centre = kern_vec_mid(contact[j].p, contact[k].p);
-            }
-        }
-    for (j = 0; j < contacts; j++)
-        if (kern_same_interface(&first, &contact[j]))
-            contact[j].travel = widest > 0 ? kern_vec_cross(
-                contact[j].n, kern_vec_sub(centre, contact[j].p)) : KERN_R(0);
-}
-
 /* The block that a contact carries where `down` is the direction of gravity. */
 static int kern_carried(const kern_contact *c, kern_vec down)
 {
@@ -8243,24 +8218,49 @@ static int kern_carried(const kern_contact *c, kern_vec down)
     return push < 0 ? c->b : push > 0 ? c->a : KERN_OUT;
 }
 
-/* The middle of what carries a block: of the two points farthest apart. */
-static kern_vec kern_carried_at(const kern_contact *contact, int contacts,
-                                int block, kern_vec down)
+/* Do c and d belong together: to one interface, or where `down` is given, to
+   what carries one block? */
+static int kern_together(const kern_contact *c, const kern_contact *d,
+                         const kern_vec *down)
 {
-    kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
+    return down ? kern_carried(c, *down) == kern_carried(d, *down)
+                : kern_same_interface(c, d);
+}
+
+/* The midpoint, to *middle, of the two points farthest apart of those that
+   belong together with *of; of several such two the first by index. Returns
+   the square of their distance. */
+static kern_real kern_farthest(const kern_contact *contact, int contacts,
+                               const kern_contact *of, const kern_vec *down,
+                               kern_vec *middle)
+{
     kern_real widest = KERN_R(-1);
     int j, k;
     for (j = 0; j < contacts; j++)
         for (k = j; k < contacts
-                    && kern_carried(contact + j, down) == block; k++) {
+                    && kern_together(of, &contact[j], down); k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
-            if (square > widest && kern_carried(contact + k, down) == block) {
+            if (square > widest && kern_together(of, &contact[k], down)) {
                 widest = square;
-                middle = kern_vec_mid(contact[j].p, contact[k].p);
+                *middle = kern_vec_mid(contact[j].p, contact[k].p);
             }
         }
-    return middle;
+    return widest;
+}
+
+/* Travels of the points of the interface of the first contact: to the feet of
+   the midpoint of the two that are farthest apart. A lone one stays. */
+static void kern_interface_travels(kern_contact *contact, int contacts)
+{
+    kern_vec centre = contact->p;
+    const kern_real widest =
+        kern_farthest(contact, contacts, contact, NULL, &centre);
+    int j;
+    for (j = 0; j < contacts; j++)
+        if (kern_same_interface(contact, &contact[j]))
+            contact[j].travel = widest > 0 ? kern_vec_cross(
+                contact[j].n, kern_vec_sub(centre, contact[j].p)) : KERN_R(0);
 }
 
 /* Travels of the points that are alone in their interface. */
@@ -8270,14 +8270,14 @@ static void kern_lone_travels(kern_contact *contact, int contacts,
     int i, k;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = contact + i;
-        const int block = kern_carried(c, down);
+        kern_vec middle = c->p;
         for (k = 0; k < contacts; k++)
             if (k != i && kern_same_interface(c, contact + k))
                 break;
-        if (c->line || k < contacts || block == KERN_OUT)
+        if (c->line || k < contacts || kern_carried(c, down) == KERN_OUT)
             continue;
-        c->travel = kern_vec_cross(c->n, kern_vec_sub(
-            kern_carried_at(contact, contacts, block, down), c->p));
+        kern_farthest(contact, contacts, c, &down, &middle);
+        c->travel = kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
     }
 }
 
