@@ -2674,7 +2674,7 @@ typedef struct kern_dual {
     kern_real *u, *step, *grad; /* three a group, and three of 0              */
     kern_real *b;             /* loads, three a group                         */
     kern_real *way;           /* four a contact: u and step along n and t     */
-    const kern_real *price;   /* one a contact: see >>raised; or NULL         */
+    const kern_real *price;   /* then stiffness, of contacts: >>raised; NULL  */
     int cost;                 /* of a step, in products                       */
     int rounds;               /* that the last forces took                    */
 } kern_dual;
@@ -4088,18 +4088,17 @@ static inline void kern_model_prior(const kern_model *m, int i,
 }
 
 /* A contact is as stiff as it is long, a point as one of a tenth. */
-static inline kern_real kern_stiffness(const kern_contact *c, kern_real mean)
+static kern_real kern_stiffness(const kern_contact *c, kern_real mean)
 { return KERN_R(0.1) + (c->line ? kern_abs(c->travel) / mean : KERN_R(0)); }
 
 /* The contact law of the part's contact k at (wn, wt). */
 static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
                                      kern_real wt)
 {
-    const int i = p->contact[k];
-    const kern_real mu = kern_model_mu(p->m, i);
-    return p->dual.price ? kern_law_stiff(wn, wt, mu, kern_stiffness(
-                          p->m->s->contact + i, p->m->mean))
-                    : kern_law_pressed(wn, wt, mu);
+    const kern_real mu = kern_model_mu(p->m, p->contact[k]);
+    const kern_real *price = p->dual.price;
+    return price ? kern_law_stiff(wn, wt, mu, price[p->contacts + k])
+                 : kern_law_pressed(wn, wt, mu);
 }
 
 /* Lays out the arrays for the part's minimum-norm forces; 0: no room. */
@@ -6560,8 +6559,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_PATH    100     /* from those of a smaller load            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
-/* Rounds along a load in which the sum of squares of the changes of prices does
-   not fall by a fifth: it no longer converges, or slides away. */
+/* Rounds along a load in which squared changes of prices fall by no fifth. */
 #define KERN_RAISE_STILL   ((int)KERN_PICK(12, 30))
 /* Along a load: steps up to the load factor; the same once a step has failed;
    share of its fall that a price makes in one round. */
@@ -6644,7 +6642,7 @@ typedef struct kern_raise {
     kern_part *p;             /* all groups                                   */
     const kern_query *q;
     kern_real tolerance;      /* of a group's equilibrium                     */
-    kern_real *price;         /* of each contact of the part                  */
+    kern_real *price;         /* of each contact, then the stiffness of each  */
     kern_real *last;          /* of each: what its last price led to, and the
                                  difference of the two; along a load how both
                                  differ from those before, else 0             */
@@ -6664,16 +6662,19 @@ static int kern_raise_open(kern_raise *r)
     int i;
     if (!kern_norm_open(p, r->m))
         return 0;
-    r->price = kern_take_reals(&p->rest, p->contacts);
-    r->last = kern_take_reals(&p->rest, 4 * p->contacts);
-    r->begin = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
-    r->best = kern_take_reals(&p->rest, 3 * p->groups + p->contacts);
+    p->dual.price = r->price = kern_take_reals(
+        &p->rest, 6 * p->groups + 8 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
-    for (i = 0; i < p->contacts; i++)
+    r->last = r->price + 2 * p->contacts;
+    r->begin = r->last + 4 * p->contacts;
+    r->best = r->begin + 3 * p->groups + p->contacts;
+    for (i = 0; i < p->contacts; i++) {
         r->price[i] = KERN_R(0);
+        r->price[p->contacts + i] = kern_stiffness(
+            r->m->s->contact + p->contact[i], r->m->mean);
+    }
     r->along = 0;
-    p->dual.price = r->price;
     return 1;
 }
 
@@ -6728,6 +6729,7 @@ static int kern_raise_price(kern_raise *r, int keep)
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real mu = kern_model_mu(m, i);
         const kern_real approach = w[0] + r->price[k];
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
                                                 / KERN_STIFF;
@@ -6736,10 +6738,10 @@ static int kern_raise_price(kern_raise *r, int keep)
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
-        w[2] = kern_model_mu(m, i) * kern_max(slip, 0);
+        w[2] = mu * kern_max(slip, 0);
         if (keep && !(approach > 0))
-            w[2] = kern_max(w[2], r->price[k]) + 2 * kern_max(
-                w[0] + kern_model_mu(m, i) * kern_abs(w[1]), 0);
+            w[2] = kern_max(w[2], r->price[k])
+                 + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
         if (r->along && w[2] < r->price[k])
             w[2] = r->price[k] + KERN_LOAD_FALL * (w[2] - r->price[k]);
         w[3] = w[2] - r->price[k];
@@ -6946,12 +6948,10 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 {
     kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
     kern_real stood = KERN_R(0), taken = KERN_R(1);
-    int steps = KERN_LOAD_STEPS;
-    int good;
+    int steps = KERN_LOAD_STEPS, good = 1;
     *share = stood;
     r->along = 1;
-    good = kern_raise_at(r, q, 1, proof);
-    if (!good)
+    if (!kern_raise_at(r, q, 1, proof))
         return KERN_R(-1);
     kern_raise_copy(r, r->best, 1);
     while (stood < end && steps > 0) {
