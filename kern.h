@@ -2245,6 +2245,7 @@ typedef struct kern_clusters {
     int *next;                /* of a group: the next of its cluster, cyclic  */
     int *open;                /* of a last group: nonzero: to be balanced     */
     int at;                   /* no cluster that is open ends before this one */
+    int most;                 /* groups of one                                */
     int budget;               /* products that are left                       */
 } kern_clusters;
 
@@ -2706,7 +2707,8 @@ struct kern_part {
 /* The engine, in >>lp. */
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
-static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
+static int kern_certificate_lift(kern_simplex *sx, kern_real above,
+                                 kern_real *y);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
 static void kern_simplex_crash(kern_simplex *sx);
 static kern_real kern_simplex_place(const kern_simplex *sx);
@@ -2733,7 +2735,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
 /* First place of a search, its step, and the first of a climb [mean block
    size]: chosen on the odd half of the corpus. At 0.08 or 0.5 a measure costs
    more, by 5 % at the least. */
-#define KERN_CLIMB         KERN_R(0.2)
+#define KERN_CLIMB         KERN_R(0.1)
 /* Steps to the largest travel where kerns are not nested: a range of shrinkages
    that falls, and is narrower than one, may be missed. */
 #define KERN_SCAN          1001
@@ -4073,6 +4075,8 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_CLUSTER_MOST  20      /* groups of a cluster, and one more       */
 #define KERN_CLUSTER_SHARE 32      /* for so many groups of the structure     */
+#define KERN_CLUSTER_ONCE  4       /* of few groups, the share of a cluster in */
+#define KERN_CLUSTER_AGAIN 5       /* a verdict, and a search                 */
 #define KERN_PASS_BUDGET   1500    /* products for each group and contact     */
 #define KERN_PASS_LARGEST  400000  /* of these: their product is an int       */
 
@@ -4753,8 +4757,6 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
 static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
                                      int failed)
 {
-    const int most = m->graph.groups <= KERN_SMALL ? m->graph.groups / 4 + 1
-                     : KERN_CLUSTER_MOST + m->graph.groups / KERN_CLUSTER_SHARE;
     for (;;) {
         const int groups = kern_pass_mark(m, last, 0);
         const kern_status status = failed
@@ -4773,7 +4775,7 @@ static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
             return KERN_PASSED;
         }
         grown = kern_pass_mark(m, last, KERN_OUT);
-        if (grown == groups || grown > most)
+        if (grown == groups || grown > m->cluster.most)
             return KERN_PASS_DRY;
         failed = 0;
     }
@@ -5004,8 +5006,9 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     int lift;
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
-    for (lift = 0; status == KERN_FALLS && !(error <= 1) && lift <= 1; lift++) {
-        if (lift && !kern_certificate_lift(&p->eq.simplex, p->y))
+    for (lift = 0; status == KERN_FALLS && !(error <= 1) && lift <= 2; lift++) {
+        if (lift && !kern_certificate_lift(&p->eq.simplex,
+                                           KERN_R(lift - 1) * KERN_ABOVE, p->y))
             break;
         kern_part_motion(p);
         error = kern_prove_motion(m->s, q, m->answer.motion);
@@ -5128,13 +5131,16 @@ static int kern_pass_proven(kern_model *m, const kern_query *q)
 /* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
    an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
-                                   const kern_query *q)
+                                   const kern_query *q, int share)
 {
+    const int groups = m->graph.groups;
     kern_passed found;
     int change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
     m->budget.work->solves++;
+    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
+                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
     kern_model_set(m, q);
     for (; change >= 0; change--) {
         kern_pass_begin(m);
@@ -5178,7 +5184,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     kern_status status;
     p->found = KERN_UNDECIDED;
     if (!m->whole) {
-        status = kern_model_pass(m, p, q);
+        status = kern_model_pass(m, p, q, KERN_CLUSTER_ONCE);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
         if (status == KERN_FALLS && kern_part_falls(p, q))
@@ -5204,7 +5210,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
 #define KERN_ASIDE KERN_R(0.45)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
-#define KERN_NEAR  KERN_R(0.25)
+#define KERN_NEAR  KERN_R(0.1)
 
 /* Relative spin of the two blocks of contact k of the part in the motion y. */
 static kern_real kern_part_spin(const kern_part *p, int k)
@@ -5401,9 +5407,23 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
+/* The forces that hold it at the critical value, where kerns are larger: at s. */
+static void kern_path_transfer(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_query q = kern_path_at(path, s);
+    int i;
+    for (i = 0; i < m->s->contacts; i++)
+        i += kern_force_transfer(m, i, path->critical, s);
+    if (kern_answer_holds(m, &q)) {
+        kern_path_note(m, path, KERN_STANDS, s);
+        path->holds = s;
+    }
+}
+
 /* The verdict at the critical value, which leaves the bracket as it is. Where
    another mechanism falls, its value is the path's; else the value is exact. */
-static kern_status kern_path_verify(kern_model *m, kern_path *path)
+static kern_status kern_path_verify(kern_model *m, kern_path *path,
+                                    kern_real under)
 {
     const kern_real at = path->critical, same = KERN_SAME_VALUE * path->unit;
     const kern_status status = kern_path_ask(m, path, at);
@@ -5412,6 +5432,8 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path)
         path->critical = at;
     if (status != KERN_FALLS || path->critical >= at - same)
         path->exact = path->critical;
+    if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK)
+        kern_path_transfer(m, path, kern_max(path->critical - under, path->start));
     return status;
 }
 
@@ -5437,7 +5459,7 @@ static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
         return KERN_INFINITY;
     if (!(crit >= lo && crit <= hi))
         return lo + (hi - lo) * n->share;
-    if (hi - crit > n->aside * KERN_R(1.05))
+    if (hi - crit > n->aside * KERN_R(1.15))
         return crit + n->aside;
     if (!path->ipm && crit > lo
         && kern_abs(path->exact - crit) > KERN_SAME_VALUE * path->unit)
@@ -5503,7 +5525,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         kern_status status;
         if (!(at < KERN_INFINITY))
             break;
-        status = verify ? kern_path_verify(m, path)
+        status = verify ? kern_path_verify(m, path, n.under)
                         : kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
@@ -5733,76 +5755,60 @@ static int kern_moves(const kern_model *m, int i)
 }
 
 /* ---- bodies ---- */
-/* A body is a block with all that rests on it alone, moved as one. Three
-   equations decide whether it falls with all others held, and then the whole
-   falls. The critical value of most structures is that of a body. */
+/* A body is a block with all that rests on it alone, moved as one. On a single
+   line it tips where its load leaves the kern, with all others held, and then
+   the whole falls. The critical value of most structures is that of a body. */
 
-/* The rows of what holds body g, about its block's centre; returns how many.
-   If they are of one block that carries it (m->graph.carrier). */
-static int kern_body_rows(kern_model *m, int g, kern_real s,
-                          kern_support row[KERN_ROWS_MOST])
+/* The first contact of the line that carries body g, as an end; KERN_OUT where
+   other contacts carry it. Sets m->graph.carrier: the block that carries it, if
+   it is one. */
+static int kern_body_line(kern_model *m, int g)
 {
-    int e, n = 0, on = KERN_OUT;
+    int e, n = 0, first = KERN_OUT, on = KERN_OUT;
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-        const kern_contact *c = m->s->contact + (e >> 1);
         const int other = m->graph.ends[e ^ 1];
         if (other < g && m->graph.carrier[other] == g)
             continue;
         on = on == KERN_OUT || on == other ? other : m->graph.groups;
-        if (n < KERN_ROWS_MOST)
-            kern_support_set(row + n, m, c, KERN_R(e & 1 ? -1 : 1), s,
-                             m->s->block[m->graph.block[g]].centre, m->unit[g]);
-        n++;
+        if (n++ == 0)
+            first = e;
     }
     m->graph.carrier[g] = on > g && on < m->graph.groups ? on : KERN_OUT;
-    return n;
+    return n == 2 && kern_line_begins(m->s->contact, m->s->contacts, first >> 1)
+           ? first : KERN_OUT;
 }
 
-/* The power of the motion u by which body g falls at s; 0: it does not. */
-static kern_real kern_body_power(kern_model *m, int g, kern_real s,
-                                 kern_real u[3])
+/* Where body g, on the line that begins with end e, tips about one of the
+   line's ends, and the motion u by which it does, `aside` beyond; infinity: it
+   is not pressed on the line, or slides. */
+static kern_real kern_body_critical(kern_model *m, int g, int e,
+                                    kern_real aside, kern_real u[3])
 {
-    kern_support row[KERN_ROWS_MOST];
+    const kern_contact *c = m->s->contact + (e >> 1);
     const kern_real *b = m->load + 3 * (size_t)g;
-    const int n = kern_body_rows(m, g, s, row);
-    int k;
-    if (n == 0 || n > KERN_ROWS_MOST
-        || kern_pass_solve(row, n, b, KERN_PASS_TOL * kern_largest(b, 3), u)
-           != KERN_FALLS)
-        return KERN_R(0);
-    for (k = 0; k < n; k++) {
-        kern_real w[2] = {0, 0};
-        kern_row_speed(&row[k].row, u, w);
-        if (w[0] + KERN_FEAS_TOL < kern_abs(row[k].mu * w[1]))
-            return KERN_R(0);
-    }
-    return kern_min(kern_three(b, u), KERN_R(0));
-}
-
-/* The critical value of body g, falling at `fails`, by secants; or `fails`. */
-static kern_real kern_body_critical(kern_model *m, const kern_path *path, int g,
-                                    kern_real power, kern_real fails)
-{
-    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
-    const kern_real same = KERN_SAME_VALUE / 8 * path->unit, none = fails;
-    kern_real holds = path->holds, at = (holds + fails) / 2, crit = fails, u[3];
-    int round;
-    for (round = 0; round < 24; round++) {
-        const kern_real now = kern_body_power(m, g, at, u), before = crit;
-        if (now < 0) {
-            crit = at - now * (fails - at) / (power - now);
-            fails = at;
-            power = now;
-            if (kern_abs(crit - before) <= same
-                || fails <= path->holds + aside)
-                return crit;
-        } else
-            holds = at;
-        at = crit + aside;
-        if (!(at > holds && at < fails))
-            at = (holds + fails) / 2;
-    }
-    return none;
+    const kern_real sign = KERN_R(e & 1 ? -1 : 1), unit = m->unit[g];
+    const kern_vec centre = m->s->block[m->graph.block[g]].centre;
+    kern_support end[2];
+    const kern_row *row = &end[0].row;
+    kern_real normal, along, half, off, crit;
+    kern_support_set(end, m, c, sign, KERN_R(0), centre, unit);
+    kern_support_set(end + 1, m, c + 1, sign, KERN_R(0), centre, unit);
+    normal = row->n[0] * b[0] + row->n[1] * b[1];
+    along = row->n[0] * b[1] - row->n[1] * b[0];
+    half = (end[1].row.n[2] - row->n[2]) / 2;
+    if (!(normal > 0) || kern_abs(along) > end[0].mu * normal
+        || !(kern_abs(half) > 0))
+        return KERN_INFINITY;
+    /* from the middle of the line to where the load crosses it, as an arm */
+    off = (b[2] - along * row->turn) / normal - row->n[2] - half;
+    crit = (m->relative ? KERN_R(1) : kern_abs(kern_travel(c, m->mean)))
+           * (1 - kern_abs(off / half));
+    kern_support_set(end, m, c + (off * half > 0), sign, crit + aside, centre,
+                     unit);
+    u[2] = KERN_R(off > 0 ? -1 : 1);
+    u[0] = (row->turn * row->n[1] - row->n[2] * row->n[0]) * u[2];
+    u[1] = -(row->turn * row->n[0] + row->n[2] * row->n[1]) * u[2];
+    return crit;
 }
 
 /* The motion u of a body, to all its blocks; the fastest has speed 1. */
@@ -5840,29 +5846,25 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
     const kern_query q = kern_path_at(path, path->holds);
     const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
     const kern_real start = path->holds;
-    kern_real best = path->end, u[3];
+    kern_real best = path->end, u[3] = {0, 0, 0};
     int g;
     if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
         return first;
     kern_model_set(m, &q);
     for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
-        const kern_real power = kern_body_power(m, g, best, u);
-        const int on = m->graph.carrier[g];
-        kern_real crit;
-        if (power < 0) {
-            crit = kern_body_critical(m, path, g, power, best);
-            if (crit <= start + 2 * aside)
-                return start;
-            if (crit + aside < best
-                && kern_body_power(m, g, crit + aside, u) < 0) {
-                best = crit + aside;
-                path->warm.holds = crit - aside;
-                path->warm.margin = crit;
-                path->warm.fails = best;
-                path->warm.motion = m->answer.motion;
-                kern_body_moves(m, g, u);
-            }
+        const int line = kern_body_line(m, g), on = m->graph.carrier[g];
+        const kern_real crit = line == KERN_OUT
+            ? KERN_INFINITY : kern_body_critical(m, g, line, aside, u);
+        if (crit <= start + 2 * aside)
+            return start;
+        if (crit + aside < best) {
+            best = crit + aside;
+            path->warm.holds = crit - aside;
+            path->warm.margin = crit;
+            path->warm.fails = best;
+            path->warm.motion = m->answer.motion;
+            kern_body_moves(m, g, u);
         }
         if (on != KERN_OUT) {
             kern_real *to = m->load + 3 * (size_t)on;
@@ -5946,7 +5948,8 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
     const kern_real holds = path->holds;
-    kern_status status = kern_model_pass(m, path->part, &q);
+    kern_status status = kern_model_pass(m, path->part, &q,
+                                         KERN_CLUSTER_AGAIN);
     if (status == KERN_STANDS) {
         kern_path_note(m, path, status, s);
         path->holds = s;
@@ -8822,8 +8825,9 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    of the group that a column leads to which leads to none. Reading it gives 0,
    writing to it has no effect, and no loop tests for it. */
 
-/* A column whose part outside of the basis is less depends on it. */
-#define KERN_RANK_TOL    KERN_PICK(1e-10, 1e-5)
+/* A column whose part outside of the basis is a smaller share of it depends on
+   the basis. */
+#define KERN_RANK_TOL    KERN_PICK(1e-7, 1e-4)
 /* Least pivot of a column in its own group, where its entries are about 1. Less
    makes the inverse grow from course to course, more fills it. */
 #define KERN_OWN_TOL     KERN_R(0.03)
@@ -8835,6 +8839,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 /* Determinant of three columns that are said to depend on each other. */
 #define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
 #define KERN_CRASH_MOST    12      /* columns of a group tried for the crash  */
+#define KERN_CRASH_PULL     2      /* loads that a crash column may pull      */
 
 /* ---- columns ---- */
 
@@ -9080,12 +9085,34 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
                 }
             }
         }
+    if (best < -KERN_CRASH_PULL * (kern_abs(load[0]) + kern_abs(load[1])))
+        return 0;
     for (k = 0; k < 3 && take[0] != KERN_OUT; k++) {
         sx->base[3 * g + k] = take[k];
         kern_lp_subtract(sx->lp, take[k], kern_max(share[k], KERN_R(0)),
                          sx->alpha);
     }
     return take[0] != KERN_OUT;
+}
+
+/* Two columns of group g carry its load, but for the torque: that is left to a
+   logical. */
+static void kern_crash_pair(kern_simplex *sx, int g, const int *mine)
+{
+    const kern_real *load = sx->alpha + 3 * g;
+    const kern_real turn[3] = {0, 0, 1};
+    kern_real a[3], b[3], share[2], det;
+    int k;
+    kern_lp_part(sx->lp, mine[0], 0, a);
+    kern_lp_part(sx->lp, mine[1], 0, b);
+    det = kern_three_det(a, b, turn);
+    share[0] = kern_three_det(b, turn, load) / det;
+    share[1] = kern_three_det(turn, a, load) / det;
+    for (k = 0; k < 2 && kern_abs(det) > KERN_OWN_TOL; k++) {
+        sx->base[3 * g + k] = mine[k];
+        kern_lp_subtract(sx->lp, mine[k], kern_max(share[k], KERN_R(0)),
+                         sx->alpha);
+    }
 }
 
 /* Whether column j pushes its group against its load. */
@@ -9100,8 +9127,8 @@ static int kern_crash_faces(const kern_simplex *sx, int j)
 }
 
 /* The crash basis of a network: from top to bottom three columns of each group
-   carry what it bears, those that face its load if they can; else logicals. Of
-   many columns every second, fourth, ... is tried. */
+   carry what it bears, those that face its load if they can; else two; else
+   logicals. Of many columns every second, fourth, ... is tried. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -9125,6 +9152,8 @@ static void kern_simplex_crash(kern_simplex *sx)
                     mine[n++] = j;
             }
             done = kern_crash_choose(sx, g, mine, n);
+            if (any && !done && n > 1)
+                kern_crash_pair(sx, g, mine);
         }
     sx->state = KERN_BASIS_STALE;
 }
@@ -9168,9 +9197,10 @@ static int kern_own_enter(kern_simplex *sx, int j)
    on the columns before it, or there is no room. */
 static void kern_left_enter(kern_simplex *sx, int j)
 {
-    kern_real least = KERN_RANK_TOL;
+    kern_real least;
     int p, best = KERN_OUT;
     kern_basis_column(sx, j);
+    least = KERN_RANK_TOL * kern_largest(sx->alpha, sx->lp->rows);
     for (p = 0; p < sx->lp->rows; p++)
         if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
             least = kern_abs(sx->alpha[p]);
@@ -9320,11 +9350,12 @@ static void kern_prices(kern_simplex *sx)
     kern_basis_solve_t(sx, sx->price);
 }
 
-/* Lifts a certificate y off the columns that it touches. Rounding puts it a
-   little below zero there as often as above; a few roundings higher it costs
-   of its power no more than all of x is worth, times those roundings. Returns 0
-   where there is no basis: the backend has answered. */
-static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
+/* Refines a certificate y, and lifts it off the columns that it touches, by
+   `above`. Rounding puts it a little below zero there as often as above; a few
+   roundings higher it costs of its power no more than all of x is worth, times
+   those roundings. Returns 0 where there is no basis: the backend answered. */
+static int kern_certificate_lift(kern_simplex *sx, kern_real above,
+                                 kern_real *y)
 {
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(y, lp->rows);
@@ -9335,7 +9366,7 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
         const int j = sx->base[p];
         sx->alpha[p] = sx->slope[p]
             + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y))
-            - KERN_R(j < lp->cols) * KERN_ABOVE * size;
+            - KERN_R(j < lp->cols) * above * size;
     }
     kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
