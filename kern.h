@@ -4075,8 +4075,8 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 #define KERN_ROWS_MOST     12      /* contacts of one group                   */
 #define KERN_CLUSTER_MOST  20      /* groups of a cluster, and one more       */
 #define KERN_CLUSTER_SHARE 32      /* for so many groups of the structure     */
-#define KERN_CLUSTER_ONCE  4       /* of few groups, the share of a cluster in */
-#define KERN_CLUSTER_AGAIN 5       /* a verdict, and a search                 */
+#define KERN_CLUSTER_ONCE  4       /* a cluster's share of few groups: in a   */
+#define KERN_CLUSTER_AGAIN 5       /* verdict, and in a search                */
 #define KERN_PASS_BUDGET   1500    /* products for each group and contact     */
 #define KERN_PASS_LARGEST  400000  /* of these: their product is an int       */
 
@@ -5407,7 +5407,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The forces that hold it at the critical value, where kerns are larger: at s. */
+/* The forces that hold it at the critical value, with the larger kerns at s. */
 static void kern_path_transfer(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
@@ -5433,7 +5433,8 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     if (status != KERN_FALLS || path->critical >= at - same)
         path->exact = path->critical;
     if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK)
-        kern_path_transfer(m, path, kern_max(path->critical - under, path->start));
+        kern_path_transfer(m, path,
+                           kern_max(path->critical - under, path->start));
     return status;
 }
 
@@ -5482,26 +5483,6 @@ static void kern_bracket_adapt(kern_bracket *n, kern_status status,
         n->share = KERN_NEAR;
 }
 
-/* Moves an end so near critical that its proof may have no digits left. */
-static void kern_path_strengthen(kern_model *m, kern_path *path,
-                                 kern_real aside)
-{
-    const kern_real c = path->critical, at = c + aside, from = c - aside;
-    if (path->alone || path->ipm)
-        return;
-    if (path->fails - c < aside / 8 && at < path->end
-        && kern_path_ask(m, path, at) == KERN_FALLS) {
-        path->proven_high = path->fails = at;
-        kern_path_note(m, path, KERN_FALLS, at);
-    }
-    if (c - path->holds < aside / 8 && from > path->start
-        && kern_path_ask(m, path, from) == KERN_STANDS) {
-        path->holds = from;
-        kern_path_note(m, path, KERN_STANDS, from);
-    }
-    path->critical = c;
-}
-
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
    verdict changes. With w half of the tolerance: shows that it falls at the
    predicted value plus w, verifies the value, and shows that it stands at the
@@ -5540,7 +5521,6 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
-    kern_path_strengthen(m, path, w);
     return KERN_STANDS;
 }
 
@@ -5638,23 +5618,22 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
-    kern_status status = KERN_STANDS;
-    kern_real ratio = KERN_R(1.5), next = path->holds + first;
     int round;
     for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
-        next = kern_min(next, path->end);
-        status = kern_path_evaluate(m, path, next);
+        const kern_real next = kern_min(path->holds + first, path->end);
+        const kern_status status = kern_path_evaluate(m, path, next);
         if (status == KERN_FALLS)
             return kern_path_critical(m, path);
         if (status == KERN_STANDS && next >= path->end)
             return kern_path_saturate(path);
-        if (status == KERN_UNDECIDED && step > KERN_WIDTH * path->unit) {
-            ratio = KERN_R(1);
-            step = kern_min(step, next - path->holds) / 2;
-        } else if (status != KERN_STANDS)
+        if (status == KERN_STANDS) {
+            first = step;
+            step *= KERN_R(1.5);
+        } else if (status == KERN_UNDECIDED
+                   && first > KERN_WIDTH * path->unit)
+            step = first /= 2;
+        else
             return status;
-        next = path->holds + step;
-        step *= ratio;
     }
     return KERN_UNDECIDED;
 }
@@ -5931,10 +5910,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     }
     if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
-    if (status == KERN_UNDECIDED && fails < KERN_INFINITY) {
+    if (status == KERN_UNDECIDED && fails < KERN_INFINITY)
         status = kern_path_critical(m, path);
-        first = step;
-    }
     if (status == KERN_UNDECIDED) {
         path->holds = kern_max(path->start, path->proven_low);
         status = kern_path_climb(m, path, first, step);
