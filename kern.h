@@ -1880,7 +1880,7 @@ static int kern_take_fits(const kern_take *take)
 
 /* ---- what a call may spend ---- */
 
-static int kern_limit_of(int limit)
+KERN_SHARED static int kern_limit_of(int limit)
 { return limit > 0 ? limit : KERN_WORK_MOST; }
 
 static void kern_work_begin(kern_work *work)
@@ -4850,10 +4850,8 @@ static void kern_pass_known(kern_model *m, kern_real shrink)
 /* Balances group `at`, by itself or with others in a cluster. */
 static kern_passed kern_pass_group(kern_model *m, kern_part *p, int at)
 {
-    kern_status alone = KERN_UNDECIDED;
-    const int single = m->cluster.next[at] == at;
-    if (single)
-        alone = kern_pass_alone(m, at);
+    const kern_status alone = m->cluster.next[at] == at
+                              ? kern_pass_alone(m, at) : KERN_UNDECIDED;
     if (alone == KERN_STANDS)
         return KERN_PASSED;
     if (alone == KERN_FALLS && kern_pass_stack(m, p, at))
@@ -5168,13 +5166,6 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     return status;
 }
 
-/* Whether the open part falls. */
-static int kern_part_falls(kern_part *p, const kern_query *q)
-{
-    return kern_part_lay(p) == KERN_OK
-           && kern_part_evaluate(p, q) == KERN_FALLS;
-}
-
 /* The verdict for a query, with a proof or none: by the pass, by the
    motion of the part that falls, or else by the linear program of the whole.
    After KERN_FALLS the part that falls is open. */
@@ -5187,7 +5178,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         status = kern_model_pass(m, p, q, KERN_CLUSTER_ONCE);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
-        if (status == KERN_FALLS && kern_part_falls(p, q))
+        if (status == KERN_FALLS && kern_part_lay(p) == KERN_OK
+            && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
@@ -5433,8 +5425,7 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     if (status != KERN_FALLS || path->critical >= at - same)
         path->exact = path->critical;
     if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK)
-        kern_path_transfer(m, path,
-                           kern_max(path->critical - under, path->start));
+        kern_path_transfer(m, path, kern_max(at - under, path->start));
     return status;
 }
 
@@ -5536,7 +5527,6 @@ static kern_travels kern_travels_of(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         const kern_real travel = kern_abs(kern_travel(c, q->mean));
         if (!(travel > 0)
-            || (c->line && travel >= t.least && travel <= t.most)
             || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
                 && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
             continue;
@@ -9077,14 +9067,13 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
 static void kern_crash_pair(kern_simplex *sx, int g, const int *mine)
 {
     const kern_real *load = sx->alpha + 3 * g;
-    const kern_real turn[3] = {0, 0, 1};
     kern_real a[3], b[3], share[2], det;
     int k;
     kern_lp_part(sx->lp, mine[0], 0, a);
     kern_lp_part(sx->lp, mine[1], 0, b);
-    det = kern_three_det(a, b, turn);
-    share[0] = kern_three_det(b, turn, load) / det;
-    share[1] = kern_three_det(turn, a, load) / det;
+    det = a[0] * b[1] - a[1] * b[0];
+    share[0] = (load[0] * b[1] - load[1] * b[0]) / det;
+    share[1] = (a[0] * load[1] - a[1] * load[0]) / det;
     for (k = 0; k < 2 && kern_abs(det) > KERN_OWN_TOL; k++) {
         sx->base[3 * g + k] = mine[k];
         kern_lp_subtract(sx->lp, mine[k], kern_max(share[k], KERN_R(0)),
