@@ -5749,7 +5749,7 @@ static int kern_body_line(kern_model *m, int g)
 
 /* Where body g, on the line that begins with end e, tips about one of the
    line's ends, and the motion u by which it does, `aside` beyond; infinity: it
-   is not pressed on the line, or slides. */
+   is not pressed on the line, or slides, or stands in the middle. */
 static kern_real kern_body_critical(kern_model *m, int g, int e,
                                     kern_real aside, kern_real u[3])
 {
@@ -5759,6 +5759,8 @@ static kern_real kern_body_critical(kern_model *m, int g, int e,
     const kern_vec centre = m->s->block[m->graph.block[g]].centre;
     kern_support end[2];
     const kern_row *row = &end[0].row;
+    const kern_real most = m->relative ? KERN_R(1)
+                                       : kern_abs(kern_travel(c, m->mean));
     kern_real normal, along, half, off, crit;
     kern_support_set(end, m, c, sign, KERN_R(0), centre, unit);
     kern_support_set(end + 1, m, c + 1, sign, KERN_R(0), centre, unit);
@@ -5770,8 +5772,9 @@ static kern_real kern_body_critical(kern_model *m, int g, int e,
         return KERN_INFINITY;
     /* from the middle of the line to where the load crosses it, as an arm */
     off = (b[2] - along * row->turn) / normal - row->n[2] - half;
-    crit = (m->relative ? KERN_R(1) : kern_abs(kern_travel(c, m->mean)))
-           * (1 - kern_abs(off / half));
+    crit = most * (1 - kern_abs(off / half));
+    if (crit + aside > most)
+        return KERN_INFINITY;
     kern_support_set(end, m, c + (off * half > 0), sign, crit + aside, centre,
                      unit);
     u[2] = KERN_R(off > 0 ? -1 : 1);
