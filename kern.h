@@ -4781,11 +4781,15 @@ static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* All groups must be balanced, and there are no forces. */
-static void kern_pass_begin(kern_model *m)
+/* All groups must be balanced, and there are no forces. A cluster may have a
+   share of the groups. */
+static void kern_pass_begin(kern_model *m, int share)
 {
+    const int groups = m->graph.groups;
     int g;
-    for (g = 0; g < m->graph.groups; g++) {
+    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
+                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
+    for (g = 0; g < groups; g++) {
         m->cluster.last[g] = m->cluster.next[g] = g;
         m->cluster.open[g] = 1;
     }
@@ -5131,17 +5135,14 @@ static int kern_pass_proven(kern_model *m, const kern_query *q)
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
-    const int groups = m->graph.groups;
     kern_passed found;
     int change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
     m->budget.work->solves++;
-    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
-                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
     kern_model_set(m, q);
     for (; change >= 0; change--) {
-        kern_pass_begin(m);
+        kern_pass_begin(m, share);
         if (change)
             kern_pass_known(m, q->shrink);
         found = kern_pass(m, p);

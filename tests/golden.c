@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x1ace1efd1c38a816u },
-    { 1000, 0x25de45e884b39308u },
-    { 5000, 0x66dc767e9d74ebfdu },
+    { 200, 0x32db1537d1bd1ef1u },
+    { 1000, 0x26fb75932fd4691bu },
+    { 5000, 0x9c26b79aa81018dcu },
 #else
-    { 200, 0x069789fdf817bf32u },
-    { 1000, 0x1e3347d0e2ee22b7u },
-    { 5000, 0xd59f6c2ac270cb5eu },
+    { 200, 0xf2450d2ac08e3fdfu },
+    { 1000, 0xb33e9dcaf11aefffu },
+    { 5000, 0x35be03ad5083d27cu },
 #endif
 };
 
