@@ -5818,7 +5818,6 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
 {
     const kern_query q = kern_path_at(path, path->holds);
     const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
-    const kern_real start = path->holds;
     kern_real best = path->end, u[3] = {0, 0, 0};
     int g;
     if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
@@ -5829,8 +5828,8 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT
             ? KERN_INFINITY : kern_body_critical(m, g, line, aside, u);
-        if (crit <= start + 2 * aside)
-            return start;
+        if (crit <= path->holds + 2 * aside)
+            return path->holds;
         if (crit + aside < best) {
             best = crit + aside;
             path->warm.holds = crit - aside;
