@@ -5750,37 +5750,34 @@ static int kern_body_line(kern_model *m, int g)
 
 /* Where body g, on the line that begins with end e, tips about one of the
    line's ends, and the motion u by which it does, `aside` beyond; infinity: it
-   is not pressed on the line, or slides, or stands in the middle. */
-static kern_real kern_body_critical(kern_model *m, int g, int e,
-                                    kern_real aside, kern_real u[3])
+   is not pressed on the line, or slides, or stands in the middle. The model is
+   that of the shrinkage `at`. */
+static kern_real kern_body_critical(const kern_model *m, int g, int e,
+                                    kern_real at, kern_real aside,
+                                    kern_real u[3])
 {
     const kern_contact *c = m->s->contact + (e >> 1);
+    const kern_row row = kern_model_row(m, e), last = kern_model_row(m, e + 2);
     const kern_real *b = m->load + 3 * (size_t)g;
-    const kern_real sign = KERN_R(e & 1 ? -1 : 1), unit = m->unit[g];
-    const kern_vec centre = m->s->block[m->graph.block[g]].centre;
-    kern_support end[2];
-    const kern_row *row = &end[0].row;
     const kern_real most = m->relative ? KERN_R(1)
                                        : kern_abs(kern_travel(c, m->mean));
-    kern_real normal, along, half, off, crit;
-    kern_support_set(end, m, c, sign, KERN_R(0), centre, unit);
-    kern_support_set(end + 1, m, c + 1, sign, KERN_R(0), centre, unit);
-    normal = row->n[0] * b[0] + row->n[1] * b[1];
-    along = row->n[0] * b[1] - row->n[1] * b[0];
-    half = (end[1].row.n[2] - row->n[2]) / 2;
-    if (!(normal > 0) || kern_abs(along) > end[0].mu * normal
-        || !(kern_abs(half) > 0))
+    const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
+    const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
+    const kern_real middle = (row.n[2] + last.n[2]) / 2;
+    const kern_real half = kern_abs(last.n[2] - row.n[2]) / 2 * most;
+    kern_real off, crit, arm;
+    if (!(most > at) || !(half > 0) || !(normal > 0)
+        || kern_abs(along) > kern_friction(c, m->cone.reduction) * normal)
         return KERN_INFINITY;
-    /* from the middle of the line to where the load crosses it, as an arm */
-    off = (b[2] - along * row->turn) / normal - row->n[2] - half;
-    crit = most * (1 - kern_abs(off / half));
+    /* where the load crosses the line, beyond the middle, in half lengths */
+    off = ((b[2] - along * row.turn) / normal - middle) / half * (most - at);
+    crit = most * (1 - kern_abs(off));
     if (crit + aside > most)
         return KERN_INFINITY;
-    kern_support_set(end, m, c + (off * half > 0), sign, crit + aside, centre,
-                     unit);
     u[2] = KERN_R(off > 0 ? -1 : 1);
-    u[0] = (row->turn * row->n[1] - row->n[2] * row->n[0]) * u[2];
-    u[1] = -(row->turn * row->n[0] + row->n[2] * row->n[1]) * u[2];
+    arm = middle - u[2] * half * (most - crit - aside) / (most * (most - at));
+    u[0] = (row.turn * row.n[1] - arm * row.n[0]) * u[2];
+    u[1] = -(row.turn * row.n[0] + arm * row.n[1]) * u[2];
     return crit;
 }
 
@@ -5811,23 +5808,23 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
         }
 }
 
-/* The body with the smallest critical value becomes the path's warm start.
-   Returns `first`, or the start where a body falls there. */
+/* The body with the smallest critical value becomes the path's warm start, if
+   it falls before that. Returns `first`, or the start where a body falls. */
 static kern_real kern_body_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     const kern_query q = kern_path_at(path, path->holds);
     const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
-    kern_real best = path->end, u[3] = {0, 0, 0};
+    kern_real best = kern_min(path->end, path->warm.fails), u[3] = {0, 0, 0};
     int g;
-    if (!kern_model_spend(m, 1 + m->graph.groups + m->s->contacts))
+    if (!kern_model_spend(m, 1 + m->budget.query_units / 4))
         return first;
     kern_model_set(m, &q);
     for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
-        const kern_real crit = line == KERN_OUT
-            ? KERN_INFINITY : kern_body_critical(m, g, line, aside, u);
+        const kern_real crit = line == KERN_OUT ? KERN_INFINITY
+            : kern_body_critical(m, g, line, q.shrink, aside, u);
         if (crit <= path->holds + 2 * aside)
             return path->holds;
         if (crit + aside < best) {
@@ -5939,16 +5936,17 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Where a search begins: just before the critical value known of a structure
-   like it, or that of a body, or a step from the start. */
+   like it, or a smaller one of a body; else a step from the start. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
-    const kern_known *warm = &path->warm;
-    kern_real at = path->start + first;
-    if (!(warm->fails > 0))
-        at = kern_body_first(m, path, at);
+    kern_known *warm = &path->warm;
+    kern_real at;
     if (!(warm->fails > path->start && warm->fails <= path->end
           && warm->holds <= warm->margin && warm->margin <= warm->fails))
+        warm->fails = KERN_INFINITY;
+    at = kern_body_first(m, path, path->start + first);
+    if (!(warm->fails < KERN_INFINITY) || at <= path->start)
         return kern_min(at, path->end);
     kern_start_falls(m, path);
     return kern_max(path->start, warm->holds);

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x32db1537d1bd1ef1u },
-    { 1000, 0x26fb75932fd4691bu },
-    { 5000, 0x9c26b79aa81018dcu },
+    { 200, 0xedf29c437255648du },
+    { 1000, 0x236df21739af7d1cu },
+    { 5000, 0x76e9588b8f18a7b8u },
 #else
-    { 200, 0xf2450d2ac08e3fdfu },
-    { 1000, 0xb33e9dcaf11aefffu },
-    { 5000, 0x35be03ad5083d27cu },
+    { 200, 0x62321c06ca86f3b0u },
+    { 1000, 0x8c43be4e5fc22d43u },
+    { 5000, 0x81463b82377e0fd3u },
 #endif
 };
 
