@@ -1695,6 +1695,11 @@ typedef enum kern_path_kind {
     KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
 } kern_path_kind;
 
+/* Farthest place proven to stand, nearest to fall; -1, infinity: none. */
+typedef struct kern_proven {
+    kern_real low, high;
+} kern_proven;
+
 typedef struct kern_path {
     kern_path_kind kind;
     kern_query q;             /* at s = 0; what the path changes is replaced  */
@@ -1703,8 +1708,7 @@ typedef struct kern_path {
     kern_real holds, fails;   /* the bracket                                  */
     kern_real critical;       /* value that Newton's method predicts          */
     kern_real exact;          /* one that a verdict there has confirmed       */
-    kern_real proven_low;     /* the farthest place that is proven to stand   */
-    kern_real proven_high;    /* the nearest to fall; -1, infinity: none      */
+    kern_proven proven;       /* places with a proof                          */
     int never;                /* nonzero: it stands to the end                */
     kern_part *part;          /* that fell last                               */
     kern_known warm;          /* of a structure like it, or of the body that
@@ -2732,10 +2736,10 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
 #define KERN_SAME_VALUE   KERN_PICK(1e-10, 1e-5)
 /* Evaluations to narrow a bracket: a bound, since four to eight suffice. */
 #define KERN_BRACKET_ROUNDS   200
-/* First place of a search, its step, and the first of a climb [mean block
-   size]: chosen on the odd half of the corpus. At 0.08 or 0.5 a measure costs
-   more, by 5 % at the least. */
+/* First place and first step of a search [mean block size], and a step in those
+   before it: chosen on the odd half of the corpus. */
 #define KERN_CLIMB         KERN_R(0.1)
+#define KERN_CLIMB_GROWS   KERN_R(1.5)
 /* Steps to the largest travel where kerns are not nested: a range of shrinkages
    that falls, and is narrower than one, may be missed. */
 #define KERN_SCAN          1001
@@ -2768,8 +2772,8 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->unit = task->options.relative ? 1 : path->q.mean;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->critical = KERN_R(0);
-    path->proven_low = KERN_R(-1);
-    path->proven_high = path->exact = KERN_INFINITY;
+    path->proven.low = KERN_R(-1);
+    path->proven.high = path->exact = KERN_INFINITY;
     path->never = 0;
 }
 
@@ -2897,8 +2901,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     status = kern_spent(task->work, task->options.limit, kern_measure_path(
         &c->m, path, travels.nested, last, &r));
     if (status == KERN_LIMIT) {
-        r.fails = kern_min(path->proven_high, r.most);
-        r.margin = r.holds = kern_min(path->proven_low, r.fails);
+        r.fails = kern_min(path->proven.high, r.most);
+        r.margin = r.holds = kern_min(path->proven.low, r.fails);
         r.level = -1;
         r.saturated = 0;
     }
@@ -3004,7 +3008,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
         status = kern_grow(&c.m, &c.path);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        *deficit = c.path.proven_high <= 0 ? 0 - c.path.proven_high
+        *deficit = c.path.proven.high <= 0 ? 0 - c.path.proven.high
                                            : KERN_R(-1);
     else if (status >= 0)
         *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.critical;
@@ -3158,7 +3162,7 @@ static kern_status kern_push(kern_call *c, const kern_task *task,
         status = kern_push_search(&c->m, path, tilt);
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
-        path->critical = path->proven_low;
+        path->critical = path->proven.low;
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *out = tilt ? 4 * kern_angle_of(path->critical)
                     : path->never ? KERN_INFINITY : path->critical;
@@ -4948,14 +4952,6 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     }
 }
 
-/* How y moves group n of the part. */
-static kern_motion kern_part_moves(const kern_part *p, int n)
-{
-    kern_motion v = ((const kern_motion *)(const void *)p->y)[n];
-    v.spin *= p->m->unit[p->group[n]];
-    return v;
-}
-
 /* y as a motion of the part, its fastest block at speed 1. */
 static void kern_part_motion(kern_part *p)
 {
@@ -4967,15 +4963,13 @@ static void kern_part_motion(kern_part *p)
     for (n = 0; n < p->groups; n++) {
         const int b = m->graph.block[p->group[n]];
         kern_motion *v = m->answer.motion + b;
-        *v = kern_part_moves(p, n);
+        v->vx = p->y[3 * n];
+        v->vy = p->y[3 * n + 1];
+        v->spin = p->y[3 * n + 2] * m->unit[p->group[n]];
         most = kern_max(most, kern_block_speed(m->s->block + b, v));
     }
-    for (n = 0; n < p->groups && most > 0; n++) {
-        kern_motion *v = m->answer.motion + m->graph.block[p->group[n]];
-        v->vx /= most;
-        v->vy /= most;
-        v->spin /= most;
-    }
+    for (i = 0; i < 3 * m->s->blocks && most > 0; i++)
+        part[i] /= most;
 }
 
 /* Whether the part is all there is: then forces on it prove that it stands. */
@@ -5203,7 +5197,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
 #define KERN_ASIDE KERN_R(0.45)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
-#define KERN_NEAR  KERN_R(0.1)
+#define KERN_NEAR  KERN_R(0.12)
 
 /* Relative spin of the two blocks of contact k of the part in the motion y. */
 static kern_real kern_part_spin(const kern_part *p, int k)
@@ -5278,25 +5272,20 @@ static kern_real kern_shrink_critical(const kern_part *p, kern_real holds,
     return holds;
 }
 
-/* How the wrench on block i changes as a load grows or gravity turns. */
-static void kern_path_rate(const kern_path *path, const kern_model *m,
-                           const kern_query *q, kern_real s, int i,
-                           kern_wrench *w)
-{
-    if (path->kind == KERN_PATH_LOAD)
-        kern_pattern_on(m->s, q, i, w);
-    else
-        kern_weigh(kern_vec_turn(q->gravity),
-                   4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), w);
-}
-
-/* kern_path_rate() of group g, in the units of its rows. */
+/* How the load on group g changes along a path on which one grows or gravity
+   turns, in the units of the group's rows. */
 static void kern_group_rate(const kern_path *path, const kern_model *m,
                             const kern_query *q, kern_real s, int g,
-                            kern_real *out)
+                            kern_real out[3])
 {
+    const int i = m->graph.block[g];
     kern_wrench w;
-    kern_path_rate(path, m, q, s, m->graph.block[g], &w);
+    if (path->kind == KERN_PATH_LOAD)
+        kern_pattern_on(m->s, q, i, &w);
+    else
+        kern_weigh(kern_vec_turn(q->gravity),
+                   4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side),
+                   &w);
     out[0] = w.fx / m->weight;
     out[1] = w.fy / m->weight;
     out[2] = w.torque * m->unit[g] / m->weight;
@@ -5307,14 +5296,11 @@ static kern_real kern_load_rate(const kern_path *path,
                                 const kern_query *q, kern_real s)
 {
     const kern_part *p = path->part;
-    const kern_model *m = p->m;
-    kern_real sum = KERN_R(0);
+    kern_real sum = KERN_R(0), rate[3];
     int n;
     for (n = 0; n < p->groups; n++) {
-        const kern_motion v = kern_part_moves(p, n);
-        kern_wrench w;
-        kern_path_rate(path, m, q, s, m->graph.block[p->group[n]], &w);
-        sum -= (v.vx * w.fx + v.vy * w.fy + v.spin * w.torque) / m->weight;
+        kern_group_rate(path, p->m, q, s, p->group[n], rate);
+        sum -= kern_three(p->y + 3 * n, rate);
     }
     return sum;
 }
@@ -5336,15 +5322,15 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
 
 /* Records a verdict on the whole at s, and hands its proof to the caller. The
    caller's motion stays that of the nearest place that falls. */
-static void kern_path_note(const kern_model *m, kern_path *path,
-                           kern_status status, kern_real s)
+KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
+                                       kern_status status, kern_real s)
 {
     if (status == KERN_STANDS)
-        path->proven_low = kern_max(path->proven_low, s);
-    if (status == KERN_FALLS && !(s <= path->proven_high))
+        path->proven.low = kern_max(path->proven.low, s);
+    if (status == KERN_FALLS && !(s <= path->proven.high))
         return;
     if (status == KERN_FALLS)
-        path->proven_high = s;
+        path->proven.high = s;
     kern_proof_out(m, path->proof, status);
 }
 
@@ -5444,7 +5430,7 @@ typedef struct kern_bracket {
 static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
-    if (!path->alone && !path->ipm && path->proven_low < lo
+    if (!path->alone && !path->ipm && path->proven.low < lo
         && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
@@ -5619,7 +5605,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
             return kern_path_saturate(path);
         if (status == KERN_STANDS) {
             first = step;
-            step *= KERN_R(1.5);
+            step *= KERN_CLIMB_GROWS;
         } else if (status == KERN_UNDECIDED
                    && first > KERN_WIDTH * path->unit)
             step = first /= 2;
@@ -5699,18 +5685,19 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
     return 1;
 }
 
-/* If the known motion proves that the structure falls at the known place, that
-   bounds the critical value. Not where the known bracket is wide. */
-static void kern_start_falls(kern_model *m, kern_path *path)
+/* Whether the known motion proves that the structure falls at the known place:
+   that bounds the critical value. Not where the known bracket is wide. */
+static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
     if (warm->fails - warm->holds > 2 * KERN_WIDTH * path->unit
         || !kern_known_falls(m, &q, warm))
-        return;
+        return 0;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
     path->fails = warm->fails;
     path->critical = path->exact = warm->margin;
+    return 1;
 }
 
 /* A block this slow rests, where the fastest of a mechanism has speed 1. */
@@ -5750,8 +5737,8 @@ static int kern_body_line(kern_model *m, int g)
 
 /* Where body g, on the line that begins with end e, tips about one of the
    line's ends, and the motion u by which it does, `aside` beyond; infinity: it
-   is not pressed on the line, or slides, or stands in the middle. The model is
-   that of the shrinkage `at`. */
+   is not pressed on the line, or slides, or stands until the kern is closed.
+   The model is that of the shrinkage `at`. */
 static kern_real kern_body_critical(const kern_model *m, int g, int e,
                                     kern_real at, kern_real aside,
                                     kern_real u[3])
@@ -5759,26 +5746,31 @@ static kern_real kern_body_critical(const kern_model *m, int g, int e,
     const kern_contact *c = m->s->contact + (e >> 1);
     const kern_row row = kern_model_row(m, e), last = kern_model_row(m, e + 2);
     const kern_real *b = m->load + 3 * (size_t)g;
-    const kern_real most = m->relative ? KERN_R(1)
-                                       : kern_abs(kern_travel(c, m->mean));
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
-    const kern_real middle = (row.n[2] + last.n[2]) / 2;
-    const kern_real half = kern_abs(last.n[2] - row.n[2]) / 2 * most;
-    kern_real off, crit, arm;
-    if (!(most > at) || !(half > 0) || !(normal > 0)
+    const kern_real span = last.n[2] - row.n[2];
+    kern_real place, arm = KERN_R(0), least = KERN_INFINITY;
+    int k;
+    if (!(normal > 0)
         || kern_abs(along) > kern_friction(c, m->cone.reduction) * normal)
         return KERN_INFINITY;
-    /* where the load crosses the line, beyond the middle, in half lengths */
-    off = ((b[2] - along * row.turn) / normal - middle) / half * (most - at);
-    crit = most * (1 - kern_abs(off));
-    if (crit + aside > most)
-        return KERN_INFINITY;
-    u[2] = KERN_R(off > 0 ? -1 : 1);
-    arm = middle - u[2] * half * (most - crit - aside) / (most * (most - at));
+    place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
+    for (k = 0; k < 2; k++) {
+        const kern_real travel = kern_travel(c + k, m->mean);
+        const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
+        const kern_real rate = travel / most * KERN_R(e & 1 ? -1 : 1)
+                               * m->unit[g];
+        const kern_real crit = kern_min(at, most)
+            + (row.n[2] + KERN_R(k) * span - place) / rate;
+        if (crit < least && crit + aside <= most) {
+            least = crit;
+            arm = place - rate * aside;
+            u[2] = KERN_R((k ? -span : span) > 0 ? 1 : -1);
+        }
+    }
     u[0] = (row.turn * row.n[1] - arm * row.n[0]) * u[2];
     u[1] = -(row.turn * row.n[0] + arm * row.n[1]) * u[2];
-    return crit;
+    return least;
 }
 
 /* The motion u of a body, to all its blocks; the fastest has speed 1. */
@@ -5808,30 +5800,28 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
         }
 }
 
-/* The body with the smallest critical value becomes the path's warm start, if
-   it falls before that. Returns `first`, or the start where a body falls. */
-static kern_real kern_body_first(kern_model *m, kern_path *path,
-                                 kern_real first)
+/* The smallest critical value of a body becomes the path's warm start, if it is
+   below that. Returns it; the start, where a body falls there; or infinity. The
+   model is that of the shrinkage `at`; its loads are none afterwards. */
+static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
-    const kern_query q = kern_path_at(path, path->holds);
     const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
-    kern_real best = kern_min(path->end, path->warm.fails), u[3] = {0, 0, 0};
+    kern_real least = KERN_INFINITY, u[3] = {0, 0, 0};
+    kern_real best = kern_min(path->end, path->warm.fails);
     int g;
     if (!kern_model_spend(m, 1 + m->budget.query_units / 4))
-        return first;
-    kern_model_set(m, &q);
+        return least;
     for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, q.shrink, aside, u);
-        if (crit <= path->holds + 2 * aside)
-            return path->holds;
+            : kern_body_critical(m, g, line, at, aside, u);
+        if (crit <= path->start + 2 * aside)
+            return path->start;
         if (crit + aside < best) {
-            best = crit + aside;
+            least = path->warm.margin = crit;
             path->warm.holds = crit - aside;
-            path->warm.margin = crit;
-            path->warm.fails = best;
+            path->warm.fails = best = crit + aside;
             path->warm.motion = m->answer.motion;
             kern_body_moves(m, g, u);
         }
@@ -5846,7 +5836,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path,
                       - arm.y * load[0]) * m->unit[on];
         }
     }
-    return first;
+    return least;
 }
 
 /* ---- the search: which method is asked when ---- */
@@ -5903,14 +5893,15 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (status == KERN_UNDECIDED && fails < KERN_INFINITY)
         status = kern_path_critical(m, path);
     if (status == KERN_UNDECIDED) {
-        path->holds = kern_max(path->start, path->proven_low);
+        path->holds = kern_max(path->start, path->proven.low);
         status = kern_path_climb(m, path, first, step);
     }
     return status;
 }
 
-/* The verdict of the pass at s. After KERN_FALLS path->critical is that of the
-   part that falls; without forces and such a part KERN_UNDECIDED. */
+/* The verdict of the pass at s. After KERN_FALLS path->critical is that of a
+   body, or of the part that falls; without forces and such a part
+   KERN_UNDECIDED. */
 static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
@@ -5920,6 +5911,11 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
     if (status == KERN_STANDS) {
         kern_path_note(m, path, status, s);
         path->holds = s;
+    } else if (status >= KERN_UNDECIDED && path->warm.fails < KERN_INFINITY
+               && path->warm.motion != m->answer.motion) {
+        const kern_real body = kern_body_first(m, path, s);
+        if (body < s && body > path->start && kern_start_falls(m, path))
+            return KERN_FALLS;
     }
     if (status != KERN_FALLS)
         return status;
@@ -5936,18 +5932,21 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Where a search begins: just before the critical value known of a structure
-   like it, or a smaller one of a body; else a step from the start. */
+   like it, or that of a body; else a step from the start. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     kern_known *warm = &path->warm;
-    kern_real at;
+    kern_real body = KERN_INFINITY;
     if (!(warm->fails > path->start && warm->fails <= path->end
-          && warm->holds <= warm->margin && warm->margin <= warm->fails))
+          && warm->holds <= warm->margin && warm->margin <= warm->fails)) {
+        const kern_query q = kern_path_at(path, path->start);
         warm->fails = KERN_INFINITY;
-    at = kern_body_first(m, path, path->start + first);
-    if (!(warm->fails < KERN_INFINITY) || at <= path->start)
-        return kern_min(at, path->end);
+        kern_model_set(m, &q);
+        body = kern_body_first(m, path, path->start);
+    }
+    if (body <= path->start || !(warm->fails < KERN_INFINITY))
+        return kern_min(body, kern_min(path->start + first, path->end));
     kern_start_falls(m, path);
     return kern_max(path->start, warm->holds);
 }
@@ -5978,8 +5977,10 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             break;
         else if (at >= path->end)
             return kern_path_saturate(path);
-        else
+        else {
             at = at + step < path->end * KERN_R(0.95) ? at + step : path->end;
+            step *= KERN_CLIMB_GROWS;
+        }
     }
     return status != KERN_UNDECIDED ? status
            : kern_path_whole(m, path, at - path->holds, step);
@@ -6496,14 +6497,14 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
         status = kern_path_saturate(path);
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_critical(m, path);
-        if (path->proven_high > path->fails
+        if (path->proven.high > path->fails
             || path->fails - path->holds > KERN_WIDTH * path->unit)
             status = KERN_UNDECIDED;
     }
     path->ipm = NULL;
-    if (path->proven_high <= path->start)
+    if (path->proven.high <= path->start)
         return KERN_FALLS;
-    return status == KERN_STANDS && path->proven_low >= path->holds
+    return status == KERN_STANDS && path->proven.low >= path->holds
            ? status : KERN_UNDECIDED;
 }
 #endif /* KERN_NO_INTERIOR */

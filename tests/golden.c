@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xedf29c437255648du },
-    { 1000, 0x236df21739af7d1cu },
-    { 5000, 0x76e9588b8f18a7b8u },
+    { 200, 0x902ff39f3eb9718cu },
+    { 1000, 0xd1bfaeea56936d30u },
+    { 5000, 0x74e8442ec4ac2b64u },
 #else
-    { 200, 0x62321c06ca86f3b0u },
-    { 1000, 0x8c43be4e5fc22d43u },
-    { 5000, 0x81463b82377e0fd3u },
+    { 200, 0x281aae37e13cfb09u },
+    { 1000, 0x081b4eda99297f68u },
+    { 5000, 0xa4dd6411cfe00ba5u },
 #endif
 };
 
