@@ -1403,7 +1403,7 @@ KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
 { return kern_max(kern_abs(a.x), kern_abs(a.y)); }
 
 /* Numbers, and none too large to reckon with? */
-static int kern_vec_is_moderate(kern_vec a)
+KERN_SHARED static int kern_vec_is_moderate(kern_vec a)
 { return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
 /* The sine by its series: the last digit of libm's differs between machines;
@@ -1461,7 +1461,7 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
 }
 
 /* Makes the box empty: each corner lies beyond every place. */
-static void kern_box_empty(kern_box *box)
+KERN_SHARED static void kern_box_empty(kern_box *box)
 {
     box->low.x = box->low.y = KERN_HUGE;
     box->high.x = box->high.y = -KERN_HUGE;
@@ -1762,16 +1762,8 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path);
 #define kern_ipm_search(m, path)           KERN_UNDECIDED
 #endif
 
-/* Cosine and sine of 4 atan(s), so that s in [0, 1] turns gravity through
-   half a circle by arithmetic alone. */
-static void kern_turn(kern_real s, kern_real *c, kern_real *n)
-{
-    const kern_real d = 1 + s * s;
-    const kern_real c2 = (1 - s * s) / d, n2 = 2 * s / d;
-    *c = c2 * c2 - n2 * n2;
-    *n = 2 * c2 * n2;
-}
-
+/* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
+   through half a circle by arithmetic alone. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -1780,9 +1772,9 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
     else if (path->kind == KERN_PATH_LOAD)
         q.factor = s;
     else {
-        kern_real c, n;
-        kern_turn(s, &c, &n);
-        n *= KERN_R(q.side);
+        const kern_real d = 1 + s * s, c2 = (1 - s * s) / d, n2 = 2 * s / d;
+        const kern_real c = c2 * c2 - n2 * n2;
+        const kern_real n = 2 * c2 * n2 * KERN_R(q.side);
         q.gravity.x = c * path->q.gravity.x - n * path->q.gravity.y;
         q.gravity.y = c * path->q.gravity.y + n * path->q.gravity.x;
     }
@@ -2711,8 +2703,9 @@ struct kern_part {
 /* The engine, in >>lp. */
 
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
-static int kern_certificate_lift(kern_simplex *sx, kern_real above,
-                                 kern_real *y);
+static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
+static int kern_forces_spread(kern_simplex *sx, const kern_real *y,
+                              kern_real *x);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
 static void kern_simplex_crash(kern_simplex *sx);
 static kern_real kern_simplex_place(const kern_simplex *sx);
@@ -3074,7 +3067,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 }
 
 /* Gravity and a side to turn it to. */
-static int kern_has_side(const kern_structure *s, kern_side side)
+KERN_SHARED static int kern_has_side(const kern_structure *s, kern_side side)
 {
     return (side == KERN_RIGHT || side == KERN_LEFT)
            && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
@@ -3128,16 +3121,6 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* The critical value of a path along which a load grows or gravity turns.
-   Under loads that stay a tilt may stand again after it fell: then in even
-   steps. */
-static kern_status kern_push_search(kern_model *m, kern_path *path, int tilt)
-{
-    if (tilt && kern_model_loaded(m))
-        return kern_path_walk(m, path, KERN_R(1) / KERN_TILTS);
-    return kern_path_search(m, path, tilt ? KERN_R(0.0125) : KERN_R(0.05));
-}
-
 /* Lets a load grow or gravity turn: a verdict at the start, search, proofs. */
 static kern_status kern_push(kern_call *c, const kern_task *task,
                              kern_real shrink, const kern_growth *growth,
@@ -3145,21 +3128,25 @@ static kern_status kern_push(kern_call *c, const kern_task *task,
 {
     const int tilt = growth->kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
+    int loaded;
     kern_status status = kern_call_open(c, task, shrink, out);
     if (status == KERN_OK)
         status = kern_growth_check(growth, &c->m);
     if (status != KERN_OK)
         return status;
+    /* under loads that stay a tilt may stand again after it fell */
+    loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, growth->kind, growth->pattern, growth->side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
-    if (c->m.graph.groups <= KERN_SMALL && !(tilt && kern_model_loaded(&c->m))
+    if (c->m.graph.groups <= KERN_SMALL && !loaded
         && task->work->reals >= KERN_REALS(task->s.blocks, task->s.contacts)
         && task->work->indices >= KERN_INTS(task->s.blocks, task->s.contacts))
         kern_model_whole(&c->m, path->part, &path->q);
     status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = kern_push_search(&c->m, path, tilt);
+        status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_TILTS)
+                        : kern_path_search(&c->m, path, KERN_R(0.0125));
     status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_LIMIT)
         path->critical = path->proven.low;
@@ -3733,7 +3720,7 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
 }
 
 /* Takes the lists of a part's groups; 0 if there is no room. */
-static int kern_part_begin(kern_part *p, kern_model *m, int groups,
+KERN_SHARED static int kern_part_begin(kern_part *p, kern_model *m, int groups,
                            const kern_take *rest)
 {
     p->m = m;
@@ -4998,23 +4985,24 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
     kern_model *m = p->m;
+    kern_simplex *sx = &p->eq.simplex;
     kern_real error = KERN_INFINITY;
-    int lift;
+    int again;
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
-    for (lift = 0; status == KERN_FALLS && !(error <= 1) && lift <= 2; lift++) {
-        if (lift && !kern_certificate_lift(&p->eq.simplex,
-                                           KERN_R(lift - 1) * KERN_ABOVE, p->y))
-            break;
-        kern_part_motion(p);
-        error = kern_prove_motion(m->s, q, m->answer.motion);
-    }
-    if (!(error <= 1) && kern_part_is_whole(p)) {
-        /* forces may still do, within the tolerance */
-        status = KERN_STANDS;
-        kern_part_forces(p);
-        error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
-    }
+    for (again = 0; status == KERN_FALLS && !(error <= 1) && again < 2; again++)
+        if (!again || kern_certificate_lift(sx, p->y)) {
+            kern_part_motion(p);
+            error = kern_prove_motion(m->s, q, m->answer.motion);
+        }
+    /* forces may still do, within the tolerance */
+    for (again = 0; kern_part_is_whole(p) && !(error <= 1) && again < 2;
+         again++)
+        if (!again || kern_forces_spread(sx, p->y, p->x)) {
+            status = KERN_STANDS;
+            kern_part_forces(p);
+            error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
+        }
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
 
@@ -5113,24 +5101,13 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
     return kern_part_lay(p);
 }
 
-/* Whether the pass's forces, in the caller's unit, prove that it stands. */
-static int kern_pass_proven(kern_model *m, const kern_query *q)
-{
-    int i;
-    for (i = 0; i < m->s->contacts; i++) {
-        m->answer.force[i].normal *= m->weight;
-        m->answer.force[i].tangential *= m->weight;
-    }
-    return kern_answer_holds(m, q);
-}
-
 /* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
    an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_passed found;
-    int change = m->answer.known != NULL;
+    int i, change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
     m->budget.work->solves++;
@@ -5142,7 +5119,11 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
         found = kern_pass(m, p);
         if (found == KERN_PASS_FALLS)
             return KERN_FALLS;
-        if (found == KERN_PASSED && kern_pass_proven(m, q)) {
+        for (i = 0; i < m->s->contacts; i++) { /* in the caller's unit */
+            m->answer.force[i].normal *= m->weight;
+            m->answer.force[i].tangential *= m->weight;
+        }
+        if (found == KERN_PASSED && kern_answer_holds(m, q)) {
             p->found = KERN_STANDS;
             return KERN_STANDS;
         }
@@ -9308,22 +9289,11 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Prices y of violations, or of costs, to sx->price. */
-static void kern_prices(kern_simplex *sx)
-{
-    int p;
-    for (p = 0; p < sx->lp->rows; p++)
-        sx->price[p] = sx->violated ? sx->slope[p]
-                                    : kern_lp_cost(sx->lp, sx->base[p]);
-    kern_basis_solve_t(sx, sx->price);
-}
-
-/* Refines a certificate y, and lifts it off the columns that it touches, by
-   `above`. Rounding puts it a little below zero there as often as above; a few
-   roundings higher it costs of its power no more than all of x is worth, times
-   those roundings. Returns 0 where there is no basis: the backend answered. */
-static int kern_certificate_lift(kern_simplex *sx, kern_real above,
-                                 kern_real *y)
+/* Lifts a certificate y off the columns that it touches. Rounding puts it a
+   little below zero there as often as above; a few roundings higher it costs of
+   its power no more than all of x is worth, times those roundings. Returns 0
+   where there is no basis: the backend has answered. */
+static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
 {
     const kern_program *lp = sx->lp;
     const kern_real size = kern_largest(y, lp->rows);
@@ -9334,7 +9304,7 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real above,
         const int j = sx->base[p];
         sx->alpha[p] = sx->slope[p]
             + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y))
-            - KERN_R(j < lp->cols) * above * size;
+            - KERN_R(j < lp->cols) * KERN_ABOVE * size;
     }
     kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
@@ -9342,13 +9312,41 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real above,
     return 1;
 }
 
-/* Gain below which no column enters. One that would have to carry more than
-   lp->most to undo the violations is no help: the bound on forces of a jam. */
-static kern_real kern_gain_least(const kern_simplex *sx, kern_real sum)
+/* Spreads what x leaves out of balance over the rows of the certificate y, in
+   proportion: no x leaves less, in the sum of squares. The basis leaves it to a
+   few rows, where it may exceed the tolerance. Returns 0 without a basis. */
+static int kern_forces_spread(kern_simplex *sx, const kern_real *y,
+                              kern_real *x)
 {
     const kern_program *lp = sx->lp;
-    const kern_real size = kern_largest(sx->price, lp->rows);
-    kern_real least = KERN_PIVOT_TOL * size;
+    const kern_real share = kern_dot(y, lp->rhs, lp->rows)
+                            / kern_dot(y, y, lp->rows);
+    int p;
+    if (sx->state == KERN_BASIS_NONE)
+        return 0;
+    for (p = 0; p < lp->rows; p++)
+        sx->alpha[p] = -share * y[p];
+    kern_basis_solve(sx, sx->alpha);
+    for (p = 0; p < lp->rows; p++)
+        if (sx->base[p] < lp->cols)
+            x[sx->base[p]] += sx->alpha[p];
+    return 1;
+}
+
+/* Gain below which no column enters. One that would have to carry more than
+   lp->most to undo the violations is no help: the bound on forces of a jam. */
+static kern_real kern_gain_least(kern_simplex *sx, kern_real sum)
+{
+    const kern_program *lp = sx->lp;
+    kern_real size, least;
+    int p;
+    for (p = 0; p < lp->rows && !(sx->gain < KERN_INFINITY); p++)
+        sx->price[p] = sx->violated ? sx->slope[p]
+                                    : kern_lp_cost(lp, sx->base[p]);
+    if (p > 0)
+        kern_basis_solve_t(sx, sx->price);
+    size = kern_largest(sx->price, lp->rows);
+    least = KERN_PIVOT_TOL * size;
     if (!sx->violated)
         least = KERN_FEAS_TOL
                 * (lp->cost ? kern_largest(lp->cost, lp->cols) : KERN_R(1));
@@ -9368,8 +9366,6 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
     int j, best = KERN_OUT;
     if (costs && !kern_lp_costs(lp))
         return KERN_OUT;
-    if (!(sx->gain < KERN_INFINITY))
-        kern_prices(sx);
     least = kern_gain_least(sx, sum);
     if (sx->gain <= least)
         return KERN_OUT;
