@@ -8862,13 +8862,6 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 static int kern_lp_end(const kern_program *lp, int j)
 { return lp->ends[j | 1] < lp->ends[j & ~1]; }
 
-/* The group whose own column j is; `groups` where there is none. */
-static int kern_lp_first(const kern_program *lp, int j, int groups)
-{
-    return lp->ends && j < lp->cols ? lp->ends[(j & ~1) + kern_lp_end(lp, j)]
-                                    : groups;
-}
-
 /* Column j's entries in the rows of the group whose own it is, or those of its
    other end; returns the first of these rows. */
 static int kern_lp_part(const kern_program *lp, int j, int other,
@@ -8988,12 +8981,9 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
 /* The basis of logicals. */
 static void kern_basis_logicals(kern_simplex *sx)
 {
-    const int cols = sx->lp->cols;
     int i;
-    for (i = 0; i <= cols; i++)
-        sx->place[i] = KERN_OUT;
     for (i = 0; i < sx->lp->rows; i++)
-        sx->base[i] = cols + 1 + i;
+        sx->base[i] = sx->lp->cols + 1 + i;
 }
 
 /* ---- the crash basis ---- */
@@ -9081,18 +9071,25 @@ static int kern_crash_faces(const kern_simplex *sx, int j)
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
+    int *next = sx->place, *first = sx->list; /* columns of a group */
     int mine[KERN_CRASH_MOST], g, j, any, done;
     if (sx->state != KERN_BASIS_NONE)
         return;
     kern_basis_logicals(sx);
-    for (j = 0; j < lp->rows; j++)
+    for (j = 0; j < lp->rows; j++) {
         sx->alpha[j] = lp->rhs[j];
+        first[j] = KERN_OUT;
+    }
+    for (j = lp->cols - 1; j >= 0; j--) {
+        g = lp->ends[(j & ~1) + kern_lp_end(lp, j)];
+        next[j] = first[g];
+        first[g] = j;
+    }
     for (g = 0; g < sx->factors.groups; g++)
         for (any = done = 0; any < 2 && !done; any++) {
             int n = 0, seen = 0, stride = 1;
-            for (j = 0; j < lp->cols; j++) {
-                if (kern_lp_first(lp, j, sx->groups) != g
-                    || !(any || kern_crash_faces(sx, j)))
+            for (j = first[g]; j != KERN_OUT; j = next[j]) {
+                if (!any && !kern_crash_faces(sx, j))
                     continue;
                 if (n == KERN_CRASH_MOST)
                     for (n = 0, stride *= 2; n < KERN_CRASH_MOST / 2; n++)
@@ -9114,13 +9111,14 @@ static void kern_simplex_crash(kern_simplex *sx)
 static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
-    const int row = 3 * kern_lp_first(lp, j, sx->groups);
-    kern_real part[3], alpha[3], least = KERN_OWN_TOL;
-    kern_real *block = sx->factors.block + 6 * (size_t)row, *own;
-    int i, k, best = KERN_OUT;
-    if (row == 3 * sx->groups)
+    kern_real part[3], alpha[3], least = KERN_OWN_TOL, *block, *own;
+    int i, k, best = KERN_OUT, row;
+    if (!lp->ends || j == lp->cols)
         return 0;
-    kern_lp_part(lp, j, 0, part);
+    row = kern_lp_part(lp, j, 0, part);
+    if (row == lp->rows)
+        return 0;
+    block = sx->factors.block + 6 * (size_t)row;
     for (k = 0; k < 3; k++) {
         alpha[k] = kern_three(block + 6 * k, part);
         if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
@@ -9213,11 +9211,11 @@ static void kern_basis_refactorise(kern_simplex *sx)
     int i, p, left = 0;
     if (sx->state == KERN_BASIS_NONE)
         kern_basis_logicals(sx);
+    for (i = 0; i <= lp->cols; i++)
+        sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
         kern_real *own = f->block + 6 * (size_t)p;
         sx->list[p] = sx->base[p];
-        if (sx->base[p] <= lp->cols)
-            sx->place[sx->base[p]] = KERN_OUT;
         sx->base[p] = lp->cols + 1 + p;
         for (i = 0; i < 6 && f->groups > 0; i++)
             own[i] = KERN_R(i == p % 3);
