@@ -109,12 +109,12 @@
    checks use nothing of the solver. What passes neither is KERN_UNDECIDED:
    never a guess. >>limits says when that happens.
 
-   options.limit bounds the work of one call. Work that would exceed the limit
-   is not begun: the call returns KERN_LIMIT and writes what is proven by then.
-   Below the limit the answer is the same, to the last bit, as without. A unit
-   of work is some 1,000 instructions, within a factor of 3, or 0.1 to 0.6
-   microseconds of a desktop computer. To read its input costs a call another
-   170 to 550 instructions a block and contact point (tests/work.sh limits).
+   options.limit bounds the work of one call. Work that would exceed the limit,
+   to read the input included, is not begun: the call returns KERN_LIMIT and
+   writes what is proven by then. Below the limit the answer is the same, to the
+   last bit, as without. A call takes at most 3,000 instructions and 2,000 for
+   each unit of its limit, a whole answer 650 to 2,000 for each unit that it
+   took (tests/work.sh limits): 0.1 to 0.6 microseconds of a desktop computer.
 
    CONFIGURATION                                                     >>config
 
@@ -281,9 +281,8 @@
    0.86] on 188 structures shaken in another simulator, 0.71 [0.55, 0.82] on
    the 63 of 18 stones and more, 0.72 [0.62, 0.79] on 150 walls of planners.
    The mean of the weaker half, from the same contacts, has 0.81, 0.69 and
-   0.61; the load factor 0.49, 0.37, 0.62; the margin 0.21, 0.22, 0.24. In
-   sample (272 structures) the expected drop has 0.80:
-   examples/shaking/study/STUDY.md. Where stones slide before they tip, as in
+   0.61; the load factor 0.49, 0.37, 0.62; the margin 0.21, 0.22, 0.24
+   (examples/shaking/study/STUDY.md). Where stones slide before they tip, as in
    low walls, all load factors end at mu and rank less well. Near contacts are
    not for verdicts: a gap carries nothing yet.
 
@@ -372,8 +371,7 @@
              in one of a thousand; above 256 blocks of which many move at once
              up to 3e-5. Above 64 such blocks the margin may lie anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
-             of one size, long arches (tests/BENCH.md). options.limit ends the
-             call with what is proven.
+             of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (tolerances: >>impl), a deficit is exact to 3e-6
              sizes, and near to critical more is undecided; where wedges jam a
              margin may be off by a third of a size; coordinates should not be
@@ -1016,7 +1014,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     are set; proof->motion says how it falls.
      KERN_LIMIT     level -1, saturated 0; margin and holds are the largest
                     shrinkage proven to stand, -1: none yet; fails the smallest
-                    proven to fall, `most`: none. The proof means nothing.
+                    proven to fall, `most`: none; both infinity where the input
+                    was not read. The proof means nothing.
      KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon above 1,000,000): *out is as
                     it was.
    [holds, fails] is at most 2e-6 of the mean size wide, more only where no
@@ -1341,7 +1340,7 @@ static kern_real kern_abs(kern_real a)
 static kern_real kern_max(kern_real a, kern_real b) { return a > b ? a : b; }
 static kern_real kern_min(kern_real a, kern_real b) { return a < b ? a : b; }
 
-static void kern_fault_clear(kern_fault *fault)
+KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 {
     fault->block = fault->other = fault->index = -1;
     fault->value = fault->allowed = KERN_R(0);
@@ -1879,7 +1878,7 @@ static int kern_take_fits(const kern_take *take)
 KERN_SHARED static int kern_limit_of(int limit)
 { return limit > 0 ? limit : KERN_WORK_MOST; }
 
-static void kern_work_begin(kern_work *work)
+KERN_SHARED static void kern_work_begin(kern_work *work)
 {
     kern_fault_clear(&work->fault);
     work->units = 0;
@@ -1948,11 +1947,11 @@ static kern_status kern_arrays_check(const kern_structure *s)
     return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
 }
 
-/* Checks a structure. */
+/* Checks what the arrays of a structure hold. */
 static kern_status kern_structure_check(const kern_structure *s,
                                         kern_fault *fault)
 {
-    kern_status status = kern_arrays_check(s);
+    kern_status status = KERN_OK;
     int i, any = 0;
     int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
     for (i = 0; i < s->blocks && status == KERN_OK; i++) {
@@ -1979,9 +1978,10 @@ static kern_status kern_structure_check(const kern_structure *s,
     return status;
 }
 
-/* The task, a shrinkage, and where the answer goes; in *q their query. */
-static kern_status kern_query_check(const kern_task *task, kern_real shrink,
-                                    const void *out, kern_query *q)
+/* What is handed in, but for what its arrays hold; `out` is where the answer
+   goes. */
+static kern_status kern_task_check(const kern_task *task, kern_real shrink,
+                                   const void *out)
 {
     kern_status status;
     if (!task || !task->work || !task->work->real || !task->work->index)
@@ -1993,15 +1993,30 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
     kern_work_begin(task->work);
     status = kern_options_check(&task->options);
     if (status == KERN_OK)
-        status = kern_structure_check(&task->s, &task->work->fault);
+        status = kern_arrays_check(&task->s);
     if (status == KERN_OK && !out)
         status = KERN_BAD_POINTER;
+    return status == KERN_OK && !kern_is_finite(shrink) ? KERN_BAD_NUMBER
+                                                        : status;
+}
+
+/* Checks what the arrays of a task hold; in *q its query. */
+static kern_status kern_query_read(const kern_task *task, kern_real shrink,
+                                   kern_query *q)
+{
+    const kern_status status = kern_structure_check(&task->s,
+                                                    &task->work->fault);
     if (status != KERN_OK)
         return status;
     *q = kern_query_of(&task->s, &task->options, shrink);
-    if (!kern_is_finite(shrink))
-        return KERN_BAD_NUMBER;
     return q->relative && shrink > 1 ? KERN_BAD_SHARE : KERN_OK;
+}
+
+static kern_status kern_query_check(const kern_task *task, kern_real shrink,
+                                    const void *out, kern_query *q)
+{
+    const kern_status status = kern_task_check(task, shrink, out);
+    return status == KERN_OK ? kern_query_read(task, shrink, q) : status;
 }
 
 /* ---- Proofs ----------------------------------------------------- >>proof */
@@ -2125,7 +2140,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
            + KERN_EPS / 2 * gap + KERN_LEAST;
 }
 
-static void kern_motion_clear(kern_motion *m)
+KERN_SHARED static void kern_motion_clear(kern_motion *m)
 { m->vx = m->vy = m->spin = KERN_R(0); }
 
 /* The speed of a block that rests is 0. */
@@ -2408,7 +2423,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     }
 }
 
-/* Opens the model of a task that has been checked. It has no groups yet. */
+/* Opens the model of a task that has been checked, for a query. */
 static kern_status kern_model_open(kern_model *m, const kern_task *task,
                                    const kern_query *q)
 {
@@ -2423,14 +2438,14 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->s = s;
     m->budget.work = task->work;
     m->budget.limit = task->options.limit;
-    m->budget.query_units = 1 + (s->blocks + s->contacts) / 3;
+    m->budget.query_units = 3 + (s->blocks + s->contacts) / 10;
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->weight = KERN_R(1);
     m->answer.known = NULL;
     m->cone.narrow = q->narrow;
     m->cone.reduction = KERN_R(0);
-    m->graph.groups = m->whole = 0;
+    kern_model_group(m, q);
     return KERN_OK;
 }
 
@@ -2707,7 +2722,6 @@ static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
 static int kern_forces_spread(kern_simplex *sx, const kern_real *y,
                               kern_real *x);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
-static void kern_simplex_crash(kern_simplex *sx);
 static kern_real kern_simplex_place(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
@@ -2788,22 +2802,31 @@ typedef struct kern_call {
 } kern_call;
 
 /* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
-   where the answer goes. */
+   where the answer goes. What that costs is charged before. */
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
     kern_query q;
-    kern_status status = kern_query_check(task, shrink, out, &q);
+    kern_status status = kern_task_check(task, shrink, out);
+    if (status == KERN_OK && !kern_spend(
+            task->work, task->options.limit,
+            1 + (task->s.blocks + task->s.contacts) / 5))
+        status = KERN_LIMIT;
+    if (status == KERN_OK)
+        status = kern_query_read(task, shrink, &q);
     if (status != KERN_OK)
         return status;
-    /* what was read and is laid out; never refused, since a call must know what
-       it was handed before it can say that it ends */
-    kern_spend(task->work, task->options.limit,
-               1 + (task->s.blocks + task->s.contacts) / 8);
     kern_path_begin(&c->path, &c->part, task, &q);
-    status = kern_model_open(&c->m, task, &q);
-    if (status == KERN_OK)
-        kern_model_group(&c->m, &q);
+    return kern_model_open(&c->m, task, &q);
+}
+
+/* The same of a call whose answer is a number: -1 where it ends unread. */
+static kern_status kern_number_open(kern_call *c, const kern_task *task,
+                                    kern_real shrink, kern_real *number)
+{
+    const kern_status status = kern_call_open(c, task, shrink, number);
+    if (status == KERN_LIMIT)
+        *number = KERN_R(-1);
     return status;
 }
 
@@ -2913,11 +2936,18 @@ static kern_status kern_measure_anew(const kern_task *task,
 {
     kern_call c;
     const kern_status status = kern_call_open(&c, task, KERN_R(0), out);
-    if (status != KERN_OK)
+    if (status != KERN_OK && status != KERN_LIMIT)
         return status;
     if (forget)
         forget->fails = KERN_R(0);
-    return kern_measure_task(&c, task, known, out, proof);
+    if (status == KERN_OK)
+        return kern_measure_task(&c, task, known, out, proof);
+    out->margin = out->holds = KERN_R(-1);
+    out->fails = out->most = KERN_INFINITY;
+    out->epsilon = KERN_R(0);
+    out->level = -1;
+    out->saturated = 0;
+    return status;
 }
 
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
@@ -2993,7 +3023,7 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
 {
     kern_call c;
-    kern_status status = kern_call_open(&c, task, KERN_R(0), deficit);
+    kern_status status = kern_number_open(&c, task, KERN_R(0), deficit);
     if (status != KERN_OK)
         return status;
     status = kern_path_evaluate(&c.m, &c.path, KERN_R(0));
@@ -3037,7 +3067,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
     kern_call c;
     int round, i;
-    kern_status status = kern_call_open(&c, task, at, length);
+    kern_status status = kern_number_open(&c, task, at, length);
     if (status != KERN_OK)
         return status;
     status = KERN_STANDS;
@@ -3086,21 +3116,13 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* What grows along a path: a pattern of loads, a horizontal load to a side
-   where that is NULL, or the tilt to a side. */
-typedef struct kern_growth {
-    kern_path_kind kind;
-    const kern_wrench *pattern;
-    kern_side side;
-} kern_growth;
-
-/* Whether what grows can be reckoned with. */
-static kern_status kern_growth_check(const kern_growth *growth,
-                                     const kern_model *m)
+/* Whether what grows along a path can be reckoned with: a pattern of loads; or,
+   where that is NULL, a horizontal load, or the tilt, to a side. */
+static kern_status kern_growth_check(const kern_model *m,
+                                     const kern_wrench *pattern, kern_side side)
 {
-    const kern_wrench *pattern = growth->pattern;
     int i;
-    if (!pattern && !kern_has_side(m->s, growth->side))
+    if (!pattern && !kern_has_side(m->s, side))
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < m->s->blocks; i++)
         if (kern_is_free(m, i)
@@ -3123,20 +3145,21 @@ static int kern_model_loaded(const kern_model *m)
 
 /* Lets a load grow or gravity turn: a verdict at the start, search, proofs. */
 static kern_status kern_push(kern_call *c, const kern_task *task,
-                             kern_real shrink, const kern_growth *growth,
+                             kern_real shrink, kern_path_kind kind,
+                             const kern_wrench *pattern, kern_side side,
                              kern_real *out, const kern_proof *proof)
 {
-    const int tilt = growth->kind == KERN_PATH_TILT;
+    const int tilt = kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
     int loaded;
-    kern_status status = kern_call_open(c, task, shrink, out);
+    kern_status status = kern_number_open(c, task, shrink, out);
     if (status == KERN_OK)
-        status = kern_growth_check(growth, &c->m);
+        status = kern_growth_check(&c->m, pattern, side);
     if (status != KERN_OK)
         return status;
     /* under loads that stay a tilt may stand again after it fell */
     loaded = tilt && kern_model_loaded(&c->m);
-    kern_path_push(path, growth->kind, growth->pattern, growth->side);
+    kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
     if (c->m.graph.groups <= KERN_SMALL && !loaded
@@ -3156,21 +3179,13 @@ static kern_status kern_push(kern_call *c, const kern_task *task,
     return status;
 }
 
-/* kern_push() as the only question of a call. */
-static kern_status kern_push_alone(const kern_task *task, kern_real shrink,
-                                   const kern_growth *growth, kern_real *out,
-                                   const kern_proof *proof)
-{
-    kern_call c;
-    return kern_push(&c, task, shrink, growth, out, proof);
-}
-
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof)
 {
-    const kern_growth growth = {KERN_PATH_LOAD, NULL, side};
-    return kern_push_alone(task, shrink, &growth, factor, proof);
+    kern_call c;
+    return kern_push(&c, task, shrink, KERN_PATH_LOAD, NULL, side, factor,
+                     proof);
 }
 
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
@@ -3179,17 +3194,18 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real *factor,
                                          const kern_proof *proof)
 {
-    const kern_growth growth = {KERN_PATH_LOAD, pattern, KERN_SHRINK};
-    return pattern ? kern_push_alone(task, shrink, &growth, factor, proof)
-                   : KERN_BAD_POINTER;
+    kern_call c;
+    return pattern ? kern_push(&c, task, shrink, KERN_PATH_LOAD, pattern,
+                               KERN_SHRINK, factor, proof) : KERN_BAD_POINTER;
 }
 
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof)
 {
-    const kern_growth growth = {KERN_PATH_TILT, NULL, side};
-    return kern_push_alone(task, shrink, &growth, angle, proof);
+    kern_call c;
+    return kern_push(&c, task, shrink, KERN_PATH_TILT, NULL, side, angle,
+                     proof);
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
@@ -3337,6 +3353,9 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, KERN_R(0),
                                         value ? out : NULL);
+    for (i = 0; (status == KERN_OK || status == KERN_LIMIT)
+                && i < task->s.blocks; i++)
+        value[i] = KERN_R(-1);
     if (status != KERN_OK)
         return status;
     if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
@@ -3352,8 +3371,6 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     fall.sum = fall.weak_sum = KERN_R(0);
     fall.least = KERN_INFINITY;
     fall.value = value;
-    for (i = 0; i < task->s.blocks; i++)
-        value[i] = KERN_R(-1);
     status = kern_spent(task->work, task->options.limit,
                         kern_fall_follow(&c.m, &c.path, &fall));
     for (i = 0; i < task->s.blocks; i++)
@@ -4258,6 +4275,10 @@ static kern_real kern_norm_share(const kern_part *p)
     return at;
 }
 
+/* Counts a step of Newton's method or of the interior point: a factor. */
+static int kern_norm_spend(const kern_part *p)
+{ return kern_model_spend(p->m, 1 + p->dual.cost / 170); }
+
 /* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
    rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
    with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
@@ -4281,7 +4302,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         before = left;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        if (!kern_model_spend(p->m, 1 + p->dual.cost / 180))
+        if (!kern_norm_spend(p))
             return KERN_LIMIT;
         kern_norm_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
@@ -5048,7 +5069,6 @@ static int kern_part_follow(kern_part *p, kern_real *place)
         kern_simplex_change(sx, KERN_BASIS_STALE);
     p->eq.lp.rate = p->eq.rate;
     p->eq.lp.follow = 1;
-    kern_simplex_crash(sx);
     status = kern_program_solve(sx, 1, p->x, p->y, p->m->budget.work);
     p->eq.lp.follow = 0;
     *place = kern_simplex_place(sx);
@@ -5065,7 +5085,6 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
         return KERN_LIMIT;
     kern_part_set(p, q);
     for (builtin = 0; builtin < 2 && status != KERN_LIMIT; builtin++) {
-        kern_simplex_crash(&p->eq.simplex);
         status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
                                     p->m->budget.work);
         if (status == KERN_LP_OPTIMAL)
@@ -5790,7 +5809,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
     kern_real least = KERN_INFINITY, u[3] = {0, 0, 0};
     kern_real best = kern_min(path->end, path->warm.fails);
     int g;
-    if (!kern_model_spend(m, 1 + m->budget.query_units / 4))
+    if (!kern_model_spend(m, m->budget.query_units))
         return least;
     for (g = 0; g < m->graph.groups; g++) {
         const kern_real *load = m->load + 3 * (size_t)g;
@@ -6204,8 +6223,7 @@ static int kern_ipm_step(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x, of_z, ds;
     int i;
-    if (!(in->gap <= KERN_IPM_LOST)
-        || !kern_model_spend(p->m, 1 + p->dual.cost / 450))
+    if (!(in->gap <= KERN_IPM_LOST) || !kern_norm_spend(p))
         return 0;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i] / in->z[i];
@@ -6269,13 +6287,15 @@ static void kern_ipm_lift(kern_real *v, int n)
 
 /* Begins at a place, held or free: with minimum-norm forces of both signs, and
    such motions, lifted above 0 (Mehrotra). Held, g is what these forces miss.
-   Returns 0 where nothing depends on s. */
+   Returns 0 where nothing depends on s, or no work is left. */
 static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real power, x = KERN_R(0), z = KERN_R(0);
     int i;
+    if (!kern_norm_spend(p))
+        return 0;
     in->held = held;
     in->s = place;
     in->most = held ? place : in->path->end;
@@ -6408,6 +6428,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
     const kern_query q = kern_path_at(in->path, place);
     const int sharp = crit && in->p->groups <= KERN_SMALL; /* exact to 1e-9 */
     kern_status status = KERN_UNDECIDED;
+    if (!kern_model_spend(in->p->m, in->p->m->budget.query_units))
+        return KERN_LIMIT;
     in->p->m->budget.work->solves++;
     in->least = KERN_R(0);
     if (in->gap <= KERN_IPM_LOST) {
@@ -6736,6 +6758,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     r->q = q;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
     r->rounds = r->gained = 0;
+    if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
+        return 0;
     while (r->rounds < rounds && r->rounds - r->gained <= KERN_RAISE_STILL) {
         const int first = cold && r->rounds == 0;
         const kern_status found = kern_norm_find(
@@ -6884,8 +6908,7 @@ static void kern_raise_lead(kern_raise *r, int keep, kern_real ahead)
 static int kern_raise_at(kern_raise *r, const kern_query *q, int cold,
                          const kern_proof *proof)
 {
-    if (!kern_model_spend(r->m, r->m->budget.query_units)
-        || !kern_raise_settle(r, q, cold, KERN_RAISE_PATH))
+    if (!kern_raise_settle(r, q, cold, KERN_RAISE_PATH))
         return 0;
     kern_proof_out(r->m, proof, KERN_STANDS);
     kern_proof_out(r->m, proof, KERN_FALLS);
@@ -7015,21 +7038,15 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_real *factor,
                                       const kern_proof *proof)
 {
-    const kern_growth growth = {KERN_PATH_LOAD, pattern, side};
     kern_real most = KERN_R(-1), stood = most;
     kern_call c;
     kern_raise r;
-    kern_status status = factor ? kern_push(&c, task, shrink, &growth,
-                                                 &most, proof)
-                                : KERN_BAD_POINTER;
-    const int spent = status == KERN_STANDS ? task->work->units : 0;
-    if (status == KERN_STANDS)
-        status = kern_call_open(&c, task, shrink, factor);
-    if (status == KERN_STANDS || status == KERN_OK) {
-        kern_path_push(&c.path, growth.kind, pattern, side);
+    kern_status status = kern_push(&c, task, shrink, KERN_PATH_LOAD, pattern,
+                                   side, factor ? &most : NULL, proof);
+    if (status == KERN_STANDS) { /* a model again that no part is open of */
+        kern_model_open(&c.m, task, &c.path.q);
         r.m = &c.m;
         r.p = &c.part;
-        kern_model_spend(&c.m, spent);
         status = kern_spent(task->work, task->options.limit, kern_raise_load(
             &r, &c.path.q, kern_min(most, KERN_FACTOR_MOST), &stood, proof));
     }
@@ -8978,14 +8995,6 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     sx->place[q] = p;
 }
 
-/* The basis of logicals. */
-static void kern_basis_logicals(kern_simplex *sx)
-{
-    int i;
-    for (i = 0; i < sx->lp->rows; i++)
-        sx->base[i] = sx->lp->cols + 1 + i;
-}
-
 /* ---- the crash basis ---- */
 
 static kern_real kern_three_det(const kern_real *a, const kern_real *b,
@@ -9073,10 +9082,8 @@ static void kern_simplex_crash(kern_simplex *sx)
     const kern_program *lp = sx->lp;
     int *next = sx->place, *first = sx->list; /* columns of a group */
     int mine[KERN_CRASH_MOST], g, j, any, done;
-    if (sx->state != KERN_BASIS_NONE)
-        return;
-    kern_basis_logicals(sx);
     for (j = 0; j < lp->rows; j++) {
+        sx->base[j] = lp->cols + 1 + j; /* its logical */
         sx->alpha[j] = lp->rhs[j];
         first[j] = KERN_OUT;
     }
@@ -9209,14 +9216,13 @@ static void kern_basis_refactorise(kern_simplex *sx)
     const kern_program *lp = sx->lp;
     kern_factors *f = &sx->factors;
     int i, p, left = 0;
-    if (sx->state == KERN_BASIS_NONE)
-        kern_basis_logicals(sx);
     for (i = 0; i <= lp->cols; i++)
         sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
         kern_real *own = f->block + 6 * (size_t)p;
-        sx->list[p] = sx->base[p];
-        sx->base[p] = lp->cols + 1 + p;
+        const int logical = lp->cols + 1 + p;
+        sx->list[p] = sx->state == KERN_BASIS_NONE ? logical : sx->base[p];
+        sx->base[p] = logical;
         for (i = 0; i < 6 && f->groups > 0; i++)
             own[i] = KERN_R(i == p % 3);
         if (f->groups > 0)
@@ -9597,9 +9603,11 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
     sx->least = KERN_FEAS_TOL * kern_largest(lp->rhs, lp->rows);
     sx->least = sx->least > 0 ? sx->least : KERN_FEAS_TOL;
     if (sx->state != KERN_BASIS_READY
-        && !kern_spend(work, lp->limit, lp->ends ? (lp->rows + lp->cols) / 4
+        && !kern_spend(work, lp->limit, lp->ends ? (lp->rows + lp->cols) / 2
                                                  : lp->rows * (lp->cols / 64)))
         return KERN_LIMIT;
+    if (sx->state == KERN_BASIS_NONE && lp->ends)
+        kern_simplex_crash(sx);
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
         || !kern_basis_values(sx))
         kern_basis_refactorise(sx);
@@ -9607,7 +9615,7 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
     return kern_spent(work, lp->limit, KERN_OK);
 }
 
-/* The one entry of the engine. Starts from the last basis, that of
+/* The one entry of the engine. Starts from the last basis, or that of
    kern_simplex_crash(), or logicals. x is written for every verdict: one that
    falls leaves A x = rhs in it, with what is negative about it, which tells how
    the verdict changes with the matrix. y is written for KERN_LP_INFEASIBLE, and
@@ -10044,7 +10052,6 @@ KERN_API kern_options kern_near(const kern_options *options,
    (1967). Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction
    of the number of points required to represent a digitized line or its
    caricature, Canadian Cartographer 10 (1973).
-
 
    CHANGES                                                          >>changes
 

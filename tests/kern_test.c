@@ -7593,6 +7593,29 @@ static void limits_of_work(void)
     CHECK(known > some(1000));
 }
 
+/* A limit that does not reach for the input: it is not read, and what is wrong
+   about it is not seen; and nothing is known. */
+static void limit_before_reading(void)
+{
+    static world w;
+    int call;
+    random_world(&w, 770000u, 12);
+    CHECK(w.blocks + w.contacts >= 10);
+    w.contact[w.contacts - 1].p.x = R(NAN);
+    for (call = 0; call < LIMIT_PLAN; call++) {
+        const limited whole = ask_limited((enum limited_call)call, &w, 0);
+        const limited r = ask_limited((enum limited_call)call, &w, 1);
+        CHECK_INT(whole.status, KERN_BAD_NUMBER);
+        CHECK_INT(r.status, KERN_LIMIT);
+        CHECK_INT(r.units, 2);
+        if (call == LIMIT_MEASURE) {
+            CHECK(r.m.holds <= -1 && r.m.margin <= -1 && r.m.level == -1);
+            CHECK(r.m.fails >= INFINITY && r.m.most >= INFINITY);
+        } else if (call != LIMIT_STANDS && call != LIMIT_SHRUNK)
+            CHECK(r.value[0] <= -1);
+    }
+}
+
 /* ==== Known cases ================================================= >>known */
 
 /* What the cases share: the parameters that a family keeps fixed. */
@@ -11085,6 +11108,7 @@ static const test tests[] = {
     TEST(bearing_of_lips),
     TEST(bearing_by_definition),
     TEST(limits_of_work),
+    TEST(limit_before_reading),
     TEST(known_slope),
     TEST(known_column),
     TEST(known_offset),

@@ -37,16 +37,16 @@ three_stones() { # its output, its file and its functions in C
             -c -o "$out/plan.o" "$out/plan.c"
 }
 
-firmware() { # its commands; pivots, ticks and bytes are not compared
+firmware() { # its commands; units, ticks and bytes are not compared
     awk '/^```sh/ { on = 1; next } /^```/ { on = 0 } on' \
         examples/firmware/README.md >"$out/firmware.sh"
     grep -q qemu-system-arm "$out/firmware.sh" || return 1
     in_a_copy "$out/firmware.sh" >"$out/firmware.out" 2>&1 || return 1
     awk '/^\/\* Output,/ { on = 1; next } /^\*\// { on = 0 } on' \
         examples/firmware/main.c >"$out/firmware.want"
-    diff <(sed 's/[0-9]* \(pivots\|ticks\)/N \1/g; /bytes/d; /variables/d' \
+    diff <(sed 's/[0-9]* \(units\|ticks\)/N \1/g; /bytes/d; /variables/d' \
         "$out/firmware.want") \
-        <(sed 's/[0-9]* \(pivots\|ticks\)/N \1/g; /bytes/d; /variables/d' \
+        <(sed 's/[0-9]* \(units\|ticks\)/N \1/g; /bytes/d; /variables/d' \
             "$out/firmware.out")
 }
 

@@ -45,9 +45,9 @@ static kern_force force[CONTACTS];
 static kern_real reals[KERN_REALS(BLOCKS, CONTACTS)];
 static int ints[KERN_INTS(BLOCKS, CONTACTS)];
 
-/* Prints an answer and the pivots and the time that it took. */
+/* Prints an answer, the units of work and the time that it took. */
 static void print_measure(kern_status status, const kern_margin *m,
-                          uint32_t start, kern_work *work)
+                          uint32_t start, const kern_work *work)
 {
     const int32_t ticks = (int32_t)(board_ticks() - start);
     if (status == KERN_STANDS) {
@@ -56,14 +56,13 @@ static void print_measure(kern_status status, const kern_margin *m,
         board_print(", margin ");
         board_print_fixed(m->margin, 4);
         board_print(" m; ");
-        board_print_int(work->pivots);
-        board_print(" pivots");
+        board_print_int(work->units);
+        board_print(" units");
     } else
         board_print(kern_status_text(status));
     board_print("; ");
     board_print_int(ticks);
     board_print(" ticks\n");
-    work->pivots = 0;
 }
 
 /* The ground and the wall, stone by stone. Returns below 0 what went wrong. */
@@ -159,13 +158,13 @@ int main(void)
     return 0;
 }
 
-/* Output, where pivots and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 3 pivots; 76011 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 0 pivots; 7733 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 48 pivots; 130064 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 7 pivots; 41064 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 3918 ticks
+/* Output, where units and ticks depend on compiler and version:
+wall of 30 stones:    level 31, margin 0.1518 m; 589 units; 56931 ticks
+candidate at  0.00 m: level 31, margin 0.1518 m; 125 units; 7988 ticks
+candidate at  0.20 m: level 34, margin 0.1663 m; 2673 units; 113657 ticks
+candidate at  0.40 m: level 34, margin 0.1663 m; 2296 units; 98530 ticks
+candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 346 ticks
 memory: 46376 bytes of work memory, 9256 of blocks and contacts,
-        55640 of variables in all, 2488 of 9896 of stack, 52864 of flash
+        55640 of variables in all, 2512 of 9896 of stack, 50560 of flash
 best place: 0.20 m
 */
