@@ -300,9 +300,8 @@
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
    forces (kern_forces()): one set, symmetric where the structure is, which
-   loads all that can carry and uses no more friction than it must. Those of
-   kern_raised() are closer to friction, but not unique. Neither says how stones
-   of some stiffness share a load.
+   loads all that can carry. Those of kern_raised() are closer to friction, but
+   not unique. Neither says how stones of some stiffness share a load.
 
    STONES FROM A CAMERA OR A SCANNER                               >>measured
 
@@ -1014,8 +1013,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     are set; proof->motion says how it falls.
      KERN_LIMIT     level -1, saturated 0; margin and holds are the largest
                     shrinkage proven to stand, -1: none yet; fails the smallest
-                    proven to fall, `most`: none; both infinity where the input
-                    was not read. The proof means nothing.
+                    proven to fall, `most`: none; these and epsilon infinity
+                    where the input was not read. The proof means nothing.
      KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon above 1,000,000): *out is as
                     it was.
    [holds, fails] is at most 2e-6 of the mean size wide, more only where no
@@ -2904,7 +2903,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     kern_status status;
     int last;
     path->proof = proof;
-    if (known && known->fails > 0 && known->fails < KERN_INFINITY) {
+    if (known && known->fails > 0) {
         path->warm = *known;
         c->m.answer.known = known->force ? known : NULL;
     }
@@ -2943,8 +2942,7 @@ static kern_status kern_measure_anew(const kern_task *task,
     if (status == KERN_OK)
         return kern_measure_task(&c, task, known, out, proof);
     out->margin = out->holds = KERN_R(-1);
-    out->fails = out->most = KERN_INFINITY;
-    out->epsilon = KERN_R(0);
+    out->fails = out->most = out->epsilon = KERN_INFINITY;
     out->level = -1;
     out->saturated = 0;
     return status;
@@ -5196,6 +5194,8 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* From the critical value to either end of its bracket, as a share of
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
 #define KERN_ASIDE KERN_R(0.45)
+/* Bodies up to so many times a known value are asked before it (odd half). */
+#define KERN_BODY_NEAR KERN_R(1.25)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR  KERN_R(0.12)
 
@@ -5931,24 +5931,30 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Where a search begins: just before the critical value known of a structure
-   like it, or that of a body; else a step from the start. */
+/* Where a search begins: just before the known critical value, if its motion
+   proves it, or that of a body near; else where that held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     kern_known *warm = &path->warm;
-    kern_real body = KERN_INFINITY;
-    if (!(warm->fails > path->start && warm->fails <= path->end
-          && warm->holds <= warm->margin && warm->margin <= warm->fails)) {
-        const kern_query q = kern_path_at(path, path->start);
-        warm->fails = KERN_INFINITY;
-        kern_model_set(m, &q);
-        body = kern_body_first(m, path, path->start);
-    }
-    if (body <= path->start || !(warm->fails < KERN_INFINITY))
-        return kern_min(body, kern_min(path->start + first, path->end));
+    const kern_query q = kern_path_at(path, path->start);
+    const int known = warm->fails > path->start && warm->fails <= path->end
+                      && warm->holds <= warm->margin
+                      && warm->margin <= warm->fails;
+    const kern_real holds = known ? kern_max(path->start, warm->holds)
+                                  : kern_min(path->start + first, path->end);
+    kern_real body;
+    if (known && kern_start_falls(m, path))
+        return holds;
+    warm->fails = KERN_INFINITY;
+    kern_model_set(m, &q);
+    body = kern_body_first(m, path, path->start);
+    if (body <= path->start)
+        return body;
+    if (!(body < (known ? KERN_BODY_NEAR * holds : KERN_INFINITY)))
+        return holds;
     kern_start_falls(m, path);
-    return kern_max(path->start, warm->holds);
+    return warm->holds;
 }
 
 /* The critical value of a path on which the verdict changes but once. That of
@@ -7574,19 +7580,13 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
        |     a         |       a   o              ___|  at one place
 
    1. Each two blocks whose boxes are within the gap are a pair.
-   2. Overlap: if a boundary or an inner point of one block of a pair lies in
-      the other deeper than the gap, the search fails: kern_overlap_depth().
-   3. Edges: each two edges of the pair whose boxes are within the gap make a
-      line contact (kern_pair_line()), or a point contact where a corner stands
-      on an edge or in a corner (kern_pair_point()).
-   4. Steps: where an outline has risers lower than the gap, a contact takes
-      the place and the normal of the simplified outline (Douglas-Peucker):
-      kern_outline_chord().
+   2. Overlap: the search fails (kern_overlap_depth()).
+   3. Edges: each two whose boxes are within the gap make a line contact
+      (kern_pair_line()) or a point contact (kern_pair_point()).
+   4. Steps: contacts go to the chords of an outline (kern_outline_chord()).
    5. Faces: points next to a line are dropped (kern_pair_filter()), and what
-      has one normal and lies on one line is merged to one contact from end to
-      end (kern_pair_face()).
-   6. Travels: lines close to their middle, points to the middle of their
-      interface: kern_point_travels(); lone points: kern_lone_travels().
+      lies on one line is merged (kern_pair_face()).
+   6. Travels: kern_point_travels(), kern_lone_travels(). When what: >>rules.
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */

@@ -35,12 +35,14 @@ counted() { # counted NAME ARGUMENTS...: the lines of --each, and instructions
         if (sub(/^desc: Trigger: Client Request: /, "")) at = $0
         else if (/^(totals|summary): / && at != "") {
             split($0, word, " ")
-            count[at] = word[2]
+            tag[++dumps] = at
+            count[dumps] = word[2]
             at = ""
         }
         next
     }
-    { print $0 "," count[$2 "," $3] }' "$out/dumps" "$out/lines"
+    tag[FNR] != $2 "," $3 { print "no dump of " $0; exit 1 }
+    { print $0 "," count[FNR] }' "$out/dumps" "$out/lines"
 }
 
 count() { # count [LIST]
@@ -135,7 +137,7 @@ against() { # against COMMIT
         at = $1 "," $2
         ratio = before[at] ? $3 / before[at] : 1
         printf "%-28s %12d %12d %6.3f%s\n", at, before[at], $3, ratio, \
-            ratio > 1.03 ? "  LARGER" : ""
+            (ratio > 1.03 ? "  LARGER" : "")
         larger += ratio > 1.03
     }
     END { exit larger > 0 }' "$out/before.sums" "$out/now.sums"
