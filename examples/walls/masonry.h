@@ -2,6 +2,9 @@
    the bond, and the way that a crack takes through the joints.
 
    Sizes of stones are the square roots of their areas. Gravity points to -y.
+   Pins, stones of less than a fifth of the square of the mean size, are no
+   stones in any of these figures: a stone that rests on a pin rests on what
+   carries the pin.
 
    SPDX-License-Identifier: MIT */
 
@@ -38,6 +41,7 @@ static const double masonry_steep = 65;   /* its axis, standing; degrees    */
 static const double masonry_level = 0.866; /* normal of a bed: 30 degrees   */
 static const double masonry_point = 0.15; /* a shorter bed is none          */
 static const double masonry_rests = 0.5; /* normal of what carries: 60 deg  */
+static const double masonry_pin = 0.2;    /* below so much of a mean square */
 static const double masonry_step = 0.06;  /* of the ways, in mean sizes     */
 static const double masonry_side = 0.6;   /* no way runs nearer to the ends */
 static const double masonry_high = 0.8;   /* of the mean top: the end       */
@@ -72,14 +76,21 @@ MASONRY_API double masonry_axis(const kern_vec *v, int n, kern_vec centre,
     return fabs(atan2(2 * xy, xx - yy)) / 2 / degree;
 }
 
+/* Is a block one of the stones, neither fixed nor a pin where these are of this
+   mean size? */
+static int masonry_is_stone(const kern_block *b, double size)
+{
+    return !b->fixed && fabs(b->area) >= masonry_pin * size * size;
+}
+
 /* The share of the long stones whose axis is steep. */
-static double masonry_upright(const kern_structure *s)
+static double masonry_upright(const kern_structure *s, double size)
 {
     int longs = 0, upright = 0;
     for (int i = 0; i < s->blocks; i++) {
         const kern_block *b = &s->block[i];
         double aspect, angle;
-        if (b->fixed) continue;
+        if (!masonry_is_stone(b, size)) continue;
         angle = masonry_axis(b->vertex, b->vertices, b->centre, &aspect);
         if (aspect <= masonry_long) continue;
         longs++;
@@ -92,7 +103,8 @@ static double masonry_upright(const kern_structure *s)
 
 /* Mean length of the contacts that carry a stone face to face, at most 30
    degrees off the level; the share of stones without. */
-static int masonry_beds(const kern_structure *s, struct masonry *m)
+static int masonry_beds(const kern_structure *s, double size,
+                        struct masonry *m)
 {
     double *bed = calloc((size_t)s->blocks + 1, sizeof *bed);
     int stones = 0;
@@ -108,7 +120,7 @@ static int masonry_beds(const kern_structure *s, struct masonry *m)
     m->bed = m->bedless = 0;
     for (int i = 0; i < s->blocks; i++) {
         const double sizes = bed[i] / sqrt(fabs(s->block[i].area));
-        if (s->block[i].fixed) continue;
+        if (!masonry_is_stone(&s->block[i], size)) continue;
         stones++;
         m->bed += sizes;
         m->bedless += sizes < masonry_point;
@@ -121,50 +133,54 @@ static int masonry_beds(const kern_structure *s, struct masonry *m)
 
 /* ---- The bond ------------------------------------------------------------ */
 
-enum { MASONRY_COLUMN = 4, MASONRY_NONE = -1 };
+enum { MASONRY_COLUMN = 4, MASONRY_PINS = 2, MASONRY_NONE = -1 };
 
 /* What carries a stone, face to face or at a point, at most 60 degrees off the
-   level: how many stones, the lowest index among them, and whether the ground
-   does too. */
+   level: how many stones, 2 for more, the lowest and the highest index among
+   them, and whether the ground does too. */
 struct masonry_rest {
-    int stones, below, ground;
+    int stones, below, last, ground;
 };
 
-/* Does `over` rest on `under` by an earlier contact than k? */
-static int masonry_counted(const kern_structure *s, int k, int over, int under)
+/* Adds what carries block i to what is known. Pins on pins are followed so
+   deep. */
+static void masonry_carries(const kern_structure *s, int i, double size,
+                            int deep, struct masonry_rest *r)
 {
-    for (int j = 0; j < k; j++) {
-        const kern_contact *c = &s->contact[j];
-        const int up = c->n.y > 0 ? c->b : c->a;
-        if (up == over && c->a + c->b - up == under &&
-            fabs(c->n.y) >= masonry_rests)
-            return 1;
-    }
-    return 0;
-}
-
-static struct masonry_rest masonry_rest_on(const kern_structure *s, int i)
-{
-    struct masonry_rest r = { 0, MASONRY_NONE, 0 };
     for (int k = 0; k < s->contacts; k++) {
         const kern_contact *c = &s->contact[k];
         const int over = c->n.y > 0 ? c->b : c->a, under = c->a + c->b - over;
-        if (over != i || fabs(c->n.y) < masonry_rests ||
-            masonry_counted(s, k, over, under))
-            continue;
-        if (s->block[under].fixed) r.ground = 1;
-        else if (r.stones++ == 0 || under < r.below) r.below = under;
+        if (over != i || fabs(c->n.y) < masonry_rests) continue;
+        if (s->block[under].fixed) {
+            r->ground = 1;
+        } else if (!masonry_is_stone(&s->block[under], size)) {
+            if (deep > 0) masonry_carries(s, under, size, deep - 1, r);
+        } else {
+            if (r->below == MASONRY_NONE || under < r->below) r->below = under;
+            if (under > r->last) r->last = under;
+        }
     }
+}
+
+/* Of stones of this mean size. */
+static struct masonry_rest masonry_rest_on(const kern_structure *s, int i,
+                                           double size)
+{
+    struct masonry_rest r = { 0, MASONRY_NONE, MASONRY_NONE, 0 };
+    masonry_carries(s, i, size, MASONRY_PINS, &r);
+    r.stones = (r.below != MASONRY_NONE) + (r.last > r.below);
     return r;
 }
 
 /* Is a stone the last one to a side (-1 left, 1 right) at its own height? */
-static int masonry_is_end(const kern_structure *s, int i, int side)
+static int masonry_is_end(const kern_structure *s, int i, double size,
+                          int side)
 {
     const kern_vec at = s->block[i].centre;
     for (int k = 0; k < s->blocks; k++) {
         const kern_block *b = &s->block[k];
-        if (k != i && !b->fixed && side * (b->centre.x - at.x) > 0 &&
+        if (k != i && masonry_is_stone(b, size) &&
+            side * (b->centre.x - at.x) > 0 &&
             b->box.low.y < at.y && at.y < b->box.high.y)
             return 0;
     }
@@ -172,14 +188,14 @@ static int masonry_is_end(const kern_structure *s, int i, int side)
 }
 
 /* Stones of the longest column that an end of the wall holds. */
-static int masonry_column(const kern_structure *s,
+static int masonry_column(const kern_structure *s, double size,
                           const struct masonry_rest *r, int side)
 {
     int longest = 0;
     for (int i = 0; i < s->blocks; i++) {
         int count = 0, k = i;
-        if (s->block[i].fixed) continue;
-        for (; k != MASONRY_NONE && masonry_is_end(s, k, side) &&
+        if (!masonry_is_stone(&s->block[i], size)) continue;
+        for (; k != MASONRY_NONE && masonry_is_end(s, k, size, side) &&
                count < s->blocks; k = r[k].below) {
             count++;
             if (r[k].stones != 1 || r[k].ground) break;
@@ -189,20 +205,21 @@ static int masonry_column(const kern_structure *s,
     return longest;
 }
 
-static int masonry_bond(const kern_structure *s, struct masonry *m)
+static int masonry_bond(const kern_structure *s, double size,
+                        struct masonry *m)
 {
     struct masonry_rest *r = malloc(((size_t)s->blocks + 1) * sizeof *r);
     int above = 0, bonded = 0;
     if (!r) return -1;
     for (int i = 0; i < s->blocks; i++) {
-        r[i] = masonry_rest_on(s, i);
-        if (s->block[i].fixed || r[i].stones == 0) continue;
+        r[i] = masonry_rest_on(s, i, size);
+        if (!masonry_is_stone(&s->block[i], size) || r[i].stones == 0) continue;
         above++;
         bonded += r[i].stones + r[i].ground >= 2;
     }
     m->on_two = above > 0 ? (double)bonded / above : 0;
-    m->end_columns = ((masonry_column(s, r, -1) >= MASONRY_COLUMN) +
-                      (masonry_column(s, r, 1) >= MASONRY_COLUMN)) / 2.0;
+    m->end_columns = ((masonry_column(s, size, r, -1) >= MASONRY_COLUMN) +
+                      (masonry_column(s, size, r, 1) >= MASONRY_COLUMN)) / 2.0;
     free(r);
     return 0;
 }
@@ -334,8 +351,8 @@ static int masonry_joints(const kern_structure *s, double size,
 MASONRY_API int masonry_of(const kern_structure *s, double size,
                            struct masonry *m)
 {
-    m->upright = masonry_upright(s);
-    return masonry_beds(s, m) || masonry_bond(s, m) ||
+    m->upright = masonry_upright(s, size);
+    return masonry_beds(s, size, m) || masonry_bond(s, size, m) ||
            masonry_joints(s, size, m) ? -1 : 0;
 }
 

@@ -38,6 +38,8 @@ static const char help[] =
 "\n"
 "      --irregularity L  makes a stock instead, of L per cent: 0 to 60\n"
 "      --stones N        of so many stones; default 36\n"
+"      --chips N         and of so many chips of 0.02 to 0.15 mean stones, that\n"
+"                        best lays as pins; default 0\n"
 "      --seed S[-T]      of the stock and of the planner best; default 1. A\n"
 "                        range builds a wall for each and adds -S to the names\n"
 "                        of what is written\n"
@@ -81,7 +83,10 @@ static const char help[] =
 "stones that stand on end; on two: share of the stones above the ground that\n"
 "rest on two or more, or on one and the ground; ends: share of the two ends that\n"
 "are four stones or more, each on the one below alone; joint: shortest way up\n"
-"through the joints over the height, 1 is a running joint.\n"
+"through the joints over the height, 1 is a running joint. Stones of less than a\n"
+"fifth of the square of the mean size are pins: best keeps them back until one\n"
+"makes a stone rest on two, or fits into a joint; in the table, from bed to ends,\n"
+"they are no stones.\n"
 "\n"
 "Exit status: 0 done, 1 no stone could be laid, 2 bad use or input.\n";
 
@@ -92,7 +97,7 @@ struct settings {
     struct stack_options plan;
     const char *stock, *out, *svg, *film, *steps, *against;
     double irregularity, boxes;
-    int stones, shaking, json;
+    int stones, chips, shaking, json;
     int first, last;        /* seeds                                   */
 };
 
@@ -204,6 +209,7 @@ static int read_option(struct settings *o, const char *name, const char *word)
     };
     const struct { const char *name; int low, high, *out; } wholes[] = {
         { "--stones", 1, STONES_MOST, &o->stones },
+        { "--chips", 0, STONES_MOST, &o->chips },
         { "--most", 1, STONES_MOST, &p->most },
         { "--look", 1, STONES_MOST, &p->look },
         { "--levels", 0, STACK_FILTERS, &p->levels }
@@ -412,7 +418,7 @@ static int draw_steps(struct stack_wall *w, const char *name)
 
 /* What the table says of a wall; limit below 0, collapse 0: none. */
 struct row {
-    int stones;
+    int stones, pins;       /* all of them; how many of these are pins  */
     double fill, size, limit, collapse, expected;
     kern_margin m;
     struct masonry masonry;
@@ -495,10 +501,10 @@ static void print_json(const struct settings *o, const struct row *r,
                        double seconds)
 {
     printf("{\"wall\": \"%s\", \"planner\": \"%s\", \"seed\": %d, "
-           "\"stones\": %d, \"filling\": %.4f, \"level\": %d, "
+           "\"stones\": %d, \"pins\": %d, \"filling\": %.4f, \"level\": %d, "
            "\"margin\": %.6g, ", o->out,
            stack_planner_name[o->plan.planner], (int)o->plan.seed, r->stones,
-           r->fill, r->m.level, r->m.margin / r->size);
+           r->pins, r->fill, r->m.level, r->m.margin / r->size);
     if (o->irregularity >= 0)
         printf("\"irregularity\": %g, ", o->irregularity);
     if (o->shaking) printf("\"collapse\": %g, ", r->collapse);
@@ -521,6 +527,7 @@ static int print_result(const struct settings *o, struct stack_wall *w,
 {
     struct row r = { 0 };
     r.stones = w->laid;
+    r.pins = w->pins;
     r.fill = stack_fill(w);
     r.size = w->stock->size;
     r.m = w->m;
@@ -547,11 +554,14 @@ static int choose_frame(struct settings *o, const struct stones *stock)
 {
     struct stack_options *p = &o->plan;
     const double filled = 0.75, shape = 16.0 / 9;
-    double wide = 0, high = 0, area = stock->area * stock->stones / filled;
+    double wide = 0, high = 0;
+    const int stones = stock->stones - stock->pins;
+    double area = stock->area * stones / filled;
     for (int i = 0; i < stock->stones; i++) {
         const struct stone *s = &stock->stone[i];
-        wide += (s->high.x - s->low.x) / stock->stones;
-        high += (s->high.y - s->low.y) / stock->stones;
+        if (stones_is_pin(stock, s)) continue;
+        wide += (s->high.x - s->low.x) / stones;
+        high += (s->high.y - s->low.y) / stones;
     }
     if (o->boxes > 0) {
         p->width = o->boxes * wide;
@@ -642,7 +652,7 @@ static int run_seed(const struct settings *all, int seed)
     }
     bad = o.stock ? stones_load(&stock, o.stock)
                   : stones_make(&stock, o.irregularity, o.stones,
-                                o.plan.seed);
+                                o.chips, o.plan.seed);
     if (bad) fail(o.stock ? o.stock : "stock", stock.message);
     bad = bad ? EXIT_BAD : build(&o, &stock);
     stones_free(&stock);
@@ -652,7 +662,7 @@ static int run_seed(const struct settings *all, int seed)
 int main(int argc, char **argv)
 {
     struct settings o = { stack_defaults(), NULL, "stacked.kern", "stacked.svg",
-                          NULL, NULL, NULL, -1, 0, 36, 1, 0, 1, 1 };
+                          NULL, NULL, NULL, -1, 0, 36, 0, 1, 0, 1, 1 };
     int bad;
     o.plan.width = o.plan.height = 0;
     bad = read_arguments(&o, argc, argv);

@@ -19,12 +19,13 @@
 
    The planners: `heuristic` has no kern filter, `combined` has. `best` builds
    several walls, see stack_best(), by a cost of what masons want: long faces
-   down, beds, level courses, crossed joints. All of them take the last stones
+   down, beds, level courses, crossed joints; small stones it keeps back, as pins
+   that it lays below and beside others. All of them take the last stones
    off again until the finished wall stays, see stack_finish().
 
    stack_wall.h has the options, the wall and the features, stack_place.h the
-   candidates, the simulator and what may be laid; this file has the filters and
-   the search. The same input gives the same wall.
+   candidates, the simulator and what may be laid, stack_pin.h pins; this file has
+   the filters and the search. The same input gives the same wall.
 
    SPDX-License-Identifier: MIT */
 
@@ -33,6 +34,7 @@
 
 #include "../lab/random.h"
 #include "masonry.h"
+#include "stack_pin.h"
 #include "stack_place.h"
 #include "stack_wall.h"
 #include "stones.h"
@@ -209,9 +211,10 @@ static void stack_keep(const struct stack_wall *w, struct stack_search *s)
 static void stack_cut(struct stack_wall *w, int keep)
 {
     while (w->laid > keep) {
-        w->laid--;
+        const int stone = w->place[--w->laid].stone;
         w->upright -= stack_on_end(&w->stone[w->laid]);
-        w->used[w->place[w->laid].stone] = 0;
+        w->pins -= stack_keeps_back(w, stone);
+        w->used[stone] = 0;
         w->filled -= stone_area_in(&w->stone[w->laid], w->options.width,
                                    w->options.height);
         kern_plan_remove(&w->plan, w->laid + 1);
@@ -233,8 +236,8 @@ static int stack_restore(struct stack_wall *w, const struct stack_place *place,
 /* Is every stone laid that is wanted? Notes this as why the wall ended. */
 static int stack_ends(struct stack_wall *w)
 {
-    int left = w->stock->stones - w->laid;
-    if (left > 0 && w->laid < w->options.most) return 0;
+    const int left = stack_left(w);
+    if (left > 0 && w->laid - w->pins < w->options.most) return 0;
     snprintf(w->message, sizeof w->message, "%s", left == 0 ?
              "every stone of the stock is laid" :
              "as many stones as asked for are laid");
@@ -244,8 +247,7 @@ static int stack_ends(struct stack_wall *w)
 static void stack_give_up(struct stack_wall *w)
 {
     snprintf(w->message, sizeof w->message, "none of the %d stones that are "
-             "left finds a place in the frame where it stands",
-             w->stock->stones - w->laid);
+             "left finds a place in the frame where it stands", stack_left(w));
 }
 
 /* ---- Search: one wall by the filters ------------------------------------- */
@@ -393,20 +395,44 @@ static int stack_at_side(const struct stack_wall *w, const struct stone *s,
     return s->low.x < side || s->high.x > w->options.width - side;
 }
 
-/* Of the stones at a side of the frame that carry each other alone below a stone
-   that block `alone` carries: how many there are beyond the first. */
+/* Does a stone end the wall to a side (-1 left, 1 right) at its own height: none
+   lies beyond it, and hardly one fits? */
+static int stack_is_end(const struct stack_wall *w, const struct stone *s,
+                        int side)
+{
+    const double fits = 1.2 * w->stock->size;
+    if ((side < 0 ? s->low.x : w->options.width - s->high.x) > fits) return 0;
+    for (int i = 0; i < w->laid; i++) {
+        const struct stone *t = &w->stone[i];
+        if (side * (t->centre.x - s->centre.x) > 0 &&
+            t->low.y < s->centre.y && s->centre.y < t->high.y &&
+            !stack_keeps_back(w, w->place[i].stone))
+            return 0;
+    }
+    return 1;
+}
+
+/* Of the stones at an end of the wall that carry each other alone below a stone
+   that block `alone` carries: how many there are beyond the first, without one
+   that rests on two itself. */
 static int stack_column_of(const struct stack_wall *w, const struct stone *s,
                            int alone)
 {
-    const double side = 0.6; /* hardly any other stone fits */
-    int below = 0;
-    while (alone > 0 && stack_at_side(w, s, side)) {
-        const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, alone);
-        s = &w->stone[alone - 1];
-        below += stack_at_side(w, s, side);
-        alone = r.stones == 1 && !r.ground ? r.below : MASONRY_NONE;
+    int most = 1;
+    for (int side = -1; side < 2; side += 2) {
+        const struct stone *t = s;
+        int below = 0, k = alone;
+        while (k > 0 && stack_is_end(w, t, side)) {
+            const struct masonry_rest r = masonry_rest_on(
+                &w->plan.task.s, k, w->stock->size);
+            if (r.stones > 1) break;
+            t = &w->stone[k - 1];
+            below += stack_is_end(w, t, side);
+            k = r.ground ? MASONRY_NONE : r.below;
+        }
+        if (below > most) most = below;
     }
-    return below > 1 ? below - 1 : 0;
+    return most - 1;
 }
 
 static const double stack_bonded = 0.6; /* share on two of a wall in bond */
@@ -416,25 +442,36 @@ static double stack_on_two(const struct stack_wall *w)
 {
     int above = 0, two = 0;
     for (int i = 1; i <= w->laid; i++) {
-        const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, i);
+        const struct masonry_rest r = masonry_rest_on(&w->plan.task.s, i,
+                                                      w->stock->size);
+        if (stack_keeps_back(w, w->place[i - 1].stone)) continue;
         above += r.stones > 0;
         two += r.stones > 0 && r.stones + r.ground > 1;
     }
     return above > 0 ? (double)two / above : 0;
 }
 
+/* Would a stone of less than a third of the mean area lie in the foundation?
+   None is laid there. */
+static int stack_founds_badly(const struct stack_wall *w,
+                              const struct stack_place *place)
+{
+    const double small = 1.0 / 3;
+    const struct stone s = stack_placed(w, place);
+    return s.low.y < masonry_step * w->stock->size &&
+           s.area < small * w->stock->area;
+}
+
 /* A fixed cost for each fault, whatever the weights: a stone without a bed, a
-   long one on end, a joint that runs on, a small one in the foundation, and every
-   stone beyond two of a column at an end of the wall. */
+   long one on end, a joint that runs on, and every stone beyond two of a column
+   at an end of the wall. */
 static double stack_fault(const struct stack_wall *w, const struct stone *s,
                           const struct stack_candidate *c)
 {
     const double fault = 0.5, bond = 0.15;
-    const double column = 3, founds = 3, small = 1.0 / 3;
-    const int on_ground = s->low.y < masonry_step * w->stock->size;
+    const double column = 3;
     return fault * ((c->bed < masonry_point) + (c->upright != 0) +
                     (c->feature[STACK_BOND] < bond)) +
-           founds * (on_ground && s->area < small * w->stock->area) +
            column * stack_column_of(w, s, c->alone);
 }
 
@@ -493,7 +530,7 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
         stand = 0;
         for (int i = from; i < list->count && stand < ask; i++) {
             struct stack_candidate c = list->one[i];
-            if (!stack_ask(w, &c)) continue;
+            if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) continue;
             c.cost -= g.stable * c.stable;
             list->one[i] = list->one[from + stand];
             list->one[from + stand++] = c;
@@ -571,8 +608,8 @@ static double stack_value_of_masonry(const struct stack_wall *w)
 static double stack_value(struct stack_wall *w, double most)
 {
     double worth;
-    if (stack_asked(w) && w->laid < w->options.most)
-        return w->laid - w->options.most;
+    if (stack_asked(w) && w->laid - w->pins < w->options.most)
+        return w->laid - w->pins - w->options.most;
     if (w->options.goal == STACK_LOAD) return stack_value_of_load(w);
     worth = stack_value_of_masonry(w);
     if (w->options.goal == STACK_DROP)
@@ -691,13 +728,27 @@ STACK_API int stack_finish(struct stack_wall *w)
     return stack_restore(w, w->place, part.laid);
 }
 
+/* Lays pins in a finished wall: below what rests on one, and in the joints. It
+   stays in the last look with them. */
+STACK_API void stack_pin_all(struct stack_wall *w)
+{
+    const int stones = w->laid;
+    for (int i = 1; i <= stones; i++)
+        if (!stack_keeps_back(w, w->place[i - 1].stone)) {
+            stack_pin(w, i);
+            stack_heart(w, i);
+        }
+    while (w->laid > stones && !stack_rests(w)) stack_cut(w, w->laid - 1);
+}
+
 /* Builds a wall with the planner of the options. Returns 0, or -1 where memory
    is lacking. */
 STACK_API int stack_plan(struct stack_wall *w)
 {
-    const int bad = w->options.planner == STACK_BEST ? stack_best(w)
-                                                     : stack_build(w);
-    return bad ? bad : stack_finish(w);
+    int bad = w->options.planner == STACK_BEST ? stack_best(w) : stack_build(w);
+    bad = bad || stack_finish(w);
+    if (!bad) stack_pin_all(w);
+    return bad ? -1 : 0;
 }
 
 #endif /* STACK_H */

@@ -288,7 +288,7 @@ STACK_API int stack_propose(struct stack_wall *w, struct stack_list *list,
     list->count = 0;
     for (int k = 0; k < w->stock->stones && !bad &&
          (all || stones < w->options.look); k++) {
-        if (w->used[k]) continue;
+        if (w->used[k] || stack_keeps_back(w, k)) continue;
         stones++;
         bad = stack_propose_one(w, list, k, &scan);
     }

@@ -124,6 +124,7 @@ struct stack_wall {
     struct stone *stone;    /* as they lie; block i + 1 of the plan      */
     struct stack_place *place;
     int laid;
+    int pins;               /* of them: stack_keeps_back()               */
     kern_vec ground[4];     /* block 0                                   */
     char *used;             /* one a stone of the stock                  */
     kern_plan plan;
@@ -181,7 +182,7 @@ static int stack_begin(struct stack_wall *w)
     kern_ground_init(&ground, w->ground, 4, NULL);
     w->plan.task.s.blocks = w->plan.task.s.contacts = 0;
     w->plan.task.known.fails = 0;
-    w->laid = 0;
+    w->laid = w->pins = 0;
     w->filled = 0;
     w->upright = 0;
     memset(w->used, 0, (size_t)w->stock->stones);
@@ -301,6 +302,20 @@ static int stack_on_end(const struct stone *s)
     return aspect > masonry_long && angle > steep;
 }
 
+/* Is a stone of the stock a pin, that `best` keeps back for others? */
+STACK_API int stack_keeps_back(const struct stack_wall *w, int stone)
+{
+    return w->options.planner == STACK_BEST &&
+           stones_is_pin(w->stock, &w->stock->stone[stone]);
+}
+
+/* Stones that are left, without pins. */
+STACK_API int stack_left(const struct stack_wall *w)
+{
+    const int pins = w->options.planner == STACK_BEST ? w->stock->pins : 0;
+    return w->stock->stones - pins - (w->laid - w->pins);
+}
+
 /* Lays a stone and measures the wall. Returns 0, or -1 where it falls. */
 STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
 {
@@ -316,6 +331,7 @@ STACK_API int stack_lay(struct stack_wall *w, const struct stack_place *place)
     }
     stack_raise(w, w->laid);
     w->used[place->stone] = 1;
+    w->pins += stack_keeps_back(w, place->stone);
     w->upright += stack_on_end(s);
     w->filled += stone_area_in(s, w->options.width, w->options.height);
     w->place[w->laid++] = *place;

@@ -52,8 +52,9 @@ struct stone {
 struct stones {
     struct stone *stone;
     int stones;
-    double size;            /* mean square root of the areas           */
-    double area;            /* mean                                    */
+    int pins;               /* of them: stones_is_pin()                */
+    double size;            /* mean square root of the areas, no pins  */
+    double area;            /* mean, no pins                           */
     char message[600];      /* what is wrong                           */
 };
 
@@ -229,12 +230,51 @@ static int stones_fail(struct stones *s, const char *what, const char *why)
     return -1;
 }
 
+/* A pin wedges others: it has less than a fifth of the square of their mean
+   size. */
+STONES_API int stones_is_pin(const struct stones *s, const struct stone *one)
+{
+    const double share = 0.2;
+    return one->area < share * s->size * s->size;
+}
+
+static void stones_count_pins(struct stones *s)
+{
+    s->pins = 0;
+    for (int i = 0; i < s->stones; i++)
+        s->pins += stones_is_pin(s, &s->stone[i]);
+}
+
+/* Mean size and area without the pins of the means so far; counts pins anew. */
+static void stones_mean(struct stones *s)
+{
+    const int stones = s->stones - s->pins;
+    double area = 0, size = 0;
+    for (int i = 0; i < s->stones; i++)
+        if (!stones_is_pin(s, &s->stone[i])) {
+            area += s->stone[i].area / stones;
+            size += sqrt(s->stone[i].area) / stones;
+        }
+    s->area = area;
+    s->size = size;
+    stones_count_pins(s);
+}
+
+/* From the mean area weighed by area, which pins hardly change, until their
+   number does not: the means grow or shrink from step to step alike. */
 static int stones_sum_up(struct stones *s)
 {
-    s->size = s->area = 0;
+    double sum = 0, square = 0;
+    int before = -1;
     for (int i = 0; i < s->stones; i++) {
-        s->area += s->stone[i].area / s->stones;
-        s->size += sqrt(s->stone[i].area) / s->stones;
+        sum += s->stone[i].area;
+        square += s->stone[i].area * s->stone[i].area;
+    }
+    s->size = sqrt(square / sum);
+    stones_count_pins(s);
+    while (s->pins != before) {
+        before = s->pins;
+        stones_mean(s);
     }
     return 0;
 }
@@ -312,15 +352,32 @@ STONES_API void stone_make(uint64_t *state, double level, struct stone *s)
     } while (s->area < 0.12);
 }
 
-/* Makes a stock. Returns 0, or -1 with a message. */
+/* A chip, as a mason knocks it off a stone of area 1: a wedge of 0.02 to 0.15
+   of it, 1.2 to 3 times as long as thick, thin at one end. */
+STONES_API void stone_make_chip(uint64_t *state, struct stone *s)
+{
+    const double share = random_uniform(state, 0, 1);
+    const double area = 0.02 + 0.13 * share * share;
+    const double length = sqrt(area * random_uniform(state, 1.2, 3));
+    const double thin = random_uniform(state, 0.1, 0.6);
+    const double thick = 2 * area / (length * (1 + thin));
+    const kern_vec v[4] = { stones_vec(0, 0), stones_vec(length, 0),
+                            stones_vec(length, thick),
+                            stones_vec(0, thin * thick) };
+    stone_of(s, v, 4);
+}
+
+/* Makes a stock, with so many chips. Returns 0, or -1 with a message. */
 STONES_API int stones_make(struct stones *s, double level, int stones,
-                           uint64_t seed)
+                           int chips, uint64_t seed)
 {
     uint64_t state = random_start(seed);
-    s->stones = stones;
-    s->stone = calloc((size_t)stones, sizeof *s->stone);
+    s->stones = stones + chips;
+    s->stone = calloc((size_t)s->stones, sizeof *s->stone);
     if (!s->stone) return stones_fail(s, "not enough memory", "");
     for (int i = 0; i < stones; i++) stone_make(&state, level, &s->stone[i]);
+    for (int i = stones; i < s->stones; i++)
+        stone_make_chip(&state, &s->stone[i]);
     return stones_sum_up(s);
 }
 

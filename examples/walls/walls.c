@@ -299,7 +299,7 @@ static int walls_make(const struct walls *f)
             struct stones stock;
             fprintf(stderr, "walls: set %d of %d, irregularity %d\n",
                     set + 1, f->sets, walls_percent(l));
-            bad = stones_make(&stock, walls_percent(l), WALLS_STONES,
+            bad = stones_make(&stock, walls_percent(l), WALLS_STONES, 0,
                               (uint64_t)(f->first + set));
             for (int p = 0; p < f->planners && !bad; p++) {
                 struct stack_wall w;
