@@ -73,10 +73,12 @@ static inline void report_margin(const struct analysis *a)
     printf("  %-10s  ", falls ? "deficit" : "margin");
     if (a->measured == KERN_LIMIT) {
         printf("undecided by the limit of work (--limit 0 goes on): ");
-        if (a->m.holds < 0) printf("not known to stand, ");
-        else printf("stands at %.4g, ", (double)a->m.holds);
-        printf("%s %.4g\n", a->m.fails < a->m.most ? "falls at" : "at most",
-               (double)a->m.fails);
+        if (a->m.holds < 0) printf("not known to stand");
+        else printf("stands at %.4g", (double)a->m.holds);
+        if (isfinite((double)a->m.fails))
+            printf(", %s %.4g", a->m.fails < a->m.most ? "falls at" : "at most",
+                   (double)a->m.fails);
+        printf("\n");
         return;
     }
     if (a->measured < 0 || isnan(value)) {
