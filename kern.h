@@ -3736,7 +3736,7 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
 
 /* Takes the lists of a part's groups; 0 if there is no room. */
 KERN_SHARED static int kern_part_begin(kern_part *p, kern_model *m, int groups,
-                           const kern_take *rest)
+                                       const kern_take *rest)
 {
     p->m = m;
     p->rest = *rest;
@@ -5194,7 +5194,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* From the critical value to either end of its bracket, as a share of
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
 #define KERN_ASIDE KERN_R(0.45)
-/* Bodies up to so many times a known value are asked before it (odd half). */
+/* A body is asked before a known value of which it is less than so many times. */
 #define KERN_BODY_NEAR KERN_R(1.25)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR  KERN_R(0.12)
