@@ -5194,7 +5194,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* From the critical value to either end of its bracket, as a share of
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
 #define KERN_ASIDE KERN_R(0.45)
-/* A body is asked before a known value of which it is less than so many times. */
+/* A body less than so many times as far as a known value is asked before it. */
 #define KERN_BODY_NEAR KERN_R(1.25)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR  KERN_R(0.12)
