@@ -3141,11 +3141,12 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Lets a load grow or gravity turn: a verdict at the start, search, proofs. */
-static kern_status kern_push(kern_call *c, const kern_task *task,
-                             kern_real shrink, kern_path_kind kind,
-                             const kern_wrench *pattern, kern_side side,
-                             kern_real *out, const kern_proof *proof)
+/* Runs a path on which a load grows or gravity turns: a verdict at the start,
+   search, proofs. */
+static kern_status kern_run(kern_call *c, const kern_task *task,
+                            kern_real shrink, kern_path_kind kind,
+                            const kern_wrench *pattern, kern_side side,
+                            kern_real *out, const kern_proof *proof)
 {
     const int tilt = kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
@@ -3182,8 +3183,8 @@ KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof)
 {
     kern_call c;
-    return kern_push(&c, task, shrink, KERN_PATH_LOAD, NULL, side, factor,
-                     proof);
+    return kern_run(&c, task, shrink, KERN_PATH_LOAD, NULL, side, factor,
+                    proof);
 }
 
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
@@ -3193,8 +3194,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          const kern_proof *proof)
 {
     kern_call c;
-    return pattern ? kern_push(&c, task, shrink, KERN_PATH_LOAD, pattern,
-                               KERN_SHRINK, factor, proof) : KERN_BAD_POINTER;
+    return pattern ? kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
+                              KERN_SHRINK, factor, proof) : KERN_BAD_POINTER;
 }
 
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
@@ -3202,8 +3203,7 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                const kern_proof *proof)
 {
     kern_call c;
-    return kern_push(&c, task, shrink, KERN_PATH_TILT, NULL, side, angle,
-                     proof);
+    return kern_run(&c, task, shrink, KERN_PATH_TILT, NULL, side, angle, proof);
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
@@ -7047,8 +7047,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_real most = KERN_R(-1), stood = most;
     kern_call c;
     kern_raise r;
-    kern_status status = kern_push(&c, task, shrink, KERN_PATH_LOAD, pattern,
-                                   side, factor ? &most : NULL, proof);
+    kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
+                                  side, factor ? &most : NULL, proof);
     if (status == KERN_STANDS) { /* a model again that no part is open of */
         kern_model_open(&c.m, task, &c.path.q);
         r.m = &c.m;

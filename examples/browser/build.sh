@@ -26,8 +26,9 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
         case $line in
         "<!-- structures -->")
             for name in wall-30 irregular-wall arch tower falls; do
-                echo "<script type=\"text/plain\" data-structure id=\"$name\">"
-                sed 's/ *#.*//; /^$/d' "../structures/$name.kern"
+                printf '%s' "<script type=\"text/plain\" data-structure " \
+                    "id=\"$name\">"
+                sed 's/ *#.*//; /^$/d' "../structures/$name.kern" | tr '\n' '|'
                 echo "</script>"
             done
             ;;
@@ -39,8 +40,11 @@ clang --target=wasm32 -std=c99 -Oz -mbulk-memory \
         *([[:space:]])/\**) # a comment on lines of its own
             while [[ $line != *\*/ ]]; do IFS= read -r line; done
             ;;
-        *) printf '%s\n' "${line##*([[:space:]])}" ;;
+        *) # without its indentation and the comment behind it
+            line=${line##*([[:space:]])}
+            printf '%s\n' "${line%%+([[:space:]])// *}"
+            ;;
         esac
     done <page.html
-} >"$out/page"
+} | tr '\n' ' ' >"$out/page"
 mv "$out/page" "$page"
