@@ -4237,26 +4237,28 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 }
 
 /* Line search: the share of the step at which the dual is largest, to an eighth
-   of its derivative. The dual is concave: regula falsi (Illinois). */
+   of its derivative; with prices to a thousandth, since the next round begins
+   there. The dual is concave: regula falsi (Illinois). */
 static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
     const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
+    const kern_real least = first / (p->dual.price ? 1000 : 8);
     kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at = hi, at_hi;
     int round, side = 0;
     at_hi = kern_norm_slope(p, push, hi);
-    for (round = 0; round < 12 && at_hi > first / 8; round++) {
+    for (round = 0; round < 12 && at_hi > least; round++) {
         lo = hi;
         at_lo = at_hi;
         hi *= 4;
         at_hi = kern_norm_slope(p, push, hi);
     }
     at = hi;
-    for (round = 0; round < 16 && at_hi < -first / 8; round++) {
+    for (round = 0; round < 16 && at_hi < -least; round++) {
         kern_real slope;
         at = (hi * at_lo - lo * at_hi) / (at_lo - at_hi);
         slope = kern_norm_slope(p, push, at);
-        if (kern_abs(slope) <= first / 8)
+        if (kern_abs(slope) <= least)
             break;
         if (slope > 0) {
             lo = at;
@@ -4314,14 +4316,71 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     return KERN_UNDECIDED;
 }
 
-/* Opens all groups as one part, along the longer side of the structure: the
-   rows of the factor are then as short as it is thin. 0 if there is no room. */
+/* Ends of contacts at a group. */
+static int kern_graph_degree(const kern_graph *graph, int g)
+{
+    int e, n = 0;
+    for (e = graph->touch[g]; e >= 0; e = graph->after[e])
+        n++;
+    return n;
+}
+
+/* Lists the groups that contacts connect to `first`, from place n of the part
+   on, in layers around it: of each group the neighbours that are not listed
+   yet, those of fewer contacts first. Returns the place behind the last. */
+static int kern_norm_layers(kern_part *p, int first, int n)
+{
+    const kern_graph *graph = &p->m->graph;
+    int at = n, e, k;
+    p->group[n] = first;
+    graph->local[first] = n++;
+    for (; at < n; at++) {
+        const int from = n;
+        for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
+            const int g = graph->ends[e ^ 1];
+            if (g == p->groups || graph->local[g] != KERN_OUT)
+                continue;
+            for (k = n++; k > from
+                          && kern_graph_degree(graph, g) < kern_graph_degree(
+                                 graph, p->group[k - 1]); k--)
+                p->group[k] = p->group[k - 1];
+            p->group[k] = g;
+            graph->local[g] = k;
+        }
+    }
+    return n;
+}
+
+/* Orders the part's groups so that the rows of the factor are short: in layers
+   around a group at the end of the structure, where the last of two rounds from
+   any end; backwards (reverse Cuthill-McKee). */
+static void kern_norm_order(kern_part *p)
+{
+    int *local = p->m->graph.local;
+    int g, k, round, n = 0, end = 0;
+    for (g = 0; g < p->groups; g++)
+        local[g] = KERN_OUT;
+    for (g = 0; g < p->groups; g++, n = end)
+        for (round = 0; round < 3 && (round > 0 || local[g] == KERN_OUT); round++) {
+            const int first = round > 0 ? p->group[end - 1] : g;
+            for (k = n; k < end; k++)
+                local[p->group[k]] = KERN_OUT;
+            end = kern_norm_layers(p, first, n);
+        }
+    for (g = 0; g < n - 1 - g; g++) {
+        const int swap = p->group[g];
+        p->group[g] = p->group[n - 1 - g];
+        p->group[n - 1 - g] = swap;
+    }
+    for (g = 0; g < n; g++)
+        local[p->group[g]] = g;
+}
+
+/* Opens all groups as one part. 0 if there is no room. */
 static int kern_norm_open(kern_part *p, kern_model *m)
 {
     const kern_structure *s = m->s;
-    const kern_vec down = s->gravity, side = kern_vec_turn(down);
-    kern_box box;
-    int g, i;
+    int i;
     if (!kern_model_spend(m, 1 + (m->graph.groups + s->contacts) / 3))
         return 0;
     if (!kern_part_begin(p, m, m->graph.groups, &m->rest))
@@ -4330,19 +4389,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     p->ends = kern_take_ints(&p->rest, 2 * s->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
-    kern_box_empty(&box);
-    for (g = 0; g < p->groups; g++) {
-        const kern_vec c = s->block[m->graph.block[g]].centre;
-        kern_box_add(&box, kern_vec_make(kern_vec_dot(c, down),
-                                         kern_vec_dot(c, side)));
-        p->group[g] = m->graph.block[g];
-    }
-    kern_model_order(m, box.high.x - box.low.x > box.high.y - box.low.y
-                        ? down : side, p->group);
-    for (g = 0; g < p->groups; g++) {
-        p->group[g] = m->graph.group[p->group[g]];
-        m->graph.local[p->group[g]] = g;
-    }
+    kern_norm_order(p);
     p->contacts = 0;
     for (i = 0; i < s->contacts; i++)
         if (m->graph.ends[2 * i] != m->graph.ends[2 * i + 1])
@@ -6540,12 +6587,17 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_PATH    100     /* from those of a smaller load            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
-/* Rounds along a load in which squared changes of prices fall by no fifth. */
-#define KERN_RAISE_STILL   ((int)KERN_PICK(12, 30))
-/* Along a load: steps up to the load factor; the same once a step has failed;
-   share of its fall that a price makes in one round. */
-#define KERN_LOAD_STEPS    16
-#define KERN_LOAD_FINE     160
+/* Rounds, and as many as there were until then, in which squared changes of
+   prices fall by no fifth: along a load; in a step over a gap. */
+#define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
+#define KERN_RAISE_JUMP    ((int)KERN_PICK(15, 25))
+/* Along a load: steps up to the load factor; once a step has failed; over what
+   has failed then, if that is below a share of the load factor. */
+#define KERN_LOAD_STEPS    9
+#define KERN_LOAD_FINE     150
+#define KERN_LOAD_JUMP     30
+#define KERN_LOAD_NEAR     KERN_R(0.94)
+/* Share of its fall that a price makes in one round along a load. */
 #define KERN_LOAD_FALL     KERN_R(0.3)
 
 static kern_real kern_prove_raised(const kern_structure *s,
@@ -6633,7 +6685,8 @@ typedef struct kern_raise {
     kern_real enough;         /* no larger push is asked for                  */
     kern_real *begin, *best;  /* u and prices: without a push, with the largest
                                  so far; the last two along a load            */
-    int along;                /* a load: what parts is kept apart             */
+    int along;                /* a load: rounds without a gain, or 0; what
+                                 parts is kept apart                          */
 } kern_raise;
 
 /* Opens all groups as one part, with prices. 0 if there is no room. */
@@ -6678,7 +6731,7 @@ static void kern_raise_back(kern_raise *r, kern_real back[2])
         down[1] += before * before;
         both += change * before;
     }
-    if (!r->along || r->rounds == 0 || all < KERN_R(0.8) * r->least) {
+    if (r->rounds == 0 || all < KERN_R(0.8) * r->least) {
         r->least = all;
         r->gained = r->rounds;
     }
@@ -6766,7 +6819,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     r->rounds = r->gained = 0;
     if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
         return 0;
-    while (r->rounds < rounds && r->rounds - r->gained <= KERN_RAISE_STILL) {
+    while (r->rounds < rounds
+           && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
         const int first = cold && r->rounds == 0;
         const kern_status found = kern_norm_find(
             r->p, r->tolerance, 4 * KERN_NORM_MOST, !first,
@@ -6932,20 +6986,26 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_real stood = KERN_R(0), taken = KERN_R(1);
     int steps = KERN_LOAD_STEPS, good = 1;
     *share = stood;
-    r->along = 1;
+    r->along = KERN_RAISE_JUMP;
     if (!kern_raise_at(r, q, 1, proof))
         return KERN_R(-1);
     kern_raise_copy(r, r->best, 1);
     while (stood < end && steps > 0) {
         const kern_real at = kern_min(stood + end / (kern_real)steps, end);
         *share = at;
+        r->along = steps == KERN_LOAD_JUMP ? KERN_RAISE_JUMP : KERN_RAISE_STILL;
         kern_raise_lead(r, good, (at - stood) / taken);
         good = kern_raise_at(r, q, 0, proof);
         if (good) {
             taken = at - stood;
             stood = at;
-        } else
-            steps = steps < KERN_LOAD_FINE ? KERN_LOAD_FINE : 0;
+            if (steps == KERN_LOAD_JUMP)
+                steps = KERN_LOAD_FINE;
+        } else if (steps == KERN_LOAD_STEPS)
+            steps = KERN_LOAD_FINE;
+        else
+            steps = steps == KERN_LOAD_FINE && stood < KERN_LOAD_NEAR * end
+                  ? KERN_LOAD_JUMP : 0;
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             steps = KERN_LOAD_STEPS;
