@@ -5246,15 +5246,6 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR  KERN_R(0.12)
 
-/* Relative spin of the two blocks of contact k of the part in the motion y. */
-static kern_real kern_part_spin(const kern_part *p, int k)
-{
-    const kern_model *m = p->m;
-    const int *ends = m->graph.ends + 2 * p->contact[k];
-    return p->y[3 * p->ends[2 * k] + 2] * m->unit[ends[0]]
-           - p->y[3 * p->ends[2 * k + 1] + 2] * m->unit[ends[1]];
-}
-
 /* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
    if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
    closes. One that was closed opens to the side that helps. In *rate how fast
@@ -5268,6 +5259,7 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
     *rate = KERN_R(0);
     for (i = 0; i < p->contacts; i++) {
         const kern_contact *c = m->s->contact + p->contact[i];
+        const int *ends = m->graph.ends + 2 * p->contact[i];
         const kern_real travel = kern_travel(c, m->mean);
         const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
         const kern_real mu = kern_model_mu(m, p->contact[i]);
@@ -5275,7 +5267,8 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         if (!(n > 0 || n < 0))
             continue;
         /* the arm grows along t, and t x (f n + r t) = -f */
-        work = n * kern_part_spin(p, i);
+        work = n * (p->y[3 * p->ends[2 * i] + 2] * m->unit[ends[0]]
+                    - p->y[3 * p->ends[2 * i + 1] + 2] * m->unit[ends[1]]);
         if (!m->relative && from >= kern_abs(travel))
             work = travel > 0 ? -kern_abs(work) : kern_abs(work);
         sum -= work * kern_shift(travel, from, m->relative, &was);
@@ -5338,20 +5331,6 @@ static void kern_group_rate(const kern_path *path, const kern_model *m,
     out[2] = w.torque * m->unit[g] / m->weight;
 }
 
-/* How fast y.rhs changes along the path, at s. */
-static kern_real kern_load_rate(const kern_path *path,
-                                const kern_query *q, kern_real s)
-{
-    const kern_part *p = path->part;
-    kern_real sum = KERN_R(0), rate[3];
-    int n;
-    for (n = 0; n < p->groups; n++) {
-        kern_group_rate(path, p->m, q, s, p->group[n], rate);
-        sum -= kern_three(p->y + 3 * n, rate);
-    }
-    return sum;
-}
-
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status)
@@ -5396,10 +5375,15 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
 {
     const kern_part *p = path->part;
     const kern_real power = kern_dot(p->y, p->eq.rhs, 3 * p->groups);
-    kern_real share;
+    kern_real share, fall = KERN_R(0), rate[3];
+    int n;
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_critical(p, path->holds, s, power);
-    share = power / kern_load_rate(path, q, s);
+    for (n = 0; n < p->groups; n++) {
+        kern_group_rate(path, p->m, q, s, p->group[n], rate);
+        fall -= kern_three(p->y + 3 * n, rate);
+    }
+    share = power / fall;
     return path->kind == KERN_PATH_LOAD
            ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
 }
@@ -5433,19 +5417,6 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The forces that hold it at the critical value, with the larger kerns at s. */
-static void kern_path_transfer(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_query q = kern_path_at(path, s);
-    int i;
-    for (i = 0; i < m->s->contacts; i++)
-        i += kern_force_transfer(m, i, path->critical, s);
-    if (kern_answer_holds(m, &q)) {
-        kern_path_note(m, path, KERN_STANDS, s);
-        path->holds = s;
-    }
-}
-
 /* The verdict at the critical value, which leaves the bracket as it is. Where
    another mechanism falls, its value is the path's; else the value is exact. */
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
@@ -5453,13 +5424,22 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
 {
     const kern_real at = path->critical, same = KERN_SAME_VALUE * path->unit;
     const kern_status status = kern_path_ask(m, path, at);
+    int i;
     if ((status != KERN_FALLS || path->critical > at)
         && !(kern_abs(path->critical - at) <= same))
         path->critical = at;
     if (status != KERN_FALLS || path->critical >= at - same)
         path->exact = path->critical;
-    if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK)
-        kern_path_transfer(m, path, kern_max(at - under, path->start));
+    if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK) {
+        const kern_real s = kern_max(at - under, path->start);
+        const kern_query q = kern_path_at(path, s); /* with larger kerns */
+        for (i = 0; i < m->s->contacts; i++)
+            i += kern_force_transfer(m, i, path->critical, s);
+        if (kern_answer_holds(m, &q)) {
+            kern_path_note(m, path, status, s);
+            path->holds = s;
+        }
+    }
     return status;
 }
 
@@ -6659,17 +6639,6 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value)
     return out;
 }
 
-/* The largest set of blocks that can hang; returns how many they are. */
-static int kern_hang_find(const kern_structure *s, kern_real *value)
-{
-    int i, n = s->blocks, out = 1;
-    for (i = 0; i < s->blocks; i++)
-        value[i] = KERN_R(1);
-    for (; out > 0; n -= out)
-        out = kern_hang_pass(s, value);
-    return n;
-}
-
 typedef struct kern_raise {
     kern_model *m;
     kern_part *p;             /* all groups                                   */
@@ -6812,7 +6781,7 @@ static int kern_raise_proven(kern_raise *r)
 
 /* Looks for a proof, from nothing or from u and prices as they are. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
-                             int rounds)
+                             int rounds, const kern_proof *proof)
 {
     r->q = q;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
@@ -6828,8 +6797,11 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
         if (kern_raise_price(r, r->along && found == KERN_STANDS)
-            && (r->along || found == KERN_STANDS) && kern_raise_proven(r))
+            && (r->along || found == KERN_STANDS) && kern_raise_proven(r)) {
+            kern_proof_out(r->m, proof, KERN_STANDS);
+            kern_proof_out(r->m, proof, KERN_FALLS);
             return 1;
+        }
     }
     return 0;
 }
@@ -6861,7 +6833,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
         q->shrink = shrink + (kern_real)k * most;
         r->m->cone.reduction = kern_reduction(q);
         kern_model_arms(r->m, q);
-        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM);
+        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
     }
     return raised;
 }
@@ -6930,13 +6902,18 @@ static kern_status kern_raise_begin(kern_raise *r, const kern_query *q,
     kern_model *m = r->m;
     kern_status status = KERN_STANDS;
     kern_real *value;
+    int i, left = m->s->blocks, gone = 1; /* the largest set that can hang */
     m->rest.reals -= m->s->blocks; /* at the end of the work memory */
     m->common.reals = m->rest.reals;
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     value = m->rest.real + m->rest.reals;
     *out = KERN_NOT_SHOWN;
-    if (kern_hang_find(m->s, value)) {
+    for (i = 0; i < left; i++)
+        value[i] = KERN_R(1);
+    for (; gone > 0; left -= gone)
+        gone = kern_hang_pass(m->s, value);
+    if (left > 0) {
         status = kern_model_evaluate(m, r->p, q);
         if (status == KERN_STANDS && kern_raise_hangs(m, r->p, q, value))
             *out = KERN_HANGS;
@@ -6964,17 +6941,6 @@ static void kern_raise_lead(kern_raise *r, int keep, kern_real ahead)
                                                       - r->begin[n + i]), 0);
 }
 
-/* Whether it is raised under the load of q. The proof is written. */
-static int kern_raise_at(kern_raise *r, const kern_query *q, int cold,
-                         const kern_proof *proof)
-{
-    if (!kern_raise_settle(r, q, cold, KERN_RAISE_PATH))
-        return 0;
-    kern_proof_out(r->m, proof, KERN_STANDS);
-    kern_proof_out(r->m, proof, KERN_FALLS);
-    return 1;
-}
-
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each
    from the last two. The end of the path doubles where nothing is known to end
    it before. Returns the last share that was proven, below 0 if none. */
@@ -6987,7 +6953,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     int steps = KERN_LOAD_STEPS, good = 1;
     *share = stood;
     r->along = KERN_RAISE_JUMP;
-    if (!kern_raise_at(r, q, 1, proof))
+    if (!kern_raise_settle(r, q, 1, KERN_RAISE_PATH, proof))
         return KERN_R(-1);
     kern_raise_copy(r, r->best, 1);
     while (stood < end && steps > 0) {
@@ -6995,7 +6961,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         *share = at;
         r->along = steps == KERN_LOAD_JUMP ? KERN_RAISE_JUMP : KERN_RAISE_STILL;
         kern_raise_lead(r, good, (at - stood) / taken);
-        good = kern_raise_at(r, q, 0, proof);
+        good = kern_raise_settle(r, q, 0, KERN_RAISE_PATH, proof);
         if (good) {
             taken = at - stood;
             stood = at;
@@ -7043,7 +7009,7 @@ static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
         kern_model_set(m, q);
         if (!kern_raise_open(r))
             return KERN_NO_SPACE;
-        if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS)
+        if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, NULL)
             || kern_raise_grown(r, q))
             *out = KERN_RAISED;
         else
@@ -7082,22 +7048,6 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
     return status;
 }
 
-/* The path of kern_raised_load() below the load factor `most`. */
-static kern_status kern_raise_load(kern_raise *r, kern_query *q, kern_real most,
-                                   kern_real *factor, const kern_proof *proof)
-{
-    kern_raising hung;
-    const kern_status status = kern_raise_begin(r, q, &hung);
-    if (status != KERN_STANDS || hung == KERN_HANGS)
-        return status == KERN_STANDS ? KERN_UNDECIDED : status;
-    q->factor = most; /* the unit of force is what acts at the end */
-    kern_model_set(r->m, q);
-    if (!kern_raise_open(r))
-        return KERN_NO_SPACE;
-    *factor = kern_raise_climb(r, q, &q->factor, most, proof);
-    return *factor < 0 ? KERN_UNDECIDED : KERN_STANDS;
-}
-
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -7110,11 +7060,23 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     kern_status status = kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
                                   side, factor ? &most : NULL, proof);
     if (status == KERN_STANDS) { /* a model again that no part is open of */
-        kern_model_open(&c.m, task, &c.path.q);
+        kern_query *q = &c.path.q;
+        kern_raising hung;
+        kern_model_open(&c.m, task, q);
         r.m = &c.m;
         r.p = &c.part;
-        status = kern_spent(task->work, task->options.limit, kern_raise_load(
-            &r, &c.path.q, kern_min(most, KERN_FACTOR_MOST), &stood, proof));
+        status = kern_raise_begin(&r, q, &hung);
+        q->factor = most = kern_min(most, KERN_FACTOR_MOST);
+        kern_model_set(r.m, q); /* the unit of force is what acts at the end */
+        if (status == KERN_STANDS && hung != KERN_HANGS)
+            status = kern_raise_open(&r) ? KERN_STANDS : KERN_NO_SPACE;
+        else if (status == KERN_STANDS)
+            status = KERN_UNDECIDED;
+        if (status == KERN_STANDS)
+            stood = kern_raise_climb(&r, q, &q->factor, most, proof);
+        status = kern_spent(task->work, task->options.limit,
+                            status == KERN_STANDS && stood < 0
+                            ? KERN_UNDECIDED : status);
     }
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *factor = stood < KERN_FACTOR_MOST ? stood : KERN_INFINITY;
