@@ -344,8 +344,8 @@
              published brick walls with openings (tests/PUBLISHED.md), 6 % in
              the median and 47 % at most on 175 random ones; settled rubble
              never collapsed below its load factor. kern_raised_load() has no
-             dilatancy: 0.98 of the simulator's on these 175 in the median, 0.94
-             or more on 94 % of them, at most 1.01 on 96 %, 1.05 at most. It
+             dilatancy: 0.98 of the simulator's on 325 in the median, 0.94 or
+             more on 96 % of them, at most 1.01 on 98 %, 1.09 at most. It
              answers for one path of loading. Use the lower one for what must
              hold. Bricks that hang in a flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
@@ -1082,18 +1082,18 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
 
 /* The load factor of Coulomb friction, from rest: stones that slide need not
    part. *factor is the largest multiple of the load with forces that it raises,
-   as in kern_raised(), proven while the load grows from 0: in steps of a
-   sixteenth of the load factor, and of a tenth of that once a step has failed.
-   Each step is found from those before. With friction equilibrium is not
-   unique: another path of loading may collapse earlier (seen: 5 %) or later. It
-   is never above the load factor, which is asked for first. The load is
-   `pattern`, or where that is NULL horizontal to the side. KERN_STANDS:
-   *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
+   as in kern_raised(), proven while the load grows from 0: in steps of a ninth
+   of the load factor, of 1/150 once one has failed, and of 1/30 over what fails
+   then below 0.94 of it. Each step is found from those before. With friction
+   equilibrium is not unique: another path of loading may collapse earlier
+   (seen: 5 %) or later. It is never above the load factor, which is asked for
+   first. The load is `pattern`, or where that is NULL horizontal to the side.
+   KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; *factor is as it was. Time: 7 times that of
-   the load factor in the median of settled stones, 13 on brick walls whose
-   joints slide. */
+   own weight raises the forces; *factor is as it was. Time: 9 times that of the
+   load factor in the median of settled stones, 13 on brick walls whose joints
+   slide. */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -2363,12 +2363,13 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Orders the blocks of all groups along a direction, at one height by index.
+/* Orders the blocks of all groups along gravity, at one height by index.
    Shell sort, since it needs neither memory nor recursion. */
-static void kern_model_order(const kern_model *m, kern_vec along, int *list)
+static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
-    int gap, i, j;
+    const kern_vec along = m->s->gravity;
+    int *list = m->graph.block, gap, i, j;
     for (gap = 1; gap < m->graph.groups / 64; gap = 3 * gap + 1)
         continue;
     for (; gap > 0; gap /= 3)
@@ -2397,7 +2398,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
             m->graph.block[none++] = i;
     m->graph.groups = none;
     m->whole = 0;
-    kern_model_order(m, s->gravity, m->graph.block);
+    kern_model_order(m);
     for (i = 0; i < s->blocks; i++)
         m->graph.group[i] = none;
     for (g = 0; g < none; g++) {
@@ -4316,11 +4317,10 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     return KERN_UNDECIDED;
 }
 
-/* Ends of contacts at a group. */
 static int kern_graph_degree(const kern_graph *graph, int g)
 {
-    int e, n = 0;
-    for (e = graph->touch[g]; e >= 0; e = graph->after[e])
+    int e = graph->touch[g], n = 0;
+    for (; e >= 0; e = graph->after[e])
         n++;
     return n;
 }
@@ -4331,11 +4331,11 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
-    int at = n, e, k;
+    int at = n, from, e, k;
     p->group[n] = first;
     graph->local[first] = n++;
     for (; at < n; at++) {
-        const int from = n;
+        from = n;
         for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
             const int g = graph->ends[e ^ 1];
             if (g == p->groups || graph->local[g] != KERN_OUT)
@@ -4351,9 +4351,8 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Orders the part's groups so that the rows of the factor are short: in layers
-   around a group at the end of the structure, where the last of two rounds from
-   any end; backwards (reverse Cuthill-McKee). */
+/* Orders the groups for short rows of the factor: in layers around one in the
+   last layer of two rounds, backwards (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -4361,7 +4360,7 @@ static void kern_norm_order(kern_part *p)
     for (g = 0; g < p->groups; g++)
         local[g] = KERN_OUT;
     for (g = 0; g < p->groups; g++, n = end)
-        for (round = 0; round < 3 && (round > 0 || local[g] == KERN_OUT); round++) {
+        for (round = local[g] == KERN_OUT ? 0 : 3; round < 3; round++) {
             const int first = round > 0 ? p->group[end - 1] : g;
             for (k = n; k < end; k++)
                 local[p->group[k]] = KERN_OUT;
@@ -4376,7 +4375,7 @@ static void kern_norm_order(kern_part *p)
         local[p->group[g]] = g;
 }
 
-/* Opens all groups as one part. 0 if there is no room. */
+/* Opens all groups as one part; 0: no room. */
 static int kern_norm_open(kern_part *p, kern_model *m)
 {
     const kern_structure *s = m->s;
@@ -6498,19 +6497,6 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
     return p->found;
 }
 
-/* Follows the path from path->holds. Returns the first place where the whole
-   falls, at most its end; infinity where it cannot be followed. */
-static kern_real kern_ipm_follow(kern_ipm *in)
-{
-    in->p->m->budget.work->solves++;
-    in->least = KERN_WIDTH * in->path->unit / 8;
-    if (kern_ipm_begin(in, in->path->holds, 0)
-        && kern_ipm_run(in, 0) == KERN_STANDS)
-        return in->s;
-    in->gap = KERN_INFINITY; /* nothing to go on from */
-    return KERN_INFINITY;
-}
-
 /* The critical value of the whole, with both proofs; or KERN_UNDECIDED. */
 static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 {
@@ -6521,9 +6507,14 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
         return KERN_UNDECIDED;
     path->ipm = &in;
     path->fails = path->end;
-    path->critical = kern_ipm_follow(&in);
-    if (!(path->critical < KERN_INFINITY))
+    m->budget.work->solves++;
+    in.least = KERN_WIDTH * path->unit / 8;
+    path->critical = kern_ipm_begin(&in, path->holds, 0)
+        && kern_ipm_run(&in, 0) == KERN_STANDS ? in.s : KERN_INFINITY;
+    if (!(path->critical < KERN_INFINITY)) {
+        in.gap = KERN_INFINITY; /* nothing to go on from */
         status = kern_path_evaluate(m, path, path->holds);
+    }
     if (status == KERN_STANDS)
         status = kern_path_evaluate(
             m, path, kern_min(path->critical + aside, path->end));
@@ -6567,17 +6558,16 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_PATH    100     /* from those of a smaller load            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
-/* Rounds, and as many as there were until then, in which squared changes of
-   prices fall by no fifth: along a load; in a step over a gap. */
+/* Rounds, beside as many as before, in which squared changes of prices fall by
+   no fifth: along a load; in a step over a gap. */
 #define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
 #define KERN_RAISE_JUMP    ((int)KERN_PICK(15, 25))
-/* Along a load: steps up to the load factor; once a step has failed; over what
-   has failed then, if that is below a share of the load factor. */
+/* Steps of a load up to the load factor; once one has failed; over a gap below
+   a share of the load factor. Share of its fall that a price makes a round. */
 #define KERN_LOAD_STEPS    9
 #define KERN_LOAD_FINE     150
 #define KERN_LOAD_JUMP     30
 #define KERN_LOAD_NEAR     KERN_R(0.94)
-/* Share of its fall that a price makes in one round along a load. */
 #define KERN_LOAD_FALL     KERN_R(0.3)
 
 static kern_real kern_prove_raised(const kern_structure *s,
@@ -6765,25 +6755,15 @@ static int kern_raise_price(kern_raise *r, int keep)
     return pressed && slid <= KERN_SLID * most;
 }
 
-static int kern_raise_proven(kern_raise *r)
-{
-    kern_part *p = r->p;
-    const kern_model *m = r->m;
-    int i;
-    p->y = p->dual.step;
-    for (i = 0; i < 3 * p->groups; i++)
-        p->y[i] = -p->dual.u[i];
-    kern_part_motion(p);
-    return kern_model_proven(
-        m, kern_prove_raised(m->s, r->q, m->answer.force, m->answer.motion,
-                             m->answer.sum));
-}
-
 /* Looks for a proof, from nothing or from u and prices as they are. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
                              int rounds, const kern_proof *proof)
 {
+    kern_part *p = r->p;
+    const kern_model *m = r->m;
+    int i;
     r->q = q;
+    p->y = p->dual.step;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
     r->rounds = r->gained = 0;
     if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
@@ -6796,8 +6776,14 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
             KERN_RAISE_STEPS + (first ? 10 : 1));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
-        if (kern_raise_price(r, r->along && found == KERN_STANDS)
-            && (r->along || found == KERN_STANDS) && kern_raise_proven(r)) {
+        if (!kern_raise_price(r, r->along && found == KERN_STANDS)
+            || !(r->along || found == KERN_STANDS))
+            continue;
+        for (i = 0; i < 3 * p->groups; i++)
+            p->y[i] = -p->dual.u[i];
+        kern_part_motion(p);
+        if (kern_model_proven(m, kern_prove_raised(
+                m->s, q, m->answer.force, m->answer.motion, m->answer.sum))) {
             kern_proof_out(r->m, proof, KERN_STANDS);
             kern_proof_out(r->m, proof, KERN_FALLS);
             return 1;
@@ -7083,19 +7069,6 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
     return status;
 }
 
-/* Whether what moves hangs; value[0..blocks) says which blocks do. */
-static int kern_hangs(const kern_structure *s, const kern_motion *motion,
-                      kern_real *value)
-{
-    int i, n = 0;
-    for (i = 0; i < s->blocks; i++) {
-        const int falls = kern_speed(motion + i) > 0;
-        value[i] = falls ? KERN_R(1) : KERN_R(-1);
-        n += falls;
-    }
-    return n > 0 && kern_hang_pass(s, value) == 0;
-}
-
 KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                                      kern_raising raising,
                                      const kern_proof *proof)
@@ -7104,6 +7077,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
     kern_take take;
     kern_query q;
     kern_real *sum, *value;
+    int i, n = 0;
     if (!proof || !proof->force || !proof->motion
         || kern_query_check(task, shrink, proof, &q) != KERN_OK)
         return KERN_INFINITY;
@@ -7115,7 +7089,12 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
         return KERN_INFINITY;
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
-    if (!kern_hangs(s, proof->motion, value))
+    for (i = 0; i < s->blocks; i++) { /* what moves must hang */
+        const int falls = kern_speed(proof->motion + i) > 0;
+        value[i] = falls ? KERN_R(1) : KERN_R(-1);
+        n += falls;
+    }
+    if (n == 0 || kern_hang_pass(s, value) != 0)
         return KERN_INFINITY;
     q.fallen = value;
     return kern_prove_forces(s, &q, proof->force, sum);
