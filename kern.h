@@ -292,9 +292,9 @@
    [0.92, 0.96] of what stays and rejects 0.888 [0.84, 0.93] of what moves and
    0.636 of what is unclear; area under the ROC curve 0.979 [0.969, 0.987],
    load factor 0.90, margin 0.87 (measured with 0.1.0). In sample (969
-   placements, tests/truth.c): 0.95, 0.90, 0.70. Most that stay and are
+   placements, tests/truth.c): 0.96, 0.91, 0.70. Most that stay and are
    rejected stand on walls that were below 0.0055 before.
-   examples/parts/stays.h asks for its sag on springs: area 0.985 and 0.988,
+   examples/parts/stays.h asks for its sag on springs: area 0.985 and 0.989,
    each half by a law of the other. KERN_NOT_SHOWN is no proof of falling.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
@@ -1092,8 +1092,7 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
    own weight raises the forces; *factor is as it was. Time: 9 times that of the
-   load factor in the median of settled stones, 13 on brick walls whose joints
-   slide. */
+   load factor in the median of settled stones, 13 on walls that slide. */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -4378,19 +4377,18 @@ static void kern_norm_order(kern_part *p)
 /* Opens all groups as one part; 0: no room. */
 static int kern_norm_open(kern_part *p, kern_model *m)
 {
-    const kern_structure *s = m->s;
     int i;
-    if (!kern_model_spend(m, 1 + (m->graph.groups + s->contacts) / 3))
+    if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 3))
         return 0;
     if (!kern_part_begin(p, m, m->graph.groups, &m->rest))
         return 0;
-    p->contact = kern_take_ints(&p->rest, s->contacts);
-    p->ends = kern_take_ints(&p->rest, 2 * s->contacts);
+    p->contact = kern_take_ints(&p->rest, m->s->contacts);
+    p->ends = kern_take_ints(&p->rest, 2 * m->s->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_norm_order(p);
     p->contacts = 0;
-    for (i = 0; i < s->contacts; i++)
+    for (i = 0; i < m->s->contacts; i++)
         if (m->graph.ends[2 * i] != m->graph.ends[2 * i + 1])
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
@@ -6509,9 +6507,11 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
     path->fails = path->end;
     m->budget.work->solves++;
     in.least = KERN_WIDTH * path->unit / 8;
-    path->critical = kern_ipm_begin(&in, path->holds, 0)
-        && kern_ipm_run(&in, 0) == KERN_STANDS ? in.s : KERN_INFINITY;
-    if (!(path->critical < KERN_INFINITY)) {
+    path->critical = KERN_INFINITY;
+    if (kern_ipm_begin(&in, path->holds, 0)
+        && kern_ipm_run(&in, 0) == KERN_STANDS)
+        path->critical = in.s;
+    else {
         in.gap = KERN_INFINITY; /* nothing to go on from */
         status = kern_path_evaluate(m, path, path->holds);
     }
@@ -6935,16 +6935,15 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   const kern_proof *proof)
 {
     kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
-    kern_real stood = KERN_R(0), taken = KERN_R(1);
+    kern_real stood = *share = KERN_R(0), taken = KERN_R(1);
     int steps = KERN_LOAD_STEPS, good = 1;
-    *share = stood;
     r->along = KERN_RAISE_JUMP;
     if (!kern_raise_settle(r, q, 1, KERN_RAISE_PATH, proof))
         return KERN_R(-1);
     kern_raise_copy(r, r->best, 1);
     while (stood < end && steps > 0) {
-        const kern_real at = kern_min(stood + end / (kern_real)steps, end);
-        *share = at;
+        const kern_real at = *share = kern_min(
+            stood + end / (kern_real)steps, end);
         r->along = steps == KERN_LOAD_JUMP ? KERN_RAISE_JUMP : KERN_RAISE_STILL;
         kern_raise_lead(r, good, (at - stood) / taken);
         good = kern_raise_settle(r, q, 0, KERN_RAISE_PATH, proof);
