@@ -4316,7 +4316,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     return KERN_UNDECIDED;
 }
 
-static int kern_graph_degree(const kern_graph *graph, int g)
+/* Of how many contacts group g is an end. */
+KERN_SHARED static int kern_graph_degree(const kern_graph *graph, int g)
 {
     int e = graph->touch[g], n = 0;
     for (; e >= 0; e = graph->after[e])
@@ -4325,52 +4326,47 @@ static int kern_graph_degree(const kern_graph *graph, int g)
 }
 
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   on, in layers around it: of each group the neighbours that are not listed
-   yet, those of fewer contacts first. Returns the place behind the last. */
+   down, in layers around it: of each group the neighbours that are not listed
+   yet, those of fewer contacts first. Returns the place below the last. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
     int at = n, from, e, k;
-    p->group[n] = first;
-    graph->local[first] = n++;
-    for (; at < n; at++) {
+    graph->local[first] = 0;
+    p->group[n--] = first;
+    for (; at > n; at--) {
         from = n;
         for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
             const int g = graph->ends[e ^ 1];
             if (g == p->groups || graph->local[g] != KERN_OUT)
                 continue;
-            for (k = n++; k > from
+            graph->local[g] = 0;
+            for (k = n--; k < from
                           && kern_graph_degree(graph, g) < kern_graph_degree(
-                                 graph, p->group[k - 1]); k--)
-                p->group[k] = p->group[k - 1];
+                                 graph, p->group[k + 1]); k++)
+                p->group[k] = p->group[k + 1];
             p->group[k] = g;
-            graph->local[g] = k;
         }
     }
     return n;
 }
 
 /* Orders the groups for short rows of the factor: in layers around one in the
-   last layer of two rounds, backwards (reverse Cuthill-McKee). */
+   last layer of two rounds, from the last place down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
-    int g, k, round, n = 0, end = 0;
+    int g, k, round, n = p->groups - 1, end = n;
     for (g = 0; g < p->groups; g++)
         local[g] = KERN_OUT;
     for (g = 0; g < p->groups; g++, n = end)
         for (round = local[g] == KERN_OUT ? 0 : 3; round < 3; round++) {
-            const int first = round > 0 ? p->group[end - 1] : g;
-            for (k = n; k < end; k++)
+            const int first = round > 0 ? p->group[end + 1] : g;
+            for (k = n; k > end; k--)
                 local[p->group[k]] = KERN_OUT;
             end = kern_norm_layers(p, first, n);
         }
-    for (g = 0; g < n - 1 - g; g++) {
-        const int swap = p->group[g];
-        p->group[g] = p->group[n - 1 - g];
-        p->group[n - 1 - g] = swap;
-    }
-    for (g = 0; g < n; g++)
+    for (g = 0; g < p->groups; g++)
         local[p->group[g]] = g;
 }
 
