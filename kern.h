@@ -4448,14 +4448,11 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    balanced again. Forces that balance every group prove that the structure
    stands. Where a cluster cannot be balanced, and its motion parts it from all
    that rests on it, no forces from above could hold it: it is a part that
-   falls. */
+   falls.
 
-/* The outcome of a cluster, or of the whole pass. */
-typedef enum kern_passed {
-    KERN_PASSED,              /* its groups are balanced                      */
-    KERN_PASS_FALLS,          /* a part that seems to fall is open            */
-    KERN_PASS_DRY             /* out of work memory or budget                 */
-} kern_passed;
+   The outcome of a cluster, or of the whole pass: KERN_STANDS, its groups are
+   balanced; KERN_FALLS, a part that seems to fall is open; KERN_UNDECIDED, it
+   is out of work memory or budget. */
 
 /* The cluster of a group must be balanced. */
 static void kern_pass_mark_open(kern_model *m, int g)
@@ -4804,7 +4801,7 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
 /* Balances the cluster of `last`. A cluster that cannot be balanced grows until
    it can, or falls. Where it has grown to a group below `last`, it waits for
    the turn of that. `failed`: it is one group that cannot be balanced. */
-static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
+static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
                                      int failed)
 {
     for (;;) {
@@ -4813,20 +4810,19 @@ static kern_passed kern_pass_cluster(kern_model *m, kern_part *p, int last,
             ? KERN_UNDECIDED : kern_pass_part(p, m, groups, last);
         int grown;
         if (status == KERN_FALLS)
-            return KERN_PASS_FALLS;
-        if (status == KERN_STANDS || status == KERN_NO_SPACE
-            || status == KERN_LIMIT) {
+            return status;
+        if (status != KERN_UNDECIDED) { /* it stands, or space or work ends */
             kern_pass_mark(m, last, KERN_OUT);
-            return status == KERN_STANDS ? KERN_PASSED : KERN_PASS_DRY;
+            return status == KERN_STANDS ? status : KERN_UNDECIDED;
         }
         kern_pass_grow(m, last);
         if (m->cluster.last[last] > last) {
             kern_pass_mark_open(m, last);
-            return KERN_PASSED;
+            return KERN_STANDS;
         }
         grown = kern_pass_mark(m, last, KERN_OUT);
         if (grown == groups || grown > m->cluster.most)
-            return KERN_PASS_DRY;
+            return KERN_UNDECIDED;
         failed = 0;
     }
 }
@@ -4902,36 +4898,34 @@ static void kern_pass_known(kern_model *m, kern_real shrink)
 }
 
 /* Balances group `at`, by itself or with others in a cluster. */
-static kern_passed kern_pass_group(kern_model *m, kern_part *p, int at)
+static kern_status kern_pass_group(kern_model *m, kern_part *p, int at)
 {
     const kern_status alone = m->cluster.next[at] == at
                               ? kern_pass_alone(m, at) : KERN_UNDECIDED;
-    if (alone == KERN_STANDS)
-        return KERN_PASSED;
-    if (alone == KERN_FALLS && kern_pass_stack(m, p, at))
-        return KERN_PASS_FALLS;
+    if (alone == KERN_STANDS
+        || (alone == KERN_FALLS && kern_pass_stack(m, p, at)))
+        return alone;
     return kern_pass_cluster(m, p, at, alone == KERN_FALLS);
 }
 
-/* Balances all groups that must be: KERN_PASSED with m->answer.force,
-   KERN_PASS_FALLS with an open part, or KERN_PASS_DRY. */
-static kern_passed kern_pass(kern_model *m, kern_part *p)
+/* Balances all groups that must be, by m->answer.force. */
+static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     const int size = m->s->contacts + m->graph.groups;
-    kern_passed found = KERN_PASSED;
+    kern_status found = KERN_STANDS;
     int g;
     for (g = 0; g < m->graph.groups; g++)
         m->graph.local[g] = KERN_OUT; /* a part may have been open            */
     c->budget = KERN_PASS_BUDGET
                 * (size < KERN_PASS_LARGEST ? size : KERN_PASS_LARGEST);
-    for (c->at = 0; c->at < m->graph.groups && found == KERN_PASSED; ) {
+    for (c->at = 0; c->at < m->graph.groups && found == KERN_STANDS; ) {
         g = c->at++;
         if (!c->open[g])
             continue;
         c->budget -= 300;
         if (c->budget < 0 || !kern_model_spend(m, 1))
-            return KERN_PASS_DRY;
+            return KERN_UNDECIDED;
         c->open[g] = 0;
         found = kern_pass_group(m, p, g);
     }
@@ -5163,7 +5157,7 @@ static kern_status kern_part_all(kern_part *p, kern_model *m,
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
-    kern_passed found;
+    kern_status found;
     int i, change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
@@ -5174,16 +5168,14 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
         if (change)
             kern_pass_known(m, q->shrink);
         found = kern_pass(m, p);
-        if (found == KERN_PASS_FALLS)
-            return KERN_FALLS;
+        if (found == KERN_FALLS)
+            return found;
         for (i = 0; i < m->s->contacts; i++) { /* in the caller's unit */
             m->answer.force[i].normal *= m->weight;
             m->answer.force[i].tangential *= m->weight;
         }
-        if (found == KERN_PASSED && kern_answer_holds(m, q)) {
-            p->found = KERN_STANDS;
-            return KERN_STANDS;
-        }
+        if (found == KERN_STANDS && kern_answer_holds(m, q))
+            return p->found = found;
     }
     return KERN_UNDECIDED;
 }
