@@ -5133,25 +5133,6 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* Opens all groups as one part, in the place of what the pass needs. */
-static kern_status kern_part_all(kern_part *p, kern_model *m,
-                                 const kern_take *rest)
-{
-    int g, k;
-    if (!kern_part_begin(p, m, m->graph.groups, rest))
-        return KERN_NO_SPACE;
-    p->contacts = p->own = m->s->contacts;
-    p->ends = m->graph.ends;
-    p->contact = kern_take_ints(&p->rest, p->contacts);
-    if (!kern_take_fits(&p->rest))
-        return KERN_NO_SPACE;
-    for (g = 0; g < p->groups; g++)
-        p->group[g] = g;
-    for (k = 0; k < p->contacts; k++)
-        p->contact[k] = k;
-    return kern_part_lay(p);
-}
-
 /* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
    an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
@@ -5180,13 +5161,26 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
     return KERN_UNDECIDED;
 }
 
-/* From now on one linear program of all groups answers, from its last basis. */
+/* From now on one linear program of all groups answers, from its last basis. It
+   lies in the place of what the pass needs. */
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
     kern_status status;
+    int g, k;
     kern_model_set(m, q);
-    status = kern_part_all(p, m, &m->common);
+    if (!kern_part_begin(p, m, m->graph.groups, &m->common))
+        return KERN_NO_SPACE;
+    p->contacts = p->own = m->s->contacts;
+    p->ends = m->graph.ends;
+    p->contact = kern_take_ints(&p->rest, p->contacts);
+    if (!kern_take_fits(&p->rest))
+        return KERN_NO_SPACE;
+    for (g = 0; g < p->groups; g++)
+        p->group[g] = g;
+    for (k = 0; k < p->contacts; k++)
+        p->contact[k] = k;
+    status = kern_part_lay(p);
     m->whole = status == KERN_OK;
     return status;
 }
