@@ -13,7 +13,7 @@
                             >>config >>method >>rules >>measures >>measured
                             >>limits >>determinism
      II   Declarations      >>decl >>types >>sizes >>api
-     III  The argument      >>impl (tolerances) >>vec >>statics (Eq. 5)
+     III  The argument      >>impl >>tune (constants) >>vec >>statics (Eq. 5)
                             >>kern (Algorithm 1) >>work >>check >>proof >>model
                             >>engine >>measure >>profile >>critical
                             >>sensitivity
@@ -371,7 +371,7 @@
              up to 3e-5. Above 64 such blocks the margin may lie anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
-   Float     Proofs are weaker (tolerances: >>impl), a deficit is exact to 3e-6
+   Float     Proofs are weaker (constants: >>tune), a deficit is exact to 3e-6
              sizes, and near to critical more is undecided; where wedges jam a
              margin may be off by a third of a size; coordinates should not be
              far from the origin.
@@ -1269,50 +1269,6 @@ extern "C" {
 
 #define KERN_R(x) ((kern_real)(x))
 
-/* Tolerances. Lengths are in units of a block's size, forces in units of the
-   weight of all, so none has a unit. First double, then float.               */
-#ifdef KERN_SINGLE
-#define KERN_EPS FLT_EPSILON
-#define KERN_PICK(in_double, in_float) ((kern_real)(in_float))
-#else
-#define KERN_EPS DBL_EPSILON
-#define KERN_PICK(in_double, in_float) ((kern_real)(in_double))
-#endif
-
-/* Residual that a proof may leave, as a share of what acts on the block. */
-#define KERN_TOL         KERN_PICK(1e-9, 1e-4)
-/* Largest forces that are taken for real, in weights: the bound
-   excludes jams, whose forces are arbitrarily large; a motion may close no
-   contact faster than its power divided by it. */
-#define KERN_BOUND       KERN_PICK(1e6, 1e3)
-/* What a row of a proof may lose by rounding, as a share of its terms. */
-#define KERN_ROUNDING    (32 * KERN_EPS)
-/* How far a certificate is lifted off the columns that it touches: as much as
-   the check of a motion adds for rounding where arms are long and friction is
-   high. It costs as much of the power, in float a good part of it. */
-#define KERN_ABOVE       KERN_PICK(64 * KERN_EPS, 16 * KERN_EPS)
-/* A variable this far below zero is still zero. A tenth of what the proof
-   allows; less, and the simplex chases rounding. */
-#define KERN_FEAS_TOL    KERN_PICK(1e-10, 1e-5)
-/* Pivots and gains below this share of the largest are rounding. */
-#define KERN_PIVOT_TOL   KERN_PICK(1e-10, 1e-5)
-/* Least and largest mass [kg] and sum of all that acts on a block [N], least
-   size of a block [m], least power of a motion [W]: of these the squares, the
-   moments and products with KERN_BOUND are numbers, and keep all digits. */
-#define KERN_LIGHT       KERN_PICK(1e-100, 1e-15)
-#define KERN_HEAVY       KERN_PICK(1e100, 1e15)
-#define KERN_LEAST_SIZE  KERN_PICK(1e-60, 1e-10)
-#define KERN_LEAST       KERN_PICK(1e-290, 1e-35)
-
-/* Largest coordinate and gap: the moment of a polygon is still a number. */
-#define KERN_FAR        KERN_PICK(1e100, 1e10)
-/* Larger than any length or area: where a search for the least begins. */
-#define KERN_HUGE       KERN_PICK(DBL_MAX, FLT_MAX)
-/* Share of the mean block size below which a travel is rounding. */
-#define KERN_TRAVEL     KERN_R(1e-9)
-/* Angle [rad] from which an option for the angle is refused: it would take a
-   corner for a face, and the series of kern_sine() would lose digits. */
-#define KERN_ANGLE_MOST KERN_R(0.5)
 #define KERN_OUT (-1)
 
 /* Functions with many callers: firmware has no room for inlined copies. */
@@ -1343,6 +1299,205 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
     fault->block = fault->other = fault->index = -1;
     fault->value = fault->allowed = KERN_R(0);
 }
+
+/* ---- Constants -------------------------------------------------- >>tune */
+/* All of Parts III, IV and VI; those of the geometry are in >>tol. Lengths are
+   in units of a block's size, forces in units of the weight of all, so where no
+   unit is given there is none. First double, then float. Each says what breaks
+   where it is moved; a bound of rounds is never reached but by rounding. */
+
+#ifdef KERN_SINGLE
+#define KERN_EPS FLT_EPSILON
+#define KERN_PICK(in_double, in_float) ((kern_real)(in_float))
+#else
+#define KERN_EPS DBL_EPSILON
+#define KERN_PICK(in_double, in_float) ((kern_real)(in_double))
+#endif
+
+/* ---- what a proof allows ---- */
+
+/* Residual that a proof may leave, as a share of what acts on the block. */
+#define KERN_TOL           KERN_PICK(1e-9, 1e-4)
+/* Largest forces that are taken for real, in weights: the bound
+   excludes jams, whose forces are arbitrarily large; a motion may close no
+   contact faster than its power divided by it. */
+#define KERN_BOUND         KERN_PICK(1e6, 1e3)
+/* What a row of a proof may lose by rounding, as a share of its terms. */
+#define KERN_ROUNDING      (32 * KERN_EPS)
+/* The most that a proof of >>raised takes for sticking, in approaches. */
+#define KERN_STICKS        KERN_PICK(2e-3, 0.2)
+
+/* ---- what may be asked ---- */
+
+/* Least and largest mass [kg] and sum of all that acts on a block [N], least
+   size of a block [m], least power of a motion [W]: of these the squares, the
+   moments and products with KERN_BOUND are numbers, and keep all digits. */
+#define KERN_LIGHT         KERN_PICK(1e-100, 1e-15)
+#define KERN_HEAVY         KERN_PICK(1e100, 1e15)
+#define KERN_LEAST_SIZE    KERN_PICK(1e-60, 1e-10)
+#define KERN_LEAST         KERN_PICK(1e-290, 1e-35)
+/* Largest coordinate and gap [m]: the moment of a polygon is still a number. */
+#define KERN_FAR           KERN_PICK(1e100, 1e10)
+/* Larger than any length or area: where a search for the least begins. */
+#define KERN_HUGE          KERN_PICK(DBL_MAX, FLT_MAX)
+/* Share of the mean block size below which a travel is rounding. */
+#define KERN_TRAVEL        KERN_R(1e-9)
+/* Angle [rad] from which an option for the angle is refused: it would take a
+   corner for a face, and the series of kern_sine() would lose digits. */
+#define KERN_ANGLE_MOST    KERN_R(0.5)
+/* Counts whose work memory, and products in it, are still an int. */
+#define KERN_BLOCKS_MOST   20000
+#define KERN_CONTACTS_MOST 1000000
+#define KERN_COUNT_MOST    100000000
+#define KERN_WORK_MOST     2000000000 /* units of one call                    */
+#define KERN_WORK_USUAL    10000000   /* by default: a second or two          */
+
+/* ---- measures ---- */
+
+/* Width of the bracket of a measure [mean block size; load factor; tangent of
+   a quarter of the angle]. Narrower, fewer verdicts near critical have a
+   proof; wider, the bracket is no longer within the 2e-6 that are promised. */
+#define KERN_WIDTH         KERN_PICK(1.4e-6, 2e-3)
+/* How many times wider it may get where no nearer verdict has a proof; beyond,
+   the answer is KERN_UNDECIDED. */
+#define KERN_WIDEST        KERN_R(20)
+/* From the critical value to either end of its bracket, as a share of
+   KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
+#define KERN_ASIDE         KERN_R(0.45)
+/* Critical values that differ by less, in units of KERN_WIDTH, are one: hundred
+   times the rounding of Newton's method. Smaller, a search does not end. */
+#define KERN_SAME_VALUE    KERN_PICK(1e-10, 1e-5)
+/* Groups up to which one linear program is solved: margins are then exact.
+   More, and its factor costs more than the interior point. */
+#define KERN_SMALL         64
+/* Steps to the largest travel where kerns are not nested: a range of shrinkages
+   that falls, and is narrower than one, may be missed. */
+#define KERN_SCAN          1001
+/* Steps of half a circle of tilt under loads that stay: a range of angles that
+   falls, and is narrower than one (half a degree), may be missed. */
+#define KERN_TILTS         400
+/* Largest load factor; beyond, the load counts as held for ever. */
+#define KERN_FACTOR_MOST   KERN_R(1e6)
+
+/* ---- profile, mechanism ---- */
+
+#define KERN_FALL_ROUNDS   8       /* of a collapse, and two for each block   */
+#define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
+/* Expected drop: the load factor at which a stone's chance to fall is 1/e, and
+   the least height that counts, in mean block sizes: chosen on one half of
+   the structures of a shaking test; 0.05 to 0.1 rank the others as well. */
+#define KERN_DROP_LOAD     KERN_R(0.07)
+#define KERN_DROP_HEIGHT   KERN_R(0.3)
+/* Shares of the fastest block's speed below which a block, and a mechanism in
+   what is shown of it, rest: the first is rounding. */
+#define KERN_AT_REST       KERN_PICK(1e-6, 1e-3)
+#define KERN_REST          KERN_R(1e-4)
+
+/* ---- minimum-norm forces, top-down pass ---- */
+
+/* Residual of a group's equilibrium, as a share of its load. A proof allows far
+   more, and so residuals of many groups may add up. */
+#define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
+/* Added to the diagonal of a skyline matrix, as a share of its mean. Without it
+   a group that no ray presses has no pivot; more slows Newton's method. */
+#define KERN_SHIFT         KERN_PICK(1e-13, 1e-6)
+/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding;
+   and above which the solution needs no refinement. */
+#define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
+#define KERN_THREE_GOOD    KERN_PICK(1e-4, 1e-2)
+/* Norm of the forces, in loads of a cluster, beyond which it counts as
+   infeasible. Larger, clusters grow later and Newton's method takes more
+   steps: without the bound trying a stone costs 4 % more. */
+#define KERN_NORM_MOST     KERN_R(50)
+#define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
+#define KERN_FORCES_ROUNDS 100     /* of all groups                           */
+#define KERN_PASS_ROUNDS   8       /* of one group                            */
+#define KERN_ROWS_MOST     12      /* contacts of one group                   */
+/* Groups of a cluster: a share of few groups, in a verdict and in a search; of
+   many this, and one more for so many. */
+#define KERN_CLUSTER_ONCE  4
+#define KERN_CLUSTER_AGAIN 5
+#define KERN_CLUSTER_MOST  20
+#define KERN_CLUSTER_SHARE 32
+/* Products of a pass for each group and contact, of at most so many: their
+   product is an int. A pass that needs more is slower than the program. */
+#define KERN_PASS_BUDGET   1500
+#define KERN_PASS_LARGEST  400000
+
+/* ---- search ---- */
+
+/* First place and first step of a search [mean block size], and a step in those
+   before it: chosen on the odd half of the corpus. */
+#define KERN_CLIMB         KERN_R(0.1)
+#define KERN_CLIMB_GROWS   KERN_R(1.5)
+/* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
+#define KERN_NEAR          KERN_R(0.12)
+/* A body less than so many times as far as a known value is asked before it. */
+#define KERN_BODY_NEAR     KERN_R(1.25)
+#define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
+#define KERN_BRACKET_ROUNDS 200    /* of a bracket: four to eight suffice     */
+#define KERN_PARTS_MOST    8       /* parts that fall, before the whole       */
+#define KERN_BENDS         8       /* Newton steps from bend to bend          */
+
+/* ---- interior point ---- */
+
+#define KERN_IPM_ROUNDS    100     /* steps of a question                     */
+#define KERN_IPM_STALLED   8       /* that shorten the gap by less than .1    */
+#define KERN_IPM_SHARE     KERN_R(0.9995) /* of the way to x, z = 0 in a step */
+#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means              */
+#define KERN_IPM_LOST      KERN_R(1e6)    /* gap that leaves no digits        */
+#define KERN_IPM_SHARP     KERN_R(1e-4)   /* gap, as a share of what s lacks of
+                                             the place, to predict by y       */
+
+/* ---- simplex method ---- */
+
+/* A variable this far below zero is still zero. A tenth of what the proof
+   allows; less, and the simplex chases rounding. */
+#define KERN_FEAS_TOL      KERN_PICK(1e-10, 1e-5)
+/* Pivots and gains below this share of the largest are rounding. */
+#define KERN_PIVOT_TOL     KERN_PICK(1e-10, 1e-5)
+/* A column whose part outside of the basis is a smaller share of it depends on
+   the basis. */
+#define KERN_RANK_TOL      KERN_PICK(1e-7, 1e-4)
+/* Least pivot of a column in its own group, where its entries are about 1. Less
+   makes the inverse grow from course to course, more fills it. */
+#define KERN_OWN_TOL       KERN_R(0.03)
+/* Residual of the basic solution at which refinement ends, and above which the
+   basis is made anew. */
+#define KERN_REFINE_TOL    KERN_PICK(1e-15, 2e-7)
+#define KERN_REFACTOR_TOL  KERN_PICK(1e-12, 1e-5)
+#define KERN_REFACTOR      40      /* most pivots between factorisations      */
+/* How far a certificate is lifted off the columns that it touches: as much as
+   the check of a motion adds for rounding where arms are long and friction is
+   high. It costs as much of the power, in float a good part of it. */
+#define KERN_ABOVE         KERN_PICK(64 * KERN_EPS, 16 * KERN_EPS)
+/* Determinant of three columns that are said to depend on each other. */
+#define KERN_CRASH_TOL     KERN_PICK(1e-6, 1e-4)
+#define KERN_CRASH_MOST    12      /* columns of a group tried for the crash  */
+#define KERN_CRASH_PULL    2       /* loads that a crash column may pull      */
+
+/* ---- raised ---- */
+
+/* How much stiffer contacts are along t than along n: what sticks then slides
+   by 1/KERN_STIFF of its approach at the most. */
+#define KERN_STIFF         KERN_PICK(550, 10)
+/* How far loaded contacts may slide, in approaches of the one pressed most. */
+#define KERN_SLID          KERN_R(100)
+#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
+#define KERN_RAISE_WARM    10      /* from those of a smaller push            */
+#define KERN_RAISE_PATH    100     /* from those of a smaller load            */
+#define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
+/* Rounds, beside as many as before, in which squared changes of prices fall by
+   no fifth: along a load; in a step over a gap. */
+#define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
+#define KERN_RAISE_JUMP    ((int)KERN_PICK(15, 25))
+/* Steps of a load up to the load factor; once one has failed; over a gap below
+   a share of the load factor. Share of its fall that a price makes a round. */
+#define KERN_LOAD_STEPS    9
+#define KERN_LOAD_FINE     150
+#define KERN_LOAD_JUMP     30
+#define KERN_LOAD_NEAR     KERN_R(0.94)
+#define KERN_LOAD_FALL     KERN_R(0.3)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
@@ -1827,12 +1982,6 @@ static kern_status kern_level_nested(kern_model *m, const kern_path *path,
 /* Slices are handed out one after the other. Without arrays (real NULL) they
    are only counted: one layout function says both what is needed and where it
    lies, so the two cannot disagree. */
-
-#define KERN_BLOCKS_MOST   20000   /* the work memory still counts in int     */
-#define KERN_CONTACTS_MOST 1000000
-#define KERN_COUNT_MOST    100000000
-#define KERN_WORK_MOST     2000000000 /* units of one call                    */
-#define KERN_WORK_USUAL    10000000   /* by default: a second or two          */
 
 typedef struct kern_take {
     kern_real *real;
@@ -2730,33 +2879,6 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-/* Width of the bracket of a measure [mean block size; load factor; tangent of
-   a quarter of the angle]. Narrower, fewer verdicts near critical have a
-   proof; wider, the bracket is no longer within the 2e-6 that are promised. */
-#define KERN_WIDTH       KERN_PICK(1.4e-6, 2e-3)
-/* How many times wider it may get where no nearer verdict has a proof; beyond,
-   the answer is KERN_UNDECIDED. */
-#define KERN_WIDEST      KERN_PICK(20, 20)
-/* Critical values that differ by less, in units of KERN_WIDTH, are one: hundred
-   times the rounding of Newton's method. Smaller, a search does not end. */
-#define KERN_SAME_VALUE   KERN_PICK(1e-10, 1e-5)
-/* Evaluations to narrow a bracket: a bound, since four to eight suffice. */
-#define KERN_BRACKET_ROUNDS   200
-/* First place and first step of a search [mean block size], and a step in those
-   before it: chosen on the odd half of the corpus. */
-#define KERN_CLIMB         KERN_R(0.1)
-#define KERN_CLIMB_GROWS   KERN_R(1.5)
-/* Steps to the largest travel where kerns are not nested: a range of shrinkages
-   that falls, and is narrower than one, may be missed. */
-#define KERN_SCAN          1001
-/* Groups up to which one linear program is solved: margins are then exact. */
-#define KERN_SMALL         64
-/* Steps of half a circle of tilt under loads that stay: a range of angles that
-   falls, and is narrower than one (half a degree), may be missed. */
-#define KERN_TILTS         400
-/* Largest load factor; beyond, the load counts as held for ever. */
-#define KERN_FACTOR_MOST   KERN_R(1e6)
-
 static kern_real kern_step(const kern_query *q, const kern_options *o)
 {
     if (o->epsilon > 0)
@@ -3213,14 +3335,6 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
    blocks is the same model with fewer groups: it needs no memory of its own,
    and its programs grow smaller. */
 
-#define KERN_FALL_ROUNDS   8       /* of a collapse, and two for each block   */
-#define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
-/* Expected drop: the load factor at which a stone's chance to fall is 1/e, and
-   the least height that counts, in mean block sizes: chosen on one half of
-   the structures of a shaking test; 0.05 to 0.1 rank the others as well. */
-#define KERN_DROP_LOAD     KERN_R(0.07)
-#define KERN_DROP_HEIGHT   KERN_R(0.3)
-
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
     kern_real least;          /* of the values of all that fell               */
@@ -3384,9 +3498,6 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 }
 
 /* ---- What is critical ---------------------------------------- >>critical */
-
-/* Share of the fastest block's speed below which a mechanism rests. */
-#define KERN_REST       KERN_R(1e-4)
 
 /* Velocity of block b relative to block a where contact point c acts. */
 static kern_motion kern_meeting_motion(const kern_structure *s,
@@ -3779,10 +3890,6 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
    with the pattern of the groups, which is factored (skyline Cholesky) in their
    order. Minimum-norm forces, >>ipm and >>raised differ in the law alone. */
 
-/* How much stiffer contacts are along t than along n, for >>raised: what sticks
-   then slides by 1/KERN_STIFF of its approach at the most. */
-#define KERN_STIFF       KERN_PICK(550, 10)
-
 typedef struct kern_law {
     kern_real nn, nt, tt;
     kern_force force;         /* in the cone to the last digit                */
@@ -4059,33 +4166,6 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
    ends after a few steps; its matrix is A_S A_S' of the rays S that press.
    Where no forces exist the dual grows without limit. */
 
-/* Residual of a group's equilibrium, as a share of its load. A proof allows far
-   more, and so residuals of many groups may add up. */
-#define KERN_PASS_TOL    KERN_PICK(1e-11, 1e-6)
-/* Added to the diagonal of the matrix, as a share of its mean. Without it a
-   group that no ray presses has no pivot. */
-#define KERN_NORM_SHIFT  KERN_PICK(1e-13, 1e-6)
-/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding. */
-#define KERN_THREE_TOL   KERN_PICK(1e-12, 1e-5)
-/* The same, above which the solution needs no refinement. */
-#define KERN_THREE_GOOD  KERN_PICK(1e-4, 1e-2)
-/* Norm of the forces, in loads of a cluster, beyond which it counts as
-   infeasible. Larger, clusters grow later and Newton's method takes more
-   steps: without the bound trying a stone costs 4 % more. */
-#define KERN_NORM_MOST   KERN_R(50)
-/* Share of the largest velocity below which two blocks do not approach. */
-#define KERN_PARTING     KERN_PICK(1e-6, 1e-3)
-#define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
-#define KERN_FORCES_ROUNDS 100     /* of all groups                           */
-#define KERN_PASS_ROUNDS   8       /* of one group                            */
-#define KERN_ROWS_MOST     12      /* contacts of one group                   */
-#define KERN_CLUSTER_MOST  20      /* groups of a cluster, and one more       */
-#define KERN_CLUSTER_SHARE 32      /* for so many groups of the structure     */
-#define KERN_CLUSTER_ONCE  4       /* a cluster's share of few groups: in a   */
-#define KERN_CLUSTER_AGAIN 5       /* verdict, and in a search                */
-#define KERN_PASS_BUDGET   1500    /* products for each group and contact     */
-#define KERN_PASS_LARGEST  400000  /* of these: their product is an int       */
-
 /* The approach of contact i at which its law exerts the force of the answer.
    Newton's method begins there, and finds the least change of the forces. */
 static inline void kern_model_prior(const kern_model *m, int i,
@@ -4219,7 +4299,7 @@ static void kern_norm_matrix(kern_part *p, int all)
         if (s.nn > 0)
             kern_part_add(p, k, &s);
     }
-    kern_skyline_shift(a, KERN_NORM_SHIFT);
+    kern_skyline_shift(a, KERN_SHIFT);
 }
 
 /* The dual's derivative at u + share * step, along it; `push`: the loads'. */
@@ -4352,7 +4432,7 @@ static int kern_norm_layers(kern_part *p, int first, int n)
 }
 
 /* Orders the groups for short rows of the factor: in layers around one in the
-   last layer of two rounds, from the last place down (reverse Cuthill-McKee). */
+   last layer of two rounds, from the last place down (reverse Cuthill-McKee) */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -4751,7 +4831,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 static int kern_pass_parts(kern_part *p)
 {
     const kern_model *m = p->m;
-    const kern_real most = KERN_PARTING
+    const kern_real most = KERN_AT_REST
                            * kern_largest(p->dual.u, 3 * p->groups);
     kern_real power = KERN_R(0);
     int n, j, k;
@@ -5213,17 +5293,6 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 
 /* ---- Searching a path ------------------------------------------ >>search */
 /* Verdicts along a path; the critical value is the place where they change. */
-
-#define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
-#define KERN_PARTS_MOST    8       /* parts that fall, before the whole       */
-#define KERN_BENDS         8       /* Newton steps from bend to bend          */
-/* From the critical value to either end of its bracket, as a share of
-   KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
-#define KERN_ASIDE KERN_R(0.45)
-/* A body less than so many times as far as a known value is asked before it. */
-#define KERN_BODY_NEAR KERN_R(1.25)
-/* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
-#define KERN_NEAR  KERN_R(0.12)
 
 /* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
    if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
@@ -5706,9 +5775,6 @@ static int kern_start_falls(kern_model *m, kern_path *path)
     return 1;
 }
 
-/* A block this slow rests, where the fastest of a mechanism has speed 1. */
-#define KERN_AT_REST       KERN_PICK(1e-6, 1e-3)
-
 static int kern_moves(const kern_model *m, int i)
 {
     const kern_motion *v = m->answer.motion + i;
@@ -6021,16 +6087,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
    has to take into account. */
 
 #ifndef KERN_NO_INTERIOR
-#define KERN_IPM_ROUNDS  100       /* steps of a question                     */
-#define KERN_IPM_STALLED 8         /* that shorten the gap by less than .1    */
-#define KERN_IPM_SHARE   KERN_R(0.9995)   /* of the way to x, z = 0 in a step */
-#define KERN_IPM_APART   KERN_R(0.03)     /* least x z, in means              */
-#define KERN_IPM_LOST    KERN_R(1e6)      /* gap that leaves no digits        */
-#define KERN_IPM_SHARP   KERN_R(1e-4)     /* gap, as a share of what s lacks of
-                                             the place, to predict by y       */
-/* On the diagonal of M, in means, at first and where M is singular. */
-#define KERN_IPM_SHIFT   KERN_PICK(1e-13, 1e-6)
-
 typedef struct kern_ipm {
     kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
     const kern_path *path;
@@ -6242,7 +6298,7 @@ static int kern_ipm_step(kern_ipm *in)
     kern_ipm_factor(in, KERN_R(0));
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
-        kern_ipm_factor(in, KERN_IPM_SHIFT);
+        kern_ipm_factor(in, KERN_SHIFT);
         kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
     }
     kern_ipm_predict(in);
@@ -6316,7 +6372,7 @@ static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
         in->d[i] = KERN_R(1);
     }
     kern_ipm_place(in, place);
-    kern_ipm_factor(in, KERN_IPM_SHIFT);
+    kern_ipm_factor(in, KERN_SHIFT);
     kern_skyline_solve(&p->dual.matrix, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
@@ -6531,26 +6587,6 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
    begin to slide any more, the map from prices to prices is linear. Along a
    load the method takes two differences, and prices fall slowly: else those of
    joints that lean on each other alternate. */
-
-/* The most that a proof takes for sticking, in approaches. */
-#define KERN_STICKS      KERN_PICK(2e-3, 0.2)
-/* How far loaded contacts may slide, in approaches of the one pressed most. */
-#define KERN_SLID        KERN_R(100)
-#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
-#define KERN_RAISE_WARM    10      /* from those of a smaller push            */
-#define KERN_RAISE_PATH    100     /* from those of a smaller load            */
-#define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
-/* Rounds, beside as many as before, in which squared changes of prices fall by
-   no fifth: along a load; in a step over a gap. */
-#define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
-#define KERN_RAISE_JUMP    ((int)KERN_PICK(15, 25))
-/* Steps of a load up to the load factor; once one has failed; over a gap below
-   a share of the load factor. Share of its fall that a price makes a round. */
-#define KERN_LOAD_STEPS    9
-#define KERN_LOAD_FINE     150
-#define KERN_LOAD_JUMP     30
-#define KERN_LOAD_NEAR     KERN_R(0.94)
-#define KERN_LOAD_FALL     KERN_R(0.3)
 
 static kern_real kern_prove_raised(const kern_structure *s,
                                    const kern_query *q,
@@ -8773,22 +8809,6 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    Vectors over the rows have three more places at their end: there lie the rows
    of the group that a column leads to which leads to none. Reading it gives 0,
    writing to it has no effect, and no loop tests for it. */
-
-/* A column whose part outside of the basis is a smaller share of it depends on
-   the basis. */
-#define KERN_RANK_TOL    KERN_PICK(1e-7, 1e-4)
-/* Least pivot of a column in its own group, where its entries are about 1. Less
-   makes the inverse grow from course to course, more fills it. */
-#define KERN_OWN_TOL     KERN_R(0.03)
-/* Residual of the basic solution at which refinement ends, and above which the
-   basis is made anew. */
-#define KERN_REFINE_TOL  KERN_PICK(1e-15, 2e-7)
-#define KERN_REFACTOR_TOL   KERN_PICK(1e-12, 1e-5)
-#define KERN_REFACTOR      40      /* most pivots between factorisations      */
-/* Determinant of three columns that are said to depend on each other. */
-#define KERN_CRASH_TOL   KERN_PICK(1e-6, 1e-4)
-#define KERN_CRASH_MOST    12      /* columns of a group tried for the crash  */
-#define KERN_CRASH_PULL     2      /* loads that a crash column may pull      */
 
 /* ---- columns ---- */
 

@@ -16,6 +16,7 @@ import tempfile
 MOST = 16  # fields
 TABLE = 'tests/rooms.txt'
 STRUCT = re.compile(r'^(?:typedef )?struct (kern_\w+) \{([^{}]*)\}', re.M)
+CONSTANT = re.compile(r'#define (KERN_\w+) +(?!\(-1\))[-(\dK]')
 RULER = re.compile(r'^/\* (?:----|====).*>>(\w+)')
 
 
@@ -82,6 +83,15 @@ def touched(text):
     return count, fields
 
 
+def strays(text):
+    """Constants of the implementation outside of their chapters."""
+    start = text[:text.index('==== Part III')].count('\n')
+    for tag, line in list(zip(chapters(text), text.split('\n')))[start:]:
+        m = CONSTANT.match(line)
+        if m and tag not in ('tune', 'tol'):
+            yield '%s stands in >>%s' % (m[1], tag)
+
+
 def row(name, count, fields, old):
     """The own chapter stays first; else it is the one that touches it most."""
     tags = sorted(count, key=lambda tag: (-count[tag], tag))
@@ -109,6 +119,9 @@ def main():
         print('\n'.join(new))
         return
     bad = 0
+    for stray in strays(text):
+        print(stray)
+        bad += 1
     for name, line in zip(count, new):
         then = '%s: %s' % (name, ' '.join(old.get(name, ['nowhere'])))
         if sorted(line.split()) != sorted(then.split()):
