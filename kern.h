@@ -1583,6 +1583,10 @@ static void kern_clip(kern_real *low, kern_real *high, kern_real at,
     }
 }
 
+/* Velocity of a point of a body, at an arm from its centre. */
+static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
+{ return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x); }
+
 static kern_real kern_block_size(const kern_block *block)
 {
     return KERN_SQRT(kern_abs(block->area));
@@ -2273,12 +2277,11 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     int end;
     for (end = 0; end < 2; end++) { /* of b, less that of a */
         const kern_motion *m = motion + (end ? c->b : c->a);
-        const kern_real x = m->vx - m->spin * arm[end].y;
-        const kern_real y = m->vy + m->spin * arm[end].x;
+        const kern_vec u = kern_velocity(m, arm[end]);
         const kern_real spin = 3 * kern_abs(m->spin);
-        v = kern_vec_make(x - v.x, y - v.y);
-        lost.x += kern_abs(x) + spin * (kern_abs(arm[end].y) + shift * nx);
-        lost.y += kern_abs(y) + spin * (kern_abs(arm[end].x) + shift * ny);
+        v = kern_vec_sub(u, v);
+        lost.x += kern_abs(u.x) + spin * (kern_abs(arm[end].y) + shift * nx);
+        lost.y += kern_abs(u.y) + spin * (kern_abs(arm[end].x) + shift * ny);
     }
     lost.x += 5 * kern_abs(v.x);
     lost.y += 5 * kern_abs(v.y);
@@ -3505,13 +3508,14 @@ static kern_motion kern_meeting_motion(const kern_structure *s,
                                        const kern_contact *c,
                                        const kern_motion *motion)
 {
-    const kern_motion a = motion[c->a], b = motion[c->b];
+    const kern_motion *a = motion + c->a, *b = motion + c->b;
     kern_motion v;
-    kern_vec arm[2];
+    kern_vec arm[2], u;
     kern_arms(s, c, q, arm);
-    v.vx = b.vx - b.spin * arm[1].y - (a.vx - a.spin * arm[0].y);
-    v.vy = b.vy + b.spin * arm[1].x - (a.vy + a.spin * arm[0].x);
-    v.spin = b.spin - a.spin;
+    u = kern_vec_sub(kern_velocity(b, arm[1]), kern_velocity(a, arm[0]));
+    v.vx = u.x;
+    v.vy = u.y;
+    v.spin = b->spin - a->spin;
     return v;
 }
 
@@ -3584,10 +3588,10 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
 {
     const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
     const kern_motion v = motion[i], w = motion[j];
-    const kern_real x = v.vx - v.spin * r.y - w.vx;
-    const kern_real y = v.vy + v.spin * r.x - w.vy;
+    const kern_vec apart = kern_vec_sub(kern_velocity(&v, r),
+                                        kern_vec_make(w.vx, w.vy));
     const kern_real turn = (v.spin - w.spin) * kern_vec_length(r);
-    return KERN_SQRT(x * x + y * y) < KERN_REST && kern_abs(turn) < KERN_REST;
+    return kern_vec_length(apart) < KERN_REST && kern_abs(turn) < KERN_REST;
 }
 
 /* Groups around the fastest block that is in none. */
