@@ -8825,77 +8825,62 @@ static kern_real kern_largest(const kern_real *v, int n)
     return size;
 }
 
-/* y.A_j of columns j and j + 1, which in a network have the same ends. */
-static void kern_lp_pair(const kern_program *lp, int j, const kern_real *y,
-                         kern_real d[2])
-{
-    int k, i;
-    if (lp->ends) {
-        const kern_real *c = lp->a + 4 * (size_t)j;
-        const kern_real *h = y + 3 * lp->ends[j], *t = y + 3 * lp->ends[j + 1];
-        const kern_real u = h[0] - t[0], v = h[1] - t[1];
-        d[0] = c[0] * u + c[1] * v + c[2] * h[2] + c[3] * t[2];
-        d[1] = c[4] * u + c[5] * v + c[6] * h[2] + c[7] * t[2];
-        return;
-    }
-    for (k = 0; k < 2; k++) {
-        const kern_real *c = lp->a + (size_t)(j + k) * (size_t)lp->rows;
-        d[k] = KERN_R(0);
-        for (i = 0; i < lp->rows && j + k < lp->cols; i++)
-            d[k] += c[i] * y[i];
-    }
-}
+/* Column j where it is dense: of the place what its growth adds to rhs. */
+static const kern_real *kern_lp_dense(const kern_program *lp, int j)
+{ return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows; }
 
 /* y.A_j of a column, or of the place. */
 static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y)
 {
-    kern_real d[2] = {KERN_R(0), KERN_R(0)};
+    const kern_real *c;
+    kern_real sum = KERN_R(0);
     int i;
-    if (j < lp->cols)
-        kern_lp_pair(lp, j & ~1, y, d);
-    for (i = 0; i < lp->rows && j == lp->cols; i++)
-        d[j & 1] -= lp->rate[i] * y[i];
-    return d[j & 1];
+    if (lp->ends && j < lp->cols) {
+        const kern_real *h = y + 3 * lp->ends[j & ~1];
+        const kern_real *t = y + 3 * lp->ends[j | 1];
+        c = lp->a + 4 * (size_t)j;
+        return c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
+               + c[3] * t[2];
+    }
+    c = kern_lp_dense(lp, j);
+    for (i = 0; i < lp->rows; i++)
+        sum += c[i] * y[i];
+    return j == lp->cols ? -sum : sum;
 }
 
 /* v -= s * variable j */
 static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
                              kern_real *v)
 {
-    int i;
     if (j > lp->cols)
         v[j - lp->cols - 1] -= s;
-    else if (j == lp->cols) {
-        for (i = 0; i < lp->rows; i++)
-            v[i] += s * lp->rate[i];
-    } else if (lp->ends) {
+    else if (lp->ends && j < lp->cols) {
         const kern_real *c = lp->a + 4 * (size_t)j;
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
         h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
         t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
     } else {
-        const kern_real *c = lp->a + (size_t)j * (size_t)lp->rows;
+        const kern_real *c = kern_lp_dense(lp, j);
+        int i;
+        s = j == lp->cols ? -s : s;
         for (i = 0; i < lp->rows; i++)
             v[i] -= s * c[i];
     }
 }
 
-/* Which end of column j of a network is first in the order of carrying: 0, its
-   head, or 1, its tail. */
-static int kern_lp_end(const kern_program *lp, int j)
-{ return lp->ends[j | 1] < lp->ends[j & ~1]; }
-
-/* Column j's entries in the rows of the group whose own it is, or those of its
-   other end; returns the first of these rows. */
+/* Column j's entries in the rows of the group whose own it is, the first of its
+   ends in the order of carrying, or those of its other end; returns the first
+   of these rows. */
 static int kern_lp_part(const kern_program *lp, int j, int other,
                         kern_real out[3])
 {
-    const int end = kern_lp_end(lp, j) ^ other;
+    const int *ends = lp->ends + (j & ~1);
+    const int end = (ends[1] < ends[0]) ^ other;
     const kern_real *c = lp->a + 4 * (size_t)j;
     out[0] = end ? -c[0] : c[0];
     out[1] = end ? -c[1] : c[1];
     out[2] = c[2 + end];
-    return 3 * lp->ends[(j & ~1) + end];
+    return 3 * ends[end];
 }
 
 /* ---- the basis ---- */
@@ -9094,7 +9079,8 @@ static void kern_simplex_crash(kern_simplex *sx)
         first[j] = KERN_OUT;
     }
     for (j = lp->cols - 1; j >= 0; j--) {
-        g = lp->ends[(j & ~1) + kern_lp_end(lp, j)];
+        kern_real part[3];
+        g = kern_lp_part(lp, j, 0, part) / 3;
         next[j] = first[g];
         first[g] = j;
     }
@@ -9372,7 +9358,7 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
 {
     const kern_program *lp = sx->lp;
     const int costs = !sx->violated, all = lp->cols + lp->follow;
-    kern_real d[2], least;
+    kern_real least;
     int j, best = KERN_OUT;
     if (costs && !kern_lp_costs(lp))
         return KERN_OUT;
@@ -9380,16 +9366,18 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
     if (sx->gain <= least)
         return KERN_OUT;
     sx->gain = KERN_R(0);
-    for (j = 0; j < all && !(first && sx->gain > least); j++) {
-        if (j == lp->cols)
-            d[j & 1] = kern_lp_dot(lp, j, sx->price);
-        else if (j % 2 == 0)
-            kern_lp_pair(lp, j, sx->price, d);
+    for (j = 0; j < all; j++) {
+        kern_real d;
+        if (sx->place[j] != KERN_OUT)
+            continue;
+        d = kern_lp_dot(lp, j, sx->price);
         if (costs)
-            d[j & 1] -= kern_lp_cost(lp, j);
-        if (d[j & 1] > sx->gain && sx->place[j] == KERN_OUT) {
+            d -= kern_lp_cost(lp, j);
+        if (d > sx->gain) {
             best = j;
-            sx->gain = d[j & 1];
+            sx->gain = d;
+            if (first && d > least)
+                break;
         }
     }
     return sx->gain > least ? best : KERN_OUT;
