@@ -9384,53 +9384,39 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
 }
 
 /* How much the slope of the sum rises when the basic variable of row p, which
-   falls at the rate alpha, passes zero, and in `at` where that is. */
+   falls at the rate alpha, passes zero, and in `at` where that is. What
+   violates may move towards zero only, what must be zero leaves it at once. */
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
-    const kern_real a = sx->alpha[p], c = sx->slope[p];
-    *at = KERN_R(0);
-    if (c < 0 || c > 0) {
-        if ((c < 0) != (a < 0))
-            return KERN_R(0);
-        *at = sx->value[p] / a;
-        return kern_abs(a) * KERN_R(1 + fixed);
-    }
-    if (!fixed && a < 0)
+    const kern_real a = sx->alpha[p], falls = sx->slope[p] * a;
+    if (falls < 0 || (!fixed && a < 0 && !(falls > 0)))
         return KERN_R(0);
-    if (!fixed)
-        *at = kern_max(sx->value[p], KERN_R(0)) / a;
-    return kern_abs(a);
+    *at = falls > 0 ? sx->value[p] / a
+          : fixed ? KERN_R(0) : kern_max(sx->value[p], KERN_R(0)) / a;
+    return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
-/* Lists in sx->list the rows whose variables reach zero on the way on which the
-   entering column takes them, and where, in sx->ratio. */
-static int kern_breaks(kern_simplex *sx)
-{
-    const int m = sx->lp->rows;
-    const kern_real least = KERN_PIVOT_TOL * kern_largest(sx->alpha, m);
-    int p, n = 0;
-    for (p = 0; p < m; p++) {
-        if (!(kern_abs(sx->alpha[p]) > least))
-            continue;
-        sx->list[n] = p;
-        n += kern_break(sx, p, sx->ratio + n) > 0;
-    }
-    return n;
-}
-
-/* The ratio test goes on past every variable that reaches zero as long as the
-   sum of violations still falls: a long step, which passes through degenerate
-   corners. With `first`, and for costs, it stops at the first: of equals that
-   of the least index (Bland), or of the largest pivot. */
+/* The row that the entering column takes, and how far it goes, from those whose
+   variables reach zero on the way. The ratio test goes on past every one as
+   long as the sum of violations still falls: a long step, which passes through
+   degenerate corners. With `first`, and for costs, it stops at the first: of
+   equals that of the least index (Bland), or of the largest pivot. */
 static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
 {
     const kern_real enough = sx->gain * KERN_R(64) * KERN_EPS;
+    const kern_real least = KERN_PIVOT_TOL
+                            * kern_largest(sx->alpha, sx->lp->rows);
     const int once = first || !sx->violated;
-    kern_real *at = sx->ratio, left = sx->gain, ignored;
-    int *list = sx->list, n = kern_breaks(sx), best = KERN_OUT;
+    kern_real *at = sx->ratio, left = sx->gain;
+    int *list = sx->list, i, n = 0, best = KERN_OUT;
+    for (i = 0; i < sx->lp->rows; i++)
+        if (kern_abs(sx->alpha[i]) > least) {
+            list[n] = i;
+            n += kern_break(sx, i, at + n) > 0;
+        }
     while (n > 0 && (best == KERN_OUT || (!once && left > enough))) {
-        int i, next = 0;
+        int next = 0;
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
                 || (once && at[i] <= at[next]
@@ -9438,9 +9424,8 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
                               : kern_abs(sx->alpha[list[i]])
                                 > kern_abs(sx->alpha[list[next]]))))
                 next = i;
-        *step = at[next];
         best = list[next];
-        left -= kern_break(sx, best, &ignored);
+        left -= kern_break(sx, best, step);
         n--;
         at[next] = at[n];
         list[next] = list[n];
