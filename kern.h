@@ -9076,9 +9076,10 @@ static void kern_simplex_crash(kern_simplex *sx)
     for (j = 0; j < lp->rows; j++) {
         sx->base[j] = lp->cols + 1 + j; /* its logical */
         sx->alpha[j] = lp->rhs[j];
+        sx->slope[j] = KERN_R(0);
         first[j] = KERN_OUT;
     }
-    for (j = lp->cols - 1; j >= 0; j--) {
+    for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
         kern_real part[3];
         g = kern_lp_part(lp, j, 0, part) / 3;
         next[j] = first[g];
@@ -9115,8 +9116,6 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (!lp->ends || j == lp->cols)
         return 0;
     row = kern_lp_part(lp, j, 0, part);
-    if (row == lp->rows)
-        return 0;
     block = sx->factors.block + 6 * (size_t)row;
     for (k = 0; k < 3; k++) {
         alpha[k] = kern_three(block + 6 * k, part);
@@ -9211,14 +9210,15 @@ static void kern_basis_refactorise(kern_simplex *sx)
     for (i = 0; i <= lp->cols; i++)
         sx->place[i] = KERN_OUT;
     for (p = 0; p < lp->rows; p++) {
+        sx->list[p] = sx->base[p];
+        sx->base[p] = lp->cols + 1 + p;
+        sx->value[p] = KERN_R(0);
+    }
+    for (p = 0; p < 3 * f->groups; p++) {
         kern_real *own = f->block + 6 * (size_t)p;
-        const int logical = lp->cols + 1 + p;
-        sx->list[p] = sx->state == KERN_BASIS_NONE ? logical : sx->base[p];
-        sx->base[p] = logical;
-        for (i = 0; i < 6 && f->groups > 0; i++)
+        for (i = 0; i < 6; i++)
             own[i] = KERN_R(i == p % 3);
-        if (f->groups > 0)
-            f->to[p] = lp->rows;
+        f->to[p] = lp->rows;
     }
     f->count = f->first[0] = 0;
     for (p = 0; p < lp->rows; p++)
@@ -9227,8 +9227,6 @@ static void kern_basis_refactorise(kern_simplex *sx)
     for (i = 0; i < left; i++)
         kern_left_enter(sx, sx->list[i]);
     f->fresh = f->count;
-    for (p = 0; p < lp->rows; p++)
-        sx->value[p] = KERN_R(0);
     sx->state = KERN_BASIS_READY;
     sx->gain = KERN_INFINITY;
     kern_basis_values(sx);
@@ -9518,7 +9516,6 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
 {
     const int m = lp->rows, n = (m + 2) / 3;
     kern_factors *f = &sx->factors;
-    int p;
     sx->lp = lp;
     sx->state = KERN_BASIS_NONE;
     sx->groups = n;
@@ -9539,8 +9536,6 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->alpha = kern_take_reals(take, 3 * n + 3);
     sx->price = kern_take_reals(take, 3 * n + 3);
     sx->ratio = kern_take_reals(take, m);
-    for (p = 0; p < m && kern_take_fits(take); p++)
-        sx->slope[p] = KERN_R(0);
 }
 
 /* The next program begins without a basis, or where columns changed from the
@@ -9585,7 +9580,7 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
         && !kern_spend(work, lp->limit, lp->ends ? (lp->rows + lp->cols) / 2
                                                  : lp->rows * (lp->cols / 64)))
         return KERN_LIMIT;
-    if (sx->state == KERN_BASIS_NONE && lp->ends)
+    if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
         || !kern_basis_values(sx))
