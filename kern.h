@@ -1474,7 +1474,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Determinant of three columns that are said to depend on each other. */
 #define KERN_CRASH_TOL     KERN_PICK(1e-6, 1e-4)
 #define KERN_CRASH_MOST    12      /* columns of a group tried for the crash  */
-#define KERN_CRASH_PULL    2       /* loads that a crash column may pull      */
+#define KERN_CRASH_PULL    KERN_R(2) /* loads that a crash column may pull    */
 
 /* ---- raised ---- */
 
@@ -8997,14 +8997,20 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
 }
 
 /* Of the n columns `mine` of group g the three that carry its load with the
-   largest least share: they become basic, and pass on what they exert. */
-static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
+   largest least share: they become basic, and pass on what they exert. 0: there
+   are none, or one would have to pull more than so many loads. */
+static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n,
+                             kern_real pull)
 {
     const kern_real *load = sx->alpha + 3 * g;
     kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY, share[3];
-    int i, j, k, take[3] = {KERN_OUT, KERN_OUT, KERN_OUT};
-    for (i = 0; i < n; i++)
-        kern_lp_part(sx->lp, mine[i], 0, part[i]);
+    int i, j, k, take[3];
+    for (i = 0; i < n; i++) {
+        part[i][0] = part[i][1] = KERN_R(0); /* a logical of the torque */
+        part[i][2] = KERN_R(1);
+        if (mine[i] < sx->lp->cols)
+            kern_lp_part(sx->lp, mine[i], 0, part[i]);
+    }
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
             const kern_real *a = part[i], *b = part[j];
@@ -9025,33 +9031,14 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n)
                 }
             }
         }
-    if (best < -KERN_CRASH_PULL * (kern_abs(load[0]) + kern_abs(load[1])))
+    if (!(best >= -pull * (kern_abs(load[0]) + kern_abs(load[1]))))
         return 0;
-    for (k = 0; k < 3 && take[0] != KERN_OUT; k++) {
+    for (k = 0; k < 3; k++) {
         sx->base[3 * g + k] = take[k];
         kern_lp_subtract(sx->lp, take[k], kern_max(share[k], KERN_R(0)),
                          sx->alpha);
     }
-    return take[0] != KERN_OUT;
-}
-
-/* Two columns of group g carry its load, but for the torque: that is left to a
-   logical. */
-static void kern_crash_pair(kern_simplex *sx, int g, const int *mine)
-{
-    const kern_real *load = sx->alpha + 3 * g;
-    kern_real a[3], b[3], share[2], det;
-    int k;
-    kern_lp_part(sx->lp, mine[0], 0, a);
-    kern_lp_part(sx->lp, mine[1], 0, b);
-    det = a[0] * b[1] - a[1] * b[0];
-    share[0] = (load[0] * b[1] - load[1] * b[0]) / det;
-    share[1] = (a[0] * load[1] - a[1] * load[0]) / det;
-    for (k = 0; k < 2 && kern_abs(det) > KERN_OWN_TOL; k++) {
-        sx->base[3 * g + k] = mine[k];
-        kern_lp_subtract(sx->lp, mine[k], kern_max(share[k], KERN_R(0)),
-                         sx->alpha);
-    }
+    return 1;
 }
 
 /* Whether column j pushes its group against its load. */
@@ -9065,9 +9052,10 @@ static int kern_crash_faces(const kern_simplex *sx, int j)
               * (load[0] * load[0] + load[1] * load[1]);
 }
 
-/* The crash basis of a network: from top to bottom three columns of each group
-   carry what it bears, those that face its load if they can; else two; else
-   logicals. Of many columns every second, fourth, ... is tried. */
+/* Logicals, but for a network: from top to bottom three columns of each group
+   carry what it bears, those that face its load if they can; else two, which
+   leave the torque to a logical. Of many columns every second, fourth, ... is
+   tried. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -9097,9 +9085,11 @@ static void kern_simplex_crash(kern_simplex *sx)
                 if (seen++ % stride == 0)
                     mine[n++] = j;
             }
-            done = kern_crash_choose(sx, g, mine, n);
-            if (any && !done && n > 1)
-                kern_crash_pair(sx, g, mine);
+            done = kern_crash_choose(sx, g, mine, n, KERN_CRASH_PULL);
+            if (any && !done && n > 1) {
+                mine[2] = sx->base[3 * g + 2];
+                kern_crash_choose(sx, g, mine, 3, KERN_BOUND);
+            }
         }
     sx->state = KERN_BASIS_STALE;
 }
