@@ -9625,13 +9625,12 @@ static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 }
 
 /* What the sum of u v over n numbers, those of v so far apart, leaves of
-   `from`; in `terms` the sum of all without signs. */
+   `from`; adds it without signs to *terms. */
 static kern_real kern_lp_residual(kern_real from, const kern_real *u,
                                   const kern_real *v, int apart, int n,
                                   kern_real *terms)
 {
     int i;
-    *terms = kern_abs(from);
     for (i = 0; i < n; i++, v += apart) {
         from -= u[i] * *v;
         *terms += kern_abs(u[i] * *v);
@@ -9645,19 +9644,19 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
                         const kern_real *from)
 {
     const int rows = lp->rows, n = columns ? lp->cols : rows;
-    kern_real left, terms = KERN_R(0);
     int i;
-    for (i = 0; i < n && kern_is_finite(terms); i++) {
-        left = kern_lp_residual(from ? from[i] : KERN_R(0), u,
+    for (i = 0; i < n; i++) {
+        const kern_real at = from ? from[i] : KERN_R(0);
+        kern_real terms = kern_abs(at), left;
+        left = kern_lp_residual(at, u,
                             lp->a + (size_t)i * (size_t)(columns ? rows : 1),
                             columns ? 1 : rows, columns ? rows : lp->cols,
                             &terms);
-        if (columns && (from ? left : -left) > 0)
-            continue;
-        if (!(kern_abs(left) <= KERN_TOL * terms))
+        left = !columns ? kern_abs(left) : from ? -left : left;
+        if (!(left <= KERN_TOL * terms) || !kern_is_finite(terms))
             return 0;
     }
-    return kern_is_finite(terms);
+    return 1;
 }
 
 /* Whether x, or y, proves the status, by products with the matrix alone. Every
@@ -9666,22 +9665,22 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
+    const int none = status == KERN_LP_INFEASIBLE;
     const int ray = status == KERN_LP_UNBOUNDED;
-    kern_real paid, spent, value;
-    const kern_real gain = -kern_lp_residual(KERN_R(0), y, lp->rhs, 1, lp->rows,
-                                         &paid);
-    if (status == KERN_LP_INFEASIBLE)
-        return kern_lp_side(lp, y, 1, NULL) && gain < -KERN_TOL * paid
-               && kern_is_finite(paid);
-    if (!kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
+    kern_real terms = KERN_R(0), gap = KERN_R(0);
+    if (none ? !kern_lp_side(lp, y, 1, NULL)
+             : !kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
         return 0;
-    if (!lp->cost)
+    if (!none && !lp->cost)
         return 1;
-    value = -kern_lp_residual(KERN_R(0), lp->cost, x, 1, lp->cols, &spent);
-    if (ray)
-        return value < -KERN_TOL * spent && kern_is_finite(spent);
-    return kern_lp_side(lp, y, 1, lp->cost) && kern_is_finite(spent + paid)
-           && kern_abs(value - gain) <= KERN_TOL * (spent + paid);
+    if (!ray)
+        gap = kern_lp_residual(gap, y, lp->rhs, 1, lp->rows, &terms);
+    if (!none)
+        gap = kern_lp_residual(-gap, lp->cost, x, 1, lp->cols, &terms);
+    if (none || ray)
+        return gap > KERN_TOL * terms;
+    return kern_lp_side(lp, y, 1, lp->cost) && kern_is_finite(terms)
+           && kern_abs(gap) <= KERN_TOL * terms;
 }
 
 /* The same; where nothing else is in a row the last digits of x or y are all
