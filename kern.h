@@ -9422,13 +9422,14 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
 }
 
 /* Counts a pivot: a column, prices, and what both cost of factors. */
-static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
+static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 {
     const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
                       1 + (sx->factors.first[sx->factors.count]
                            + 2 * sx->factors.groups) / 16
-                      + (sx->lp->ends ? cols / 48 : rows * (cols / 256)));
+                      + (sx->lp->ends ? cols / 48 : rows * (cols / 256)))
+           ? KERN_OK : KERN_LIMIT;
 }
 
 /* The pivot in which column q takes row p. KERN_NO_SPACE and KERN_LIMIT: there
@@ -9436,10 +9437,10 @@ static int kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
                                       int p, kern_real step)
 {
-    if (kern_basis_full(sx))
-        return KERN_NO_SPACE;
-    if (!kern_pivot_spend(sx, work))
-        return KERN_LIMIT;
+    const kern_status status = kern_basis_full(sx) ? KERN_NO_SPACE
+                               : kern_pivot_spend(sx, work);
+    if (status != KERN_OK)
+        return status;
     kern_basis_add(sx, -step);
     if (sx->base[p] <= sx->lp->cols)
         sx->place[sx->base[p]] = KERN_OUT;
@@ -9543,18 +9544,6 @@ static kern_real kern_simplex_place(const kern_simplex *sx)
     return p == KERN_OUT ? KERN_R(0) : sx->value[p];
 }
 
-/* The solution to x, or where column `ray` is not KERN_OUT the ray along which
-   the costs fall. */
-static void kern_simplex_read(const kern_simplex *sx, int ray, kern_real *x)
-{
-    int i, p;
-    for (i = 0; i < sx->lp->cols; i++)
-        x[i] = KERN_R(i == ray);
-    for (p = 0; p < sx->lp->rows; p++)
-        if (sx->base[p] < sx->lp->cols)
-            x[sx->base[p]] = ray == KERN_OUT ? sx->value[p] : -sx->alpha[p];
-}
-
 #ifdef KERN_USE_GLPK
 #define KERN_LP_H_ALLOWED
 #include "kern_lp.h"
@@ -9575,15 +9564,15 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
     if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
         || !kern_basis_values(sx))
         kern_basis_refactorise(sx);
-    kern_pivot_spend(sx, work);
-    return kern_spent(work, lp->limit, KERN_OK);
+    return kern_pivot_spend(sx, work);
 }
 
 /* The one entry of the engine. Starts from the last basis, or that of
    kern_simplex_crash(), or logicals. x is written for every verdict: one that
    falls leaves A x = rhs in it, with what is negative about it, which tells how
-   the verdict changes with the matrix. y is written for KERN_LP_INFEASIBLE, and
-   with costs for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
+   the verdict changes with the matrix; an unbounded program, the ray along which
+   the costs fall. y is written for KERN_LP_INFEASIBLE, and with costs for
+   KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
@@ -9606,10 +9595,15 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     sx->gain = costs ? KERN_INFINITY : sx->gain;
     if (status < 0)
         return status;
-    kern_simplex_read(sx, status == KERN_LP_UNBOUNDED ? ray : KERN_OUT, x);
-    for (i = 0; i < lp->rows; i++)
+    for (i = 0; i < lp->cols; i++)
+        x[i] = KERN_R(status == KERN_LP_UNBOUNDED && i == ray);
+    for (i = 0; i < lp->rows; i++) {
+        if (sx->base[i] < lp->cols)
+            x[sx->base[i]] = status == KERN_LP_UNBOUNDED ? -sx->alpha[i]
+                                                         : sx->value[i];
         y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
                : costs ? sx->price[i] : KERN_R(0);
+    }
     return status;
 }
 
