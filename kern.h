@@ -8140,57 +8140,43 @@ static void kern_pair_filter(kern_pair *pair)
     pair->count = kept;
 }
 
-typedef struct kern_face {
-    kern_contact lead;
-    kern_vec low, high;     /* outermost points along its tangent         */
-    kern_real least, most;  /* where they are, from its middle on         */
-    kern_vec sum;           /* of normals times lengths                   */
-} kern_face;
-
-/* Takes a contact into the face; 0: it belongs to another. */
-static int kern_face_join(kern_face *face, const kern_pair *pair,
-                          const kern_contact *c)
-{
-    const kern_vec n = face->lead.n, r = kern_vec_sub(c->p, face->lead.p);
-    const kern_real cosine = kern_vec_dot(n, c->n);
-    const kern_real sine = kern_abs(kern_vec_cross(n, c->n));
-    const kern_real along = kern_vec_cross(n, r);
-    const kern_real half = c->travel * cosine;
-    if (!(cosine > 0) || sine > pair->sine
-        || kern_abs(kern_vec_dot(n, r)) + c->travel * sine > pair->gap)
-        return 0;
-    if (along - half < face->least) {
-        face->least = along - half;
-        face->low = kern_line_end(c, -1);
-    }
-    if (along + half > face->most) {
-        face->most = along + half;
-        face->high = kern_line_end(c, 1);
-    }
-    face->sum = kern_vec_step(face->sum, c->line ? 2 * c->travel : pair->gap,
-                              c->n);
-    return 1;
-}
-
 /* Makes a face of contact i and all that join it. */
 static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *at = pair->out;
-    kern_face face;
-    kern_vec n;
+    const kern_contact lead = at[i];
+    kern_vec low = lead.p, high = lead.p; /* outermost points            */
+    kern_real least = KERN_R(0), most = KERN_R(0); /* where they are     */
+    kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals    */
     kern_real half;
     int k, rest = i + 1;
-    face.lead = at[i];
-    face.low = face.high = face.lead.p;
-    face.least = face.most = KERN_R(0);
-    face.sum = kern_vec_make(KERN_R(0), KERN_R(0));
-    for (k = i; k < pair->count; k++) /* itself first */
-        if (!kern_face_join(&face, pair, &at[k]) && k > i)
-            at[rest++] = at[k];
+    for (k = i; k < pair->count; k++) { /* itself first */
+        const kern_contact *c = &at[k];
+        const kern_vec r = kern_vec_sub(c->p, lead.p);
+        const kern_real cosine = kern_vec_dot(lead.n, c->n);
+        const kern_real sine = kern_abs(kern_vec_cross(lead.n, c->n));
+        const kern_real along = kern_vec_cross(lead.n, r);
+        if (!(cosine > 0) || sine > pair->sine
+            || kern_abs(kern_vec_dot(lead.n, r)) + c->travel * sine
+               > pair->gap) {
+            at[rest++] = *c;
+            continue;
+        }
+        half = c->travel * cosine;
+        if (along - half < least) {
+            least = along - half;
+            low = kern_line_end(c, -1);
+        }
+        if (along + half > most) {
+            most = along + half;
+            high = kern_line_end(c, 1);
+        }
+        sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
+    }
     pair->count = rest;
-    n = kern_vec_unit(face.sum);
-    half = kern_vec_cross(n, kern_vec_sub(face.high, face.low)) / 2;
-    kern_line_set(&at[i], kern_vec_mid(face.low, face.high), n,
+    sum = kern_vec_unit(sum);
+    half = kern_vec_cross(sum, kern_vec_sub(high, low)) / 2;
+    kern_line_set(&at[i], kern_vec_mid(low, high), sum,
                   2 * half > pair->foot ? half : KERN_R(0));
 }
 
