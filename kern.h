@@ -7965,20 +7965,19 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
               >= -KERN_STEP_SINE * kern_vec_length(way);
 }
 
-/* Adds a contact of edges i of a and k of b, on their chords: midway between
-   two that run against each other, else on the one inside of whose ends it lies
-   farther. A point is a corner of a (0) or of b (1), which has no normal at the
-   end of its own chord. */
-static void kern_pair_add(kern_pair *pair, const kern_edge *i,
-                          const kern_edge *k, kern_vec p, kern_vec n,
-                          kern_real half, int corner)
+/* Adds a contact of two edges, on their chords: midway between two that run
+   against each other, else on the one inside of whose ends it lies farther. A
+   point is a corner of a (0) or of b (1), which has no normal at the end of its
+   own chord. */
+static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
+                          kern_vec n, kern_real half, int corner)
 {
     kern_edge e[2];
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(kern_outline_chord(&pair->of[0], i, &e[0])
-          | kern_outline_chord(&pair->of[1], k, &e[1]))) {
+    if (!(kern_outline_chord(&pair->of[0], edge, &e[0])
+          | kern_outline_chord(&pair->of[1], edge + 1, &e[1]))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
@@ -8022,9 +8021,9 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
    mean tangent t and mean normal n both are heights over s, e rises as f falls,
    and the gap between them opens at twice that slope: the line contact is where
    it is small enough, midway. */
-static void kern_pair_line(kern_pair *pair, const kern_edge *e,
-                           const kern_edge *f)
+static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
+    const kern_edge *e = edge, *f = edge + 1;
     const kern_vec r = kern_vec_sub(f->q, e->p); /* against round-off */
     kern_real at, cosine, slope, low, high, gap, wide;
     kern_vec t, n, p;
@@ -8044,7 +8043,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *e,
         return;
     p = kern_vec_step(e->p, (low + high) / 2, t);
     p = kern_vec_step(p, gap / 2, n);
-    kern_pair_add(pair, e, f, p, n, (high - low) / 2, 0);
+    kern_pair_add(pair, edge, p, n, (high - low) / 2, 0);
 }
 
 /* Does edge e of the block bear p: is the foot of p inside, or does e end
@@ -8061,12 +8060,12 @@ static int kern_edge_bears(const kern_edge *e, const kern_block *block,
                && kern_polygon_turn(block, e->end) < 0);
 }
 
-/* The corner where f starts stands on edge e, of a (on 0) or of b (1): it is
-   convex and within the gap, e bears it, and both its own edges lead to the
+/* The corner where edge f starts stands on edge e, of a (on 0) or of b (1): it
+   is convex and within the gap, e bears it, and both its own edges lead to the
    outer side. */
-static void kern_pair_point(kern_pair *pair, const kern_edge *f,
-                            const kern_edge *e, int on)
+static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
+    const kern_edge *e = &edge[on], *f = &edge[!on];
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *own = pair->of[!on].parts.block;
@@ -8083,24 +8082,22 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *f,
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
-    if (on)
-        kern_pair_add(pair, f, e, p, kern_vec_turn(e->d), 0, 0);
-    else
-        kern_pair_add(pair, e, f, p, kern_vec_outward(e->d), 0, 1);
+    kern_pair_add(pair, edge, p,
+                  on ? kern_vec_turn(e->d) : kern_vec_outward(e->d), 0, !on);
 }
 
 /* Looks for lines and points at each two edges that are near each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
     const kern_parts *a = &pair->of[0].parts, *b = &pair->of[1].parts;
-    kern_edge e, f;
-    kern_edge_open(&e);
-    while (kern_edge_next(&e, a, &b->block->box, pair->reach)) {
-        kern_edge_open(&f);
-        while (kern_edge_next(&f, b, &e.box, pair->reach)) {
-            kern_pair_line(pair, &e, &f);
-            kern_pair_point(pair, &e, &f, 1);
-            kern_pair_point(pair, &f, &e, 0);
+    kern_edge edge[2];
+    kern_edge_open(&edge[0]);
+    while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)) {
+        kern_edge_open(&edge[1]);
+        while (kern_edge_next(&edge[1], b, &edge[0].box, pair->reach)) {
+            kern_pair_line(pair, edge);
+            kern_pair_point(pair, edge, 1);
+            kern_pair_point(pair, edge, 0);
         }
     }
 }
