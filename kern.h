@@ -8120,18 +8120,17 @@ static int kern_line_passes(const kern_contact *line, const kern_contact *point,
            && off * off + beyond * beyond <= gap * gap;
 }
 
-/* Leaves out the points that belong to a line. */
+/* Leaves out the points that belong to a line: lines come first. */
 static void kern_pair_filter(kern_pair *pair)
 {
     kern_contact *at = pair->out;
-    int i, line, lines = pair->first, kept;
-    while (lines < pair->count && at[lines].line)
-        lines++;
-    for (i = kept = lines; i < pair->count; i++) {
-        for (line = pair->first; line < lines; line++)
-            if (kern_line_passes(&at[line], &at[i], pair->gap))
-                break;
-        if (line == lines)
+    int i, line, kept = pair->first;
+    for (i = kept; i < pair->count; i++) {
+        line = pair->first;
+        while (line < kept && at[line].line && !at[i].line
+               && !kern_line_passes(&at[line], &at[i], pair->gap))
+            line++;
+        if (line == kept || !at[line].line || at[i].line)
             at[kept++] = at[i];
     }
     pair->count = kept;
@@ -8202,40 +8201,51 @@ static int kern_together(const kern_contact *c, const kern_contact *d,
                 : kern_same_interface(c, d);
 }
 
-/* The midpoint, to *middle, of the two points farthest apart of those that
-   belong together with *of; of several such two the first by index. Returns
-   the square of their distance. */
-static kern_real kern_farthest(const kern_contact *contact, int contacts,
-                               const kern_contact *of, const kern_vec *down,
-                               kern_vec *middle)
+/* The middle of the two points farthest apart of those that belong together
+   with *of, one of them; of several such two the first by index. */
+static kern_vec kern_middle(const kern_contact *contact, int contacts,
+                            const kern_contact *of, const kern_vec *down)
 {
-    kern_real widest = KERN_R(-1);
+    kern_vec middle = of->p;
+    kern_real widest = KERN_R(0);
     int j, k;
     for (j = 0; j < contacts; j++)
-        for (k = j; k < contacts
-                    && kern_together(of, &contact[j], down); k++) {
+        for (k = j + 1; k < contacts
+                        && kern_together(of, &contact[j], down); k++) {
             const kern_vec d = kern_vec_sub(contact[k].p, contact[j].p);
             const kern_real square = kern_vec_dot(d, d);
             if (square > widest && kern_together(of, &contact[k], down)) {
                 widest = square;
-                *middle = kern_vec_mid(contact[j].p, contact[k].p);
+                middle = kern_vec_mid(contact[j].p, contact[k].p);
             }
         }
-    return widest;
+    return middle;
 }
 
-/* Travels of the points of the interface of the first contact: to the feet of
-   the midpoint of the two that are farthest apart. A lone one stays. */
-static void kern_interface_travels(kern_contact *contact, int contacts)
+/* The point travels to the foot of the middle. */
+static void kern_travel_set(kern_contact *point, kern_vec middle)
 {
-    kern_vec centre = contact->p;
-    const kern_real widest =
-        kern_farthest(contact, contacts, contact, NULL, &centre);
-    int j;
-    for (j = 0; j < contacts; j++)
-        if (kern_same_interface(contact, &contact[j]))
-            contact[j].travel = widest > 0 ? kern_vec_cross(
-                contact[j].n, kern_vec_sub(centre, contact[j].p)) : KERN_R(0);
+    const kern_vec way = kern_vec_sub(middle, point->p);
+    point->travel = 0 + kern_vec_cross(point->n, way); /* 0, but not -0 */
+}
+
+/* Travels of all points. Beyond all lengths means: not known yet. */
+static void kern_point_travels(kern_contact *contact, int contacts)
+{
+    int i, k;
+    for (i = 0; i < contacts; i++)
+        if (!contact[i].line)
+            contact[i].travel = KERN_HUGE;
+    for (i = 0; i < contacts; i++) {
+        kern_contact *c = contact + i;
+        kern_vec middle;
+        if (c->line || c->travel < KERN_HUGE)
+            continue;
+        middle = kern_middle(c, contacts - i, c, NULL);
+        for (k = i; k < contacts; k++)
+            if (kern_same_interface(c, contact + k))
+                kern_travel_set(contact + k, middle);
+    }
 }
 
 /* Travels of the points that are alone in their interface. */
@@ -8245,27 +8255,12 @@ static void kern_lone_travels(kern_contact *contact, int contacts,
     int i, k;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = contact + i;
-        kern_vec middle = c->p;
+        int others = -1; /* without itself */
         for (k = 0; k < contacts; k++)
-            if (k != i && kern_same_interface(c, contact + k))
-                break;
-        if (c->line || k < contacts || kern_carried(c, down) == KERN_OUT)
-            continue;
-        kern_farthest(contact, contacts, c, &down, &middle);
-        c->travel = kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
+            others += kern_same_interface(c, contact + k);
+        if (!c->line && others == 0 && kern_carried(c, down) != KERN_OUT)
+            kern_travel_set(c, kern_middle(contact, contacts, c, &down));
     }
-}
-
-/* Travels of all points. Beyond all lengths means: not known yet. */
-static void kern_point_travels(kern_contact *contact, int contacts)
-{
-    int i;
-    for (i = 0; i < contacts; i++)
-        if (!contact[i].line)
-            contact[i].travel = KERN_HUGE;
-    for (i = 0; i < contacts; i++)
-        if (!contact[i].line && contact[i].travel >= KERN_HUGE)
-            kern_interface_travels(contact + i, contacts - i);
 }
 
 /* ---- the search ---- */
