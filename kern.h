@@ -7259,6 +7259,7 @@ static kern_real kern_box_largest(const kern_box *box)
 typedef struct kern_parts {
     const kern_block *block;
     int straight, reflex;   /* are there such vertices?   */
+    int spike;              /* a vertex that turns back   */
     int each;               /* vertices of a run          */
     kern_box box[KERN_RUNS];
 } kern_parts;
@@ -7280,10 +7281,13 @@ static void kern_parts_set(kern_parts *parts, const kern_block *block)
     int i;
     parts->block = block;
     parts->straight = parts->reflex = 0;
-    for (i = 0; i < n; i++) {
+    parts->spike = -1;
+    for (i = n - 1; i >= 0; i--) {
         const int turn = kern_polygon_turn(block, i);
         parts->straight |= turn == 0;
         parts->reflex |= turn < 0;
+        if (turn == 2)
+            parts->spike = i;
     }
     parts->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
     parts->box[0] = block->box;
@@ -7420,51 +7424,39 @@ static int kern_one_side(kern_vec u, kern_vec v, kern_vec p, kern_vec q)
     return (from > 0 && to > 0) || (from < 0 && to < 0);
 }
 
-/* Does the edge touch one behind it that is not its neighbour? Edges whose
-   boxes meet do, unless one lies on one side of the other. */
-static int kern_edge_meets(const kern_edge *e, const kern_parts *parts)
-{
-    kern_edge f = *e;
-    while (kern_edge_next(&f, parts, &e->box, 0))
-        if (f.start != e->end && f.end != e->start
-            && !kern_one_side(e->p, e->q, f.p, f.q)
-            && !kern_one_side(f.p, f.q, e->p, e->q))
-            return 1;
-    return 0;
-}
-
 /* ---- what a polygon must be ---- */
 
 /* A polygon that turns one way only and has one lowest place is convex. In any
    other no edge may touch another, but for its neighbours, which do so by right
-   unless they turn back. */
+   unless they turn back. Edges whose boxes meet touch, unless one lies on one
+   side of the other. */
 static kern_status kern_polygon_simple(const kern_block *block,
                                        kern_fault *fault)
 {
     const kern_vec *v = block->vertex;
-    const int n = block->vertices;
     kern_parts parts;
-    kern_edge e;
-    int i, left = 0, right = 0, lowest = 0;
-    for (i = 0; i < n; i++) {
-        const int turn = kern_polygon_turn(block, i);
-        fault->index = i;
-        if (turn == 2)
-            return KERN_CROSSING;
-        left |= turn > 0;
-        right |= turn < 0;
+    kern_edge e, f;
+    int i, lowest = 0;
+    kern_parts_set(&parts, block);
+    fault->index = parts.spike;
+    if (parts.spike >= 0)
+        return KERN_CROSSING;
+    for (i = 0; i < block->vertices; i++)
         lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y
                   && !(v[i].y > v[kern_polygon_next(block, i, 1)].y);
-    }
-    if (!(left && right) && lowest < 2)
+    if (!parts.reflex && lowest < 2)
         return KERN_OK;
-    kern_parts_set(&parts, block);
     parts.straight = 0; /* from vertex to vertex, which costs less */
     kern_edge_open(&e);
     while (kern_edge_next(&e, &parts, &block->box, 0)) {
-        fault->index = e.at;
-        if (kern_edge_meets(&e, &parts))
-            return KERN_CROSSING;
+        f = e;
+        while (kern_edge_next(&f, &parts, &e.box, 0))
+            if (f.start != e.end && f.end != e.start
+                && !kern_one_side(e.p, e.q, f.p, f.q)
+                && !kern_one_side(f.p, f.q, e.p, e.q)) {
+                fault->index = e.at;
+                return KERN_CROSSING;
+            }
     }
     return KERN_OK;
 }
