@@ -8629,7 +8629,6 @@ static int kern_plan_is_whole(const kern_plan *plan)
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 {
     kern_structure *s;
-    kern_motion *rest;
     int k, found;
     if (plan && plan->task.work)
         kern_work_begin(plan->task.work);
@@ -8644,8 +8643,7 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
                        plan->contact_room - s->contacts, plan->task.work);
     if (found < 0)
         return found;
-    rest = plan->task.known.motion + s->blocks++;
-    kern_motion_clear(rest);
+    kern_motion_clear(plan->task.known.motion + s->blocks++);
     for (k = 0; k < found; k++, s->contacts++) {
         plan->task.known.force[s->contacts].normal = KERN_R(0);
         plan->task.known.force[s->contacts].tangential = KERN_R(0);
@@ -8681,24 +8679,22 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     return KERN_OK;
 }
 
-/* Takes back the block that was added last, and so many contacts of it. */
-static void kern_plan_drop(kern_plan *plan, int found)
+/* Takes back what kern_plan_add() did; returns the answer that it was for. */
+static kern_status kern_plan_back(kern_plan *plan, const kern_block *block,
+                                  int found, kern_status answer)
 {
-    plan->task.s.blocks--;
+    plan->task.s.blocks -= block != NULL;
     plan->task.s.contacts -= found;
+    return answer;
 }
 
 KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
-    kern_status status;
     const int found = kern_plan_add(plan, block);
-    if (found < 0)
-        return (kern_status)found;
-    status = kern_measure_anew(&plan->task, &plan->task.known, NULL, out,
-                               proof);
-    kern_plan_drop(plan, found);
-    return status;
+    return found < 0 ? (kern_status)found : kern_plan_back(
+        plan, block, found, kern_measure_anew(
+            &plan->task, &plan->task.known, NULL, out, proof));
 }
 
 /* Whether it stands at that margin; by its measure if kerns are not nested. */
@@ -8730,31 +8726,20 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
-    kern_status status;
     const int found = kern_plan_add(plan, block);
-    if (found < 0)
-        return (kern_status)found;
-    status = kern_plan_stands(&plan->task, margin, proof);
-    kern_plan_drop(plan, found);
-    return status;
+    return found < 0 ? (kern_status)found : kern_plan_back(
+        plan, block, found, kern_plan_stands(&plan->task, margin, proof));
 }
 
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       kern_raising *out, kern_real *reserve,
                                       const kern_proof *proof)
 {
-    kern_status status;
-    int found = 0;
-    if (block)
-        found = kern_plan_add(plan, block);
-    else if (!kern_plan_is_whole(plan))
-        return KERN_BAD_POINTER;
-    if (found < 0)
-        return (kern_status)found;
-    status = kern_raised(&plan->task, KERN_R(0), out, reserve, proof);
-    if (block)
-        kern_plan_drop(plan, found);
-    return status;
+    const int found = block ? kern_plan_add(plan, block)
+        : kern_plan_is_whole(plan) ? 0 : (int)KERN_BAD_POINTER;
+    return found < 0 ? (kern_status)found : kern_plan_back(
+        plan, block, found, kern_raised(&plan->task, KERN_R(0), out, reserve,
+                                        proof));
 }
 
 /* ==== Part VI: Linear programs =========================================== */
