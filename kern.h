@@ -7126,26 +7126,22 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
 /* Shares of a length of the user's: a gap, a block's size, a coordinate. */
 
-/* Share of the largest coordinate below which places are the same: some tens
-   of roundings of a coordinate. No gap is less; smaller, and cubes that were
-   turned and moved would no longer touch. */
+/* Share of the largest coordinate below which places are the same: no gap is
+   less. Smaller, and cubes that were turned and moved would not touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
-/* An outline of more vertices than KERN_RUN has boxes of its own for runs of
-   its edges, at most KERN_RUNS of them: more take more stack, shorter runs take
-   longer to set up than they save. */
+/* An outline of more vertices than KERN_RUN has boxes for runs of its edges:
+   more of them take more stack, shorter runs more time than they save. */
 #define KERN_RUN        16
 #define KERN_RUNS       24
 /* Turn [rad] below which a vertex is no corner, and within which of a half
-   turn it is a spike. A dropped vertex is off its edge by a millionth of the
-   edge at the most; much larger, and round stones would lose their shape. */
+   turn it is a spike. Much larger, and round stones would lose their shape. */
 #define KERN_TURN       KERN_R(1e-6)
 /* Most vertices of a polygon: its mean turn is then well above KERN_TURN. */
 #define KERN_VERTICES_MOST 1000000
 /* Share of the size: the default gap, and the length of the shortest line. */
 #define KERN_GAP        KERN_R(1e-3)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
-   rocking closes: measured against shaking tests; anything from 0.03 to 0.1
-   and from 0.1 to 0.2 predicts them as well. */
+   rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
 #define KERN_NEAR_GAP   KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
 /* Measured structures, in errors of place and of angle: 3.4 standard
@@ -7153,26 +7149,23 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    of 30 contacts which carry none is missed in 98 % of structures. The gap of a
    corner and an edge of two stones varies by 2 e^2 for their places, 3/8 e^2
    for their vertices and theta^2 r^2 for each; the angle of two edges, 0.7
-   sizes long, by 2 theta^2, and as much for their ends. Checked on structures
-   with noise (tests/noise.c). */
+   sizes long, by 2 theta^2, and as much for their ends (tests/noise.c). */
 #define KERN_ERROR_GAP     KERN_R(5.25)
 #define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 #define KERN_ERROR_ANGLE   KERN_R(6.8)
 #define KERN_ERROR_FOOT    KERN_R(3.0)  /* beyond the end of an edge          */
-/* Where a verdict is to be certain: how much shorter or longer kerns may be, in
-   errors of place; how far cones are turned, in errors of angle; how many times
-   the error is allowed in gaps and angles; least cosine of a wider cone. */
-#define KERN_CERTAIN_SHIFT  KERN_R(3.5)
-#define KERN_CERTAIN_TURN   KERN_R(3.0)
-#define KERN_CERTAIN_WIDE   KERN_R(2.0)
-#define KERN_CERTAIN_STEEP  KERN_R(0.01)
+/* Where a verdict is to be certain, in errors: */
+#define KERN_CERTAIN_SHIFT  KERN_R(3.5)  /* of place, by which kerns change   */
+#define KERN_CERTAIN_TURN   KERN_R(3.0)  /* of angle, by which cones turn     */
+#define KERN_CERTAIN_WIDE   KERN_R(2.0)  /* times that gaps and angles allow  */
+#define KERN_CERTAIN_STEEP  KERN_R(0.01) /* least cosine of a wider cone      */
 /* Share of the size of the smaller free block: higher steps are not simplified
    away, however wide the gap. */
 #define KERN_STEP_MOST  KERN_R(0.1)
-/* Gaps up to which a riser is one of a drawing and no shear key: a pixel that
-   is hardly more than the gap, or of an image of 900 pixels a stone under the
-   default gap, must not hold. At 2 a kerb of two gaps would be lost. */
+/* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
+   an image of 900 a stone must not hold. At 2 a kerb of two gaps would be
+   lost. */
 #define KERN_RISER      KERN_R(1.6)
 /* Deviation of stairs from a chord between two of their corners, in risers: the
    square root of 2 where treads are as long. */
@@ -7188,11 +7181,11 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the size by which a foot must lie inside its edge, so that rounding
    makes no contacts between diagonal neighbours. */
 #define KERN_FOOT       KERN_R(1e-6)
-/* Share of the gap by which overlap may be deeper unseen, in a place of twice
-   that length. Less takes more steps along an edge. */
+/* Share of the gap by which overlap may be deeper unseen: less takes more steps
+   along an edge. KERN_STRIDES of them, and 8 a vertex, before they double; and
+   most triangles of a size for an inner point. */
 #define KERN_STRIDE     KERN_R(0.0625)
-#define KERN_STRIDES    64 /* before they double, and 8 a vertex; and most
-                              triangles of a size for an inner point */
+#define KERN_STRIDES    64
 /* Cosine of 10 degrees: a vertex at a line contact belongs to it if their
    normals differ by less; across a real corner they differ by more. */
 #define KERN_SAME_FACE  KERN_R(0.98480775301220806)
