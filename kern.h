@@ -2817,7 +2817,7 @@ typedef struct kern_simplex {
     kern_real *ratio;       /* of the ratio test: steps                       */
     int *list;              /* its rows; or the columns to be factored        */
     kern_real least;        /* violation that counts                          */
-    kern_real gain;         /* largest y.A_j - cost_j; infinity: not known    */
+    kern_real gain;         /* largest y.A_j - cost_j                         */
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables                                      */
 } kern_simplex;
@@ -9012,7 +9012,6 @@ static void kern_simplex_crash(kern_simplex *sx)
     for (j = 0; j < lp->rows; j++) {
         sx->base[j] = lp->cols + 1 + j; /* its logical */
         sx->alpha[j] = lp->rhs[j];
-        sx->slope[j] = KERN_R(0);
         first[j] = KERN_OUT;
     }
     for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
@@ -9166,7 +9165,6 @@ static void kern_basis_refactorise(kern_simplex *sx)
         kern_left_enter(sx, sx->list[i]);
     f->fresh = f->count;
     sx->state = KERN_BASIS_READY;
-    sx->gain = KERN_INFINITY;
     kern_basis_values(sx);
 }
 
@@ -9196,8 +9194,7 @@ static kern_real kern_lp_cost(const kern_program *lp, int j)
            : j < lp->cols ? lp->cost[j] : KERN_R(0);
 }
 
-/* c to sx->slope; returns the sum of violations. Where c changes the prices are
-   no longer known. */
+/* c to sx->slope; returns the sum of violations. */
 static kern_real kern_violations(kern_simplex *sx)
 {
     const kern_real least = sx->least;
@@ -9211,10 +9208,7 @@ static kern_real kern_violations(kern_simplex *sx)
             c = KERN_R(-1);
         else if (v > least && kern_lp_fixed(sx->lp, sx->base[p]))
             c = KERN_R(1);
-        if (c < sx->slope[p] || c > sx->slope[p]) {
-            sx->slope[p] = c;
-            sx->gain = KERN_INFINITY;
-        }
+        sx->slope[p] = c;
         sx->violated += c < 0 || c > 0;
         sum += c * v;
     }
@@ -9265,18 +9259,18 @@ static int kern_forces_spread(kern_simplex *sx, const kern_real *y,
     return 1;
 }
 
-/* Gain below which no column enters. One that would have to carry more than
-   lp->most to undo the violations is no help: the bound on forces of a jam. */
-static kern_real kern_gain_least(kern_simplex *sx, kern_real sum)
+/* The prices, and the gain below which no column enters. One that would have to
+   carry more than lp->most to undo the violations is no help: the bound on
+   forces of a jam. */
+static kern_real kern_prices(kern_simplex *sx, kern_real sum)
 {
     const kern_program *lp = sx->lp;
     kern_real size, least;
     int p;
-    for (p = 0; p < lp->rows && !(sx->gain < KERN_INFINITY); p++)
+    for (p = 0; p < lp->rows; p++)
         sx->price[p] = sx->violated ? sx->slope[p]
                                     : kern_lp_cost(lp, sx->base[p]);
-    if (p > 0)
-        kern_basis_solve_t(sx, sx->price);
+    kern_basis_solve_t(sx, sx->price);
     size = kern_largest(sx->price, lp->rows);
     least = KERN_PIVOT_TOL * size;
     if (!sx->violated)
@@ -9288,8 +9282,7 @@ static kern_real kern_gain_least(kern_simplex *sx, kern_real sum)
 }
 
 /* The variable outside of the basis that lowers what the prices stand for
-   fastest, or the first that does: by sx->gain = y.A_j - cost_j. While the
-   basis and c stay, so do prices and gain. */
+   fastest, or the first that does: by sx->gain = y.A_j - cost_j. */
 static int kern_entering(kern_simplex *sx, kern_real sum, int first)
 {
     const kern_program *lp = sx->lp;
@@ -9298,9 +9291,7 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
     int j, best = KERN_OUT;
     if (costs && !kern_lp_costs(lp))
         return KERN_OUT;
-    least = kern_gain_least(sx, sum);
-    if (sx->gain <= least)
-        return KERN_OUT;
+    least = kern_prices(sx, sum);
     sx->gain = KERN_R(0);
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -9394,7 +9385,6 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
         sx->place[sx->base[p]] = KERN_OUT;
     kern_basis_enter(sx, q, p);
     sx->value[p] = step;
-    sx->gain = KERN_INFINITY;
     sx->refined = 0;
     work->pivots++;
     KERN_AUDIT(simplex, sx);
@@ -9540,7 +9530,6 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     status = kern_simplex_begin(sx, work);
     if (status == KERN_OK)
         status = kern_simplex_run(sx, work, &ray);
-    sx->gain = costs ? KERN_INFINITY : sx->gain;
     if (status < 0)
         return status;
     for (i = 0; i < lp->cols; i++)
