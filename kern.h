@@ -9190,8 +9190,8 @@ static int kern_lp_costs(const kern_program *lp)
 /* A free place grows as far as it can. */
 static kern_real kern_lp_cost(const kern_program *lp, int j)
 {
-    return lp->follow ? KERN_R(j == lp->cols ? -1 : 0)
-           : j < lp->cols ? lp->cost[j] : KERN_R(0);
+    return lp->cost && j < lp->cols ? lp->cost[j]
+           : KERN_R(j == lp->cols ? -lp->follow : 0);
 }
 
 /* c to sx->slope; returns the sum of violations. */
@@ -9203,14 +9203,12 @@ static kern_real kern_violations(kern_simplex *sx)
     sx->violated = 0;
     for (p = 0; p < sx->lp->rows; p++) {
         const kern_real v = sx->value[p];
-        kern_real c = KERN_R(0);
-        if (v < -least)
-            c = KERN_R(-1);
-        else if (v > least && kern_lp_fixed(sx->lp, sx->base[p]))
-            c = KERN_R(1);
-        sx->slope[p] = c;
-        sx->violated += c < 0 || c > 0;
-        sum += c * v;
+        sx->slope[p] = KERN_R(0);
+        if (v < -least || (v > least && kern_lp_fixed(sx->lp, sx->base[p]))) {
+            sx->slope[p] = KERN_R(v < 0 ? -1 : 1);
+            sx->violated++;
+            sum += kern_abs(v);
+        }
     }
     return sum;
 }
@@ -9506,11 +9504,11 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
 }
 
 /* The one entry of the engine. Starts from the last basis, or that of
-   kern_simplex_crash(), or logicals. x is written for every verdict: one that
-   falls leaves A x = rhs in it, with what is negative about it, which tells how
-   the verdict changes with the matrix; an unbounded program, the ray along which
-   the costs fall. y is written for KERN_LP_INFEASIBLE, and with costs for
-   KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
+   kern_simplex_crash(). x is written for every verdict: one that falls leaves
+   A x = rhs in it, with what is negative about it, which tells how the verdict
+   changes with the matrix; where the costs fall without end x is the ray. y is
+   written for KERN_LP_INFEASIBLE, and with costs for KERN_LP_OPTIMAL. `builtin`
+   keeps it from the backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
