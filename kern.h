@@ -9220,15 +9220,16 @@ static kern_real kern_violations(kern_simplex *sx)
 static int kern_certificate_lift(kern_simplex *sx, kern_real *y)
 {
     const kern_program *lp = sx->lp;
-    const kern_real size = kern_largest(y, lp->rows);
+    const kern_real above = KERN_ABOVE * kern_largest(y, lp->rows);
     int p;
     if (sx->state == KERN_BASIS_NONE)
         return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
-        sx->alpha[p] = sx->slope[p]
-            + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y))
-            - KERN_R(j < lp->cols) * KERN_ABOVE * size;
+        sx->alpha[p] = sx->slope[p] + (j > lp->cols ? y[j - lp->cols - 1]
+                                       : kern_lp_dot(lp, j, y));
+        if (j < lp->cols)
+            sx->alpha[p] -= above;
     }
     kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
