@@ -7226,13 +7226,6 @@ static int kern_polygon_turn(const kern_block *block, int i)
 
 /* ---- boxes ---- */
 
-/* The least box with p and q in it. */
-static void kern_box_set(kern_box *box, kern_vec p, kern_vec q)
-{
-    box->low = box->high = p;
-    kern_box_add(box, q);
-}
-
 /* Are they no farther apart than the gap? Below 0: do they overlap by more? */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
@@ -7288,7 +7281,7 @@ static void kern_parts_set(kern_parts *parts, const kern_block *block)
         kern_box *box = &parts->box[i / parts->each];
         const int end = kern_polygon_next(block, i, 0);
         if (i % parts->each == 0)
-            kern_box_set(box, block->vertex[i], block->vertex[i]);
+            box->low = box->high = block->vertex[i];
         kern_box_add(box, block->vertex[end]);
         if (end % parts->each == 0)
             kern_box_add(box, block->vertex[kern_parts_corner(parts, i)]);
@@ -7325,10 +7318,8 @@ static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
 static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
 { return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
 
-static void kern_edge_open(kern_edge *e)
-{ e->at = -1; }
-
-/* Goes to the first edge behind vertex e->at that is near the box; 0: none. */
+/* Goes to the first edge behind vertex e->at that is near the box, of all edges
+   where that is -1; 0: none. */
 static int kern_edge_next(kern_edge *e, const kern_parts *parts,
                           const kern_box *box, kern_real gap)
 {
@@ -7340,7 +7331,8 @@ static int kern_edge_next(kern_edge *e, const kern_parts *parts,
             i += parts->each - 1;
         } else if (!parts->straight || kern_polygon_turn(block, i) != 0) {
             corner = kern_parts_corner(parts, i);
-            kern_box_set(&e->box, block->vertex[i], block->vertex[corner]);
+            e->box.low = e->box.high = block->vertex[i];
+            kern_box_add(&e->box, block->vertex[corner]);
             if (kern_box_near(&e->box, box, gap)) {
                 kern_edge_set(e, block, i, corner);
                 return 1;
@@ -7429,18 +7421,19 @@ static kern_status kern_polygon_simple(const kern_block *block,
     const kern_vec *v = block->vertex;
     kern_parts parts;
     kern_edge e, f;
-    int i, lowest = 0;
+    int i, lowest = 0, up, rises = v[0].y > v[block->vertices - 1].y;
     kern_parts_set(&parts, block);
     fault->index = parts.spike;
     if (parts.spike >= 0)
         return KERN_CROSSING;
-    for (i = 0; i < block->vertices; i++)
-        lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y
-                  && !(v[i].y > v[kern_polygon_next(block, i, 1)].y);
+    for (i = 0; i < block->vertices; i++, rises = up) {
+        up = v[kern_polygon_next(block, i, 0)].y > v[i].y;
+        lowest += up && !rises;
+    }
     if (!parts.reflex && lowest < 2)
         return KERN_OK;
     parts.straight = 0; /* from vertex to vertex, which costs less */
-    kern_edge_open(&e);
+    e.at = -1;
     while (kern_edge_next(&e, &parts, &block->box, 0)) {
         f = e;
         while (kern_edge_next(&f, &parts, &e.box, 0))
@@ -7647,7 +7640,7 @@ static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
 {
     kern_edge e;
     int nearest = 0;
-    kern_edge_open(&e);
+    e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
         kern_real s, step, stride = *deep * KERN_STRIDE;
         int left = KERN_STRIDES + 8 * b->block->vertices;
@@ -8076,9 +8069,9 @@ static void kern_pair_edges(kern_pair *pair)
 {
     const kern_parts *a = &pair->of[0].parts, *b = &pair->of[1].parts;
     kern_edge edge[2];
-    kern_edge_open(&edge[0]);
+    edge[0].at = -1;
     while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)) {
-        kern_edge_open(&edge[1]);
+        edge[1].at = -1;
         while (kern_edge_next(&edge[1], b, &edge[0].box, pair->reach)) {
             kern_pair_line(pair, edge);
             kern_pair_point(pair, edge, 1);
@@ -8442,23 +8435,29 @@ static kern_status kern_search_survey(kern_search *s)
    each two whose boxes are near each other. */
 static kern_status kern_search_pairs(kern_search *s)
 {
-    kern_status status = KERN_OK;
     int a, b;
     for (b = s->from; b < s->blocks; b++) {
-        kern_parts_set(&s->pair.of[1].parts, &s->block[b]);
-        for (a = 0; a < b && status >= 0; a++) {
-            if (!s->block[a].vertices || !s->block[b].vertices)
+        const kern_block *second = &s->block[b];
+        if (!second->vertices)
+            continue;
+        kern_parts_set(&s->pair.of[1].parts, second);
+        for (a = 0; a < b; a++) {
+            const kern_block *first = &s->block[a];
+            kern_status status;
+            if (!first->vertices)
                 continue;
             status = kern_search_pair(s, a, b);
+            if (status != KERN_OK)
+                return status;
             /* one buffer for two stones: the first has lost its vertices */
-            if (status >= 0 && a < s->from && !s->block[a].fixed
-                && s->block[a].vertex == s->block[b].vertex) {
+            if (a < s->from && !first->fixed
+                && first->vertex == second->vertex) {
                 s->fault->block = a;
-                status = KERN_STALE;
+                return KERN_STALE;
             }
         }
     }
-    return status;
+    return KERN_OK;
 }
 
 /* What the search was handed, but for the blocks themselves. */
