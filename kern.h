@@ -7495,7 +7495,8 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     return kern_abs(block->area) > least ? KERN_OK : KERN_NO_AREA;
 }
 
-static kern_status kern_vertices_check(const kern_vec *vertex, int vertices)
+KERN_SHARED static kern_status kern_vertices_check(const kern_vec *vertex,
+                                                   int vertices)
 {
     if (vertices < 0 || vertices > KERN_VERTICES_MOST)
         return KERN_BAD_COUNT;
@@ -8164,7 +8165,7 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 }
 
 /* The block that a contact carries where `down` is the direction of gravity. */
-static int kern_carried(const kern_contact *c, kern_vec down)
+KERN_SHARED static int kern_carried(const kern_contact *c, kern_vec down)
 {
     const kern_real push = kern_vec_dot(c->n, down);
     return push < 0 ? c->b : push > 0 ? c->a : KERN_OUT;
@@ -8277,7 +8278,8 @@ static kern_real kern_box_half(const kern_block *block)
 
 /* The widest gap of blocks of that size. What was measured may have had the gap
    of an exact contact before. */
-static kern_real kern_search_gap(const kern_search *s, kern_real size)
+KERN_SHARED static kern_real kern_search_gap(const kern_search *s,
+                                             kern_real size)
 {
     const kern_options *o = s->options;
     const kern_real exact = o->gap > 0 && !(o->pose_error > 0) ? KERN_R(0)
