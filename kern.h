@@ -6453,8 +6453,7 @@ static kern_status kern_ipm_prove(kern_ipm *in, kern_status before)
     if (in->s >= in->most) {
         kern_ipm_balance(in);
         kern_part_forces(p);
-        if (kern_model_proven(m, kern_prove_forces(m->s, &q, m->answer.force,
-                                                   m->answer.sum)))
+        if (kern_answer_holds(m, &q))
             return KERN_STANDS;
     }
     if (before == KERN_FALLS
