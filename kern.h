@@ -2562,17 +2562,14 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
-        const int tail = gone ? none : m->graph.group[c->a];
-        const int head = gone ? none : m->graph.group[c->b];
-        m->graph.ends[2 * i] = head;
-        m->graph.ends[2 * i + 1] = tail;
-        if (tail < none) {
-            m->graph.after[2 * i + 1] = m->graph.touch[tail];
-            m->graph.touch[tail] = 2 * i + 1;
-        }
-        if (head < none) {
-            m->graph.after[2 * i] = m->graph.touch[head];
-            m->graph.touch[head] = 2 * i;
+        int e;
+        for (e = 2 * i + 1; e >= 2 * i; e--) {
+            g = gone ? none : m->graph.group[e & 1 ? c->a : c->b];
+            m->graph.ends[e] = g;
+            if (g < none) {
+                m->graph.after[e] = m->graph.touch[g];
+                m->graph.touch[g] = e;
+            }
         }
     }
 }
