@@ -1619,6 +1619,13 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
            ? KERN_OK : KERN_BAD_NUMBER;
 }
 
+/* v := 0, n numbers */
+KERN_SHARED static void kern_zero(kern_real *v, int n)
+{
+    for (; n > 0; n--)
+        *v++ = KERN_R(0);
+}
+
 /* Makes the box empty: each corner lies beyond every place. */
 KERN_SHARED static void kern_box_empty(kern_box *box)
 {
@@ -2251,8 +2258,7 @@ static kern_real kern_prove_forces(const kern_structure *s,
     const kern_real reduction = kern_reduction(q);
     kern_real total = KERN_R(0);
     int i;
-    for (i = 0; i < 4 * s->blocks; i++)
-        sum[i] = KERN_R(0);
+    kern_zero(sum, 4 * s->blocks);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         if (kern_is_out(q, c))
@@ -4005,10 +4011,9 @@ static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
 
 static void kern_skyline_clear(kern_skyline *a)
 {
-    int g, i;
+    int g;
     for (g = 0; g < a->groups; g++)
-        for (i = 0; i < 9 * (g - a->first[g] + 1); i++)
-            a->entry[a->offset[g] + i] = KERN_R(0);
+        kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
 /* Adds to the block of groups g and h <= g: what moving h does to the forces on
@@ -5082,8 +5087,7 @@ static void kern_part_motion(kern_part *p)
     kern_model *m = p->m;
     kern_real *part = (kern_real *)(void *)m->answer.motion, most = KERN_R(0);
     int i, n;
-    for (i = 0; i < 3 * m->s->blocks; i++)
-        part[i] = KERN_R(0);
+    kern_zero(part, 3 * m->s->blocks);
     for (n = 0; n < p->groups; n++) {
         const int b = m->graph.block[p->group[n]];
         kern_motion *v = m->answer.motion + b;
@@ -6266,8 +6270,7 @@ static void kern_ipm_predict(kern_ipm *in)
     kern_real of_x, of_z, ds, left = KERN_R(0), mu;
     int i;
     kern_ipm_ways(p, p->y, p->dual.way);
-    for (i = 0; i < n; i++)
-        p->dual.grad[i] = KERN_R(0);
+    kern_zero(p->dual.grad, n);
     for (i = 0; i < rays; i++)
         in->dx[i] = -in->d[i] * p->dual.way[i];
     ds = kern_ipm_solve(in);
@@ -6279,8 +6282,7 @@ static void kern_ipm_predict(kern_ipm *in)
                             : KERN_R(1); /* nothing is left to maximise */
     mu = kern_max(in->gap * left * left * left, in->least / 8);
     mu = kern_min(mu, in->gap) / KERN_R(rays);
-    for (i = 0; i < n; i++)
-        p->dual.grad[i] = KERN_R(0);
+    kern_zero(p->dual.grad, n);
     if (!in->held && in->path->kind == KERN_PATH_SHRINK)
         kern_ipm_shrink(in, in->dx, of_x * of_x * ds, p->dual.grad);
     for (i = 0; i < rays; i++)
@@ -8898,9 +8900,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 /* Column j in terms of the basis: to sx->alpha. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
-    int i;
-    for (i = 0; i < 3 * sx->groups + 3; i++)
-        sx->alpha[i] = KERN_R(0);
+    kern_zero(sx->alpha, 3 * sx->groups + 3);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
     kern_basis_solve(sx, sx->alpha);
 }
