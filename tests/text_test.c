@@ -83,6 +83,24 @@ static void refused(const char *text, size_t length, int line,
     text_free(&t);
 }
 
+/* Of statements that hold for the whole file the last one does, wherever it
+   stands; a tolerance without an angle has the default one. */
+static void last_wins(void)
+{
+    static const char text[] =
+        "friction 0.5\ngravity 1 -2\nepsilon 0.3\ntolerance 0.01 0.1\n"
+        "block a *  0 0  1 0  1 1  0 1\n"
+        "friction 0.25\ngravity 0 -8\nepsilon 0.5\ntolerance 0.125\n";
+    struct text_file t;
+    check(text_read(&t, text, sizeof text - 1) == 0
+          && t.options.mu == (kern_real)0.25
+          && t.options.gap == (kern_real)0.125
+          && t.options.epsilon == (kern_real)0.5
+          && t.options.angle == kern_defaults().angle
+          && t.gravity.x == 0 && t.gravity.y == -8, "the last one wins");
+    text_free(&t);
+}
+
 int main(void)
 {
     static const char short_normal[] =
@@ -96,7 +114,7 @@ int main(void)
     numbers();
     strcpy(point, ".");
     refused("friction 0.5\n\0\0", 15, 2, "NUL");
-    refused("friction 0.5\nfriction 0.4\n", 26, 2, "given in line 1");
+    last_wins();
     refused(late_density, sizeof late_density - 1, 2, "a block after it");
     if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
         refused(short_normal, sizeof short_normal - 1, 3, "no normal");

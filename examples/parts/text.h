@@ -18,10 +18,10 @@
        epsilon  E                                     step of Algorithm 1
        tolerance GAP [ANGLE]                          ANGLE in radians
 
-   and # begins a comment. friction, gravity, epsilon and tolerance are given once
-   at most, anywhere. A program uses text_load() or text_read(), then
-   text_free(); of the rest text_show(), text_number() and text_utf8() may be of
-   use.
+   and # begins a comment. friction, gravity, epsilon and tolerance hold for the
+   whole file, wherever they stand; of several the last one holds. A program
+   uses text_load() or text_read(), then text_free(); of the rest text_show(),
+   text_number() and text_utf8() may be of use.
 
    SPDX-License-Identifier: MIT */
 
@@ -83,8 +83,6 @@ struct text_contact {
     kern_real mu;          /* < 0: that of the file */
 };
 
-enum { TEXT_ONCE = 4 };    /* statements that are given once at most */
-
 struct text_reader {
     struct text_file *t;
     char *at, *end;        /* what is left of the line */
@@ -95,7 +93,6 @@ struct text_reader {
     int *slot, slots;      /* names by hash: index of the block + 1, 0: none */
     struct text_contact *contact;
     int contacts;
-    int given[TEXT_ONCE];  /* the lines of these statements, 0: none yet */
 };
 
 enum text_range { TEXT_ANY, TEXT_NOT_NEGATIVE, TEXT_POSITIVE };
@@ -556,10 +553,6 @@ static int text_line(struct text_reader *r)
     for (size_t i = 0; i < sizeof statement / sizeof *statement; i++) {
         if (strcmp(word, statement[i].name) != 0) continue;
         r->statement = statement[i].name;
-        if (i < TEXT_ONCE && r->given[i])
-            return text_fail(r->t, "%s: was given in line %d already",
-                             r->statement, r->given[i]);
-        if (i < TEXT_ONCE) r->given[i] = r->t->line;
         if (statement[i].read(r)) return -1;
         word = text_next(r);
         return *word ? text_expect(r, "the end of the line", word) : 0;
@@ -730,8 +723,7 @@ static inline int text_read(struct text_file *t, const char *data,
     if (length > 0) memcpy(t->text, data, length);
     t->text[length] = '\0';
 
-    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0,
-                             { 0 } };
+    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0 };
     int bad = text_make_room(&r, length) || text_lines(&r, length)
               || text_contacts(&r);
     free(r.slot);
