@@ -205,6 +205,24 @@ class Calls(unittest.TestCase):
         self.assertLess(chance[-1], 0.5)
         self.assertIsNone(Structure(two(0.7)).stays("top"))
 
+    def test_stays_on_a_plan(self):
+        """A plan says of a stone that is not laid yet what a structure says of
+        it, overlaps and falls included, and is then as it was."""
+        *below, top = two(0.2)
+        plan = Plan(below)
+        before = plan.measure()
+        self.assertEqual(plan.try_stays(top),
+                         Structure([*below, top]).stays("top"))
+        self.assertIsNone(plan.try_stays(top.copy().move(0.6, 0)))
+        self.assertIsNone(plan.try_stays(top.copy().move(0, -0.5)))
+        self.assertEqual(len(plan.blocks), len(below))
+        self.assertEqual(plan.measure(), before)
+
+    def test_numbers_that_are_none(self):
+        """What is no number is a TypeError that names the question."""
+        with self.assertRaisesRegex(TypeError, r"verdict\(\): a number"):
+            Structure(two(0.1)).verdict("x")
+
     def test_in_place(self):
         """What is written to the vertices counts after update()."""
         s = Structure(two(0.2))

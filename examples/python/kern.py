@@ -952,7 +952,11 @@ def _asks(method: _Method) -> _Method:
     def ask(self: Structure, *arguments: Any, **options: Any) -> Any:
         with self._lock:
             self._fresh()
-            return method(self, *arguments, **options)
+            try:
+                return method(self, *arguments, **options)
+            except ctypes.ArgumentError as error:
+                raise TypeError("%s(): a number is expected (%s)"
+                                % (method.__name__, error)) from None
     return ask  # type: ignore
 
 
@@ -1697,6 +1701,33 @@ class Plan(Structure):
             return Raised(stands, None, None,
                           Raising(raising.value) if stands else None,
                           share.value if stands and reserve else None)
+
+    def try_stays(self, block: Block) -> Optional[float]:
+        """What stays() would say of the block, laid last on the plan: the chance
+        that it stays where it is let go; None where it falls or overlaps.
+
+        >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
+        >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
+        ...                    fixed=True), Block("low", box)])
+        >>> for x in (0, .4995, .51):
+        ...     chance = plan.try_stays(Block("top", box).move(x, 1))
+        ...     print(chance and chance > 0.5)
+        True
+        False
+        None
+        """
+        with self._lock:
+            try:
+                self.add(block)
+            except KernError as error:
+                if error.status != Status.OVERLAP:
+                    raise
+                return None
+            last = len(self.blocks) - 1
+            try:
+                return self.stays(last)
+            finally:
+                self.remove(last)
 
 
 def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
