@@ -4419,17 +4419,16 @@ KERN_SHARED static int kern_graph_degree(const kern_graph *graph, int g)
 }
 
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   down, in layers around it: of each group the neighbours that are not listed
-   yet, those of fewer contacts first. Returns the place below the last. */
+   down: of each listed group the neighbours that are not yet, those of fewer
+   contacts first. Returns the place below the last. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
     int at = n, from, e, k;
     graph->local[first] = 0;
-    p->group[n--] = first;
-    for (; at > n; at--) {
-        from = n;
-        for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
+    for (p->group[n--] = first; at > n; at--)
+        for (from = n, e = graph->touch[p->group[at]]; e >= 0;
+             e = graph->after[e]) {
             const int g = graph->ends[e ^ 1];
             if (g == p->groups || graph->local[g] != KERN_OUT)
                 continue;
@@ -4440,24 +4439,24 @@ static int kern_norm_layers(kern_part *p, int first, int n)
                 p->group[k] = p->group[k + 1];
             p->group[k] = g;
         }
-    }
     return n;
 }
 
-/* Orders the groups for short rows of the factor: in layers around one in the
-   last layer of two rounds, from the last place down (reverse Cuthill-McKee) */
+/* Orders the groups for short rows of the factor: in layers around one of the
+   last layer around another, from the last place down (reverse Cuthill-McKee).
+   Without the order in a layer the factor takes up to 20 % longer. */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
-    int g, k, round, n = p->groups - 1, end = n;
+    int g, k, n = p->groups - 1;
     for (g = 0; g < p->groups; g++)
         local[g] = KERN_OUT;
-    for (g = 0; g < p->groups; g++, n = end)
-        for (round = local[g] == KERN_OUT ? 0 : 3; round < 3; round++) {
-            const int first = round > 0 ? p->group[end + 1] : g;
+    for (g = 0; g < p->groups; g++)
+        if (local[g] == KERN_OUT) {
+            const int end = kern_norm_layers(p, g, n);
             for (k = n; k > end; k--)
                 local[p->group[k]] = KERN_OUT;
-            end = kern_norm_layers(p, first, n);
+            n = kern_norm_layers(p, p->group[end + 1], n);
         }
     for (g = 0; g < p->groups; g++)
         local[p->group[g]] = g;

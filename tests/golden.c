@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x59e5e4608730133du },
-    { 1000, 0x896486d1da6b4990u },
-    { 5000, 0xb47c43315365acf0u },
+    { 200, 0xc17dbf337c8f7a72u },
+    { 1000, 0xc8c410c2b0ba948au },
+    { 5000, 0x06ea7a03ba52e328u },
 #else
-    { 200, 0xf7733330110ba363u },
-    { 1000, 0x7f8bcbbbd6e241bbu },
-    { 5000, 0x18ce0a5a9fa063b0u },
+    { 200, 0x9848e1016481730au },
+    { 1000, 0x9d2dfecce6bacebau },
+    { 5000, 0x0c8dbb8e2abdd7c5u },
 #endif
 };
 
