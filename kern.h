@@ -6655,7 +6655,6 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value)
 typedef struct kern_raise {
     kern_model *m;
     kern_part *p;             /* all groups                                   */
-    const kern_query *q;
     kern_real tolerance;      /* of a group's equilibrium                     */
     kern_real *price;         /* of each contact, then the stiffness of each  */
     kern_real *last;          /* of each: what its last price led to, and the
@@ -6664,7 +6663,6 @@ typedef struct kern_raise {
     int rounds;               /* rounds of prices so far                      */
     int gained;               /* round of the last fall of their change       */
     kern_real least;          /* sum of squares of the change there           */
-    kern_real enough;         /* no larger push is asked for                  */
     kern_real *begin, *best;  /* u and prices: without a push, with the largest
                                  so far; the last two along a load            */
     int along;                /* a load: rounds without a gain, or 0; what
@@ -6800,7 +6798,6 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     kern_part *p = r->p;
     const kern_model *m = r->m;
     int i;
-    r->q = q;
     p->y = p->dual.step;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
     r->rounds = r->gained = 0;
@@ -6863,8 +6860,10 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
 }
 
 /* The largest of a sequence of shares by which it may be pushed to either side
-   and stay raised; each from the largest found before. */
-static kern_real kern_raise_reserve(kern_raise *r)
+   and stay raised, up to `enough` unless that is 0; each from the largest found
+   before. */
+static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
+                                    kern_real enough)
 {
     static const kern_real share[] = {
         KERN_R(0), KERN_R(0.001), KERN_R(0.002), KERN_R(0.003), KERN_R(0.004),
@@ -6872,20 +6871,19 @@ static kern_real kern_raise_reserve(kern_raise *r)
         KERN_R(0.008), KERN_R(0.01), KERN_R(0.015), KERN_R(0.02), KERN_R(0.03),
         KERN_R(0.05), KERN_R(0.1)
     };
-    const kern_real shrink = r->q->shrink;
-    kern_query q = *r->q;
+    kern_query q = *asked;
     int most = (int)(sizeof share / sizeof share[0]) - 1;
-    while (r->enough > 0 && share[most] > r->enough)
+    while (enough > 0 && share[most] > enough)
         most--;
     kern_raise_copy(r, r->begin, 1);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         int low = 0, high = most + 1, at = most;
-        if (q.side > 0 && !(r->enough > 0))
+        if (q.side > 0 && !(enough > 0))
             at = high / 2;
         kern_raise_copy(r, r->best, 1);
         for (; high - low > 1; at = (low + high) / 2) {
             kern_raise_copy(r, r->best, 0);
-            if (kern_raise_push(r, &q, shrink, share[at])) {
+            if (kern_raise_push(r, &q, asked->shrink, share[at])) {
                 low = at;
                 kern_raise_copy(r, r->best, 1);
             } else
@@ -6919,20 +6917,22 @@ static int kern_raise_hangs(kern_model *m, kern_part *p, const kern_query *q,
     return status == KERN_STANDS;
 }
 
-/* Opens the question: whether blocks hang, with the proof, or not shown. */
-static kern_status kern_raise_begin(kern_raise *r, const kern_query *q,
+/* Opens the question. Whether blocks hang, with the proof, in *out, which is
+   KERN_NOT_SHOWN before; or room for prices. */
+static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
-    kern_model *m = r->m;
+    kern_model *m = r->m = &c->m;
+    const kern_query *q = &c->path.q;
     kern_status status = KERN_STANDS;
     kern_real *value;
     int i, left = m->s->blocks, gone = 1; /* the largest set that can hang */
+    r->p = &c->part;
     m->rest.reals -= m->s->blocks; /* at the end of the work memory */
     m->common.reals = m->rest.reals;
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     value = m->rest.real + m->rest.reals;
-    *out = KERN_NOT_SHOWN;
     for (i = 0; i < left; i++)
         value[i] = KERN_R(1);
     for (; gone > 0; left -= gone)
@@ -6942,7 +6942,10 @@ static kern_status kern_raise_begin(kern_raise *r, const kern_query *q,
         if (status == KERN_STANDS && kern_raise_hangs(m, r->p, q, value))
             *out = KERN_HANGS;
     }
-    return status;
+    if (status != KERN_STANDS || *out == KERN_HANGS)
+        return status;
+    kern_model_set(m, q);
+    return kern_raise_open(r) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
 /* Keeps u and prices as the last of a load, and goes on from there in the same
@@ -7014,36 +7017,8 @@ static int kern_raise_grown(kern_raise *r, const kern_query *q)
     if (!(loads > 0)
         || kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL) < 1)
         return 0;
-    r->q = q;
     r->along = 0;
     return 1;
-}
-
-/* Whether the structure hangs, or is raised; *reserve unless NULL. */
-static kern_status kern_raise_ask(kern_raise *r, const kern_query *q,
-                                  kern_raising *out, kern_real *reserve,
-                                  const kern_proof *proof)
-{
-    kern_model *m = r->m;
-    kern_status status = kern_raise_begin(r, q, out);
-    if (status == KERN_NO_SPACE)
-        return status;
-    if (status == KERN_STANDS && *out == KERN_NOT_SHOWN) {
-        kern_model_set(m, q);
-        if (!kern_raise_open(r))
-            return KERN_NO_SPACE;
-        if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, NULL)
-            || kern_raise_grown(r, q))
-            *out = KERN_RAISED;
-        else
-            status = kern_model_evaluate(m, r->p, q);
-    }
-    kern_proof_out(m, proof, status);
-    if (*out != KERN_NOT_SHOWN)
-        kern_proof_out(m, proof, KERN_FALLS);
-    if (*out == KERN_RAISED && reserve)
-        *reserve = kern_raise_reserve(r);
-    return status;
 }
 
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
@@ -7052,18 +7027,28 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
 {
     kern_call c;
     kern_raise r;
-    kern_raising raising;
+    kern_raising raising = KERN_NOT_SHOWN;
     kern_real share = KERN_R(0);
+    const kern_query *q = &c.path.q;
     kern_status status = kern_call_open(&c, task, shrink, out);
     if (status != KERN_OK)
         return status;
     if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
         return KERN_BAD_OPTION;
-    r.m = &c.m;
-    r.p = &c.part;
-    r.enough = task->options.reserve;
-    status = kern_spent(task->work, task->options.limit, kern_raise_ask(
-        &r, &c.path.q, &raising, reserve ? &share : NULL, proof));
+    status = kern_raise_begin(&r, &c, &raising);
+    if (status == KERN_STANDS && raising == KERN_NOT_SHOWN) {
+        if (kern_raise_settle(&r, q, 1, KERN_RAISE_ROUNDS, NULL)
+            || kern_raise_grown(&r, q))
+            raising = KERN_RAISED;
+        else
+            status = kern_model_evaluate(&c.m, &c.part, q);
+    }
+    kern_proof_out(&c.m, proof, status);
+    if (raising != KERN_NOT_SHOWN)
+        kern_proof_out(&c.m, proof, KERN_FALLS);
+    if (raising == KERN_RAISED && reserve)
+        share = kern_raise_reserve(&r, q, task->options.reserve);
+    status = kern_spent(task->work, task->options.limit, status);
     if (status == KERN_STANDS)
         *out = raising;
     if (status == KERN_STANDS && reserve)
@@ -7084,17 +7069,13 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                   side, factor ? &most : NULL, proof);
     if (status == KERN_STANDS) { /* a model again that no part is open of */
         kern_query *q = &c.path.q;
-        kern_raising hung;
+        kern_raising hung = KERN_NOT_SHOWN;
         kern_model_open(&c.m, task, q);
-        r.m = &c.m;
-        r.p = &c.part;
-        status = kern_raise_begin(&r, q, &hung);
+        status = kern_raise_begin(&r, &c, &hung);
+        if (hung == KERN_HANGS)
+            status = KERN_UNDECIDED;
         q->factor = most = kern_min(most, KERN_FACTOR_MOST);
         kern_model_set(r.m, q); /* the unit of force is what acts at the end */
-        if (status == KERN_STANDS && hung != KERN_HANGS)
-            status = kern_raise_open(&r) ? KERN_STANDS : KERN_NO_SPACE;
-        else if (status == KERN_STANDS)
-            status = KERN_UNDECIDED;
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most, proof);
         status = kern_spent(task->work, task->options.limit,
