@@ -670,7 +670,7 @@ static int stack_spent(const struct stack_wall *w)
     const struct stack_options *o = &w->options;
     const double share = fmin(2, fmax(1, (double)o->look / STACK_LOOK));
     return o->effort > 0 && (double)w->tried + (double)w->asked +
-                            STACK_SWAY * (double)w->swayed > share * o->effort;
+                            w->passes / STACK_PASSES > share * o->effort;
 }
 
 /* Builds one more wall: from the ground, or by taking stones off the best one
