@@ -349,6 +349,22 @@ static void test_quality(void)
     near_to("quality", stack_quality(0.2, 0.70), 0.1, 1e-12);
 }
 
+/* Two boxes of four of a stock in a frame of 12: the stock fills a third of it,
+   and half of that is laid. In a frame of 4 it could fill all. */
+static void test_worth_of_filling(void)
+{
+    struct stones stock;
+    struct stack_wall w;
+    if (two_boxes(&w, &stock)) return;
+    near_to("by what the stock can fill", stack_worth_of_filling(&w),
+            stack_worth(stack_enough - 1.0 / 6 - stack_more), 1e-12);
+    w.options.height = 1;
+    near_to("by the frame", stack_worth_of_filling(&w),
+            stack_worth(0.5 - stack_more), 1e-12);
+    stack_free(&w);
+    stones_free(&stock);
+}
+
 /* The step test: a box stays in every run; one whose centre is beside what
    carries it moves in all. */
 static void test_steps(void)
@@ -828,6 +844,7 @@ int main(int argc, char **argv)
     test_bond();
     test_rest();
     test_quality();
+    test_worth_of_filling();
     test_limit();
     test_steps();
     test_finish();

@@ -567,8 +567,20 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
 }
 
 /* So much more filling than in stack_worth() is worth the same to `best`: else
-   it would build walls that are low. */
-static const double stack_more = 0.07;
+   it would build walls that are low. A stock that cannot fill as much as is
+   enough is measured by what it can: else a stone that rises above the frame
+   would count for more than what the wall endures. */
+static const double stack_more = 0.07, stack_enough = 0.80;
+
+static double stack_worth_of_filling(const struct stack_wall *w)
+{
+    const struct stack_options *o = &w->options;
+    const int stones = w->stock->stones - w->stock->pins;
+    const double all = w->stock->area * (o->most < stones ? o->most : stones)
+                     / (o->width * o->height);
+    return stack_worth(stack_fill(w) + fmax(0, stack_enough - all)
+                       - stack_more);
+}
 
 /* The limit multiplier times what the filling is worth. A wall without a limit is
    worth less than any that has one. What is to be exceeded counts little more
@@ -589,17 +601,18 @@ static double stack_value_of_load(struct stack_wall *w)
 }
 
 /* What of a wall is as masons want it, 0 to 1: filled, its joints crossed, its
-   long stones lying, every stone on a bed, half of its stones on two others, and
-   no column at either end. */
+   long stones lying, every stone on a bed, a little more than half of its stones
+   on two others, and no column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
+    const double half = 0.54;
     struct masonry m;
     double bond;
     if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
-    bond = fmin(1, 0.5 + m.on_two);
-    return stack_worth(stack_fill(w) - stack_more)
+    bond = pow(fmin(1, m.on_two / half), 4);
+    return stack_worth_of_filling(w)
          * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless)
-         * bond * bond * (1 - 0.8 * m.end_columns);
+         * bond * (1 - 0.8 * m.end_columns);
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is
