@@ -295,7 +295,7 @@
    margin 0.87 (measured with 0.1.0). In sample (969 placements, tests/truth.c):
    0.96, 0.91, 0.70. Most that stay and are rejected stand on walls that were
    below 0.0055 before. examples/parts/stays.h asks for its sag on springs too:
-   area 0.984 [0.972, 0.995] and 0.989 [0.980, 0.998] on 509 and 460 of them,
+   area 0.985 [0.971, 0.995] and 0.989 [0.978, 0.997] on 509 and 460 of them,
    each half by a law of the other. KERN_NOT_SHOWN is no proof of falling.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
@@ -2879,7 +2879,6 @@ struct kern_part {
 
 /* The engine, in >>lp. */
 
-static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y);
 static int kern_certificate_lift(kern_simplex *sx, kern_real *y);
 static int kern_forces_spread(kern_simplex *sx, const kern_real *y,
                               kern_real *x);
@@ -5302,14 +5301,15 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* ---- Searching a path ------------------------------------------ >>search */
 /* Verdicts along a path; the critical value is the place where they change. */
 
-/* How y.rhs changes when kerns that are shrunk by `from` are shrunk by `to`,
-   if y stays: by -y.(A(to) - A(from)) x, which is straight but where a kern
-   closes. One that was closed opens to the side that helps. In *rate how fast
-   it changes at `to`. */
-static kern_real kern_shrink_power(const kern_part *p, kern_real from,
+/* How y.rhs changes when kerns that are shrunk as q says are shrunk by `to`, if
+   y stays: by -y.(A(to) - A(q)) x, which is straight but where a kern closes.
+   One that was closed opens to the side that helps. In *rate how fast it
+   changes at `to`. */
+static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
                                    kern_real to, kern_real *rate)
 {
     const kern_model *m = p->m;
+    const kern_real from = q->shrink;
     kern_real sum = KERN_R(0);
     int i;
     *rate = KERN_R(0);
@@ -5330,13 +5330,16 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
         sum -= work * kern_shift(travel, from, m->relative, &was);
         sum += work * kern_shift(travel, to, m->relative, &is);
         *rate += work * is;
-        if (m->cone.narrow > 0 && mu > 0) { /* the reduction of `from` is set */
+        if (m->cone.narrow > 0 && mu > 0) { /* the reduction of q is set */
             const kern_real by = kern_max(m->cone.narrow * to, KERN_R(0));
             const kern_real narrow = kern_friction(c, by);
             const kern_real one = 1 + c->mu * by;
-            work = (p->x[2 * i] - p->x[2 * i + 1])
-                   * (kern_lp_dot(&p->eq.lp, 2 * i, p->y)
-                      - kern_lp_dot(&p->eq.lp, 2 * i + 1, p->y)) / (2 * mu);
+            kern_real speed[2] = {0, 0};
+            kern_row row[2];
+            kern_model_rows(m, q, p->contact[i], row);
+            kern_row_speed(row, p->y + 3 * p->ends[2 * i], speed);
+            kern_row_speed(row + 1, p->y + 3 * p->ends[2 * i + 1], speed);
+            work = (p->x[2 * i] - p->x[2 * i + 1]) * speed[1];
             sum += work * (mu - narrow);
             if (narrow > 0)
                 *rate += work * m->cone.narrow * (1 + c->mu * c->mu)
@@ -5346,17 +5349,17 @@ static kern_real kern_shrink_power(const kern_part *p, kern_real from,
     return sum;
 }
 
-/* Where the mechanism y that falls at s, by `power` < 0, stops to fall: its
+/* Where the mechanism y that falls as q says, by `power` < 0, stops to fall: its
    power is straight but for bends where kerns close. At least `holds`. */
-static kern_real kern_shrink_critical(const kern_part *p, kern_real holds,
-                                      kern_real s, kern_real power)
+static kern_real kern_shrink_critical(const kern_part *p, const kern_query *q,
+                                      kern_real holds, kern_real power)
 {
     const kern_real same = KERN_SAME_VALUE
                            * (p->m->relative ? 1 : p->m->mean) / 8;
-    kern_real lo = holds, hi = s, at = s, rate;
+    kern_real lo = holds, hi = q->shrink, at = hi, rate;
     int round;
     for (round = 0; round < KERN_BENDS; round++) {
-        const kern_real left = power + kern_shrink_power(p, s, at, &rate);
+        const kern_real left = power + kern_shrink_power(p, q, at, &rate);
         const kern_real step = left / rate;
         if (kern_abs(step) <= same)
             return at - step;
@@ -5434,7 +5437,7 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
     kern_real share, fall = KERN_R(0), rate[3];
     int n;
     if (path->kind == KERN_PATH_SHRINK)
-        return kern_shrink_critical(p, path->holds, s, power);
+        return kern_shrink_critical(p, q, path->holds, power);
     for (n = 0; n < p->groups; n++) {
         kern_group_rate(path, p->m, q, s, p->group[n], rate);
         fall -= kern_three(p->y + 3 * n, rate);
