@@ -5295,7 +5295,12 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status != KERN_OK)
             return status;
     }
-    return kern_part_evaluate(p, q);
+    status = kern_part_evaluate(p, q);
+    if (status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL) {
+        status = kern_ipm_verdict(m, p, q); /* its rounding is another */
+        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
+    }
+    return status;
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xabbf083c98cc7336u },
-    { 1000, 0x4240cdb58f1d965eu },
-    { 5000, 0xcb2a901a4b098598u },
+    { 200, 0x1231de64fce8586cu },
+    { 1000, 0xa3c98941050a8d83u },
+    { 5000, 0x6c92297124d47d96u },
 #else
-    { 200, 0xaf3a13bed5a6dfc2u },
-    { 1000, 0xc0c669d204a0de9au },
-    { 5000, 0xaa54661df43ea972u },
+    { 200, 0x5684073346473a65u },
+    { 1000, 0x23112b07755407e9u },
+    { 5000, 0x223ef864939d19ceu },
 #endif
 };
 

@@ -93,9 +93,12 @@ static const struct regression {
     {"slot_4e", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
     /* perfect bricks: undecided verdicts, measures without end, profiles of
        seconds; the numbers by two methods of this library, proven both ways */
+    {"bricks_44", KERN_STANDS, .124314, {OPEN, OPEN}, OPEN, 1},
     {"bricks_45", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
     {"bricks_45b", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
     {"bricks_58", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    {"bricks_61", KERN_STANDS, .177173, {OPEN, OPEN}, OPEN, 1},
+    {"bricks_63", KERN_FALLS, NONE, {NONE, NONE}, NONE, 1},
     {"bricks_85", KERN_STANDS, .197541, {.446434, .197046}, OPEN, 1},
     {"bricks_162", KERN_FALLS, NONE, {NONE, NONE}, NONE, 1},
     {"bricks_182", KERN_STANDS, .0017316, {.421588, .0041930}, OPEN, 1},
@@ -205,6 +208,22 @@ static void check_margin(const struct regression *r, int falls)
     CHECK(falls || is_value(r->length, (double)length, 1e-9));
 }
 
+/* What falls has a deficit, the same where cones narrow: they do so only where
+   kerns shrink. */
+static void check_deficit(void)
+{
+    kern_real deficit[2] = { -1, -1 };
+    int i;
+    for (i = 0; i < 2; i++) {
+        a.task.options.narrow = (kern_real)i / 20;
+        CHECK(kern_deficit(&a.task, &deficit[i]) == KERN_FALLS);
+    }
+    a.task.options.narrow = 0;
+    CHECK(deficit[0] >= 0);
+    CHECK(isinf(deficit[0]) ? isinf(deficit[1])
+                            : fabs((double)(deficit[1] - deficit[0])) < 1e-5);
+}
+
 static void check_loads(const struct regression *r, int falls)
 {
     static const kern_side side[2] = { KERN_LEFT, KERN_RIGHT };
@@ -252,6 +271,8 @@ static void check_file(const struct regression *r)
     if (got == KERN_STANDS || got == KERN_FALLS) {
         check_margin(r, got == KERN_FALLS);
         check_loads(r, got == KERN_FALLS);
+        if (got == KERN_FALLS)
+            check_deficit();
     }
     CHECK((double)(clock() - start) / CLOCKS_PER_SEC <= r->seconds);
     printf("%-30s %.3f s, %d pivots\n", r->file,
