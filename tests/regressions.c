@@ -91,6 +91,8 @@ static const struct regression {
     /* 43 GB for kern_certain(); a slot of 4 errors that "stands for certain" */
     {"certain_no_space", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
     {"slot_4e", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    /* bricks around openings: raised by no load at all */
+    {"raised_from_rest", KERN_STANDS, OPEN, {OPEN, .375723}, OPEN, 1},
     /* perfect bricks: undecided verdicts, measures without end, profiles of
        seconds; the numbers by two methods of this library, proven both ways */
     {"bricks_44", KERN_STANDS, .124314, {OPEN, OPEN}, OPEN, 1},
@@ -224,6 +226,16 @@ static void check_deficit(void)
                             : fabs((double)(deficit[1] - deficit[0])) < 1e-5);
 }
 
+/* Its first step from rest is found from nothing, or not at all. */
+static void check_raised(double load, kern_side side)
+{
+    const kern_proof proof = { a.force, a.motion };
+    kern_real factor = -1;
+    CHECK(kern_raised_load(&a.task, 0, side, NULL, &factor, &proof)
+          == KERN_STANDS);
+    CHECK((double)factor > 0.9 * load && (double)factor <= load);
+}
+
 static void check_loads(const struct regression *r, int falls)
 {
     static const kern_side side[2] = { KERN_LEFT, KERN_RIGHT };
@@ -241,6 +253,8 @@ static void check_loads(const struct regression *r, int falls)
         if (falls)
             continue;
         CHECK(is_value(r->load[i], (double)factor, 2e-4));
+        if (strcmp(r->file, "raised_from_rest") == 0)
+            check_raised((double)factor, side[i]);
         CHECK(isinf(factor) || loaded || fabs(tan((double)angle) - (double)factor)
                                < 1e-5 * (1 + (double)factor));
         CHECK(fabs((double)c.least - fmin((double)factor, 10)) < 1e-4);
