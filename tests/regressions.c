@@ -61,9 +61,12 @@ static const struct regression {
     {"joint_10deg_2000px", KERN_STANDS, OPEN, {.2090, .6201}, OPEN, .1},
     {"kerb_1e-9", KERN_STANDS, .5, {.4, .4}, 1, .1},
     {"step_1e-12", KERN_STANDS, .5, {.4, .4}, 1, .1},
-    /* pixels of .99 and of 1.57 gaps: slopes of 25 degrees, mu .4 */
+    /* pixels of .94 to 1.57 gaps: slopes of 25 degrees, mu .4 */
     {"gap_1.01px_25deg_mu.4", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
     {"default_gap_900px_25deg_mu.4", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    {"default_gap_1050px_25deg_mu.4", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    {"default_gap_1150px_25deg_mu.4", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
+    {"default_gap_1500px_25deg_mu.4", KERN_FALLS, NONE, {NONE, NONE}, NONE, .1},
     {"lip_2e-6", KERN_STANDS, .15, {.4, .4}, 2e-6, .1},
     /* motions that failed their own rule without rounding */
     {"motion_arch_40568", KERN_STANDS, OPEN, {OPEN, OPEN}, OPEN, .1},
