@@ -6,8 +6,8 @@
    A stone is let down at many places, from left to right, and turns until it
    rests. kern_plan_try() gives the margin of the wall with the stone there; the
    plan of the wall stays as it is. The best place is the one that is good also a
-   little beside it, since a hand is not exact; parts/stays.h gives the chance
-   that the stone stays there when it is let go. Without arguments the wall is the
+   little beside it, since a hand is not exact; kern_plan_stays() gives the
+   chance that the stone stays there when it is let go. Without arguments the wall is the
    one below: a slab reaches out far to the left, and the stone holds it down or
    tips it, or lies elsewhere and makes no difference. The first argument is a
    file for a picture (- for none), the second a wall made of polygons. Times
@@ -19,7 +19,6 @@
 #include "parts/args.h"
 #include "parts/draw.h"
 #include "parts/room.h"
-#include "parts/stays.h"
 #include "parts/text.h"
 
 #include <errno.h>
@@ -287,21 +286,14 @@ static void find_best(struct wall *w)
     }
 }
 
-/* The chance that the stone stays in the best place: it is laid there, and
-   taken away again. */
+/* The chance that the stone stays in the best place. */
 static void find_stays(struct wall *w)
 {
-    int i;
-
     w->stays = (double)NAN;
     if (w->best < 0)
         return;
     put_stone(w, &w->place[w->best]);
-    i = kern_plan_add(&w->plan, &w->stone);
-    if (i < 0)
-        return;
-    stays_of(&w->plan.task, w->plan.task.s.blocks - 1, &w->stays);
-    kern_plan_remove(&w->plan, w->plan.task.s.blocks - 1);
+    kern_plan_stays(&w->plan, &w->stone, &w->stays);
 }
 
 static void try_places(struct wall *w)

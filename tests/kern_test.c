@@ -10144,6 +10144,118 @@ static void raised_random(void)
     CHECK(stood > 100 && shown > stood / 2);
 }
 
+/* kern_stays() of a block, or -10 less what it returns. Of the last block a
+   plan says the same that does not have it yet, and that has it. */
+static double stays(const world *w, int i)
+{
+    static site p;
+    kern_work work = work_of(w);
+    kern_real got = R(-1), with = R(-1), has = R(-1);
+    const kern_status status = kern_stays(world_task(w, &work), i, &got);
+    CHECK((got >= 0 && got <= 1) == (status == KERN_STANDS));
+    CHECK(got >= 0 || got <= -1);
+    if (i == w->blocks - 1 && !w->given) {
+        site_with(&p, w, i);
+        CHECK_INT(kern_plan_stays(&p.plan, &w->block[i], &with), status);
+        CHECK_INT(p.plan.task.s.blocks, i);
+        site_add(&p, i);
+        CHECK_INT(kern_plan_stays(&p.plan, NULL, &has), status);
+        CHECK(memcmp(&with, &has, sizeof has) == 0);
+        CHECK_NEAR(with, got, EXACT);
+    }
+    return status == KERN_STANDS ? (double)got : -10 - status;
+}
+
+/* n cubes have a reserve of .1 and more; the bed of each has two points, of the
+   stiffness .1 + .5, so that the top one sinks by (1 + ... + n) / 1.2. */
+static void stays_law(void)
+{
+    static world w;
+    double last = 1, shift;
+    int n, k;
+    for (n = 1; n <= 4; n++)
+        for (k = 1; k <= n; k++) {
+            /* cube k sinks by what those below it do */
+            const double down = (k * n - k * (k - 1) / 2.0) / 1.2;
+            const double q = 9.1e7 * 0.014 * 0.014 * 0.014
+                           / (down < 1 ? 1 : down);
+            int i;
+            world_reset(&w);
+            world_box(&w, 0, -5, -1, 5, 0);
+            for (i = 0; i < n; i++)
+                world_box(&w, 1, 0, i, 1, i + 1);
+            world_touch(&w);
+            CHECK_NEAR(stays(&w, k), 1 / (1 + pow(q, -1.25)), 100 * PROOF_TOL);
+        }
+    for (shift = 0; shift < 0.499; shift += 0.02) { /* nearer to its edge */
+        shifted_cube(&w, shift);
+        CHECK(stays(&w, 1) <= last);
+        last = stays(&w, 1);
+    }
+    shifted_cube(&w, 0.4999);
+    CHECK(stays(&w, 1) < 0.5 && last > 0.98);
+    shifted_cube(&w, 0.51);
+    CHECK_INT((int)stays(&w, 1), -10 - KERN_FALLS);
+    CHECK_INT((int)stays(&w, 0), -10 - KERN_BAD_BLOCK);
+    CHECK_INT((int)stays(&w, 2), -10 - KERN_BAD_BLOCK);
+    CHECK_INT((int)stays(&w, -1), -10 - KERN_BAD_BLOCK);
+    w.gravity = vec(0, 0);
+    kern_block_load(&w.block[1], vec(0, -1), w.block[1].centre, 0);
+    CHECK_INT((int)stays(&w, 1), -10 - KERN_BAD_OPTION);
+    between_walls(&w, 0, 0, 0.5); /* between walls that nothing presses */
+    CHECK_NEAR(stays(&w, 0), 0, EXACT);
+}
+
+/* The chance is that of the mirrored structure, and of other units. */
+static void stays_random(void)
+{
+    static world w, other;
+    static int order[MAX_BLOCKS];
+    change c = no_change();
+    int seed, stood = 0;
+    c.mirror = 1;
+    c.scale = c.mass = 8;
+    for (seed = 1; seed <= 100; seed++) {
+        double got;
+        if (!random_world(&w, (unsigned long long)seed, 12))
+            continue;
+        sprintf(context, "seed %d", seed);
+        got = stays(&w, w.blocks - 1);
+        if (got < 0)
+            continue;
+        stood++;
+        world_changed(&other, &w, &c, order);
+        CHECK_NEAR(stays(&other, w.blocks - 1), got, EXACT);
+    }
+    context[0] = 0;
+    CHECK(stood > 25);
+}
+
+static void stays_memory(void)
+{
+    static world w;
+    kern_work work;
+    kern_real got = -1;
+    int part, enough = 0;
+    jack_arch(&w);
+    for (part = 0; part <= 50; part++) {
+        kern_status status;
+        work = work_of_part(&w, part);
+        status = kern_stays(world_task(&w, &work), 4, &got);
+        CHECK(status == KERN_NO_SPACE || status == KERN_STANDS);
+        enough |= status == KERN_STANDS;
+        CHECK((got >= 0) == enough);
+    }
+    CHECK(enough);
+    got = -1;
+    w.options.limit = 3;
+    CHECK_INT(kern_stays(world_task(&w, &work), 4, &got), KERN_LIMIT);
+    CHECK_INT(kern_stays(world_task(&w, &work), 4, NULL), KERN_BAD_POINTER);
+    CHECK_INT(kern_stays(NULL, 4, &got), KERN_BAD_POINTER);
+    CHECK_INT(kern_plan_stays(NULL, NULL, &got), KERN_BAD_POINTER);
+    CHECK_NEAR(got, -1, 0);
+}
+
 static void raised_memory(void)
 {
     static world w;
@@ -11161,6 +11273,9 @@ static const test tests[] = {
     TEST(raised_reserve),
     TEST(raised_random),
     TEST(raised_memory),
+    TEST(stays_law),
+    TEST(stays_random),
+    TEST(stays_memory),
     TEST(raised_loads),
     TEST(raised_grown),
     TEST(raised_patterns),

@@ -1,12 +1,12 @@
 /* cc -O2 -ffp-contract=off -o truth tests/truth.c -lm && ./truth FOLDER [KEPT REJECTED]
 
-   How well kern_raised() and its reserve, and stays_of(), which asks about the
-   block that is the last of its file, tell placements that stay from those that
+   How well kern_raised() and its reserve, and kern_stays() of the block that
+   is the last of its file, tell placements that stay from those that
    move. FOLDER holds labels.csv, whose first column is the NAME of a file
    structures/NAME.kern; of a column `label` stays, moves and unclear are read;
    without one all count as stays. What does not stand is left out. Where names
-   begin with the number of a wall, as w017-05-c, the form of the law of stays.h
-   is fitted to the walls of odd number and tested on those of even number, and
+   begin with the number of a wall, as w017-05-c, the form of the law of
+   kern_stays() is fitted to the walls of odd number and tested on those of even number, and
    the other way. Fails where a proof is none, or where at the recommended
    reserve less is kept of what stays, or rejected of what moves, than the
    shares that are given. */
@@ -21,7 +21,6 @@
 #define KERN_IMPLEMENTATION
 #include "../kern.h"
 #include "../examples/parts/room.h"
-#include "../examples/parts/stays.h"
 #include "../examples/parts/text.h"
 
 enum { MANY = 20000, POINTS = 4000, LABELS = 3, TERMS = 3,
@@ -46,7 +45,7 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
 {
     kern_task task = kern_task_of(t->block, t->blocks, contact, 0, work);
     kern_margin m;
-    kern_real load[2], reserve;
+    kern_real load[2], reserve, stays, sag = 0;
     kern_force force[POINTS];
     kern_motion *motion = malloc(sizeof *motion * (size_t)t->blocks);
     kern_proof proof = { force, motion };
@@ -74,11 +73,13 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
         if (kern_load_factor(&task, 0, side > 0 ? KERN_RIGHT : KERN_LEFT,
                              &load[side > 0], NULL) != KERN_STANDS)
             return -1;
-    if (stays_of(&task, t->blocks - 1, &f->stays) != KERN_STANDS) return -1;
+    if (kern_stays(&task, t->blocks - 1, &stays) != KERN_STANDS) return -1;
     f->reserve = (double)reserve;
+    kern_raise_task(&task, 0, &f->raised, &reserve, NULL, t->blocks - 1, &sag);
+    f->stays = (double)stays;
     f->law[0] = 1;
-    f->law[1] = log(f->reserve + 0.004);
-    f->law[2] = -log(fmax(stays_sag(&task, t->blocks - 1), 0.05));
+    f->law[1] = log((double)(reserve + KERN_STAYS_ADD));
+    f->law[2] = -log((double)kern_max(sag, 1));
     f->load = (double)(load[0] < load[1] ? load[0] : load[1]);
     free(motion);
     return 0;

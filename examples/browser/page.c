@@ -14,7 +14,6 @@
 #include "../parts/falls.h"
 
 #define STAYS_SQRT(x) __builtin_sqrt(x)
-#include "../parts/stays.h"
 
 #define PAGE(name) __attribute__((export_name(#name)))
 
@@ -324,7 +323,7 @@ PAGE(raised_load) int page_raised_load(int side)
 /* Answer: the chance that block i, laid last, stays where it is let go. */
 PAGE(stays) int page_stays(int i)
 {
-    return report(stays_of(&task, i, &answer[0]), &work.fault);
+    return report(kern_stays(&task, i, &answer[0]), &work.fault);
 }
 
 /* Answer: how it is held (kern_raising), and the sideways reserve. */

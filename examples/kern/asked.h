@@ -9,7 +9,6 @@
 #include "../../kern.h"
 
 #include "../parts/room.h"
-#include "../parts/stays.h"
 #include "state.h"
 
 #include <math.h>
@@ -196,7 +195,7 @@ static inline int find_stays(struct analysis *a)
             || (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
         found = 1;
         grow_to(a, &g, all ? i : blocks);
-        stays_of(&g.task, g.part.place[i], &a->stays[i]);
+        kern_stays(&g.task, g.part.place[i], &a->stays[i]);
     }
     close_grown(&g);
     if (!there || !a->stays) return fail_memory(a);

@@ -220,8 +220,7 @@ _LAYOUTS = {
 _ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 _HEADERS = ("kern.h", "kern_lp.h", "examples/parts/draw.h",
             "examples/parts/dxf.h", "examples/parts/falls.h",
-            "examples/parts/room.h", "examples/parts/stays.h",
-            "examples/parts/text.h")
+            "examples/parts/room.h", "examples/parts/text.h")
 _FLAGS = ("-O2", "-ffp-contract=off", "-shared", "-fPIC", "-I%s" % _ROOT)
 
 
@@ -240,7 +239,6 @@ def _source() -> str:
 #include "examples/parts/text.h"
 #include "examples/parts/dxf.h"
 #include "examples/parts/room.h"
-#include "examples/parts/stays.h"
 #include <stddef.h>
 #define ROW(name, value, text) #name " " #value " "
 #define SIZE(type) (int)sizeof(type),
@@ -255,8 +253,6 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 void kern_py_free(struct text_file *t) { text_free(t); }
 void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
 { room_falls(task, shrink, motion); }
-int kern_py_stays(const kern_task *task, int i, double *out)
-{ return stays_of(task, i, out); }
 char *kern_py_dxf(const char *data, size_t length, char *message, size_t room)
 { return dxf_read(data, length, message, room); }
 void kern_py_dxf_free(char *text) { free(text); }
@@ -380,6 +376,7 @@ _contact_at = _declare("kern_contact_at", _Vec, _p, _r, _i)
 _task_of = _declare("kern_task_of", _Task, _p, _i, _p, _i, _p)
 _verdict = _declare("kern_verdict", _i, _p, _r, _p)
 _raised = _declare("kern_raised", _i, _p, _r, _p, _p, _p)
+_stays = _declare("kern_stays", _i, _p, _i, _p)
 _least_forces = _declare("kern_forces", _i, _p, _r, _p)
 _measure = _declare("kern_measure", _i, _p, _p, _p)
 _deficit = _declare("kern_deficit", _i, _p, _p)
@@ -398,6 +395,7 @@ _plan_remove = _declare("kern_plan_remove", _i, _p, _i)
 _plan_try = _declare("kern_plan_try", _i, _p, _p, _p, _p)
 _plan_bears = _declare("kern_plan_bears", _i, _p, _p, _r, _p)
 _plan_raised = _declare("kern_plan_raised", _i, _p, _p, _p, _p, _p)
+_plan_stays = _declare("kern_plan_stays", _i, _p, _p, _p)
 _check_forces = _declare("kern_check_forces", _r, _p, _r, _p)
 _check_motion = _declare("kern_check_motion", _r, _p, _r, _p)
 _check_raised = _declare("kern_check_raised", _r, _p, _r, _i, _p)
@@ -407,7 +405,6 @@ _free = _declare("kern_py_free", None, _p)
 _dxf = _declare("kern_py_dxf", _p, c_char_p, ctypes.c_size_t, _p,
                 ctypes.c_size_t)
 _dxf_free = _declare("kern_py_dxf_free", None, _p)
-_stays = _declare("kern_py_stays", _i, _p, _i, _p)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
                  _p, _r, c_char_p, _i, _p, _r, c_char_p)
@@ -1230,8 +1227,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
 
     @_asks
     def stays(self, block: Union[int, str]) -> Optional[float]:
-        """The chance from 0 to 1 that a block, laid last, stays where it is let
-        go (stays.h); None where the structure falls."""
+        """kern_stays(): the chance from 0 to 1 that a block, laid last, stays
+        where it is let go; None where the structure falls."""
         out, i = c_double(), self._index(block)
         if self.blocks[i].fixed:
             raise ValueError("'%s' is fixed" % self.blocks[i].name)
@@ -1703,8 +1700,8 @@ class Plan(Structure):
                           share.value if stands and reserve else None)
 
     def try_stays(self, block: Block) -> Optional[float]:
-        """What stays() would say of the block, laid last on the plan: the chance
-        that it stays where it is let go; None where it falls or overlaps.
+        """kern_plan_stays(): the chance that the block, laid last on the plan,
+        stays where it is let go; None where it falls or overlaps.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
@@ -1716,18 +1713,18 @@ class Plan(Structure):
         False
         None
         """
+        if block.fixed:
+            raise ValueError("'%s' is fixed" % block.name)
         with self._lock:
+            chance = c_double()
             try:
-                self.add(block)
+                stands = self._ask(_plan_stays, block,
+                                   byref(chance)) == _STANDS
             except KernError as error:
                 if error.status != Status.OVERLAP:
                     raise
                 return None
-            last = len(self.blocks) - 1
-            try:
-                return self.stays(last)
-            finally:
-                self.remove(last)
+            return chance.value if stands else None
 
 
 def overlaps(blocks: Sequence[Block], options: Optional[Options] = None
