@@ -1,15 +1,15 @@
 /* cc -O2 -ffp-contract=off -o truth tests/truth.c -lm && ./truth FOLDER [KEPT REJECTED]
 
-   How well kern_raised() and its reserve, and kern_stays() of the block that
-   is the last of its file, tell placements that stay from those that
-   move. FOLDER holds labels.csv, whose first column is the NAME of a file
+   How well kern_raised() and its reserve, and kern_stays() of the block that is
+   the last of its file, tell placements that stay from those that move. FOLDER
+   holds labels.csv, whose first column is the NAME of a file
    structures/NAME.kern; of a column `label` stays, moves and unclear are read;
    without one all count as stays. What does not stand is left out. Where names
    begin with the number of a wall, as w017-05-c, the form of the law of
-   kern_stays() is fitted to the walls of odd number and tested on those of even number, and
-   the other way. Fails where a proof is none, or where at the recommended
-   reserve less is kept of what stays, or rejected of what moves, than the
-   shares that are given. */
+   kern_stays() is fitted to the walls of odd number and tested on those of even
+   number, and the other way. Fails where a proof is none, or where at the
+   recommended reserve, or a chance of one half, less is kept of what stays, or
+   rejected of what moves, than the shares that are given. */
 
 #include <math.h>
 #include <stdio.h>
@@ -217,6 +217,17 @@ static void fit(double *weight)
     }
 }
 
+/* What each chance keeps and rejects. */
+static void print_chances(double (*score)(const struct found *))
+{
+    double share[LABELS];
+    for (int k = 3; k < 10; k += 2) {
+        shares(score, 0.1 * k, share);
+        printf("%8.1f %9.3f %9.3f %9.3f\n", 0.1 * k, share[0], 1 - share[1],
+               1 - share[2]);
+    }
+}
+
 /* Each half by the law of the other. */
 static void print_halves(void)
 {
@@ -233,6 +244,9 @@ static void print_halves(void)
         print_stays(name[k], by_fitted);
         printf("  the reserve alone: area %.4f\n", area(by_raised));
     }
+    half = 2;
+    printf("each by the law of the other half:\n");
+    print_chances(by_fitted);
 }
 
 /* Prints the row of a reserve. Returns whether it keeps and rejects the shares
@@ -288,6 +302,7 @@ int main(int argc, char **argv)
                                     .008, .01, .015, .02, .03, .05, .1 };
     const double kept = argc > 3 ? atof(argv[2]) : 0;
     const double rejected = argc > 3 ? atof(argv[3]) : 0;
+    double share[LABELS];
     int good = 1;
     half = 2;
     if ((argc != 2 && argc != 4) || read_all(argv[1])) return 2;
@@ -302,6 +317,9 @@ int main(int argc, char **argv)
            area(by_reserve), area(by_load), seconds[1] / seconds[0],
            seconds[2] / seconds[0]);
     print_stays("stays", by_stays);
+    print_chances(by_stays);
+    shares(by_stays, 0.5, share);
+    good = good && share[0] >= kept && 1 - share[1] >= rejected;
     if (count >= 200) print_halves(); /* of fewer a law means nothing */
     if (unproven > 0) printf("%d proofs that are none\n", unproven);
     return count == 0 || unproven > 0 || !good;
