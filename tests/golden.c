@@ -210,6 +210,17 @@ static void hash_raised(kern_work *work, const kern_proof *proof)
     hash_proof(1, raising != KERN_NOT_SHOWN);
 }
 
+/* The chance of the last block, to stay. */
+static void hash_stays(kern_work *work)
+{
+    kern_task *task = task_of(work);
+    kern_real chance = 0;
+    const kern_status got = kern_stays(task, task->s.blocks - 1, &chance);
+    hash_verdict(got);
+    if (got == KERN_STANDS)
+        hash_real(chance);
+}
+
 static void hash_raised_load(kern_work *work, const kern_proof *proof)
 {
     kern_real factor = 0;
@@ -253,6 +264,7 @@ static void hash_structure(int seed)
             hash_real(out);
     }
     hash_raised(&work, &proof);
+    hash_stays(&work);
     if (seed % 4 == 0)
         hash_raised_load(&work, &proof);
     hash_int(work.pivots);

@@ -17,11 +17,12 @@
 #include <string.h>
 #include <valgrind/callgrind.h>
 
-enum { QUESTIONS = 12, LIMITS = 5, POINTS = 20000, STONES = 1000 };
+enum { QUESTIONS = 13, LIMITS = 5, POINTS = 20000, STONES = 1000 };
 
 static const char *const question[QUESTIONS] = {
     "verdict", "measure", "load", "tilt", "raised", "reserve", "bearing",
-    "deficit", "profile", "profile_load", "forces", "raised_load"
+    "deficit", "profile", "profile_load", "forces", "raised_load",
+    "stays"
 };
 
 static kern_contact contact[POINTS];
@@ -46,7 +47,8 @@ static int ask(int i, kern_task *task)
     case 8: return kern_profile(task, KERN_SHRINK, value, &c);
     case 9: return kern_profile(task, KERN_RIGHT, value, &c);
     case 10: return kern_forces(task, 0, force);
-    default: return kern_raised_load(task, 0, KERN_RIGHT, NULL, &x, NULL);
+    case 11: return kern_raised_load(task, 0, KERN_RIGHT, NULL, &x, NULL);
+    default: return kern_stays(task, task->s.blocks - 1, &x);
     }
 }
 
