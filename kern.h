@@ -1631,6 +1631,16 @@ KERN_SHARED static void kern_zero(kern_real *v, int n)
         *v++ = KERN_R(0);
 }
 
+static kern_real kern_largest(const kern_real *v, int n)
+{
+    kern_real size = KERN_R(0);
+    int i;
+    for (i = 0; i < n; i++)
+        if (!(size > kern_abs(v[i]))) /* in place: a third of all */
+            size = kern_abs(v[i]);
+    return size;
+}
+
 /* Makes the box empty: each corner lies beyond every place. */
 KERN_SHARED static void kern_box_empty(kern_box *box)
 {
@@ -1842,6 +1852,13 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
            && c->b == c[1].b;
 }
 
+/* Is d a point between the same blocks as c? */
+static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+{
+    return !d->line && ((c->a == d->a && c->b == d->b)
+                        || (c->a == d->b && c->b == d->a));
+}
+
 /* ---- The kern -------------------------------------------------- >>kern */
 /* Every measure follows a path s, one-parameter loading: kerns shrink, a load
    grows, or gravity turns. It is the first place where the structure falls.
@@ -1895,6 +1912,30 @@ typedef struct kern_travels {
     int nested;
 } kern_travels;
 
+static kern_travels kern_travels_of(const kern_structure *s,
+                                    const kern_query *q)
+{
+    kern_travels t;
+    int i;
+    t.least = KERN_INFINITY;
+    t.most = KERN_R(0);
+    t.nested = 1;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real travel = kern_abs(kern_travel(c, q->mean));
+        if (!(travel > 0)
+            || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
+                && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
+            continue;
+        t.least = kern_min(t.least, travel);
+        t.most = kern_max(t.most, travel);
+        t.nested &= c->line != 0;
+    }
+    if (q->relative)
+        t.most = KERN_R(1);
+    return t;
+}
+
 /* ---- what finds forces and motions ---- */
 /* Defined and told behind the argument: >>verdict, >>search, >>ipm. */
 
@@ -1902,20 +1943,13 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q);
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q);
-static void kern_proof_out(const kern_model *m, const kern_proof *proof,
-                           kern_status status);
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s);
 static kern_status kern_path_critical(kern_model *m, kern_path *path);
-static kern_travels kern_travels_of(const kern_structure *s,
-                                    const kern_query *q);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step);
-static int kern_moves(const kern_model *m, int i);
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real step);
-static kern_real kern_largest(const kern_real *v, int n);
-static int kern_same_interface(const kern_contact *c, const kern_contact *d);
 #ifndef KERN_NO_INTERIOR
 static kern_status kern_ipm_evaluate(struct kern_ipm *in, kern_real place,
                                      kern_real *crit);
@@ -1961,38 +1995,27 @@ static kern_status kern_steps(const kern_margin *out, int *last)
     return KERN_OK;
 }
 
-/* Algorithm 1 of the paper, from step `first` on: the first k at which kerns
-   shrunk by k steps hold no longer; last + 1 if they always do, -1 if a verdict
-   on the way is undecided. */
+/* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold no
+   longer; last + 1 if they always do, -1 if a verdict on the way is undecided.
+   Where kerns are nested the verdicts outside of the proven bracket of the
+   margin are known. */
 static kern_status kern_level_scan(kern_model *m, const kern_path *path,
-                                   int first, int last, kern_margin *out)
+                                   int nested, int last, kern_margin *out)
 {
     kern_status status = KERN_STANDS;
-    int k;
-    for (k = first; k <= last && status == KERN_STANDS; k++) {
-        const kern_query q = kern_path_at(
-            path, kern_min(KERN_R(k) * out->epsilon, out->most));
-        status = kern_model_evaluate(m, path->part, &q);
+    int k = !nested ? 1 : out->saturated ? last + 1
+            : (int)(path->holds / out->epsilon);
+    for (k += k == 0; k <= last && status == KERN_STANDS; k++) {
+        const kern_real at = KERN_R(k) * out->epsilon;
+        const kern_query q = kern_path_at(path, kern_min(at, out->most));
+        if (!nested || (at > path->holds && q.shrink < path->fails))
+            status = kern_model_evaluate(m, path->part, &q);
+        else if (at > path->holds)
+            status = KERN_FALLS;
     }
     out->level = status == KERN_STANDS ? last + 1
                  : status == KERN_FALLS ? k - 1 : -1;
     return status >= KERN_UNDECIDED ? KERN_STANDS : status;
-}
-
-/* The same where kerns are nested: outside of the proven bracket [holds, fails]
-   of the margin the verdicts are known. */
-static kern_status kern_level_nested(kern_model *m, const kern_path *path,
-                                     int last, kern_margin *out)
-{
-    int k = out->saturated ? last + 1 : (int)(path->holds / out->epsilon);
-    k += k == 0;
-    while (k <= last && !(KERN_R(k) * out->epsilon > path->holds))
-        k++;
-    if (k <= last && kern_min(KERN_R(k) * out->epsilon, out->most)
-                         < path->fails)
-        return kern_level_scan(m, path, k, last, out);
-    out->level = k;
-    return KERN_STANDS;
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
@@ -2770,6 +2793,21 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
                                                   m->answer.sum));
 }
 
+/* Hands the proof of a verdict to the caller. */
+static void kern_proof_out(const kern_model *m, const kern_proof *proof,
+                           kern_status status)
+{
+    int i;
+    if (!proof)
+        return;
+    if (status == KERN_STANDS && proof->force)
+        for (i = 0; i < m->s->contacts; i++)
+            proof->force[i] = m->answer.force[i];
+    if (status == KERN_FALLS && proof->motion)
+        for (i = 0; i < m->s->blocks; i++)
+            proof->motion[i] = m->answer.motion[i];
+}
+
 /* ---- Parts and programs ---------------------------------------- >>engine */
 /* What the argument holds by value; the fields belong to the chapters named. */
 
@@ -2982,7 +3020,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
         ? kern_path_search(m, path, path->unit * KERN_CLIMB)
         : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
-        status = kern_level_scan(m, path, 1, last, out);
+        status = kern_level_scan(m, path, 0, last, out);
     if (!nested && status == KERN_STANDS) {
         if (out->level > 0)
             path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
@@ -2996,7 +3034,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     out->holds = path->holds;
     out->fails = path->fails;
     out->saturated = path->never;
-    return nested ? kern_level_nested(m, path, last, out) : status;
+    return nested ? kern_level_scan(m, path, 1, last, out) : status;
 }
 
 /* Remembers a measure, whose proof is in the arrays of what is known, and
@@ -3370,6 +3408,14 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
         beyond += KERN_WIDTH * path->unit;
     }
     return status;
+}
+
+static int kern_moves(const kern_model *m, int i)
+{
+    const kern_motion *v = m->answer.motion + i;
+    const kern_real size = kern_block_size(m->s->block + i);
+    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
+           || kern_abs(v->spin) * size > KERN_AT_REST;
 }
 
 /* Takes away the blocks that move in the last mechanism, which is proven, and
@@ -5390,21 +5436,6 @@ static void kern_group_rate(const kern_path *path, const kern_model *m,
     out[2] = w.torque * m->unit[g] / m->weight;
 }
 
-/* Hands the proof of a verdict to the caller. */
-static void kern_proof_out(const kern_model *m, const kern_proof *proof,
-                           kern_status status)
-{
-    int i;
-    if (!proof)
-        return;
-    if (status == KERN_STANDS && proof->force)
-        for (i = 0; i < m->s->contacts; i++)
-            proof->force[i] = m->answer.force[i];
-    if (status == KERN_FALLS && proof->motion)
-        for (i = 0; i < m->s->blocks; i++)
-            proof->motion[i] = m->answer.motion[i];
-}
-
 /* Records a verdict on the whole at s, and hands its proof to the caller. The
    caller's motion stays that of the nearest place that falls. */
 KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
@@ -5588,30 +5619,6 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
     return KERN_STANDS;
 }
 
-static kern_travels kern_travels_of(const kern_structure *s,
-                                    const kern_query *q)
-{
-    kern_travels t;
-    int i;
-    t.least = KERN_INFINITY;
-    t.most = KERN_R(0);
-    t.nested = 1;
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        const kern_real travel = kern_abs(kern_travel(c, q->mean));
-        if (!(travel > 0)
-            || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
-                && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
-            continue;
-        t.least = kern_min(t.least, travel);
-        t.most = kern_max(t.most, travel);
-        t.nested &= c->line != 0;
-    }
-    if (q->relative)
-        t.most = KERN_R(1);
-    return t;
-}
-
 /* It stands to the end of the path. */
 static kern_status kern_path_saturate(kern_path *path)
 {
@@ -5783,14 +5790,6 @@ static int kern_start_falls(kern_model *m, kern_path *path)
     path->fails = warm->fails;
     path->critical = path->exact = warm->margin;
     return 1;
-}
-
-static int kern_moves(const kern_model *m, int i)
-{
-    const kern_motion *v = m->answer.motion + i;
-    const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
-           || kern_abs(v->spin) * size > KERN_AT_REST;
 }
 
 /* ---- bodies ---- */
@@ -8161,13 +8160,6 @@ static void kern_pair_face(kern_pair *pair, int i)
 
 /* ---- travels ---- */
 
-/* Is d a point between the same blocks as c? */
-static int kern_same_interface(const kern_contact *c, const kern_contact *d)
-{
-    return !d->line && ((c->a == d->a && c->b == d->b)
-                        || (c->a == d->b && c->b == d->a));
-}
-
 /* The block that a contact carries where `down` is the direction of gravity. */
 KERN_SHARED static int kern_carried(const kern_contact *c, kern_vec down)
 {
@@ -8768,16 +8760,6 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    writing to it has no effect, and no loop tests for it. */
 
 /* ---- columns ---- */
-
-static kern_real kern_largest(const kern_real *v, int n)
-{
-    kern_real size = KERN_R(0);
-    int i;
-    for (i = 0; i < n; i++)
-        if (!(size > kern_abs(v[i]))) /* in place: a third of all */
-            size = kern_abs(v[i]);
-    return size;
-}
 
 /* Column j where it is dense: of the place what its growth adds to rhs. */
 static const kern_real *kern_lp_dense(const kern_program *lp, int j)
