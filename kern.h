@@ -1997,8 +1997,8 @@ static kern_status kern_steps(const kern_margin *out, int *last)
 
 /* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold no
    longer; last + 1 if they always do, -1 if a verdict on the way is undecided.
-   Where kerns are nested the verdicts outside of the proven bracket of the
-   margin are known. */
+   Where kerns are nested the margin tells the verdicts up to the first step in
+   its bracket. */
 static kern_status kern_level_scan(kern_model *m, const kern_path *path,
                                    int nested, int last, kern_margin *out)
 {
@@ -2008,7 +2008,9 @@ static kern_status kern_level_scan(kern_model *m, const kern_path *path,
     for (k += k == 0; k <= last && status == KERN_STANDS; k++) {
         const kern_real at = KERN_R(k) * out->epsilon;
         const kern_query q = kern_path_at(path, kern_min(at, out->most));
-        if (!nested || (at > path->holds && q.shrink < path->fails))
+        if (at > path->holds && q.shrink < path->fails)
+            nested = 0;
+        if (!nested)
             status = kern_model_evaluate(m, path->part, &q);
         else if (at > path->holds)
             status = KERN_FALLS;
@@ -2953,8 +2955,9 @@ static void kern_path_begin(kern_path *path, kern_part *part,
 }
 
 /* Along the path a load grows or gravity turns instead. */
-static void kern_path_push(kern_path *path, kern_path_kind kind,
-                           const kern_wrench *pattern, kern_side side)
+KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
+                                       const kern_wrench *pattern,
+                                       kern_side side)
 {
     path->kind = kind;
     path->q.pattern = pattern;
@@ -2989,8 +2992,10 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
 }
 
 /* The same of a call whose answer is a number: -1 where it ends unread. */
-static kern_status kern_number_open(kern_call *c, const kern_task *task,
-                                    kern_real shrink, kern_real *number)
+KERN_SHARED static kern_status kern_number_open(kern_call *c,
+                                                const kern_task *task,
+                                                kern_real shrink,
+                                                kern_real *number)
 {
     const kern_status status = kern_call_open(c, task, shrink, number);
     if (status == KERN_LIMIT)
