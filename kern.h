@@ -1631,6 +1631,13 @@ KERN_SHARED static void kern_zero(kern_real *v, int n)
         *v++ = KERN_R(0);
 }
 
+/* v := s v, n numbers */
+KERN_SHARED static void kern_scale(kern_real *v, int n, kern_real s)
+{
+    for (; n > 0; n--)
+        *v++ *= s;
+}
+
 static kern_real kern_largest(const kern_real *v, int n)
 {
     kern_real size = KERN_R(0);
@@ -1890,6 +1897,8 @@ typedef struct kern_path {
     kern_path_kind kind;
     kern_query q;             /* at s = 0; what the path changes is replaced  */
     kern_real unit;           /* of the path: a block's size, or 1            */
+    kern_real width;          /* of a bracket, as it is wanted                */
+    kern_real aside;          /* from the critical value to its ends          */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real critical;       /* value that Newton's method predicts          */
@@ -2751,10 +2760,8 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     }
     if (weight > 0)
         m->weight = weight;
-    for (g = 0; g < m->graph.groups; g++)
-        m->size[g] *= 1 / m->weight;
-    for (g = 0; g < 3 * m->graph.groups; g++)
-        m->load[g] *= 1 / m->weight;
+    kern_scale(m->size, m->graph.groups, 1 / m->weight);
+    kern_scale(m->load, 3 * m->graph.groups, 1 / m->weight);
 }
 
 /* All of the model for a query. */
@@ -2771,11 +2778,7 @@ static void kern_model_set(kern_model *m, const kern_query *q)
 
 /* No contact bears anything. */
 static void kern_model_unload(kern_model *m)
-{
-    int i;
-    for (i = 0; i < m->s->contacts; i++)
-        m->answer.force[i].normal = m->answer.force[i].tangential = KERN_R(0);
-}
+{ kern_zero((kern_real *)(void *)m->answer.force, 2 * m->s->contacts); }
 
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->budget.work, m->budget.limit, units); }
@@ -2947,6 +2950,8 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->alone = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
+    path->width = KERN_WIDTH * path->unit;
+    path->aside = KERN_ASIDE * path->width;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->critical = KERN_R(0);
     path->proven.low = KERN_R(-1);
@@ -2963,6 +2968,8 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->q.pattern = pattern;
     path->q.side = side;
     path->unit = KERN_R(1);
+    path->width = KERN_WIDTH;
+    path->aside = KERN_ASIDE * KERN_WIDTH;
 }
 
 /* What a call works on. */
@@ -3410,7 +3417,7 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     int tries;
     for (tries = 0; status == KERN_UNDECIDED && tries < 9; tries++) {
         status = kern_path_evaluate(m, path, beyond);
-        beyond += KERN_WIDTH * path->unit;
+        beyond += path->width;
     }
     return status;
 }
@@ -5272,7 +5279,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    int i, change = m->answer.known != NULL;
+    int change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
     m->budget.work->solves++;
@@ -5284,10 +5291,8 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
         found = kern_pass(m, p);
         if (found == KERN_FALLS)
             return found;
-        for (i = 0; i < m->s->contacts; i++) { /* in the caller's unit */
-            m->answer.force[i].normal *= m->weight;
-            m->answer.force[i].tangential *= m->weight;
-        }
+        kern_scale((kern_real *)(void *)m->answer.force, 2 * m->s->contacts,
+                   m->weight); /* in the caller's unit */
         if (found == KERN_STANDS && kern_answer_holds(m, q))
             return p->found = found;
     }
@@ -5556,7 +5561,7 @@ static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
         && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
-        || n->aside + n->under > KERN_WIDTH * path->unit * KERN_WIDEST)
+        || n->aside + n->under > path->width * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(crit >= lo && crit <= hi))
         return lo + (hi - lo) * n->share;
@@ -5593,10 +5598,9 @@ static void kern_bracket_adapt(kern_bracket *n, kern_status status,
    KERN_FALLS where the structure falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    const kern_real w = KERN_WIDTH * path->unit * KERN_ASIDE;
     kern_bracket n;
     int round;
-    n.aside = n.under = w;
+    n.aside = n.under = path->aside;
     n.share = KERN_NEAR;
     for (round = 0; round < KERN_BRACKET_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
@@ -5613,10 +5617,10 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!verify)
             kern_bracket_adapt(&n, status, at, crit, inside);
         if (status == KERN_UNDECIDED && !inside
-            && path->fails - lo <= KERN_WIDTH * path->unit * KERN_WIDEST)
+            && path->fails - lo <= path->width * KERN_WIDEST)
             break;
     }
-    if (path->fails - path->holds > KERN_WIDTH * path->unit * KERN_WIDEST
+    if (path->fails - path->holds > path->width * KERN_WIDEST
         && !path->alone)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
@@ -5704,7 +5708,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (status == KERN_STANDS) {
             first = step;
             step *= KERN_CLIMB_GROWS;
-        } else if (status == KERN_UNDECIDED && first > KERN_WIDTH * path->unit)
+        } else if (status == KERN_UNDECIDED && first > path->width)
             step = first /= 2;
         else
             return status;
@@ -5788,7 +5792,7 @@ static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
-    if (warm->fails - warm->holds > 2 * KERN_WIDTH * path->unit
+    if (warm->fails - warm->holds > 2 * path->width
         || !kern_known_falls(m, &q, warm))
         return 0;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
@@ -5891,7 +5895,6 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
    model is that of the shrinkage `at`; its loads are none afterwards. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
-    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
     kern_real least = KERN_INFINITY, u[3] = {0, 0, 0};
     kern_real best = kern_min(path->end, path->warm.fails);
     int g;
@@ -5901,13 +5904,13 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
         const kern_real *load = m->load + 3 * (size_t)g;
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, at, aside, u);
-        if (crit <= path->start + 2 * aside)
+            : kern_body_critical(m, g, line, at, path->aside, u);
+        if (crit <= path->start + 2 * path->aside)
             return path->start;
-        if (crit + aside < best) {
+        if (crit + path->aside < best) {
             least = path->warm.margin = crit;
-            path->warm.holds = crit - aside;
-            path->warm.fails = best = crit + aside;
+            path->warm.holds = crit - path->aside;
+            path->warm.fails = best = crit + path->aside;
             path->warm.motion = m->answer.motion;
             kern_body_moves(m, g, u);
         }
@@ -6049,7 +6052,6 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real step)
 {
-    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
     kern_status status = KERN_STANDS;
     kern_real at;
     int round;
@@ -6061,7 +6063,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     for (round = 0; round < KERN_PARTS_MOST; ) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && at > path->start) {
-            at = kern_max(path->critical - aside, path->start);
+            at = kern_max(path->critical - path->aside, path->start);
             status = KERN_UNDECIDED;
             round++;
         } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
@@ -6545,7 +6547,6 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 /* The critical value of the whole, with both proofs; or KERN_UNDECIDED. */
 static kern_status kern_ipm_search(kern_model *m, kern_path *path)
 {
-    const kern_real aside = KERN_WIDTH * path->unit * KERN_ASIDE;
     kern_ipm in;
     kern_status status = KERN_STANDS;
     if (m->cone.narrow > 0 || !kern_ipm_open(&in, m, path))
@@ -6553,7 +6554,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
     path->ipm = &in;
     path->fails = path->end;
     m->budget.work->solves++;
-    in.least = KERN_WIDTH * path->unit / 8;
+    in.least = path->width / 8;
     path->critical = KERN_INFINITY;
     if (kern_ipm_begin(&in, path->holds, 0)
         && kern_ipm_run(&in, 0) == KERN_STANDS)
@@ -6564,7 +6565,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
     }
     if (status == KERN_STANDS)
         status = kern_path_evaluate(
-            m, path, kern_min(path->critical + aside, path->end));
+            m, path, kern_min(path->critical + path->aside, path->end));
     if (status == KERN_STANDS && path->holds < path->end)
         status = kern_path_evaluate(m, path, path->end);
     if (status == KERN_STANDS)
@@ -6572,7 +6573,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_critical(m, path);
         if (path->proven.high > path->fails
-            || path->fails - path->holds > KERN_WIDTH * path->unit)
+            || path->fails - path->holds > path->width)
             status = KERN_UNDECIDED;
     }
     path->ipm = NULL;
