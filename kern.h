@@ -4616,8 +4616,9 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
     *to = f;
 }
 
-/* The load of group g and of what rests on it from outside of its cluster. */
-static void kern_pass_load(const kern_model *m, int g, kern_real *b)
+/* The load of group g and of what rests on it from outside of its cluster; with
+   `all` of every contact: what is left to be balanced. */
+static void kern_pass_load(const kern_model *m, int g, int all, kern_real *b)
 {
     int e;
     b[0] = m->load[3 * g];
@@ -4627,7 +4628,7 @@ static void kern_pass_load(const kern_model *m, int g, kern_real *b)
         const kern_force *f = m->answer.force + (e >> 1);
         const kern_row row = kern_model_row(m, e);
         const int other = m->graph.ends[e ^ 1];
-        if (other < g && m->cluster.last[other] != m->cluster.last[g])
+        if (all || (other < g && m->cluster.last[other] != m->cluster.last[g]))
             kern_row_exert(&row, -f->normal, -f->tangential, b);
     }
 }
@@ -4786,7 +4787,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     n = kern_pass_supports(m, g, c);
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
-    kern_pass_load(m, g, b);
+    kern_pass_load(m, g, 0, b);
     status = kern_pass_solve(c, n, b, tolerance, u);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real *w = c[k].way;
@@ -4925,7 +4926,7 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
-        kern_pass_load(m, p->group[n], p->dual.b + 3 * n);
+        kern_pass_load(m, p->group[n], 0, p->dual.b + 3 * n);
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
@@ -5017,7 +5018,7 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
 static void kern_pass_known(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
-    int i, g, e;
+    int i, g;
     for (i = 0; i < m->s->contacts; i++) {
         m->answer.force[i].normal = known->force[i].normal / m->weight;
         m->answer.force[i].tangential = known->force[i].tangential / m->weight;
@@ -5025,14 +5026,8 @@ static void kern_pass_known(kern_model *m, kern_real shrink)
     for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
         i += kern_force_transfer(m, i, known->holds, shrink);
     for (g = 0; g < m->graph.groups; g++) {
-        kern_real left[3] = {0, 0, 0};
-        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-            const kern_force *f = m->answer.force + (e >> 1);
-            const kern_row row = kern_model_row(m, e);
-            kern_row_exert(&row, f->normal, f->tangential, left);
-        }
-        for (i = 0; i < 3; i++)
-            left[i] -= m->load[3 * g + i];
+        kern_real left[3];
+        kern_pass_load(m, g, 1, left);
         m->cluster.open[g] = !(kern_largest(left, 3)
                                <= KERN_TOL / 4 * m->size[g]);
     }
@@ -5869,8 +5864,7 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
     const kern_real spin = u[2] * m->unit[body];
     kern_real most = KERN_R(0);
     int i, g, h;
-    for (i = 0; i < m->s->blocks; i++)
-        kern_motion_clear(m->answer.motion + i);
+    kern_zero((kern_real *)(void *)m->answer.motion, 3 * m->s->blocks);
     for (i = 0; i < 2; i++)
         for (g = 0; g <= body; g++) {
             const kern_block *b = m->s->block + m->graph.block[g];
