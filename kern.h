@@ -2481,12 +2481,9 @@ struct kern_model {
 };
 
 /* Slices of the work arrays that hold structs of numbers. */
-typedef char kern_force_is_two[sizeof(kern_force) == 2 * sizeof(kern_real)
-                               ? 1 : -1];
-typedef char kern_wrench_is_three[sizeof(kern_wrench) == 3 * sizeof(kern_real)
-                                  ? 1 : -1];
-typedef char kern_motion_is_three[sizeof(kern_motion) == 3 * sizeof(kern_real)
-                                  ? 1 : -1];
+typedef char kern_structs_are_numbers[
+    sizeof(kern_force) == 2 * sizeof(kern_real)
+    && sizeof(kern_motion) == 3 * sizeof(kern_real) ? 1 : -1];
 
 static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
 {
