@@ -1993,17 +1993,6 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
     return q;
 }
 
-/* How many steps of Algorithm 1 there are until every kern is closed. */
-static kern_status kern_steps(const kern_margin *out, int *last)
-{
-    const kern_real steps = out->most / out->epsilon;
-    if (!(steps <= KERN_R(1000000)))
-        return KERN_BAD_STEP;
-    *last = (int)steps;
-    *last += KERN_R(*last) < steps;
-    return KERN_OK;
-}
-
 /* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold no
    longer; last + 1 if they always do, -1 if a verdict on the way is undecided.
    Where kerns are nested the margin tells the verdicts up to the first step in
@@ -2928,13 +2917,6 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-static kern_real kern_step(const kern_query *q, const kern_options *o)
-{
-    if (o->epsilon > 0)
-        return o->epsilon;
-    return q->relative ? KERN_R(0.05) : KERN_R(0.02) * q->mean;
-}
-
 /* Begins a path along which kerns shrink. */
 static void kern_path_begin(kern_path *path, kern_part *part,
                             const kern_task *task, const kern_query *q)
@@ -3077,6 +3059,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
 {
     kern_path *const path = &c->path;
     const kern_travels travels = kern_travels_of(&task->s, &path->q);
+    kern_real steps;
     kern_margin r;
     kern_status status;
     int last;
@@ -3086,11 +3069,16 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
         c->m.answer.known = known->force ? known : NULL;
     }
     path->end = r.most = travels.most;
-    r.epsilon = kern_step(&path->q, &task->options);
+    r.epsilon = task->options.epsilon;
+    if (!(r.epsilon > 0))
+        r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * path->unit;
     r.margin = r.holds = r.fails = KERN_R(0);
     r.level = r.saturated = 0;
-    if (kern_steps(&r, &last) != KERN_OK)
+    steps = r.most / r.epsilon;
+    if (!(steps <= KERN_R(1000000)))
         return KERN_BAD_STEP;
+    last = (int)steps;
+    last += KERN_R(last) < steps; /* until every kern is closed */
     status = kern_spent(task->work, task->options.limit, kern_measure_path(
         &c->m, path, travels.nested, last, &r));
     if (status == KERN_LIMIT) {
