@@ -408,14 +408,9 @@
 #define KERN_VERSION "0.2.0"
 #define KERN_VERSION_NUMBER 200 /* 10000 major + 100 minor + patch */
 
-#if defined(KERN_IMPL) || defined(KERN_IMPLEMENT)
-#error "kern.h: define KERN_IMPLEMENTATION for the implementation"
-#endif
-#if defined(KERN_FLOAT) || defined(KERN_DOUBLE)
-#error "kern.h: define KERN_SINGLE for float; double is the default"
-#endif
-#if defined(KERN_GLPK) || defined(USE_GLPK)
-#error "kern.h: define KERN_USE_GLPK for GLPK"
+#if defined(KERN_IMPL) || defined(KERN_IMPLEMENT) || defined(KERN_FLOAT) \
+    || defined(KERN_DOUBLE) || defined(KERN_GLPK) || defined(USE_GLPK)
+#error "kern.h: define KERN_IMPLEMENTATION, _SINGLE (float) or _USE_GLPK"
 #endif
 
 #ifdef KERN_SINGLE
@@ -1021,9 +1016,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     where the input was not read. The proof means nothing.
      KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon above 1,000,000): *out is as
                     it was.
-   [holds, fails] is at most 2e-6 of the mean size wide, more only where no
-   proof can be completed nearer to critical (>>limits). The level is proven
-   with the margin where kerns are nested, else by a proof of each step.
+   How wide [holds, fails] is: >>limits. The level is proven with the margin
+   where kerns are nested, else by a proof of each step.
    options.narrow = k: at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1
    + mu k d)), the tangent of its angle less atan(k d), in every
    question about shrunk kerns. A robot that places stones within e and theta
@@ -1872,14 +1866,8 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 
    At a place that falls y gives the power -y.rhs > 0, which changes along the
    path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
-   (Newton's method). It converges quadratically, from the side that falls. The
-   verdicts half a tolerance to each side of the critical place are then proven:
-   they are the bracket.
-
-   Where a load grows or gravity turns s is a variable of the linear program,
-   and its largest value is critical (kern_path_follow()). Where kerns shrink
-   the search evaluates a small part as long as possible (kern_path_search()),
-   and the whole only where it finds none (kern_path_whole()). */
+   (Newton's method). It converges quadratically, from the side that falls. What
+   is asked, of which part, and when, is told in >>method. */
 
 typedef struct kern_model kern_model; /* the structure in units: >>model      */
 typedef struct kern_part kern_part;   /* some of its blocks: >>part           */
@@ -1993,10 +1981,10 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
     return q;
 }
 
-/* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold no
-   longer; last + 1 if they always do, -1 if a verdict on the way is undecided.
-   Where kerns are nested the margin tells the verdicts up to the first step in
-   its bracket. */
+/* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
+   no longer; last + 1 if they always do, -1 if a verdict on the way is
+   undecided. Where kerns are nested the margin tells the verdicts up to the
+   first step in its bracket. */
 static kern_status kern_level_scan(kern_model *m, const kern_path *path,
                                    int nested, int last, kern_margin *out)
 {
@@ -9927,20 +9915,12 @@ KERN_API kern_options kern_near(const kern_options *options,
    What is in the code of a caller keeps its name and meaning, or no longer
    compiles. A patch version changes no result.
 
-   0.2.0  A caller must change: kern_measured() is kern_measured_options(),
-          options.error and options.turn are options.pose_error and
-          options.pose_turn; kern_certain() takes the margin and fills in a
-          kern_interval; fields of kern_known and kern_plan that callers had no
-          use for are gone, and with them the duty to clear task.known.fails
-          after a contact was changed by hand.
-          Behaves otherwise: options.limit is 10,000,000 units by default (was
-          no limit); a relative shrinkage above 1 is refused, KERN_BAD_SHARE; a
-          block that kern_block_init() refused is no block, KERN_NO_BLOCK;
-          steps in outlines carry as their chords (>>rules), knees keep their
-          edges; kern_measured_options() has other tolerances; kern_contacts()
-          needs no work memory.
-          New: kern_raised_load(), options.reserve, options.lone, kern_interval,
-          KERN_NO_INTERIOR.
+   0.2.0  kern_measured() is kern_measured_options() and has other tolerances,
+          options.error and .turn are .pose_error and .pose_turn. kern_certain()
+          takes the margin and fills in a kern_interval. kern_known and
+          kern_plan have fewer fields. options.limit is 10,000,000 by default,
+          was 0. New refusals: a relative shrinkage above 1, a block that
+          kern_block_init() refused. Steps in outlines carry as their chords.
    0.1.0  First version.                                                   */
 
 /*
