@@ -2757,6 +2757,17 @@ static void kern_model_unload(kern_model *m)
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->budget.work, m->budget.limit, units); }
 
+/* Whether one linear program of all groups is solved: of few, with all of its
+   work memory. */
+static int kern_model_is_small(const kern_model *m)
+{
+    const kern_work *work = m->budget.work;
+    int reals, indices;
+    kern_work_need(m->s->blocks, m->s->contacts, &reals, &indices);
+    return m->graph.groups <= KERN_SMALL && work->reals >= reals
+           && work->indices >= indices;
+}
+
 /* Whether a proof with this error holds; notes the largest such error. */
 static int kern_model_proven(const kern_model *m, kern_real error)
 {
@@ -3313,9 +3324,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
-    if (c->m.graph.groups <= KERN_SMALL && !loaded
-        && task->work->reals >= KERN_REALS(task->s.blocks, task->s.contacts)
-        && task->work->indices >= KERN_INTS(task->s.blocks, task->s.contacts))
+    if (!loaded && kern_model_is_small(&c->m))
         kern_model_whole(&c->m, path->part, &path->q);
     status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
@@ -5933,9 +5942,7 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     const kern_real fails = path->fails, crit = path->critical;
     const kern_query q = kern_path_at(path, path->holds);
     kern_status status = KERN_UNDECIDED;
-    if (!m->whole && (m->graph.groups > KERN_SMALL
-                      || m->budget.work->reals < KERN_REALS(m->s->blocks,
-                                                     m->s->contacts)))
+    if (!m->whole && !kern_model_is_small(m))
         status = kern_ipm_search(m, path);
     if (status == KERN_UNDECIDED && !m->whole) {
         status = kern_model_whole(m, path->part, &q);
