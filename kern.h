@@ -6170,8 +6170,10 @@ static void kern_ipm_over(kern_ipm *in)
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* Factors M for in->d, with a share of its mean diagonal more on that. */
-static void kern_ipm_factor(kern_ipm *in, kern_real shift)
+/* out := M^-1 b: factors M for in->d, with a share of its mean diagonal more on
+   that. */
+static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
+                            kern_real *out)
 {
     kern_part *p = in->p;
     int k;
@@ -6185,6 +6187,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift)
     if (shift > 0)
         kern_skyline_shift(&p->dual.matrix, shift);
     kern_skyline_factor(&p->dual.matrix);
+    kern_skyline_solve(&p->dual.matrix, b, out);
     p->m->budget.work->pivots++;
 }
 
@@ -6282,12 +6285,9 @@ static int kern_ipm_step(kern_ipm *in)
         return 0;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i] / in->z[i];
-    kern_ipm_factor(in, KERN_R(0));
-    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
-    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE)) {
-        kern_ipm_factor(in, KERN_SHIFT);
-        kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
-    }
+    kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
+    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE))
+        kern_ipm_factor(in, KERN_SHIFT, in->g, in->gain);
     kern_ipm_predict(in);
     ds = kern_ipm_solve(in);
     of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
@@ -6319,8 +6319,7 @@ static void kern_ipm_balance(kern_ipm *in)
     int i;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i];
-    kern_ipm_factor(in, KERN_R(0));
-    kern_skyline_solve(&p->dual.matrix, in->over, p->dual.step);
+    kern_ipm_factor(in, KERN_R(0), in->over, p->dual.step);
     kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++)
         p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
@@ -6359,8 +6358,7 @@ static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
         in->d[i] = KERN_R(1);
     }
     kern_ipm_place(in, place);
-    kern_ipm_factor(in, KERN_SHIFT);
-    kern_skyline_solve(&p->dual.matrix, p->eq.rhs, p->y);
+    kern_ipm_factor(in, KERN_SHIFT, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
     kern_ipm_place(in, place);
