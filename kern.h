@@ -2924,7 +2924,7 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->part = part;
     path->proof = NULL;
     path->q = *q;
-    path->warm = kern_known_of(NULL, NULL);
+    path->warm.fails = KERN_R(0);
     path->alone = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
@@ -5204,8 +5204,7 @@ static kern_status kern_part_norm(kern_part *p, int builtin)
     p->eq.lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
-    for (i = 0; i < p->eq.lp.rows; i++)
-        p->y[i] = -p->y[i];
+    kern_scale(p->y, p->eq.lp.rows, KERN_R(-1));
     return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
 }
 
@@ -5917,11 +5916,9 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     kern_real place;
     int g;
     kern_part_set(p, &q);
-    for (g = 0; g < p->groups; g++) {
-        kern_real *rate = p->eq.rate + 3 * g;
-        kern_group_rate(path, m, &q, s, p->group[g], rate);
-        rate[0] = -rate[0]; rate[1] = -rate[1]; rate[2] = -rate[2];
-    }
+    for (g = 0; g < p->groups; g++)
+        kern_group_rate(path, m, &q, s, p->group[g], p->eq.rate + 3 * g);
+    kern_scale(p->eq.rate, 3 * p->groups, KERN_R(-1));
     if (!kern_part_follow(p, &place))
         return KERN_UNDECIDED;
     path->critical = path->kind == KERN_PATH_LOAD
