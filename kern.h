@@ -3481,13 +3481,13 @@ static kern_real kern_decay(kern_real x)
     return y;
 }
 
-/* A stone's chance to fall times how far, above the lowest of them. */
+/* A stone's chance to fall times how far, above the lowest of them: the sum. */
 static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
 {
     const kern_structure *s = m->s;
     const kern_real pull = kern_vec_length(s->gravity);
     kern_real base = KERN_INFINITY, sum = KERN_R(0);
-    int i, pass, n = 0;
+    int i, pass;
     for (pass = 0; pass < 2; pass++)
         for (i = 0; i < s->blocks; i++) {
             const kern_block *b = s->block + i;
@@ -3499,9 +3499,8 @@ static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
             else
                 sum += kern_max(KERN_DROP_HEIGHT, (at - base) / m->mean)
                        * kern_decay(value[i] / KERN_DROP_LOAD);
-            n += pass;
         }
-    return sum / KERN_R(n);
+    return sum;
 }
 
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
@@ -3540,7 +3539,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     out->least = fall.least;
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
-    out->drop = side ? kern_expected_drop(&c.m, value) : KERN_R(0);
+    out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
+                     : KERN_R(0);
     return KERN_OK;
 }
 
