@@ -3368,11 +3368,9 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 }
 
 /* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: the path goes on past its critical value. What moves in
-   the mechanism there is taken away with its contacts, and the rest goes on
-   from the same place, until nothing is left or the path ends. A model of fewer
-   blocks is the same model with fewer groups: it needs no memory of its own,
-   and its programs grow smaller. */
+/* Progressive collapse: the path goes on past its critical value, without what
+   moves there. A model of fewer blocks is the same model with fewer groups: it
+   needs no memory of its own. */
 
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
@@ -5565,13 +5563,10 @@ static void kern_bracket_adapt(kern_bracket *n, kern_status status,
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
-   verdict changes. With w half of the tolerance: shows that it falls at the
-   predicted value plus w, verifies the value, and shows that it stands at the
-   value less w. Each verdict may find a mechanism with a smaller one. The
-   interior point knows the value no better than its bracket. Without a
-   prediction in the bracket a share of that is tried; where no verdict can be
-   proven, w is doubled, up to a limit: in a jam neither proof comes nearer.
-   KERN_FALLS where the structure falls at the start, which was not proven. */
+   verdict changes. Each verdict may find a mechanism with a smaller value. The
+   interior point knows the value no better than its bracket. In a jam no proof
+   comes near it: then the distances double. KERN_FALLS where the structure
+   falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_bracket n;
@@ -6016,10 +6011,9 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     return warm->holds;
 }
 
-/* The critical value of a path on which the verdict changes but once. That of
-   the whole is at most that of a part with all others held. So the pass is
-   asked just before the value of the part that fell last, until nothing falls
-   there or the pass ends without a verdict. */
+/* The critical value of a path on which the verdict changes but once: the pass
+   is asked just before the value of the part that fell last, until nothing
+   falls there or the pass ends without a verdict. */
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real step)
 {
@@ -7124,11 +7118,10 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_NEAR_GAP   KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
 /* Measured structures, in errors of place and of angle: 3.4 standard
-   deviations, which 99.9 % of the gaps of stones that touch stay below, so that
-   of 30 contacts which carry none is missed in 98 % of structures. The gap of a
-   corner and an edge of two stones varies by 2 e^2 for their places, 3/8 e^2
-   for their vertices and theta^2 r^2 for each; the angle of two edges, 0.7
-   sizes long, by 2 theta^2, and as much for their ends (tests/noise.c). */
+   deviations, so that of 30 contacts which carry none is missed in 98 % of
+   structures. The gap of a corner and an edge of two stones varies by 2 e^2 for
+   their places, 3/8 e^2 for their vertices and theta^2 r^2 for each; the angle
+   of two edges, 0.7 sizes long, by 2 theta^2, and as much for their ends. */
 #define KERN_ERROR_GAP     KERN_R(5.25)
 #define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
@@ -9401,9 +9394,7 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays the arrays of a simplex out in work memory, with room for so many groups
-   of entries. With real NULL it only counts them, so that the size that is
-   announced is the size that is used. */
+/* Lays out the arrays of a simplex, with room for so many groups of entries. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
@@ -9554,9 +9545,8 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
     return 1;
 }
 
-/* Whether x, or y, proves the status, by products with the matrix alone. Every
-   row and every column is measured by its own terms, so units do not matter.
-   What is not a number proves nothing. */
+/* Whether x, or y, proves the status, by products with the matrix alone. What
+   is not a number proves nothing. */
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
