@@ -1618,18 +1618,29 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
            ? KERN_OK : KERN_BAD_NUMBER;
 }
 
-/* v := 0, n numbers */
-KERN_SHARED static void kern_zero(kern_real *v, int n)
+/* v := s v, n numbers, also those of structs of numbers */
+KERN_SHARED static void kern_scale(void *v, int n, kern_real s)
 {
+    kern_real *to = (kern_real *)v;
     for (; n > 0; n--)
-        *v++ = KERN_R(0);
+        *to++ *= s;
 }
 
-/* v := s v, n numbers */
-KERN_SHARED static void kern_scale(kern_real *v, int n, kern_real s)
+/* v := 0 */
+KERN_SHARED static void kern_zero(void *v, int n)
 {
+    kern_real *to = (kern_real *)v;
     for (; n > 0; n--)
-        *v++ *= s;
+        *to++ = KERN_R(0);
+}
+
+/* v := w */
+KERN_SHARED static void kern_copy(void *v, const void *w, int n)
+{
+    kern_real *to = (kern_real *)v;
+    const kern_real *from = (const kern_real *)w;
+    for (; n > 0; n--)
+        *to++ = *from++;
 }
 
 static kern_real kern_largest(const kern_real *v, int n)
@@ -2752,7 +2763,7 @@ static void kern_model_set(kern_model *m, const kern_query *q)
 
 /* No contact bears anything. */
 static void kern_model_unload(kern_model *m)
-{ kern_zero((kern_real *)(void *)m->answer.force, 2 * m->s->contacts); }
+{ kern_zero(m->answer.force, 2 * m->s->contacts); }
 
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->budget.work, m->budget.limit, units); }
@@ -2787,15 +2798,10 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status)
 {
-    int i;
-    if (!proof)
-        return;
-    if (status == KERN_STANDS && proof->force)
-        for (i = 0; i < m->s->contacts; i++)
-            proof->force[i] = m->answer.force[i];
-    if (status == KERN_FALLS && proof->motion)
-        for (i = 0; i < m->s->blocks; i++)
-            proof->motion[i] = m->answer.motion[i];
+    if (proof && status == KERN_STANDS && proof->force)
+        kern_copy(proof->force, m->answer.force, 2 * m->s->contacts);
+    if (proof && status == KERN_FALLS && proof->motion)
+        kern_copy(proof->motion, m->answer.motion, 3 * m->s->blocks);
 }
 
 /* ---- Parts and programs ---------------------------------------- >>engine */
@@ -3033,16 +3039,12 @@ static void kern_known_set(kern_task *task, kern_status status,
                            const kern_margin *out, const kern_proof *proof)
 {
     kern_known *known = &task->known;
-    int i;
-    for (i = 0; i < task->s.contacts && proof && proof->force; i++)
-        proof->force[i] = known->force[i];
-    for (i = 0; i < task->s.blocks; i++) {
-        kern_motion *v = known->motion + i;
-        if (status == KERN_STANDS && out->saturated)
-            kern_motion_clear(v);
-        else if (proof && proof->motion)
-            proof->motion[i] = *v;
-    }
+    if (proof && proof->force)
+        kern_copy(proof->force, known->force, 2 * task->s.contacts);
+    if (status == KERN_STANDS && out->saturated)
+        kern_zero(known->motion, 3 * task->s.blocks);
+    else if (proof && proof->motion)
+        kern_copy(proof->motion, known->motion, 3 * task->s.blocks);
     if (status == KERN_STANDS) {
         known->holds = out->holds;
         known->margin = out->margin;
@@ -3228,7 +3230,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 {
     kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
     kern_call c;
-    int round, i;
+    int round;
     kern_status status = kern_number_open(&c, task, at, length);
     if (status != KERN_OK)
         return status;
@@ -3242,9 +3244,8 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
             lo = at;
         else if (round > 0
                  && (status == KERN_FALLS || status == KERN_UNDECIDED)) {
-            for (i = 0; i < task->s.blocks && status == KERN_UNDECIDED
-                        && proof && proof->motion; i++)
-                kern_motion_clear(proof->motion + i);
+            if (status == KERN_UNDECIDED && proof && proof->motion)
+                kern_zero(proof->motion, 3 * task->s.blocks);
             hi = at;
             status = KERN_STANDS;
         }
@@ -5265,8 +5266,7 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
         found = kern_pass(m, p);
         if (found == KERN_FALLS)
             return found;
-        kern_scale((kern_real *)(void *)m->answer.force, 2 * m->s->contacts,
-                   m->weight); /* in the caller's unit */
+        kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
         if (found == KERN_STANDS && kern_answer_holds(m, q))
             return p->found = found;
     }
@@ -5749,12 +5749,8 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
-    int i;
-    if (!kern_model_proven(m, kern_prove_motion(m->s, q, known->motion)))
-        return 0;
-    for (i = 0; i < m->s->blocks; i++)
-        m->answer.motion[i] = known->motion[i];
-    return 1;
+    kern_copy(m->answer.motion, known->motion, 3 * m->s->blocks);
+    return kern_model_proven(m, kern_prove_motion(m->s, q, known->motion));
 }
 
 /* Whether the known motion proves that the structure falls at the known place:
@@ -5840,7 +5836,7 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
     const kern_real spin = u[2] * m->unit[body];
     kern_real most = KERN_R(0);
     int i, g, h;
-    kern_zero((kern_real *)(void *)m->answer.motion, 3 * m->s->blocks);
+    kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (i = 0; i < 2; i++)
         for (g = 0; g <= body; g++) {
             const kern_block *b = m->s->block + m->graph.block[g];
