@@ -4312,7 +4312,7 @@ static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
         value -= (f * w[0] + r * w[1]) / 2;
         kern_part_exert(p, k, -f, -r, p->dual.grad);
     }
-    p->dual.grad[n] = p->dual.grad[n + 1] = p->dual.grad[n + 2] = KERN_R(0);
+    kern_zero(p->dual.grad + n, 3);
     return value;
 }
 
@@ -4602,9 +4602,7 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
 static void kern_pass_load(const kern_model *m, int g, int all, kern_real *b)
 {
     int e;
-    b[0] = m->load[3 * g];
-    b[1] = m->load[3 * g + 1];
-    b[2] = m->load[3 * g + 2];
+    kern_copy(b, m->load + 3 * (size_t)g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_force *f = m->answer.force + (e >> 1);
         const kern_row row = kern_model_row(m, e);
@@ -5074,7 +5072,7 @@ static kern_status kern_part_lay(kern_part *p)
         p->y = kern_take_reals(&take, 3 * n + 3);
         kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
-            p->y[3 * n] = p->y[3 * n + 1] = p->y[3 * n + 2] = KERN_R(0);
+            kern_zero(p->y + 3 * n, 3);
             return KERN_OK;
         }
     }
@@ -6134,14 +6132,11 @@ static void kern_ipm_place(kern_ipm *in, kern_real place)
     in->at = place;
     m->cone.reduction = kern_reduction(&q);
     kern_part_load(p, &q, p->eq.rhs);
-    for (k = 0; k < p->groups; k++) {
-        kern_real *g = in->g + 3 * k;
-        g[0] = g[1] = g[2] = KERN_R(0);
-        if (!shrinks)
-            kern_group_rate(in->path, m, &q, place, p->group[k], g);
-    }
+    for (k = 0; k < p->groups && !shrinks; k++)
+        kern_group_rate(in->path, m, &q, place, p->group[k], in->g + 3 * k);
     if (!shrinks)
         return;
+    kern_zero(in->g, 3 * p->groups);
     kern_model_arms(m, &q);
     kern_ipm_shrink(in, p->x, KERN_R(1), in->g);
 }
@@ -6351,8 +6346,7 @@ static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
     kern_ipm_place(in, place);
     kern_ipm_over(in);
     if (held) {
-        for (i = 0; i < n; i++)
-            in->g[i] = in->over[i];
+        kern_copy(in->g, in->over, n);
         in->s = place - 1;
     }
     kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
@@ -8822,8 +8816,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
     int e, n, g, k;
-    for (e = sx->lp->rows; e < 3 * sx->groups + 3; e++)
-        c[e] = KERN_R(0);
+    kern_zero(c + sx->lp->rows, 3 * sx->groups + 3 - sx->lp->rows);
     for (e = f->count - 1; e >= 0; e--) {
         kern_real sum = KERN_R(0);
         for (n = f->first[e]; n < f->first[e + 1]; n++) {
@@ -9049,8 +9042,7 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     const kern_program *lp = sx->lp;
     kern_real size = KERN_R(0);
     int p;
-    for (p = 0; p < lp->rows; p++)
-        sx->alpha[p] = lp->rhs[p];
+    kern_copy(sx->alpha, lp->rhs, lp->rows);
     for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
         size = kern_max(size, kern_abs(v));
