@@ -3880,13 +3880,12 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
 {
     kern_model *m = p->m;
     kern_real least = KERN_INFINITY;
-    int n, j;
+    int n;
     for (n = 0; n < p->groups; n++) {
         const int g = p->group[n];
         kern_model_load(m, q, g);
         least = kern_min(least, m->size[g]);
-        for (j = 0; j < 3; j++)
-            *to++ = m->load[3 * g + j];
+        kern_copy(to + 3 * n, m->load + 3 * g, 3);
     }
     return KERN_FEAS_TOL * least;
 }
@@ -5100,7 +5099,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         kern_row row[2];
         kern_model_rows(m, q, p->contact[k], row);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
-            f[0] = f[1] = f[2] = KERN_R(0);
+            kern_zero(f, 3);
             kern_row_exert(row, KERN_R(1), mu, f);
             f[3] = row[1].n[2] + mu * row[1].turn;
         }
