@@ -65,21 +65,20 @@
            printf("level %d, margin %g m\n", m.level, m.margin);
 
    Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
-   count of contacts is the status of the search, and every call that takes the
-   task returns it. examples/copy/one_block.c is this program with all checks,
-   examples/kern.c the program for the command line. "multiple definition of
-   kern_...": KERN_IMPLEMENTATION is in more than one file; "undefined
-   reference": in none, or in one of the other precision.
+   count of contacts is the status of the search; the next call returns it.
+   examples/copy/one_block.c is this program with all checks, examples/kern.c
+   that for the command line. "multiple definition of kern_...":
+   KERN_IMPLEMENTATION is in more than one file; "undefined reference": in none,
+   or in one of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
    Length, mass and time are in units of your choice, used throughout; comments
    say m, kg, s. Angles are in radians, counter-clockwise positive. The world
    is a plane: think of one unit of depth, and of a density per area. Blocks
-   are polygons in world coordinates: to move one, move its vertices and fill
-   in the block again. Contacts are found from polygons, or given. The contacts
-   of a new stone (kern_touch()) are appended; to take the last stone back,
-   make `blocks` and `contacts` smaller.
+   are polygons in world coordinates. Contacts are found from polygons, or
+   given. Those of a new stone (kern_touch()) are appended; to take the last
+   stone back, make `blocks` and `contacts` smaller.
 
    MEMORY                                                            >>memory
 
@@ -358,8 +357,7 @@
              were not raised, 2 had the largest reserve. Of 210 that rested 204
              had a reserve of 0.0055 or more.
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
-             load nor turns with gravity. kern_load_factor_of() scales a pattern
-             of your own.
+             load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
    nested    searched in steps of d_max / 1001, tilts with loads in steps of
              pi / 400: a fall narrower than that may be missed, and the call
@@ -956,9 +954,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    with all that high allows), or KERN_OK: neither. `margin` is that of
    kern_measure(), 0 where it falls.
      low   Margin without doubtful contacts: of the blocks that carry a block
-           only that with the widest bed, as gravity sees it, is kept, since a
-           gap within the error may be open; kerns are shorter by 3.5 e,
-           friction angles less by 3 theta.
+           only that with the widest bed, as gravity sees it, is kept; kerns are
+           shorter by 3.5 e, friction angles less by 3 theta.
      high  Margin with every contact that may exist: twice the error allowed in
            gaps and angles, kerns longer by 3.5 e, friction angles more by 3
            theta. Where it stands, at least `margin` + 3.5 e (relative:
@@ -1106,12 +1103,11 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                const kern_proof *proof);
 
 /* The profile (>>rules), in value[0..blocks): shrinkages [m] (KERN_SHRINK) or
-   factors of a horizontal load to a side; of a fixed block KERN_INFINITY. A
-   structure that falls as it is has a profile too. KERN_OK: all was written;
-   below 0: *out is as it was, and value means nothing. KERN_BAD_OPTION: no such
-   side, or a load and no gravity. KERN_UNDECIDED: a verdict it depends on is.
-   KERN_LIMIT: value of the blocks that have been taken away by then is as it
-   will be, of others -1. Time: 3 to 5 times that of the margin. */
+   factors of a horizontal load to a side; of a fixed block KERN_INFINITY. Below
+   0 *out is as it was, and value means nothing. KERN_BAD_OPTION: no such side,
+   or a load and no gravity. KERN_UNDECIDED: a verdict it depends on is.
+   KERN_LIMIT: value of the blocks that have been taken away is as it will be,
+   of others -1. Time: 3 to 5 times that of the margin. */
 KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                                   kern_real *value, kern_collapse *out);
 
@@ -1678,10 +1674,8 @@ static void kern_box_add(kern_box *box, kern_vec p)
        ---- p ----  t
 
    so forces exist just if A x = -w has a solution x >= 0: three rows a free
-   block (force, torque about its centre), two columns a contact point. Else
-   there is a motion y with y.A >= 0 and y.w > 0 (>>method). Lengths are
-   measured in the size of the block, forces in the weight of all, so tolerances
-   have no units. */
+   block (force, torque about its centre), two columns a contact point. Lengths
+   are measured in the size of the block, forces in the weight of all. */
 
 /* A query: the weights and loads to carry, and how far kerns shrink. */
 typedef struct kern_query {
@@ -7664,13 +7658,10 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
 }
 
 /* ---- simplified outlines ---- */
-/* Outlines from images and from clippers have steps of a pixel or of a
-   rounding. Their simplification (Douglas & Peucker 1973) tells the place and
-   the normal of a contact there. It is not stored: the span of an edge is found
-   from the whole outline, which is split until no corner is farther than a step
-   from the chord. A step turns one way and back: a span whose corners all turn
-   to one side, an arc or a knee, has none and keeps its edges. The nested spans
-   on the way serve the next edge, which is a neighbour as a rule. */
+/* The simplification of an outline with steps (Douglas & Peucker 1973) is not
+   stored: the span of an edge is found from the whole outline, which is split
+   until no corner is farther than a step from the chord. The nested spans on
+   the way serve the next edge, which is a neighbour as a rule. */
 
 typedef struct kern_span {
     int start, end;         /* corners; equal: the whole outline         */
@@ -8042,10 +8033,9 @@ static void kern_pair_edges(kern_pair *pair)
 }
 
 /* ---- faces ---- */
-/* A point that a line contact with about its normal passes belongs to it. Of
-   the rest, the longest contact leads a face; all others with its normal and on
-   its line join it. The face takes its place in the array and the rest moves up
-   in order, so that the first of the rest leads the next face. */
+/* The longest contact leads a face; all others with its normal and on its line
+   join it. The face takes its place in the array and the rest moves up in
+   order, so that the first of the rest leads the next face. */
 
 /* Does the line pass within the gap of the point, about as inclined? */
 static int kern_line_passes(const kern_contact *line, const kern_contact *point,
