@@ -257,6 +257,7 @@
                expected drop
    raised      whether the load raises the forces that hold it, and with what
                reserve against a push to either side
+   stays       the chance that a stone stays where it is let go
    sensitivity which way a stone should move or turn, and how exactly it must
                lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
@@ -1005,7 +1006,8 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  const kern_proof *proof);
 
 /* The chance that block i, laid last, stays where it is let go, from statics: a
-   law of two numbers that kern_raised() finds, fitted to placements (>>measures):
+   law of two numbers that kern_raised() finds, fitted to placements
+   (>>measures):
        odds = (9.1e7 r^3 / s)^(5/4),    r = reserve, up to .01, + .004
        s = how far the block goes until forces are raised, at least 1, where the
            mean weight is 1 and the stiffness of a contact point .1 and its
@@ -9239,9 +9241,9 @@ static kern_real kern_violations(kern_simplex *sx)
    has answered. Without x lifts a certificate y off the columns that it
    touches: rounding puts it a little below zero there as often as above; a few
    roundings higher it costs of its power no more than all of x is worth, times
-   those roundings. With x spreads what x leaves out of balance over the rows of y, in
-   proportion: no x leaves less, in the sum of squares. The basis leaves it to a
-   few rows, where it may exceed the tolerance. */
+   those roundings. With x spreads what x leaves out of balance over the rows
+   of y, in proportion: no x leaves less, in the sum of squares. The basis
+   leaves it to a few rows, where it may exceed the tolerance. */
 static int kern_proof_mend(kern_simplex *sx, kern_real *y, kern_real *x)
 {
     const kern_program *lp = sx->lp;
@@ -9972,6 +9974,8 @@ KERN_API kern_options kern_near(const kern_options *options,
           kern_plan have fewer fields. options.limit is 10,000,000 by default,
           was 0. New refusals: a relative shrinkage above 1, a block that
           kern_block_init() refused. Steps in outlines carry as their chords.
+          New: kern_stays(), kern_plan_stays(), kern_raised_load(),
+          options.reserve and .lone, KERN_NO_INTERIOR.
    0.1.0  First version.                                                   */
 
 /*
