@@ -91,6 +91,51 @@ bad_input() { # a bad file is reported, the next analysed
     [ $? -eq 2 ] && grep -q "bad.kern:1:" "$out/e" && grep -q stands "$out/o"
 }
 
+refuses() { # refuses WORDS OPTIONS...: kern does, with these words and nothing
+    local words=$1 kern # on stdout
+    shift
+    kern=$(program kern examples/kern.c) || return 1
+    "$kern" "$@" >"$out/o" 2>"$out/e"
+    [ $? -eq 2 ] && [ ! -s "$out/o" ] && [ "$(wc -l <"$out/e")" -eq 1 ] &&
+        grep -qF -- "$words" "$out/e" ||
+        { echo "kern $*: not '$words'"; cat "$out/o" "$out/e"; return 1; }
+}
+
+ranges() { # numbers that cannot be meant are refused with their option; whole
+    # files, of blocks .677 in size and contacts up to 1.4 long
+    local tower=examples/structures/tower.kern size mean angle kern
+    size="takes a length up to the mean size of the blocks, 0.677, read"
+    mean="takes a length up to a fifth of the mean size of the blocks, 0.1354"
+    angle="takes an angle in radians from 0 to below 0.5, read"
+    sed 's/^friction/epsilon 5\nfriction/' "$tower" >"$out/step.kern"
+    refuses "$tower: --gap $size 1e+09" --gap 1e9 $tower &&
+        refuses "$tower: --overlap $size 0.7" --overlap .7 $tower &&
+        refuses "$tower: --error $size 0.7" --error .7 $tower &&
+        refuses "$tower: --measured $mean, read 0.2" --measured .2 $tower &&
+        refuses "kern: --measured $angle '10'" --measured .005,10 $tower &&
+        refuses "kern: --error $angle '0.5'" --error .005,0.5 $tower &&
+        refuses "$tower: --at takes a length up to 0.7, at" --at .71 $tower &&
+        refuses "$tower: --epsilon takes a length up to 0.7, at" -e 1 $tower &&
+        refuses "step.kern:3: epsilon takes a length up to" "$out/step.kern" &&
+        refuses "step.kern:3: epsilon takes a share (--relative) up to 1, " \
+            -r "$out/step.kern" &&
+        refuses "--epsilon takes a share up to 1, read 1.5" -r -e 1.5 $tower &&
+        refuses "--at takes a share up to 1, read 2" -r --at 2 $tower &&
+        refuses "1 to 2,000,000,000, or 0, read '1.5'" --limit 1.5 $tower &&
+        refuses "from 1 to 10,000, read '2.5'" --sweep 2.5 $tower || return 1
+    # what makes sense is not, in other units either
+    kern=$(program kern examples/kern.c) &&
+        sed 's/^friction/epsilon 0.7\nfriction/' "$tower" >"$out/step.kern" &&
+        "$kern" --gap .1 --at .7 --epsilon .7 "$tower" >"$out/o"
+    [ $? -eq 1 ] && "$kern" -r "$out/step.kern" >"$out/o" &&
+        "$kern" --measured .1,.1 --error .1,.4 --overlap .6 --limit 0 "$tower" \
+            >"$out/o" && awk '$1 == "fixed" || $1 == "block" {
+                for (i = $1 == "fixed" ? 3 : 4; i <= NF; i++) $i *= 1000
+            } { print }' "$tower" >"$out/mm.kern" &&
+        "$kern" --gap 1 --epsilon 10 --measured 5 --at 200 "$out/mm.kern" \
+            >"$out/o" && grep -q 'margin  *320.9' "$out/o"
+}
+
 keys() { # every key of the JSON stands in the help
     local kern
     kern=$(program kern examples/kern.c) || return 1

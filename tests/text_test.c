@@ -101,6 +101,21 @@ static void last_wins(void)
     text_free(&t);
 }
 
+/* A gap as wide as a block is refused in its line, unless contacts are given. */
+static void wide_gap(void)
+{
+    static const char text[] =
+        "tolerance 0.9\nfixed g  -1 -1  1 -1  1 0  -1 0\n"
+        "block a *  0 0  1 0  1 1  0 1\n"
+        "tolerance 1.1\n# the end\ncontact g a  0 1  0 0  1 0\n";
+    struct text_file t;
+    refused(text, strlen(text) - strlen("contact g a  0 1  0 0  1 0\n"), 4,
+            "tolerance: a gap up to the mean size of the blocks, 1, is "
+            "expected, read 1.1");
+    check(text_read(&t, text, sizeof text - 1) == 0, "contacts are given");
+    text_free(&t);
+}
+
 int main(void)
 {
     static const char short_normal[] =
@@ -115,6 +130,7 @@ int main(void)
     strcpy(point, ".");
     refused("friction 0.5\n\0\0", 15, 2, "NUL");
     last_wins();
+    wide_gap();
     refused(late_density, sizeof late_density - 1, 2, "a block after it");
     if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
         refused(short_normal, sizeof short_normal - 1, 3, "no normal");

@@ -232,6 +232,50 @@ static inline int read_structure(struct analysis *a)
          ? fail(a, a->text.line, "%s", a->text.message) : 0;
 }
 
+/* Lengths of the command line by which everything would touch everything are
+   of another unit, or mistyped. */
+static inline int check_lengths(struct analysis *a)
+{
+    const struct settings *set = a->set;
+    const double size = mean_size(a);
+    static const char *const share[] = { "", "a fifth of " };
+    const struct { const char *name; kern_real value; int part; } length[] = {
+        { "--gap", set->gap, 0 }, { "--overlap", set->overlap, 0 },
+        { "--error", set->own_error, 0 }, { "--measured", set->error, 1 }
+    };
+    for (size_t k = 0; k < sizeof length / sizeof *length; k++) {
+        const double most = length[k].part ? size / 5 : size;
+        if ((double)length[k].value > most)
+            return fail(a, 0, "%s takes a length up to %sthe mean size of the "
+                        "blocks, %.4g, read %.9g", length[k].name,
+                        share[length[k].part], most, (double)length[k].value);
+    }
+    return 0;
+}
+
+/* Contacts shrink by no more than all of them. */
+static inline int check_shrinkage(struct analysis *a, int line,
+                                  const char *name, kern_real value)
+{
+    double most = a->set->relative ? 1 : mean_size(a);
+    for (int k = 0; k < a->task.s.contacts && !a->set->relative; k++)
+        most = fmax(most, fabs((double)a->task.s.contact[k].travel));
+    if (!((double)value > most)) return 0;
+    return fail(a, line, "%s takes a %s up to %.4g, at which every contact is "
+                "a point, read %.9g", name,
+                a->set->relative ? "share (--relative)" : "length", most,
+                (double)value);
+}
+
+static inline int check_shrinkages(struct analysis *a)
+{
+    const int own = a->set->epsilon > 0;
+    return check_shrinkage(a, 0, "--at", shrinkage(a))
+        || check_shrinkage(a, own ? 0 : a->text.epsilon_line,
+                           own ? "--epsilon" : "epsilon",
+                           a->task.options.epsilon);
+}
+
 /* Finds the verdict on what was read. */
 static inline int analyse(struct analysis *a)
 {
@@ -239,6 +283,7 @@ static inline int analyse(struct analysis *a)
     kern_options options;
     a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
     a->task.s.gravity = a->text.gravity;
+    if (check_lengths(a)) return -1;
     options = a->text.options;
     options.relative = set->relative;
     if (set->lone) options.lone = a->text.gravity;
@@ -250,7 +295,7 @@ static inline int analyse(struct analysis *a)
         options = kern_measured_options(&options, set->error, set->turn < 0
             ? set->error / (kern_real)mean_size(a) : set->turn);
     if (set->overlap > options.overlap) options.overlap = set->overlap;
-    if (decide(a, &options)) return -1;
+    if (decide(a, &options) || check_shrinkages(a)) return -1;
     a->verdict = a->shown;
     return find_certain(a);
 }

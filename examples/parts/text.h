@@ -89,6 +89,7 @@ struct text_reader {
     const char *statement; /* its first word           */
     kern_real density;
     int unused;            /* the line of a density no block follows, or 0 */
+    int gap_line;          /* where the last `tolerance` stands            */
     int vertices;
     int *slot, slots;      /* names by hash: index of the block + 1, 0: none */
     struct text_contact *contact;
@@ -345,6 +346,7 @@ static int text_epsilon(struct text_reader *r)
 static int text_tolerance(struct text_reader *r)
 {
     kern_options *o = &r->t->options;
+    r->gap_line = r->t->line;
     o->angle = kern_defaults().angle;
     if (text_real(r, TEXT_POSITIVE, &o->gap)) return -1;
     char *word = text_next(r);
@@ -605,6 +607,27 @@ static int text_make_room(struct text_reader *r, size_t length)
     return 0;
 }
 
+/* What only the whole file tells. */
+static int text_check(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    const kern_real size = kern_mean_size(t->block, t->blocks);
+    if (r->unused) {
+        t->line = r->unused;
+        return text_fail(t, "density: expected a block after it, found none");
+    }
+    if (t->blocks == t->fixed)
+        return text_fail(t, "no block is free, read %d fixed up to the end",
+                         t->fixed);
+    if (t->options.gap > size && r->contacts == 0) {
+        t->line = r->gap_line;
+        return text_fail(t, "tolerance: a gap up to the mean size of the "
+                         "blocks, %.4g, is expected, read %.9g", (double)size,
+                         (double)t->options.gap);
+    }
+    return 0;
+}
+
 static int text_lines(struct text_reader *r, size_t length)
 {
     struct text_file *t = r->t;
@@ -624,14 +647,7 @@ static int text_lines(struct text_reader *r, size_t length)
         if (text_line(r)) return -1;
     }
     if (t->line == 0) t->line = 1;
-    if (r->unused) {
-        t->line = r->unused;
-        return text_fail(t, "density: expected a block after it, found none");
-    }
-    if (t->blocks == t->fixed)
-        return text_fail(t, "no block is free, read %d fixed up to the end",
-                         t->fixed);
-    return 0;
+    return text_check(r);
 }
 
 /* A normal may be too short to tell its direction. */
@@ -723,7 +739,7 @@ static inline int text_read(struct text_file *t, const char *data,
     if (length > 0) memcpy(t->text, data, length);
     t->text[length] = '\0';
 
-    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0 };
+    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, 0, NULL, 0, NULL, 0 };
     int bad = text_make_room(&r, length) || text_lines(&r, length)
               || text_contacts(&r);
     free(r.slot);
