@@ -136,6 +136,16 @@ ranges() { # numbers that cannot be meant are refused with their option; whole
             >"$out/o" && grep -q 'margin  *320.9' "$out/o"
 }
 
+robot() { # with --relative the error is a length as well: the same number
+    local kern mode tower=examples/structures/tower.kern
+    kern=$(program kern examples/kern.c) || return 1
+    for mode in "" --relative "--relative --epsilon .5"; do
+        # shellcheck disable=SC2086
+        "$kern" --error .01,.01 $mode "$tower" | grep '^  bears  *16.04 ' ||
+            return 1
+    done
+}
+
 keys() { # every key of the JSON stands in the help
     local kern
     kern=$(program kern examples/kern.c) || return 1

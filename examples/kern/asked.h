@@ -232,19 +232,20 @@ static inline int find_certain(struct analysis *a)
     return 0;
 }
 
-/* How many times the error of --error the structure bears, and the least
-   friction at which it stands: where cones narrow so fast that kerns hardly
-   shrink. 0 for what falls. */
+/* How many times the error of --error, a length in every mode, the structure
+   bears, and the least friction at which it stands: where cones narrow so fast
+   that kerns hardly shrink. 0 for what falls. */
 static inline void find_error(struct analysis *a)
 {
     const struct settings *set = a->set;
     const kern_options options = a->task.options;
-    const kern_real size = (kern_real)mean_size(a);
-    const kern_real fast = 1000 / (set->relative ? 1 : size);
+    const kern_real fast = 1000 / (kern_real)mean_size(a);
     kern_margin m;
     kern_status status;
     double slope, mu = (double)options.mu;
     a->bears = a->least_friction = (double)NAN;
+    a->task.options.relative = 0;
+    a->task.options.epsilon = 0;
     a->task.options.narrow = (kern_real)tan((double)set->own_turn) /
                              (2 * set->own_error);
     status = kern_measure(&a->task, &m, NULL);
