@@ -666,6 +666,29 @@ class Drawings(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, word):
                 self.margin(bad)
 
+    def test_lines(self):
+        """Errors have the line of the drawing where their block begins."""
+        deep, bow = two(0), two(0)
+        deep[2].move(0, -0.25)
+        bow[1] = Block("bow", [(0, 0), (1, 0), (0, 1), (1, 1)])
+        for blocks, at, words in ((deep, 2, "'b_2' and 'b_3' overlap, 0.25 "),
+                                  (bow, 1, "block 'b_2': a polygon crosses"),
+                                  (two(0)[:1], 0, "no block is free")):
+            text = drawing(blocks)
+            line = [i for i, word in enumerate(text.split("\n"), 1)
+                    if word == "LWPOLYLINE"][at]
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder, "s.dxf")
+                path.write_text(text)
+                run = subprocess.run(
+                    [PROGRAM, str(path)], stdout=subprocess.PIPE,
+                    stderr=subprocess.PIPE, universal_newlines=True)
+                self.assertIn("s.dxf:%d: %s" % (line, words), run.stderr)
+                if blocks is not deep:  # an overlap is no fault of the reader
+                    with self.assertRaisesRegex(ValueError, "s.dxf:%d: %s" % (
+                            line, words)):
+                        kern.read(path)
+
     def test_image(self):
         """Pixels, y down, become metres, y up, and a measured structure."""
         s = self.margin(json.dumps(page(two(0.2))), ".json", pixel=0.01)

@@ -257,8 +257,9 @@ void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
 { room_falls(task, shrink, motion); }
 int kern_py_stays(const kern_task *task, int i, double *out)
 { return stays_of(task, i, out); }
-char *kern_py_dxf(const char *data, size_t length, char *message, size_t room)
-{ return dxf_read(data, length, message, room); }
+char *kern_py_dxf(const char *data, size_t length, char *message, size_t room,
+                  int *line)
+{ return dxf_read(data, length, message, room, line); }
 void kern_py_dxf_free(char *text) { free(text); }
 int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
                  int relative, double shrink, const kern_force *force,
@@ -405,7 +406,7 @@ _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
 _dxf = _declare("kern_py_dxf", _p, c_char_p, ctypes.c_size_t, _p,
-                ctypes.c_size_t)
+                ctypes.c_size_t, _p)
 _dxf_free = _declare("kern_py_dxf_free", None, _p)
 _stays = _declare("kern_py_stays", _i, _p, _i, _p)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
@@ -1828,11 +1829,12 @@ def read(path: Union[str, os.PathLike], **scale: Any) -> Structure:
 
 def _from_dxf(data: bytes, name: str) -> bytes:
     """The statements of text.h that a drawing stands for."""
-    message = ctypes.create_string_buffer(512)
-    made = _dxf(data, len(data), message, len(message))
+    message, line = ctypes.create_string_buffer(512), c_int()
+    made = _dxf(data, len(data), message, len(message), byref(line))
     if not made:
-        raise ValueError("%s: %s" % (name, message.value.decode(
-            errors="replace")))
+        raise ValueError("%s:%s %s" % (
+            name, "%d:" % line.value if line.value else "",
+            message.value.decode(errors="replace")))
     try:
         return ctypes.string_at(made)
     finally:
