@@ -150,8 +150,8 @@ keys() { # every key of the JSON stands in the help
     local kern
     kern=$(program kern examples/kern.c) || return 1
     "$kern" --json --forces --mechanism --profile --near --raised --sequence \
-        --error 0.01 --measured 0.001 examples/structures/{falls,tower}.kern \
-        >"$out/all.json"
+        --stays all --error 0.01 --measured 0.001 \
+        examples/structures/{falls,tower}.kern >"$out/all.json"
     [ $? -eq 1 ] && "$kern" --help >"$out/help" &&
         $judge keys "$out/all.json" "$out/help"
 }
@@ -193,6 +193,20 @@ arrays() { # a structure as C arrays has the margin that the program prints
             { echo "$file: $(cat "$out/want") $(cat "$out/got")"; return 1; }
     done
     ! "$kern" --c examples/structures/tower.kern "$file" 2>"$out/e"
+}
+
+each_block() { # every block in the order of the file, with its chance; the last
+    # one's is that of --stays NAME
+    local kern file last
+    kern=$(program kern examples/kern.c) || return 1
+    for file in examples/structures/{tower,falls,arch}.kern; do
+        last=$(awk '$1 == "block" { name = $2 } END { print name }' "$file")
+        "$kern" --json --stays all "$file" >"$out/each.json"
+        "$kern" --json --stays "$last" "$file" >"$out/last.json"
+        $judge each_block "$out"/{each,last}.json "$file" || return 1
+    done
+    "$kern" --stays all examples/structures/tower.kern >"$out/o" &&
+        [ "$(grep -c '^  stays  ' "$out/o")" -eq 10 ]
 }
 
 live() { # live loads, weight that is no stone, and loads that stay

@@ -232,24 +232,27 @@ static inline void json_sequence(const struct analysis *a, int good)
     else json_string("weakest_step", a->text.name[weakest]);
 }
 
-/* A number for the block that was named; a list for all. */
+/* Of the block that was named. */
 static inline void json_stays(const struct analysis *a, int good)
 {
-    const int all = is_all(a->set->stays);
-    const char *comma = "";
-    printf(", \"stays\": %s", all ? "[" : good ? "" : "null");
+    double chance = (double)NAN;
+    for (int i = 0; good && i < a->task.s.blocks; i++)
+        if (strcmp(a->text.name[i], a->set->stays) == 0) chance = a->stays[i];
+    json_number("stays", chance);
+}
+
+/* All blocks of the file, in its order. */
+static inline void json_each(const struct analysis *a, int good)
+{
+    printf(", \"each_block\": [");
     for (int i = 0; good && i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed) continue;
-        if (all) {
-            printf("%s{", comma);
-            json_string("block", a->text.name[i]);
-            json_number("stays", a->stays[i]);
-            printf("}");
-            comma = ", ";
-        } else if (strcmp(a->text.name[i], a->set->stays) == 0)
-            json_value(a->stays[i]);
+        printf("%s{", i > 0 ? ", " : "");
+        json_string("block", a->text.name[i]);
+        json_flag("fixed", a->task.s.block[i].fixed, 1);
+        json_number("stays", a->stays[i]);
+        printf("}");
     }
-    printf("%s", all ? "]" : "");
+    printf("]");
 }
 
 static inline void json_open(unsigned open)
@@ -333,7 +336,8 @@ static inline void report_json(const struct analysis *a)
         json_known("least_friction", a->least_friction, asked);
     }
     if (a->set->sequence) json_sequence(a, good && a->sequence);
-    if (a->set->stays) json_stays(a, good && a->stays);
+    if (a->set->stays)
+        (is_all(a->set->stays) ? json_each : json_stays)(a, good && a->stays);
     json_loads(a, asked);
     json_known("proof_error", (double)a->work.error, good);
     json_count("pivots", a->work.pivots, good);
