@@ -118,6 +118,14 @@ def each_block(name, last, path):
     assert found['each_block'][-1]['stays'] == one['stays'], one
 
 
+def undecided(key, value, name):
+    """A key is named as undecided; it, or a value in its list, is null."""
+    found, = objects(name)
+    told = found.get(key, found.get('each_block'))
+    assert key in found['undecided'] and (told is None or None in [
+        row[value] for row in told if not row.get('fixed')]), found
+
+
 def profiles(name):
     """The least of a profile is the measure, and means are ordered."""
     for r in objects(name):
@@ -222,6 +230,6 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    checks = (svg, structures, axles, keys, each_block, profiles, pushes,
-              figures, functions, rules, walls)
+    checks = (svg, structures, axles, keys, each_block, undecided, profiles,
+              pushes, figures, functions, rules, walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

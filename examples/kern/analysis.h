@@ -253,6 +253,23 @@ static inline int check_lengths(struct analysis *a)
     return 0;
 }
 
+/* What is asked about must be in the file. */
+static inline int check_asked(struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    const char *stays = a->set->stays;
+    int found = 0;
+    for (int i = 0; stays && i < a->task.s.blocks; i++) found |= is_asked(a, i);
+    if (a->set->sweep > 0 && a->text.lives == 0)
+        return fail(a, 0, "--sweep: no live load ('live NAME FX FY X Y')");
+    if (stays && !found)
+        return fail(a, 0, "--stays: there is no free block '%s'",
+                    text_show(shown, stays));
+    if (stays && !(gravity_of(a) > 0))
+        return fail(a, 0, "--stays: there is no gravity");
+    return 0;
+}
+
 /* Contacts shrink by no more than all of them. */
 static inline int check_shrinkage(struct analysis *a, int line,
                                   const char *name, kern_real value)
@@ -283,7 +300,7 @@ static inline int analyse(struct analysis *a)
     kern_options options;
     a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
     a->task.s.gravity = a->text.gravity;
-    if (check_lengths(a)) return -1;
+    if (check_lengths(a) || check_asked(a)) return -1;
     options = a->text.options;
     options.relative = set->relative;
     if (set->lone) options.lone = a->text.gravity;

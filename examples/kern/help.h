@@ -128,7 +128,7 @@ static const char help_json[] =
 "  sweep               list of block, x, y (where the first force stands), live,\n"
 "                      with --raised raised_live\n"
 "--stays\n"
-"  stays               chance from 0 to 1 of the block, null where it falls\n"
+"  stays               chance from 0 to 1 of the block, 0 where it falls\n"
 "--stays all\n"
 "  each_block          of each block, fixed ones too, in the order of the file:\n"
 "                      block (its name), fixed, stays\n"

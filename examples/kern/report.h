@@ -480,9 +480,12 @@ static inline void report_sequence(const struct analysis *a)
     char shown[TEXT_SHOW_ROOM];
     printf("  sequence    margin after each block\n");
     for (int i = 0; i < a->task.s.blocks; i++)
-        if (!a->task.s.block[i].fixed)
-            printf("    %-16s %.4g%s\n", name_of(a, i, shown),
-                   a->sequence[i], i == weakest ? "  weakest" : "");
+        if (!a->task.s.block[i].fixed) {
+            printf("    %-16s ", name_of(a, i, shown));
+            if (isnan(a->sequence[i])) printf("undecided\n");
+            else printf("%.4g%s\n", a->sequence[i],
+                        i == weakest ? "  weakest" : "");
+        }
 }
 
 /* Of all blocks, or of the one that was named. */
@@ -490,13 +493,10 @@ static inline void report_stays(const struct analysis *a)
 {
     char shown[TEXT_SHOW_ROOM];
     for (int i = 0; i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed
-            || (!is_all(a->set->stays)
-             && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
-        printf("  stays       ");
-        if (isnan(a->stays[i])) printf("no        ");
-        else printf("%-8.3f  ", a->stays[i]);
-        printf("chance that %s, laid last, stays where it is let go\n",
+        if (!is_asked(a, i)) continue;
+        if (isnan(a->stays[i])) printf("  stays       undecided whether");
+        else printf("  stays       %-8.3f  chance that", a->stays[i]);
+        printf(" %s, laid last, stays where it is let go\n",
                name_of(a, i, shown));
     }
 }
