@@ -1230,14 +1230,14 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                       share.value if stands and reserve else None)
 
     @_asks
-    def stays(self, block: Union[int, str]) -> Optional[float]:
+    def stays(self, block: Union[int, str]) -> float:
         """The chance from 0 to 1 that a block, laid last, stays where it is let
-        go (stays.h); None where the structure falls."""
+        go (stays.h); 0 where the structure falls."""
         out, i = c_double(), self._index(block)
         if self.blocks[i].fixed:
             raise ValueError("'%s' is fixed" % self.blocks[i].name)
         status = self._check(_stays(self._at_task, i, byref(out)))
-        return out.value if status == _STANDS else None
+        return out.value if status == _STANDS else 0.0
 
     def _least(self, shrink: float) -> Any:
         force = self._forces()
@@ -1705,17 +1705,17 @@ class Plan(Structure):
 
     def try_stays(self, block: Block) -> Optional[float]:
         """What stays() would say of the block, laid last on the plan: the chance
-        that it stays where it is let go; None where it falls or overlaps.
+        that it stays where it is let go; None where it overlaps.
 
         >>> box = [(0, 0), (1, 0), (1, 1), (0, 1)]
         >>> plan = Plan([Block("ground", [(-3, -1), (4, -1), (4, 0), (-3, 0)],
         ...                    fixed=True), Block("low", box)])
         >>> for x in (0, .4995, .51):
         ...     chance = plan.try_stays(Block("top", box).move(x, 1))
-        ...     print(chance and chance > 0.5)
-        True
-        False
-        None
+        ...     print(chance > 0.5, chance > 0)
+        True True
+        False True
+        False False
         """
         with self._lock:
             try:
