@@ -477,6 +477,75 @@ class BadInput(unittest.TestCase):
         self.refuse(Status.SAME_BLOCK, (),
                     lambda: kern.contact_make(1, 1, (0, 1), (0, 0)))
 
+    def test_one_name_twice(self):
+        """Is refused as in a file; where names are made they are not."""
+        again = ("block 2: the name 'low' was given to block 1 already")
+        twice = [*two(0.2)[:2], Block("low", BOX).move(0.2, 1)]
+        for call in (lambda: Structure(twice), lambda: Plan(twice)):
+            with self.assertRaisesRegex(ValueError, again):
+                call()
+        plan = Plan(twice[:2])
+        self.assertAlmostEqual(plan.try_(twice[2]).margin, 0.3)
+        with self.assertRaisesRegex(ValueError, again):
+            plan.add(twice[2])
+        self.assertEqual((len(plan), plan.measure().margin), (2, 0.5))
+        s = Structure(two(0.2))
+        s.blocks[2].name = "low"
+        with self.assertRaisesRegex(ValueError, again):
+            s.move("low", 0.1, 0)
+        self.assertEqual(s.blocks[1].vertices.tolist(), [list(q) for q in BOX])
+        with self.assertRaisesRegex(TypeError, "as its name, read 3"):
+            Block(3, BOX)
+        three = [ground(), *(Block(name, BOX).move(i, 0) for i, name in
+                             enumerate(("a b", "a_b_2", "a#b")))]
+        self.assertEqual([b.name for b in kern.parse(
+            Structure(three).text()).blocks],
+            ["ground", "a_b", "a_b_2", "a_b_3"])
+        for b, name in zip(three[1:], ("s", "s_2", "s")):
+            b.name = name
+        self.assertEqual([b.name for b in kern.from_labelme(
+            page(three)).blocks], ["ground", "s", "s_2", "s_3"])
+
+    def test_ranges(self):
+        """A number that cannot be meant is refused with the name of its
+        option; in other units it can."""
+        size = "a length up to the mean size of the blocks, 1, read"
+        for name, value, words in (
+                ("mu", -1, "takes a number not below zero, read -1"),
+                ("gap", -1.0, "takes a number not below zero, read -1.0"),
+                ("gap", math.nan, "takes a number not below zero, read nan"),
+                ("angle", 0.5, "takes an angle in radians above 0 and below"),
+                ("angle", 0, "takes an angle in radians above 0 and below"),
+                ("epsilon", math.inf, "takes a number not below zero"),
+                ("reserve", 0.2, "takes a share from 0 to 0.1, read 0.2"),
+                ("limit", 2 ** 31 - 1, "takes a whole number from 1 to"),
+                ("gap", 1e9, "takes %s 1000000000.0" % size),
+                ("overlap", 1.5, "takes %s 1.5" % size),
+                ("pose_error", 0.3, "takes a length up to a fifth of the mean")):
+            with self.assertRaisesRegex(kern.KernError, "Options.%s %s" % (
+                    name, words)):
+                Structure(two(0), options=Options(**{name: value}))
+        with self.assertRaisesRegex(kern.KernError, "epsilon takes a share up"):
+            Structure(two(0), options=Options(epsilon=2, relative=True))
+        with self.assertRaisesRegex(TypeError, "Options.mu takes a number not"):
+            Structure(two(0), options=Options(mu="0.4"))
+        with self.assertRaisesRegex(TypeError, "Options.limit takes a whole"):
+            Structure(two(0), options=Options(limit=1e6))
+        for e, theta in ((0, 0), (-1, 0), (.01, 10), (math.nan, 0)):
+            with self.assertRaisesRegex(kern.KernError, "measured.. takes"):
+                Options().measured(e, theta)
+        wide = [Block(b.name, [(1000 * x, 1000 * y) for x, y in
+                               b.vertices.tolist()], fixed=b.fixed)
+                for b in two(0.2)]
+        m = Structure(wide, options=Options(gap=1, epsilon=20)).measure()
+        self.assertAlmostEqual(m.margin, 300, 3)
+        self.assertEqual(m.level, 16)
+        for scale, words in (({"pixel": 0}, "pixel is a length above 0"),
+                             ({"tolerance": -1}, "tolerance a number of pix"),
+                             ({"tolerance": 40}, "100 pixels in the mean, of")):
+            with self.assertRaisesRegex(ValueError, words):
+                kern.from_labelme(page(two(0.2)), **scale)
+
     def test_stale(self):
         """What has changed is not answered for; a refused update changes
         nothing, and update() again answers."""

@@ -525,6 +525,29 @@ def _numbers(values: Any) -> Any:
 _D = _defaults()
 
 
+def _not_below(x: float) -> bool:
+    return x >= 0
+
+
+# What each number of the options takes, and the status of what is none.
+_TAKES: Dict[str, Tuple[str, Callable[[float], bool], int]] = {
+    "mu": ("a number not below zero", _not_below, Status.BAD_FRICTION),
+    "angle": ("an angle in radians above 0 and below 0.5",
+              lambda x: 0 < x < 0.5, Status.BAD_OPTION),
+    "reserve": ("a share from 0 to 0.1", lambda x: 0 <= x <= 0.1,
+                Status.BAD_OPTION),
+    **{name: ("a number not below zero", _not_below, Status.BAD_OPTION)
+       for name in ("gap", "epsilon", "overlap", "pose_error", "pose_turn",
+                    "narrow")},
+}
+
+
+def _refuse(name: str, takes: str, value: Any,
+            status: int = Status.BAD_OPTION) -> None:
+    raise KernError(status, text="Options.%s takes %s, read %r"
+                    % (name, takes, value))
+
+
 @dataclass
 class Options:
     """kern_options: what each means stands in kern.h.
@@ -546,14 +569,40 @@ class Options:
     lone: Point = (_D.lone.x, _D.lone.y)
 
     def _c(self) -> _Options:
-        limit = operator.index(self.limit)
-        if not 0 <= limit < 2 ** 31:
-            raise KernError(Status.BAD_OPTION, text="Options.limit is %d, not "
-                            "from 0 to 2,000,000,000" % limit)
+        for name, (takes, good, status) in _TAKES.items():
+            value = getattr(self, name)
+            try:
+                finite = math.isfinite(value)
+            except (TypeError, OverflowError):
+                raise TypeError("Options.%s takes %s, read %r"
+                                % (name, takes, value)) from None
+            if not finite or not good(value):
+                _refuse(name, takes, value, status)
+        if self.relative and self.epsilon > 1:
+            _refuse("epsilon", "a share up to 1 with relative", self.epsilon)
+        try:
+            limit = operator.index(self.limit)
+        except TypeError:
+            raise TypeError("Options.limit takes a whole number, read %r"
+                            % self.limit) from None
+        if not 0 <= limit <= 2000000000:
+            _refuse("limit", "a whole number from 1 to 2,000,000,000, or 0",
+                    limit)
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
                         bool(self.relative), limit, self.overlap,
                         self.pose_error, self.pose_turn, self.narrow,
                         self.reserve, _Vec(*self.lone))
+
+    def _suits(self, size: float) -> None:
+        """Raises where everything would touch everything in a structure of
+        blocks of this mean size: a length of another unit, or mistyped."""
+        most = "a length up to %%sthe mean size of the blocks, %.4g"
+        if self.pose_error > size / 5:
+            _refuse("pose_error", (most % (size / 5)) % "a fifth of ",
+                    self.pose_error)
+        for name in ("gap", "overlap") if not self.pose_error else ():
+            if getattr(self, name) > size:
+                _refuse(name, (most % size) % "", getattr(self, name))
 
     @staticmethod
     def _of(c: _Options) -> Options:
@@ -571,6 +620,10 @@ class Options:
         >>> round(Options().measured(0.01, 0.01).gap, 6)
         0.0525
         """
+        if not 0 < e < math.inf or not 0 <= theta < 0.5:
+            raise KernError(Status.BAD_OPTION, text="measured() takes a length "
+                            "above 0 and an angle in radians from 0 to below "
+                            "0.5, read %r and %r" % (e, theta))
         return Options._of(_measured(byref(self._c()), e, theta))
 
 
@@ -610,6 +663,9 @@ class Block:
     _taken: Any = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
+        if not isinstance(self.name, str):
+            raise TypeError("a block has a str as its name, read %r"
+                            % (self.name,))
         self._take()
 
     def __eq__(self, other: object) -> bool:
@@ -1013,10 +1069,31 @@ class _Kept(Block):
                         % self.name)
 
 
+def _name_once(blocks: Iterable[Block]) -> None:
+    """Raises where two blocks have one name: a question by name would be
+    answered for the first."""
+    place: Dict[str, int] = {}
+    for i, block in enumerate(blocks):
+        if place.setdefault(block.name, i) != i:
+            raise ValueError("block %d: the name '%s' was given to block %d "
+                             "already" % (i, block.name, place[block.name]))
+
+
+def _unique(word: str, used: Dict[str, int]) -> str:
+    """The word, with a number where it is used already."""
+    own = word
+    while own in used:
+        used[word] += 1
+        own = "%s_%d" % (word, used[word])
+    used[own] = 1
+    return own
+
+
 class Structure:
     """Blocks, their contacts, options and gravity.
 
-    contacts None: those that are found between the polygons. After a change of
+    Every block has a name of its own. contacts None: those that are found
+    between the polygons. After a change of
     blocks, options, gravity or given contacts, call update(); a question before
     that raises KernError. Where update() raises, the structure is as it was.
 
@@ -1102,12 +1179,14 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         with self._lock:
             given, n, found = self.given, len(self.blocks), Status.NO_SPACE
             names, options = [b.name for b in self.blocks], self.options._c()
+            _name_once(self.blocks)
             room = 16 * n if given is None else len(given)
             while found == Status.NO_SPACE and room <= 1000000:
                 held = _Held(n, room)
                 for i, block in enumerate(self.blocks):
                     held.vertex.append(block._copy_to(held.block[i]))
                 if given is None:
+                    self.options._suits(_mean_size(held.block, n) or math.inf)
                     found = _contacts(held.block, n, byref(options),
                                       held.contact, room, byref(held.work))
                     room *= 2
@@ -1136,7 +1215,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         b.move(x, y, turn)
         try:
             self.update()
-        except KernError:
+        except ValueError:
             for i, (px, py) in enumerate(before):
                 b.vertices[i, 0], b.vertices[i, 1] = px, py
             b.centre = centre
@@ -1464,6 +1543,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         options the file has friction, epsilon, gap and angle."""
         o, lines = self.options, ["friction %r" % self.options.mu]
         used: Dict[str, int] = {}
+        names = [_unique(re.sub(r"[\s#]+", "_", b.name) or "block", used)
+                 for b in self.blocks]
         lines.append("gravity %r %r" % tuple(map(float, self.gravity)))
         if o.epsilon:
             lines.append("epsilon %r" % o.epsilon)
@@ -1471,12 +1552,6 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             lines.append("tolerance %r %r" % (o.gap, o.angle))
         elif o.angle != _D.angle:
             raise ValueError("an angle without a gap has no place in a file")
-        names = []
-        for b in self.blocks:
-            word = re.sub(r"[\s#]+", "_", b.name) or "block"
-            used[word] = used.get(word, 0) + 1
-            names.append(word if used[word] == 1
-                         else "%s_%d" % (word, used[word]))
         for name, b in zip(names, self.blocks):
             place = "  ".join("%r %r" % (x, y) for x, y in b.vertices.tolist())
             if b.fixed:
@@ -1614,6 +1689,7 @@ class Plan(Structure):
         """kern_plan_add(): how many contact points the block has."""
         with self._lock:
             self._fresh()
+            _name_once([*self.blocks, block])
             own = _Kept(block.name, block.vertices.tolist(), block.density,
                         block.fixed, block.mass, block.centre, block.load)
             vertex = own._copy_to(self._candidate)
@@ -1876,6 +1952,9 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
                 pixel: float, tolerance: float, density: float,
                 fixed: Sequence[str], name: str) -> Structure:
     """Polygons in pixels, y down, as a measured structure."""
+    if not 0 < pixel < _FARTHEST or not 0 <= tolerance < _FARTHEST:
+        raise ValueError("%s: pixel is a length above 0, tolerance a number of "
+                         "pixels, read %r and %r" % (name, pixel, tolerance))
     blocks: List[Block] = []
     used: Dict[str, int] = {}
     for label, points in polygons:
@@ -1888,9 +1967,8 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
             raise ValueError("%s: '%s': points are no pairs of numbers, or "
                              "farther than %g m" % (name, label, _FARTHEST)
                              ) from None
-        used[label] = used.get(label, 0) + 1
-        own = label if used[label] == 1 else "%s_%d" % (label, used[label])
-        blocks.append(Block(own, _simplified(turned, tolerance * pixel), density,
+        blocks.append(Block(_unique(label, used),
+                            _simplified(turned, tolerance * pixel), density,
                             fixed=label in fixed))
     if not blocks:
         raise ValueError("%s: no polygons" % name)
@@ -1899,6 +1977,10 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
     if not sizes:
         raise ValueError("%s: every polygon is fixed" % name)
     theta = e * len(sizes) / sum(sizes)
+    if theta > 0.2:
+        raise ValueError("%s: blocks of %.3g pixels in the mean, of which an "
+                         "error of %.3g (pixel and tolerance) is more than a "
+                         "fifth" % (name, e / theta / pixel, e / pixel))
     return Structure(blocks, options=Options().measured(e, theta), name=name)
 
 
