@@ -211,7 +211,7 @@ each_block() { # every block in the order of the file, with its chance; the last
         [ "$(grep -c '^  stays  ' "$out/o")" -eq 10 ]
 }
 
-open() { # open KEY VALUE OPTIONS...: is it undecided with these, and the status 3?
+open() { # open KEY VALUE OPTIONS...: with these it is undecided, the status 3
     local key=$1 value=$2 kern
     shift 2
     kern=$(program kern examples/kern.c) || return 1
@@ -237,6 +237,24 @@ undecided() { # by the limit of work: what is missing is named; of what is asked
         sed '$agravity 0 0\nload stone10 0 -1 0 4' $tower >"$out/no.kern" &&
         refuses "--stays: there is no gravity" --stays all "$out/no.kern" &&
         refuses "there is no free block 'ground'" --stays ground $tower
+}
+
+unheard() { # options that a file or another option leaves without effect
+    local kern tower=examples/structures/tower.kern
+    local given=examples/structures/explicit.kern all
+    kern=$(program kern examples/kern.c) || return 1
+    all="--near --lone --gap .01 --overlap .01 --measured .01"
+    # shellcheck disable=SC2086
+    "$kern" $all $given >"$out/o" && ! grep -q '^  near contacts' "$out/o" &&
+        grep -q "without effect: $(echo "$all" | sed 's/ [.]01//g')\$" \
+            "$out/o" &&
+        "$kern" --json --near $given | grep -q '"near": false' || return 1
+    ! "$kern" $given | grep -q 'without effect' &&
+        "$kern" --at .1 --measured .001 $tower | grep -q 'not told with --at' &&
+        "$kern" --near $tower | grep -q 'not in the verdict above$' &&
+        "$kern" --near --raised $tower | grep -q 'nor in what --raised' &&
+        "$kern" --json --near $tower | grep -q '"near": true' || return 1
+    refuses "--mechanism live: no live load" --mechanism live $tower
 }
 
 live() { # live loads, weight that is no stone, and loads that stay

@@ -202,7 +202,7 @@ static inline int measure(struct analysis *a)
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
     if (find_what_is_asked(a)) return -1;
-    if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
+    if (is_near(a) && decide(a, &near_too)) return -1;
     limit.force = a->last_force;
     limit.motion = a->collapse;
     show_stage(a, "  margin ...");
@@ -260,8 +260,9 @@ static inline int check_asked(struct analysis *a)
     const char *stays = a->set->stays;
     int found = 0;
     for (int i = 0; stays && i < a->task.s.blocks; i++) found |= is_asked(a, i);
-    if (a->set->sweep > 0 && a->text.lives == 0)
-        return fail(a, 0, "--sweep: no live load ('live NAME FX FY X Y')");
+    if (a->text.lives == 0 && (a->set->sweep > 0 || a->set->mechanism_live))
+        return fail(a, 0, "%s: no live load ('live NAME FX FY X Y')",
+                    a->set->sweep > 0 ? "--sweep" : "--mechanism live");
     if (stays && !found)
         return fail(a, 0, "--stays: there is no free block '%s'",
                     text_show(shown, stays));

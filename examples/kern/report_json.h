@@ -286,7 +286,7 @@ static inline void json_measure(const struct analysis *a, int good, int asked)
     int most = known ? most_stressed(a, 0, a->task.s.contacts) : -1;
     json_known("epsilon", (double)a->m.epsilon, known);
     json_flag("relative", a->set->relative, 1);
-    json_flag("near", a->set->touching, 1);
+    json_flag("near", is_near(a), 1);
     if (a->set->error > 0)
         json_flag("certain", a->certain > 0, a->certain >= 0);
     json_count("level", a->m.level, known && a->m.level >= 0);

@@ -112,7 +112,7 @@ static inline int fail_memory(struct analysis *a)
 static inline kern_motion *shown_motion(const struct analysis *a)
 {
     if (a->shown == KERN_FALLS) return a->motion;
-    if (a->set->mechanism_live && a->text.lives > 0)
+    if (a->set->mechanism_live)
         return isfinite(a->live) ? a->collapse : NULL;
     if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
     return NULL;
@@ -139,6 +139,10 @@ static inline void *array(int count, size_t size)
 {
     return calloc(count > 0 ? (size_t)count : 1, size);
 }
+
+/* Near contacts are looked for where contacts are. */
+static inline int is_near(const struct analysis *a)
+{ return a->set->touching && !a->text.given; }
 
 /* The contact of the largest stress among n from k on; -1: there is none. */
 static inline int most_stressed(const struct analysis *a, int k, int n)
@@ -232,6 +236,13 @@ static inline int is_open_sweep(const struct analysis *a)
     return 0;
 }
 
+/* With given contacts, or shrunk ones, it is not asked. */
+static inline int is_open_certain(const struct analysis *a)
+{
+    return a->set->error > 0 && !a->text.given && !(shrinkage(a) > 0)
+           && a->certain < 0;
+}
+
 static inline unsigned open_questions(const struct analysis *a)
 {
     int loaded = a->shown == KERN_STANDS && gravity_of(a) > 0;
@@ -243,8 +254,7 @@ static inline unsigned open_questions(const struct analysis *a)
         loaded && isnan(a->tilt[LEFT]), loaded && isnan(a->tilt[RIGHT]),
         a->set->profile && a->profiled < 0,
         a->shown == KERN_STANDS && a->text.lives > 0 && isnan(a->live),
-        a->set->error > 0 && !a->text.given && !(shrinkage(a) > 0)
-            && a->certain < 0,
+        is_open_certain(a),
         a->raised < 0, a->borne < 0, a->slid < 0,
         is_open_list(a, a->sequence, 0), is_open_list(a, a->stays, 1),
         is_open_sweep(a)
