@@ -546,6 +546,77 @@ class BadInput(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, words):
                 kern.from_labelme(page(two(0.2)), **scale)
 
+    def test_what_is_no_number(self):
+        """Too few numbers, or words, are refused by name: nothing is filled up
+        with zeros."""
+        def a(**own):
+            return lambda: Structure([ground(), Block("a", BOX, **own)])
+        for words, call in (
+                ("'a': load: 3 numbers are expected, read .1, 2.", a(
+                    load=(1, 2))),
+                ("'a': centre: 2 numbers are expected, read .1,.", a(
+                    centre=(1,))),
+                ("'a': mass: a number is expected, read '1'", a(mass="1")),
+                ("'a': density: a number is expected, read '1'", a(
+                    density="1")),
+                ("gravity: 2 numbers are expected, read 9.81", lambda: Structure(
+                    two(0), gravity=9.81)),
+                ("gravity: 2 numbers are expected, read .9", lambda: Plan(
+                    two(0), gravity=(9.81,))),
+                ("options are Options", lambda: Structure(
+                    two(0), options={"mu": 1}))):
+            with self.assertRaisesRegex(TypeError, words):
+                call()
+
+    def test_questions_without_an_answer(self):
+        """Say what is missing: a side, gravity, a live load, an error."""
+        s, still = Structure(two(0.2)), two(0.2)
+        still[2].load = (0, -1, 0)
+        still = Structure(still, gravity=(0, 0))
+        for words, call in (
+                ("load_factor..: a side is LEFT or RIGHT, read 0",
+                 lambda: s.load_factor(0)),
+                ("raised_load..: a side is LEFT or RIGHT, read 0",
+                 lambda: s.raised_load(0)),
+                ("tilt..: a side is LEFT or RIGHT, read 2", lambda: s.tilt(2)),
+                ("profile..: a side is LEFT or RIGHT", lambda: s.profile(9)),
+                ("no error was told", s.interval), ("no error was", s.certain),
+                ("load_factor..: there is no gravity",
+                 lambda: still.load_factor(kern.LEFT)),
+                ("tilt..: there is no gravity", lambda: still.tilt(kern.LEFT)),
+                ("reserve=True.: there is no gravity",
+                 lambda: still.raised(reserve=True)),
+                ("stays..: there is no gravity", lambda: still.stays("top")),
+                ("no live load", s.live), ("'ground' is fixed", lambda: s.live(
+                    [("ground", (0, -1), (0, 0))]))):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        self.assertTrue(still.raised())
+        self.assertEqual(s.live([]), math.inf)
+        with self.assertRaisesRegex(KeyError, "no block is named 'x'"):
+            s.stays("x")
+        if kern.numpy is not None:
+            self.assertEqual(s.stays(kern.numpy.int64(2)), s.stays("top"))
+
+    def test_plan_names(self):
+        """A candidate may have the name of a block; an overlap that add()
+        refuses is as deep as it is."""
+        plan = Plan(two(0.2)[:2])
+        for name in ("low", "top"):
+            self.assertGreater(plan.try_stays(
+                Block(name, BOX).move(0.2, 1)), 0.9)
+        self.assertEqual([b.name for b in plan.blocks], ["ground", "low"])
+        with self.assertRaises(kern.KernError) as caught:
+            plan.add(Block("deep", BOX).move(0.01, 0.5))
+        self.assertGreater(caught.exception.value, 0.4)
+        self.assertEqual(caught.exception.blocks, ("low", "deep"))
+
+    def test_one_label_is_a_word(self):
+        """fixed="ground" is that label, not each that is in the word."""
+        stones = page([ground(), Block("round", BOX)])
+        s = kern.from_labelme(stones, fixed="ground")
+        self.assertEqual([b.fixed for b in s.blocks], [True, False])
+
     def test_stale(self):
         """What has changed is not answered for; a refused update changes
         nothing, and update() again answers."""

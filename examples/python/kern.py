@@ -465,7 +465,8 @@ class KernError(ValueError):
             place = ": call update()"
         elif self.index >= 0:
             point = self.status in (Status.BAD_BLOCK, Status.SAME_BLOCK,
-                                    Status.BAD_NORMAL, Status.BAD_FRICTION)
+                                    Status.BAD_NORMAL, Status.BAD_FRICTION
+                                    ) or not self.blocks
             place = " (%s %d)" % ("contact point" if point else "vertex",
                                   self.index)
         who = " and ".join("'%s'" % name for name in self.blocks)
@@ -518,6 +519,19 @@ def _numbers(values: Any) -> Any:
         else:
             flat.extend(value)
     return (c_double * len(flat))(*flat)
+
+
+def _several(what: str, values: Any, count: int) -> List[float]:
+    """So many numbers, neither more nor less."""
+    try:
+        told = [math.fsum((value,)) for value in values]
+    except (TypeError, ValueError, OverflowError):
+        told = []
+    if len(told) != count:
+        raise TypeError("%s: %s expected, read %r" % (
+            what, "a number is" if count == 1 else "%d numbers are" % count,
+            values[0] if count == 1 else values))
+    return told
 
 
 # ---- Options, blocks, contacts ----------------------------------------------
@@ -724,19 +738,26 @@ class Block:
             self._take()
         fault = _Fault()
         n = len(self.vertices)
-        status = (_ground_init(byref(c), self._address, n, byref(fault))
-                  if self.fixed else
-                  _block_init(byref(c), self._address, n, self.density,
-                              byref(fault)))
+        try:
+            status = (_ground_init(byref(c), self._address, n, byref(fault))
+                      if self.fixed else
+                      _block_init(byref(c), self._address, n, self.density,
+                                  byref(fault)))
+        except ctypes.ArgumentError:
+            raise TypeError("'%s': density: a number is expected, read %r"
+                            % (self.name, self.density)) from None
         if status < 0:
             fault.block = 0
             raise KernError(status, (self.name,), fault)
         if self.mass is not None:
-            c.mass = self.mass
+            (c.mass,) = self._told("mass", [self.mass], 1)
         if self.centre is not None:
-            c.centre = _Vec(*self.centre)
+            c.centre = _Vec(*self._told("centre", self.centre, 2))
         if any(self.load):
-            c.load = _Wrench(*self.load)
+            c.load = _Wrench(*self._told("load", self.load, 3))
+
+    def _told(self, what: str, values: Any, count: int) -> List[float]:
+        return _several("'%s': %s" % (self.name, what), values, count)
 
     def _copy_to(self, c: Any) -> Any:
         """Fills a kern_block that reads a copy of the vertices; returns it."""
@@ -1178,6 +1199,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         the contacts where none are given."""
         with self._lock:
             given, n, found = self.given, len(self.blocks), Status.NO_SPACE
+            if not isinstance(self.options, Options):
+                raise TypeError("options are Options(...), read %r"
+                                % (self.options,))
             names, options = [b.name for b in self.blocks], self.options._c()
             _name_once(self.blocks)
             room = 16 * n if given is None else len(given)
@@ -1201,7 +1225,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             task = _task_of(held.block, n, held.contact, found,
                             byref(held.work))
             task.options = options
-            task.s.gravity = _Vec(*self.gravity)
+            task.s.gravity = _Vec(*_several("gravity", self.gravity, 2))
             self._held, self._task, self._told = held, task, self._key()
             self._at_task = byref(self._task)
             self._shape()
@@ -1228,14 +1252,15 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         self._motions = c_double * (3 * self._task.s.blocks)
 
     def _index(self, block: Union[int, str]) -> int:
-        if isinstance(block, int):
-            if not -len(self.blocks) <= block < len(self.blocks):
-                raise IndexError("block %d of %d" % (block, len(self.blocks)))
-            return block % len(self.blocks)
-        for i, b in enumerate(self.blocks):
-            if b.name == block:
-                return i
-        raise KeyError(block)
+        if isinstance(block, str):
+            for i, b in enumerate(self.blocks):
+                if b.name == block:
+                    return i
+            raise KeyError("no block is named '%s'" % block)
+        i = operator.index(block)
+        if not -len(self.blocks) <= i < len(self.blocks):
+            raise IndexError("block %d of %d" % (i, len(self.blocks)))
+        return i % len(self.blocks)
 
     @property
     def contacts(self) -> List[Contact]:
@@ -1274,6 +1299,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         """kern_certain(): between what the margin lies, and which verdict is
         certain, within the error that Options.measured() was told."""
         m, out, status = _Margin(), _Interval(), int(Status.NO_SPACE)
+        if not self.options.pose_error > 0:
+            raise KernError(Status.BAD_OPTION, text="interval() and certain(): "
+                            "no error was told, Options.measured() does")
         self._check(_measure(self._at_task, byref(m), None))
         task = _Task.from_buffer_copy(self._task)
         points = 2 * self._task.s.contacts + 12 * len(self.blocks)
@@ -1298,6 +1326,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     def raised(self, shrink: float = 0.0, reserve: bool = False) -> Raised:
         """kern_raised(): are its forces such as its load raises? With the
         sideways reserve if that is asked for."""
+        if reserve:
+            self._pulls("raised(reserve=True)")
         force, motion = self._forces(), self._motions()
         raising, share = c_int(), c_double()
         stands = self._check(_raised(
@@ -1315,8 +1345,21 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         out, i = c_double(), self._index(block)
         if self.blocks[i].fixed:
             raise ValueError("'%s' is fixed" % self.blocks[i].name)
+        self._pulls("stays()")
         status = self._check(_stays(self._at_task, i, byref(out)))
         return out.value if status == _STANDS else 0.0
+
+    def _side(self, ask: str, side: int) -> None:
+        """Raises where a question to a side has no answer."""
+        if side not in (LEFT, RIGHT):
+            raise KernError(Status.BAD_OPTION, text="%s: a side is LEFT or "
+                            "RIGHT, read %r" % (ask, side))
+        self._pulls(ask)
+
+    def _pulls(self, ask: str) -> None:
+        if not any(self.gravity):
+            raise KernError(Status.BAD_OPTION,
+                            text="%s: there is no gravity" % ask)
 
     def _least(self, shrink: float) -> Any:
         force = self._forces()
@@ -1376,6 +1419,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         pattern (fx, fy, torque) a block, whatever the side. None: it falls
         without that load."""
         if pattern is None:
+            self._side("load_factor()", side)
             return self._factor(_load_factor, shrink, side)
         return self._factor(_load_factor_of, shrink, _rows(
             pattern, len(self.blocks), 3, "a load pattern"))
@@ -1386,6 +1430,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                     ) -> Optional[Factor]:
         """kern_raised_load(): load_factor() of Coulomb friction, by equilibrium
         that the load raises from rest. Undecided where none is shown."""
+        if pattern is None:
+            self._side("raised_load()", side)
         return self._factor(_raised_load, shrink, side,
                             None if pattern is None else _rows(
                                 pattern, len(self.blocks), 3, "a load pattern"))
@@ -1397,9 +1443,13 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         of the file. raised: as raised_load()."""
         pattern = [[0.0, 0.0, 0.0] for _ in self.blocks]
         index = {b.name: i for i, b in enumerate(self.blocks)}
+        if loads is None and not self.lives:
+            raise ValueError("no live load: live([(NAME, FORCE, POINT), ...])")
         for name, force, at in self.lives if loads is None else loads:
             if name not in index:
                 raise ValueError("no block is named %r" % name)
+            if self.blocks[index[name]].fixed:
+                raise ValueError("'%s' is fixed" % name)
             centre = self.blocks[index[name]].body().centre
             row = pattern[index[name]]
             row[0] += force[0]
@@ -1412,11 +1462,14 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def tilt(self, side: int, shrink: float = 0.0) -> Optional[Factor]:
         """kern_tilt() [rad] to the LEFT or RIGHT. None: it falls at 0."""
+        self._side("tilt()", side)
         return self._factor(_tilt, shrink, side)
 
     @_asks
     def profile(self, side: int = SHRINK) -> Profile:
         """kern_profile(): how far every block is from falling."""
+        if side != SHRINK:
+            self._side("profile()", side)
         value, c = (c_double * self._task.s.blocks)(), _Collapse()
         self._check(_profile(self._at_task, side, value, byref(c)))
         return Profile(value[:len(self.blocks)], c.least, c.mean, c.weak,
@@ -1578,6 +1631,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             c, ends = given[i], [given[i].p]
             if c.line:
                 i += 1
+                if i == len(given):
+                    raise ValueError("contact point %d: a line contact has two"
+                                     % (i - 1))
                 ends.append(given[i].p)
             i += 1
             lines.append("contact %s %s %r %r %s mu %r" % (
@@ -1658,7 +1714,7 @@ class Plan(Structure):
         plan = _plan_of(held.block, blocks, held.contact, contacts,
                         _known_of(motion, force), byref(held.work))
         plan.task.options = self.options._c()
-        plan.task.s.gravity = _Vec(*self.gravity)
+        plan.task.s.gravity = _Vec(*_several("gravity", self.gravity, 2))
         for i in range(n):
             assert old is not None
             self._check(_plan_add(byref(plan), byref(old.block[i])))
@@ -1681,8 +1737,12 @@ class Plan(Structure):
             if status >= 0:
                 return status
             if status != Status.NO_SPACE or room[0] > 20000:
-                raise KernError(status, [b.name for b in (*self.blocks, block)],
-                                self._held.work.fault)
+                fault, every = self._held.work.fault, [*self.blocks, block]
+                if status == Status.OVERLAP and function is _plan_add:
+                    fault.value = overlaps([every[fault.block],
+                                            every[fault.other]],
+                                           self.options)[0][2]
+                raise KernError(status, [b.name for b in every], fault)
             self._grow(2 * room[0], 2 * room[1])
 
     def add(self, block: Block) -> int:
@@ -1794,8 +1854,10 @@ class Plan(Structure):
         False False
         """
         with self._lock:
+            own = block.copy()
+            own.name = _unique(own.name, {b.name: 1 for b in self.blocks})
             try:
-                self.add(block)
+                self.add(own)
             except KernError as error:
                 if error.status != Status.OVERLAP:
                     raise
@@ -1957,6 +2019,7 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
                          "pixels, read %r and %r" % (name, pixel, tolerance))
     blocks: List[Block] = []
     used: Dict[str, int] = {}
+    fixed = (fixed,) if isinstance(fixed, str) else fixed
     for label, points in polygons:
         try:
             turned = [(pixel * float(x), pixel * (height - float(y)))
@@ -2095,7 +2158,7 @@ def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
              addressof(prices) if prices else None, limit)
     status = _lp_solve(byref(lp), x, y, byref(work))
     if status < 0:
-        raise KernError(status, (), work.fault)
+        raise KernError(status)
     return Solution(Status(status), list(x), list(y))
 
 
