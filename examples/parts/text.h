@@ -16,7 +16,8 @@
        contact  A B  NX NY  X1 Y1 [X2 Y2] [mu MU]     normal from A into B; with
                                                       any of these none is found
        epsilon  E                                     step of Algorithm 1
-       tolerance GAP [ANGLE]                          ANGLE in radians
+       tolerance GAP [ANGLE]                          ANGLE in radians; GAP up
+                                                      to the blocks' mean size
 
    and # begins a comment. friction, gravity, epsilon and tolerance hold for the
    whole file, wherever they stand; of several the last one holds. A program
