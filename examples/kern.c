@@ -148,13 +148,33 @@ static int bad_use(const char *what, const char *word)
     return -1;
 }
 
-static int number_option(const char *name, const char *value, int zero,
+enum kind { POSITIVE, NOT_NEGATIVE, ANGLE, PLACES, UNITS };
+
+static int is_of_kind(enum kind kind, double x)
+{
+    const int whole = !(floor(x) < x);
+    switch (kind) {
+    case POSITIVE: return x > 0;
+    case NOT_NEGATIVE: return x >= 0;
+    case ANGLE: return x >= 0 && x < 0.5;
+    case PLACES: return whole && x >= 1 && x <= 10000;
+    default: return whole && x >= 0 && x <= 2e9;
+    }
+}
+
+static int number_option(const char *name, const char *value, enum kind kind,
                          kern_real *out)
 {
+    static const char *const what[] = {
+        "positive number", "number not below zero",
+        "angle in radians from 0 to below 0.5",
+        "whole number of places from 1 to 10,000",
+        "whole number from 1 to 2,000,000,000, or 0"
+    };
     if (!value) return bad_use("a number is missing after", name);
-    if (!text_number(value, out) || *out < 0 || (!zero && !(*out > 0))) {
-        fprintf(stderr, "kern: %s takes a %s, read '%s'\n", name,
-                zero ? "number not below zero" : "positive number", value);
+    if (!text_number(value, out) || !is_of_kind(kind, (double)*out)) {
+        fprintf(stderr, "kern: %s takes a%s %s, read '%s'\n", name,
+                kind == ANGLE ? "n" : "", what[kind], value);
         return -1;
     }
     return 0;
@@ -168,11 +188,11 @@ static int error_option(const char *name, const char *value, kern_real *error,
     const char *comma = value ? strchr(value, ',') : NULL;
     size_t n = comma ? (size_t)(comma - value) : 0;
     if (!comma || n >= sizeof first)
-        return number_option(name, value, 0, error);
+        return number_option(name, value, POSITIVE, error);
     memcpy(first, value, n);
     first[n] = '\0';
-    return number_option(name, first, 0, error)
-        || number_option(name, comma + 1, 1, turn) ? -1 : 0;
+    return number_option(name, first, POSITIVE, error)
+        || number_option(name, comma + 1, ANGLE, turn) ? -1 : 0;
 }
 
 /* A file that is written must end as such files do, so that none is written
@@ -205,11 +225,13 @@ static int name_option(struct settings *set, char **argv, int *i)
 static int read_option(void *settings, char **argv, int *i)
 {
     struct settings *set = settings;
-    struct { const char *name; int zero; kern_real *out; } number[] = {
-        { "--epsilon", 0, &set->epsilon }, { "-e", 0, &set->epsilon },
-        { "--mu", 1, &set->mu }, { "--gap", 0, &set->gap },
-        { "--at", 1, &set->at }, { "--limit", 1, &set->limit },
-        { "--overlap", 0, &set->overlap }, { "--sweep", 0, &set->sweep }
+    struct { const char *name; enum kind kind; kern_real *out; } number[] = {
+        { "--epsilon", POSITIVE, &set->epsilon },
+        { "-e", POSITIVE, &set->epsilon },
+        { "--mu", NOT_NEGATIVE, &set->mu }, { "--gap", POSITIVE, &set->gap },
+        { "--at", NOT_NEGATIVE, &set->at }, { "--limit", UNITS, &set->limit },
+        { "--overlap", POSITIVE, &set->overlap },
+        { "--sweep", PLACES, &set->sweep }
     };
     struct { const char *name; int *out; } flag[] = {
         { "--relative", &set->relative }, { "-r", &set->relative },
@@ -228,7 +250,7 @@ static int read_option(void *settings, char **argv, int *i)
     }
     for (size_t k = 0; k < sizeof number / sizeof *number; k++)
         if (args_value(argv, i, number[k].name, &value))
-            return number_option(number[k].name, value, number[k].zero,
+            return number_option(number[k].name, value, number[k].kind,
                                  number[k].out);
     for (size_t k = 0; k < sizeof flag / sizeof *flag; k++)
         if (strcmp(word, flag[k].name) == 0) {
@@ -242,18 +264,14 @@ static int read_option(void *settings, char **argv, int *i)
     return name_option(set, argv, i);
 }
 
-/* Numbers that are too large or too small. */
-static int check_settings(const struct settings *set)
+/* With --relative shrinkage is a share of each contact. */
+static int check_share(const struct settings *set, const char *name,
+                       kern_real value)
 {
-    const char *wrong = NULL;
-    if (set->limit > 2e9 || (set->limit > 0 && set->limit < 1))
-        wrong = "--limit takes a number from 1 to 2,000,000,000, or 0";
-    if (set->relative && set->at > 1)
-        wrong = "with --relative --at takes a share from 0 to 1";
-    if (set->sweep > 0 && !(set->sweep >= 1 && set->sweep <= 10000))
-        wrong = "--sweep takes a number of places from 1 to 10,000";
-    if (wrong) fprintf(stderr, "kern: %s\n", wrong);
-    return wrong ? -1 : 0;
+    if (!set->relative || value <= 1) return 0;
+    fprintf(stderr, "kern: with --relative %s takes a share up to 1, read "
+            "%.9g\n", name, (double)value);
+    return -1;
 }
 
 int main(int argc, char **argv)
@@ -273,5 +291,6 @@ int main(int argc, char **argv)
         fputs("usage: kern [options] FILE...; try kern --help\n", stderr);
         return EXIT_BAD;
     }
-    return check_settings(&set) ? EXIT_BAD : run(&set);
+    return check_share(&set, "--at", set.at)
+        || check_share(&set, "--epsilon", set.epsilon) ? EXIT_BAD : run(&set);
 }

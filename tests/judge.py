@@ -1,7 +1,7 @@
 """python3 tests/judge.py WHAT FILE...    what the example programs wrote
 
-structures, profiles: JSON of examples/kern.c; pushes: of examples/push.c, of
-the structure that is built in; figures, walls: the folder that
+structures, profiles, each_block: JSON of examples/kern.c; pushes: of
+examples/push.c, of the structure that is built in; figures, walls: the folder that
 examples/shaking/figures.c and examples/walls/walls.c wrote into; svg: pictures;
 functions: C sources, whose functions must be short and simple; rules: the map
 from the rules of kern.h to the tests.
@@ -101,6 +101,28 @@ def keys(name, text):
         if key.rsplit('_', 1)[0] + '_' in words:
             missing.discard(key)
     assert not missing, missing
+
+
+def each_block(name, last, path):
+    """The blocks of the file; null where it falls when the block is laid."""
+    (found,), (one,) = objects(name), objects(last)
+    with open(path, encoding='utf-8') as file:
+        words = [line.split() for line in file]
+    assert [(b['fixed'], b['block']) for b in found['stays']] == [
+        (w[0] == 'fixed', w[1]) for w in words if w[:1] in (
+            ['block'], ['fixed'])], found
+    for b in found['stays']:
+        assert b['stays'] is None or not b['fixed'] and (
+            0 <= b['stays'] <= 1), b
+    assert found['stays'][-1]['stays'] == one['stays'], one
+
+
+def undecided(key, value, name):
+    """A key is named as undecided; it, or a value in its list, is null."""
+    found, = objects(name)
+    told = found[key]
+    assert key in found['undecided'] and (told is None or None in [
+        row[value] for row in told if not row.get('fixed')]), found
 
 
 def profiles(name):
@@ -207,6 +229,6 @@ def walls(folder):
 
 
 if __name__ == '__main__':
-    checks = (svg, structures, axles, keys, profiles, pushes, figures, functions,
-              rules, walls)
+    checks = (svg, structures, axles, keys, each_block, undecided, profiles,
+              pushes, figures, functions, rules, walls)
     {f.__name__: f for f in checks}[sys.argv[1]](*sys.argv[2:])

@@ -3432,6 +3432,59 @@ static void steps_and_knees(void)
         }
 }
 
+/* A stone in a valley, a bed and a slope of 45 degrees, with a riser between
+   them: the bed's span ends with it. Lower than the gap it is no shear key, and
+   the stone slides up the slope at tan(45 degrees + atan(mu)); one of two gaps
+   holds it. */
+static void steps_at_ends(void)
+{
+    static world w;
+    int mirror, high, i, k;
+    double load;
+    for (mirror = 0; mirror < 2; mirror++)
+        for (high = 0; high < 2; high++) {
+            const double h = high ? 8e-3 : 3e-3;
+            double valley[] = {-1, -1, 3, -1, 2, 1 + h, 1, h, 1, 0, -1, 0};
+            double stone[] = {0, 0, 1, 0, 1, h, 1.5, 0.5 + h, 1.5, 1, 0, 1};
+            for (i = 0; i < 12 && mirror; i += 2) {
+                valley[i] *= -1;
+                stone[i] *= -1;
+            }
+            sprintf(context, "(mirrored %d, high %d)", mirror, high);
+            world_reset(&w);
+            w.options.gap = R(4e-3);
+            world_polygon(&w, 0, valley, 6);
+            world_polygon(&w, 1, stone, 6);
+            CHECK_INT(world_touch(&w), high ? 6 : 4);
+            check_contacts(&w);
+            for (k = 0; k < w.contacts && !high; k++)
+                CHECK(w.contact[k].n.y > R(0.7));
+            CHECK_INT(load_factor(&w, NULL, mirror ? -1 : 1, &load),
+                      KERN_STANDS);
+            CHECK(high ? load > 3 : fabs(load - 1.4 / 0.6) < 0.02);
+        }
+    context[0] = 0;
+}
+
+/* A ramp lower than the gap and longer, in a bed that fits it: one contact, on
+   the chord. */
+static void steps_of_ramps(void)
+{
+    static world w;
+    const double h = 3e-3;
+    const double base[] = {-1, -1, 2, -1, 2, h, 0.53, h, 0.5, 0, -1, 0};
+    const double box[] = {0, 0, 0.5, 0, 0.53, h, 1, h, 1, 1, 0, 1};
+    double load;
+    world_reset(&w);
+    w.options.gap = R(4e-3);
+    world_polygon(&w, 0, base, 6);
+    world_polygon(&w, 1, box, 6);
+    CHECK_INT(world_touch(&w), 2);
+    check_contacts(&w);
+    CHECK_INT(load_factor(&w, NULL, 1, &load), KERN_STANDS);
+    CHECK_NEAR(load, 0.4, 0.005);
+}
+
 /* Stairs in stairs, a third of the gap apart: the contact lies midway between
    their chords and ends where the stairs do. */
 static void steps_apart(void)
@@ -11144,6 +11197,8 @@ static const test tests[] = {
     TEST(steps_of_pixels),
     TEST(steps_that_slide),
     TEST(steps_and_knees),
+    TEST(steps_at_ends),
+    TEST(steps_of_ramps),
     TEST(steps_apart),
     TEST(steps_straight_joint),
     TEST(overlap_with_whiskers),

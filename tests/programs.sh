@@ -91,12 +91,69 @@ bad_input() { # a bad file is reported, the next analysed
     [ $? -eq 2 ] && grep -q "bad.kern:1:" "$out/e" && grep -q stands "$out/o"
 }
 
+refuses() { # refuses WORDS OPTIONS...: kern does, with these words and nothing
+    local words=$1 kern # on stdout
+    shift
+    kern=$(program kern examples/kern.c) || return 1
+    "$kern" "$@" >"$out/o" 2>"$out/e"
+    [ $? -eq 2 ] && [ ! -s "$out/o" ] && [ "$(wc -l <"$out/e")" -eq 1 ] &&
+        grep -qF -- "$words" "$out/e" ||
+        { echo "kern $*: not '$words'"; cat "$out/o" "$out/e"; return 1; }
+}
+
+ranges() { # numbers that cannot be meant are refused with their option; whole
+    # files, of blocks .677 in size and contacts up to 1.4 long
+    local tower=examples/structures/tower.kern size mean angle kern
+    size="takes a length up to the mean size of the blocks, 0.677, read"
+    mean="takes a length up to a fifth of the mean size of the blocks, 0.1354"
+    angle="takes an angle in radians from 0 to below 0.5, read"
+    sed 's/^friction/epsilon 5\nfriction/' "$tower" >"$out/step.kern"
+    refuses "$tower: --gap $size 1e+09" --gap 1e9 $tower &&
+        refuses "$tower: --overlap $size 0.7" --overlap .7 $tower &&
+        refuses "$tower: --error $size 0.7" --error .7 $tower &&
+        refuses "$tower: --measured $mean, read 0.2" --measured .2 $tower &&
+        refuses "kern: --measured $angle '10'" --measured .005,10 $tower &&
+        refuses "kern: --error $angle '0.5'" --error .005,0.5 $tower &&
+        refuses "$tower: --at takes a length up to 0.7, at" --at .71 $tower &&
+        refuses "$tower: --epsilon takes a length up to 0.7, at" -e 1 $tower &&
+        refuses "step.kern:3: epsilon takes a length up to" "$out/step.kern" &&
+        refuses "step.kern:3: epsilon takes a share (--relative) up to 1, " \
+            -r "$out/step.kern" &&
+        refuses "--epsilon takes a share up to 1, read 1.5" -r -e 1.5 $tower &&
+        refuses "--at takes a share up to 1, read 2" -r --at 2 $tower &&
+        refuses "1 to 2,000,000,000, or 0, read '1.5'" --limit 1.5 $tower &&
+        refuses "from 1 to 10,000, read '2.5'" --sweep 2.5 $tower || return 1
+    # what makes sense is not, in other units either
+    kern=$(program kern examples/kern.c) &&
+        sed 's/^friction/epsilon 0.7\nfriction/' "$tower" >"$out/step.kern" &&
+        "$kern" --gap .1 --at .7 --epsilon .7 "$tower" >"$out/o"
+    [ $? -eq 1 ] && "$kern" -r "$out/step.kern" >"$out/o" &&
+        "$kern" --measured .1,.1 --error .1,.4 --overlap .6 --limit 0 "$tower" \
+            >"$out/o" && awk '$1 == "fixed" || $1 == "block" {
+                for (i = $1 == "fixed" ? 3 : 4; i <= NF; i++) $i *= 1000
+            } { print }' "$tower" >"$out/mm.kern" &&
+        "$kern" --gap 1 --epsilon 10 --measured 5 --at 200 "$out/mm.kern" \
+            >"$out/o" && grep -q 'margin  *320.9' "$out/o"
+}
+
+robot() { # the error of a robot, in place alone as well: margin / 2E; with
+    # --relative the error is a length as well, and the number the same
+    local kern mode tower=examples/structures/tower.kern
+    kern=$(program kern examples/kern.c) || return 1
+    "$kern" --error .01 "$tower" | grep '^  bears  *16.04 ' || return 1
+    for mode in "" --relative "--relative --epsilon .5"; do
+        # shellcheck disable=SC2086
+        "$kern" --error .01,.01 $mode "$tower" | grep '^  bears  *16.04 ' ||
+            return 1
+    done
+}
+
 keys() { # every key of the JSON stands in the help
     local kern
     kern=$(program kern examples/kern.c) || return 1
     "$kern" --json --forces --mechanism --profile --near --raised --sequence \
-        --error 0.01 --measured 0.001 examples/structures/{falls,tower}.kern \
-        >"$out/all.json"
+        --stays all --error 0.01 --measured 0.001 \
+        examples/structures/{falls,tower}.kern >"$out/all.json"
     [ $? -eq 1 ] && "$kern" --help >"$out/help" &&
         $judge keys "$out/all.json" "$out/help"
 }
@@ -138,6 +195,66 @@ arrays() { # a structure as C arrays has the margin that the program prints
             { echo "$file: $(cat "$out/want") $(cat "$out/got")"; return 1; }
     done
     ! "$kern" --c examples/structures/tower.kern "$file" 2>"$out/e"
+}
+
+each_block() { # every block in the order of the file, with its chance; the last
+    # one's is that of --stays NAME
+    local kern file last
+    kern=$(program kern examples/kern.c) || return 1
+    for file in examples/structures/{tower,falls,arch}.kern; do
+        last=$(awk '$1 == "block" { name = $2 } END { print name }' "$file")
+        "$kern" --json --stays all "$file" >"$out/each.json"
+        "$kern" --json --stays "$last" "$file" >"$out/last.json"
+        $judge each_block "$out"/{each,last}.json "$file" || return 1
+    done
+    "$kern" --stays all examples/structures/tower.kern >"$out/o" &&
+        [ "$(grep -c '^  stays  ' "$out/o")" -eq 10 ]
+}
+
+open() { # open KEY VALUE OPTIONS...: with these it is undecided, the status 3
+    local key=$1 value=$2 kern
+    shift 2
+    kern=$(program kern examples/kern.c) || return 1
+    "$kern" --json "$@" >"$out/o"
+    [ $? -eq 3 ] && $judge undecided "$key" "$value" "$out/o"
+}
+
+undecided() { # by the limit of work: what is missing is named; of what is asked
+    # for in vain there is a message alone
+    local tower=examples/structures/tower.kern axle kern
+    kern=$(program kern examples/kern.c) && axle=$out/axle.kern &&
+        { cat examples/structures/arch.kern; echo live v7 0 -9 -5 9; } >"$axle"
+    open raised raised --raised --limit 300 $tower &&
+        open certain certain --measured .001 --limit 100 $tower &&
+        open bears bears --error .01 --limit 1 $tower &&
+        open least_friction least_friction --error .01 --limit 1 $tower &&
+        open sequence margin --sequence --limit 1 $tower &&
+        open stays stays --stays stone9 --limit 100 $tower &&
+        open stays stays --stays all --limit 100 $tower &&
+        open sweep live --sweep 7 --limit 300 "$axle" || return 1
+    "$kern" --stays all --sequence --limit 1 $tower >"$out/o"
+    [ "$(grep -c undecided "$out/o")" -eq 22 ] && ! grep -w nan "$out/o" &&
+        sed '$agravity 0 0\nload stone10 0 -1 0 4' $tower >"$out/no.kern" &&
+        refuses "--stays: there is no gravity" --stays all "$out/no.kern" &&
+        refuses "there is no free block 'ground'" --stays ground $tower
+}
+
+unheard() { # options that a file or another option leaves without effect
+    local kern tower=examples/structures/tower.kern
+    local given=examples/structures/explicit.kern all
+    kern=$(program kern examples/kern.c) || return 1
+    all="--near --lone --gap .01 --overlap .01 --measured .01"
+    # shellcheck disable=SC2086
+    "$kern" $all $given >"$out/o" && ! grep -q '^  near contacts' "$out/o" &&
+        grep -q "without effect: $(echo "$all" | sed 's/ [.]01//g')\$" \
+            "$out/o" &&
+        "$kern" --json --near $given | grep -q '"near": false' || return 1
+    ! "$kern" $given | grep -q 'without effect' &&
+        "$kern" --at .1 --measured .001 $tower | grep -q 'not told with --at' &&
+        "$kern" --near $tower | grep -q 'not in the verdict above$' &&
+        "$kern" --near --raised $tower | grep -q 'nor in what --raised' &&
+        "$kern" --json --near $tower | grep -q '"near": true' || return 1
+    refuses "--mechanism live: no live load" --mechanism live $tower
 }
 
 live() { # live loads, weight that is no stone, and loads that stay
@@ -186,8 +303,7 @@ sweep() { # as an ordinary load at its place and on its block, what --sweep says
         "$kern" --svg "$out/fill.svg" "$out/fill.kern" >"$out/o" &&
         grep -q '>mass<' "$out/fill.svg" &&
         ! grep -q 'live load' "$out/fill.svg" || return 1
-    ! "$kern" --sweep 3 "$arch" >"$out/o" 2>"$out/e" &&
-        grep -q 'no live load' "$out/e"
+    refuses 'no live load' --sweep 3 "$arch"
 }
 
 kept() { # no picture is written over a structure

@@ -197,7 +197,7 @@ class Calls(unittest.TestCase):
 
     def test_stays(self):
         """A stone in the middle stays, one that a push of .003 g tips hardly, and
-        less the nearer to its edge; what falls has no chance."""
+        less the nearer to its edge; what falls has the chance 0."""
         chance = [Structure(two(x)).stays("top")
                   for x in (0.1, 0.4, 0.49, 0.498, 0.4995)]
         self.assertEqual(chance, sorted(chance, reverse=True))
@@ -477,6 +477,146 @@ class BadInput(unittest.TestCase):
         self.refuse(Status.SAME_BLOCK, (),
                     lambda: kern.contact_make(1, 1, (0, 1), (0, 0)))
 
+    def test_one_name_twice(self):
+        """Is refused as in a file; where names are made they are not."""
+        again = ("block 2: the name 'low' was given to block 1 already")
+        twice = [*two(0.2)[:2], Block("low", BOX).move(0.2, 1)]
+        for call in (lambda: Structure(twice), lambda: Plan(twice)):
+            with self.assertRaisesRegex(ValueError, again):
+                call()
+        plan = Plan(twice[:2])
+        self.assertAlmostEqual(plan.try_(twice[2]).margin, 0.3)
+        with self.assertRaisesRegex(ValueError, again):
+            plan.add(twice[2])
+        self.assertEqual((len(plan), plan.measure().margin), (2, 0.5))
+        s = Structure(two(0.2))
+        s.blocks[2].name = "low"
+        with self.assertRaisesRegex(ValueError, again):
+            s.move("low", 0.1, 0)
+        self.assertEqual(s.blocks[1].vertices.tolist(), [list(q) for q in BOX])
+        with self.assertRaisesRegex(TypeError, "as its name, read 3"):
+            Block(3, BOX)
+        three = [ground(), *(Block(name, BOX).move(i, 0) for i, name in
+                             enumerate(("a b", "a_b_2", "a#b")))]
+        self.assertEqual([b.name for b in kern.parse(
+            Structure(three).text()).blocks],
+            ["ground", "a_b", "a_b_2", "a_b_3"])
+        for b, name in zip(three[1:], ("s", "s_2", "s")):
+            b.name = name
+        self.assertEqual([b.name for b in kern.from_labelme(
+            page(three)).blocks], ["ground", "s", "s_2", "s_3"])
+
+    def test_ranges(self):
+        """A number that cannot be meant is refused with the name of its
+        option; in other units it can."""
+        size = "a length up to the mean size of the blocks, 1, read"
+        for name, value, words in (
+                ("mu", -1, "takes a number not below zero, read -1"),
+                ("gap", -1.0, "takes a number not below zero, read -1.0"),
+                ("gap", math.nan, "takes a number not below zero, read nan"),
+                ("angle", 0.5, "takes an angle in radians above 0 and below"),
+                ("angle", 0, "takes an angle in radians above 0 and below"),
+                ("epsilon", math.inf, "takes a number not below zero"),
+                ("reserve", 0.2, "takes a share from 0 to 0.1, read 0.2"),
+                ("limit", 2 ** 31 - 1, "takes a whole number from 1 to"),
+                ("gap", 1e9, "takes %s 1000000000.0" % size),
+                ("overlap", 1.5, "takes %s 1.5" % size),
+                ("pose_error", 0.3, "takes a length up to a fifth of the mean")):
+            with self.assertRaisesRegex(kern.KernError, "Options.%s %s" % (
+                    name, words)):
+                Structure(two(0), options=Options(**{name: value}))
+        with self.assertRaisesRegex(kern.KernError, "epsilon takes a share up"):
+            Structure(two(0), options=Options(epsilon=2, relative=True))
+        with self.assertRaisesRegex(TypeError, "Options.mu takes a number not"):
+            Structure(two(0), options=Options(mu="0.4"))
+        with self.assertRaisesRegex(TypeError, "Options.limit takes a whole"):
+            Structure(two(0), options=Options(limit=1e6))
+        for e, theta in ((0, 0), (-1, 0), (.01, 10), (math.nan, 0)):
+            with self.assertRaisesRegex(kern.KernError, "measured.. takes"):
+                Options().measured(e, theta)
+        wide = [Block(b.name, [(1000 * x, 1000 * y) for x, y in
+                               b.vertices.tolist()], fixed=b.fixed)
+                for b in two(0.2)]
+        m = Structure(wide, options=Options(gap=1, epsilon=20)).measure()
+        self.assertAlmostEqual(m.margin, 300, 3)
+        self.assertEqual(m.level, 16)
+        for scale, words in (({"pixel": 0}, "pixel is a length above 0"),
+                             ({"tolerance": -1}, "tolerance a number of pix"),
+                             ({"tolerance": 40}, "100 pixels in the mean, of")):
+            with self.assertRaisesRegex(ValueError, words):
+                kern.from_labelme(page(two(0.2)), **scale)
+
+    def test_what_is_no_number(self):
+        """Too few numbers, or words, are refused by name: nothing is filled up
+        with zeros."""
+        def a(**own):
+            return lambda: Structure([ground(), Block("a", BOX, **own)])
+        for words, call in (
+                ("'a': load: 3 numbers are expected, read .1, 2.", a(
+                    load=(1, 2))),
+                ("'a': centre: 2 numbers are expected, read .1,.", a(
+                    centre=(1,))),
+                ("'a': mass: a number is expected, read '1'", a(mass="1")),
+                ("'a': density: a number is expected, read '1'", a(
+                    density="1")),
+                ("gravity: 2 numbers are expected, read 9.81", lambda: Structure(
+                    two(0), gravity=9.81)),
+                ("gravity: 2 numbers are expected, read .9", lambda: Plan(
+                    two(0), gravity=(9.81,))),
+                ("options are Options", lambda: Structure(
+                    two(0), options={"mu": 1}))):
+            with self.assertRaisesRegex(TypeError, words):
+                call()
+
+    def test_questions_without_an_answer(self):
+        """Say what is missing: a side, gravity, a live load, an error."""
+        s, still = Structure(two(0.2)), two(0.2)
+        still[2].load = (0, -1, 0)
+        still = Structure(still, gravity=(0, 0))
+        for words, call in (
+                ("load_factor..: a side is LEFT or RIGHT, read 0",
+                 lambda: s.load_factor(0)),
+                ("raised_load..: a side is LEFT or RIGHT, read 0",
+                 lambda: s.raised_load(0)),
+                ("tilt..: a side is LEFT or RIGHT, read 2", lambda: s.tilt(2)),
+                ("profile..: a side is LEFT or RIGHT", lambda: s.profile(9)),
+                ("no error was told", s.interval), ("no error was", s.certain),
+                ("load_factor..: there is no gravity",
+                 lambda: still.load_factor(kern.LEFT)),
+                ("tilt..: there is no gravity", lambda: still.tilt(kern.LEFT)),
+                ("reserve=True.: there is no gravity",
+                 lambda: still.raised(reserve=True)),
+                ("stays..: there is no gravity", lambda: still.stays("top")),
+                ("no live load", s.live), ("'ground' is fixed", lambda: s.live(
+                    [("ground", (0, -1), (0, 0))]))):
+            with self.assertRaisesRegex(ValueError, words):
+                call()
+        self.assertTrue(still.raised())
+        self.assertEqual(s.live([]), math.inf)
+        with self.assertRaisesRegex(KeyError, "no block is named 'x'"):
+            s.stays("x")
+        if kern.numpy is not None:
+            self.assertEqual(s.stays(kern.numpy.int64(2)), s.stays("top"))
+
+    def test_plan_names(self):
+        """A candidate may have the name of a block; an overlap that add()
+        refuses is as deep as it is."""
+        plan = Plan(two(0.2)[:2])
+        for name in ("low", "top"):
+            self.assertGreater(plan.try_stays(
+                Block(name, BOX).move(0.2, 1)), 0.9)
+        self.assertEqual([b.name for b in plan.blocks], ["ground", "low"])
+        with self.assertRaises(kern.KernError) as caught:
+            plan.add(Block("deep", BOX).move(0.01, 0.5))
+        self.assertGreater(caught.exception.value, 0.4)
+        self.assertEqual(caught.exception.blocks, ("low", "deep"))
+
+    def test_one_label_is_a_word(self):
+        """fixed="ground" is that label, not each that is in the word."""
+        stones = page([ground(), Block("round", BOX)])
+        s = kern.from_labelme(stones, fixed="ground")
+        self.assertEqual([b.fixed for b in s.blocks], [True, False])
+
     def test_stale(self):
         """What has changed is not answered for; a refused update changes
         nothing, and update() again answers."""
@@ -665,6 +805,29 @@ class Drawings(unittest.TestCase):
                 ("hello", "group code"), ("", "without EOF")):
             with self.assertRaisesRegex(ValueError, word):
                 self.margin(bad)
+
+    def test_lines(self):
+        """Errors have the line of the drawing where their block begins."""
+        deep, bow = two(0), two(0)
+        deep[2].move(0, -0.25)
+        bow[1] = Block("bow", [(0, 0), (1, 0), (0, 1), (1, 1)])
+        for blocks, at, words in ((deep, 2, "'b_2' and 'b_3' overlap, 0.25 "),
+                                  (bow, 1, "block 'b_2': a polygon crosses"),
+                                  (two(0)[:1], 0, "no block is free")):
+            text = drawing(blocks)
+            line = [i for i, word in enumerate(text.split("\n"), 1)
+                    if word == "LWPOLYLINE"][at]
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder, "s.dxf")
+                path.write_text(text)
+                run = subprocess.run(
+                    [PROGRAM, str(path)], stdout=subprocess.PIPE,
+                    stderr=subprocess.PIPE, universal_newlines=True)
+                self.assertIn("s.dxf:%d: %s" % (line, words), run.stderr)
+                if blocks is not deep:  # an overlap is no fault of the reader
+                    with self.assertRaisesRegex(ValueError, "s.dxf:%d: %s" % (
+                            line, words)):
+                        kern.read(path)
 
     def test_image(self):
         """Pixels, y down, become metres, y up, and a measured structure."""

@@ -101,6 +101,40 @@ static void last_wins(void)
     text_free(&t);
 }
 
+/* A gap wider than a block is refused in its line, but not of given contacts. */
+static void wide_gap(void)
+{
+    static const char text[] =
+        "tolerance 0.9\nfixed g  -1 -1  1 -1  1 0  -1 0\n"
+        "block a *  0 0  1 0  1 1  0 1\n"
+        "tolerance 1.1\n# the end\ncontact g a  0 1  0 0  1 0\n";
+    struct text_file t;
+    refused(text, strlen(text) - strlen("contact g a  0 1  0 0  1 0\n"), 4,
+            "tolerance: a gap up to the mean size of the blocks, 1, is "
+            "expected, read 1.1");
+    check(text_read(&t, text, sizeof text - 1) == 0, "contacts are given");
+    text_free(&t);
+}
+
+/* A file without blocks says so; where a name is missing the message shows what
+   was taken for one. */
+static void no_block_no_name(void)
+{
+    static const char empty[] = "\n# nothing\n";
+    static const char no_name[] = "block * 0 0  1 0  1 1  0 1\n";
+    static const char no_name_fixed[] = "fixed -1 -1  1 -1  1 0  -1 0\n";
+    static const char comma[] = "\nblock a *  0,0  1,0  1,1\n";
+    static const char end[] = "fixed\n";
+    refused("", 0, 1, "there is no block in the file ('block NAME MASS X1");
+    refused(empty, sizeof empty - 1, 2, "there is no block in the file");
+    refused(no_name, sizeof no_name - 1, 1, "block '*': a mass (a positive");
+    refused(no_name_fixed, sizeof no_name_fixed - 1, 1,
+            "fixed '-1': the number of coordinates is odd, vertex 4 has");
+    refused(comma, sizeof comma - 1, 2,
+            "block 'a': a number is expected, read '0,0'");
+    refused(end, sizeof end - 1, 1, "fixed: a name is expected, but the line");
+}
+
 int main(void)
 {
     static const char short_normal[] =
@@ -115,6 +149,8 @@ int main(void)
     strcpy(point, ".");
     refused("friction 0.5\n\0\0", 15, 2, "NUL");
     last_wins();
+    wide_gap();
+    no_block_no_name();
     refused(late_density, sizeof late_density - 1, 2, "a block after it");
     if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
         refused(short_normal, sizeof short_normal - 1, 3, "no normal");

@@ -202,7 +202,7 @@ static inline int measure(struct analysis *a)
     const kern_options near_too = kern_near(&a->task.options,
                                             (kern_real)mean_size(a));
     if (find_what_is_asked(a)) return -1;
-    if (a->set->touching && !a->text.given && decide(a, &near_too)) return -1;
+    if (is_near(a) && decide(a, &near_too)) return -1;
     limit.force = a->last_force;
     limit.motion = a->collapse;
     show_stage(a, "  margin ...");
@@ -232,6 +232,68 @@ static inline int read_structure(struct analysis *a)
          ? fail(a, a->text.line, "%s", a->text.message) : 0;
 }
 
+/* Lengths of the command line by which everything would touch everything are
+   of another unit, or mistyped. */
+static inline int check_lengths(struct analysis *a)
+{
+    const struct settings *set = a->set;
+    const double size = mean_size(a);
+    static const char *const share[] = { "", "a fifth of " };
+    const struct { const char *name; kern_real value; int part; } length[] = {
+        { "--gap", set->gap, 0 }, { "--overlap", set->overlap, 0 },
+        { "--error", set->own_error, 0 }, { "--measured", set->error, 1 }
+    };
+    for (size_t k = 0; k < sizeof length / sizeof *length; k++) {
+        const double most = length[k].part ? size / 5 : size;
+        if ((double)length[k].value > most)
+            return fail(a, 0, "%s takes a length up to %sthe mean size of the "
+                        "blocks, %.4g, read %.9g", length[k].name,
+                        share[length[k].part], most, (double)length[k].value);
+    }
+    return 0;
+}
+
+/* What is asked about must be in the file. */
+static inline int check_asked(struct analysis *a)
+{
+    char shown[TEXT_SHOW_ROOM];
+    const char *stays = a->set->stays;
+    int found = 0;
+    for (int i = 0; stays && i < a->task.s.blocks; i++) found |= is_asked(a, i);
+    if (a->text.lives == 0 && (a->set->sweep > 0 || a->set->mechanism_live))
+        return fail(a, 0, "%s: no live load ('live NAME FX FY X Y')",
+                    a->set->sweep > 0 ? "--sweep" : "--mechanism live");
+    if (stays && !found)
+        return fail(a, 0, "--stays: there is no free block '%s'",
+                    text_show(shown, stays));
+    if (stays && !(gravity_of(a) > 0))
+        return fail(a, 0, "--stays: there is no gravity");
+    return 0;
+}
+
+/* Contacts shrink by no more than all of them. */
+static inline int check_shrinkage(struct analysis *a, int line,
+                                  const char *name, kern_real value)
+{
+    double most = a->set->relative ? 1 : mean_size(a);
+    for (int k = 0; k < a->task.s.contacts && !a->set->relative; k++)
+        most = fmax(most, fabs((double)a->task.s.contact[k].travel));
+    if (!((double)value > most)) return 0;
+    return fail(a, line, "%s takes a %s up to %.4g, at which every contact is "
+                "a point, read %.9g", name,
+                a->set->relative ? "share (--relative)" : "length", most,
+                (double)value);
+}
+
+static inline int check_shrinkages(struct analysis *a)
+{
+    const int own = a->set->epsilon > 0;
+    return check_shrinkage(a, 0, "--at", shrinkage(a))
+        || check_shrinkage(a, own ? 0 : a->text.epsilon_line,
+                           own ? "--epsilon" : "epsilon",
+                           a->task.options.epsilon);
+}
+
 /* Finds the verdict on what was read. */
 static inline int analyse(struct analysis *a)
 {
@@ -239,6 +301,7 @@ static inline int analyse(struct analysis *a)
     kern_options options;
     a->task = kern_task_of(a->text.block, a->text.blocks, NULL, 0, &a->work);
     a->task.s.gravity = a->text.gravity;
+    if (check_lengths(a) || check_asked(a)) return -1;
     options = a->text.options;
     options.relative = set->relative;
     if (set->lone) options.lone = a->text.gravity;
@@ -250,7 +313,7 @@ static inline int analyse(struct analysis *a)
         options = kern_measured_options(&options, set->error, set->turn < 0
             ? set->error / (kern_real)mean_size(a) : set->turn);
     if (set->overlap > options.overlap) options.overlap = set->overlap;
-    if (decide(a, &options)) return -1;
+    if (decide(a, &options) || check_shrinkages(a)) return -1;
     a->verdict = a->shown;
     return find_certain(a);
 }

@@ -182,25 +182,22 @@ static inline int find_sequence(struct analysis *a)
 }
 
 /* The chance of the block of --stays, laid last, or of each in the order of the
-   file, that it stays; NAN where the structure falls. */
+   file, that it stays; -1 where the structure falls. */
 static inline int find_stays(struct analysis *a)
 {
     struct grown g = { 0 };
     const int all = is_all(a->set->stays), blocks = a->task.s.blocks;
-    int there = open_grown(a, &g), found = all;
+    const int there = open_grown(a, &g);
     a->stays = malloc(sizeof *a->stays * (size_t)blocks);
     for (int i = 0; i < blocks && there && a->stays; i++) {
         a->stays[i] = (double)NAN;
-        if (a->task.s.block[i].fixed
-            || (!all && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
-        found = 1;
+        if (!is_asked(a, i)) continue;
         grow_to(a, &g, all ? i : blocks);
-        kern_stays(&g.task, g.part.place[i], &a->stays[i]);
+        if (kern_stays(&g.task, g.part.place[i], &a->stays[i]) == KERN_FALLS)
+            a->stays[i] = -1;
     }
     close_grown(&g);
-    if (!there || !a->stays) return fail_memory(a);
-    return found ? 0 : fail(a, 0, "--stays: there is no free block '%s'",
-                            a->set->stays);
+    return there && a->stays ? 0 : fail_memory(a);
 }
 
 /* The interval of the margin of measured blocks, and whether the verdict holds
@@ -231,30 +228,30 @@ static inline int find_certain(struct analysis *a)
     return 0;
 }
 
-/* How many times the error of --error the structure bears, and the least
-   friction at which it stands: where cones narrow so fast that kerns hardly
-   shrink. 0 for what falls. */
+/* How many times the error of --error, a length in every mode, the structure
+   bears, and the least friction at which it stands: where cones narrow so fast
+   that kerns hardly shrink. 0 for what falls. */
 static inline void find_error(struct analysis *a)
 {
     const struct settings *set = a->set;
     const kern_options options = a->task.options;
-    const kern_real size = (kern_real)mean_size(a);
-    const kern_real fast = 1000 / (set->relative ? 1 : size);
+    const kern_real fast = 1000 / (kern_real)mean_size(a);
     kern_margin m;
-    kern_status status;
     double slope, mu = (double)options.mu;
     a->bears = a->least_friction = (double)NAN;
-    a->task.options.narrow = (kern_real)tan((double)set->own_turn) /
-                             (2 * set->own_error);
-    status = kern_measure(&a->task, &m, NULL);
-    if (status == KERN_STANDS)
+    a->task.options.relative = 0;
+    a->task.options.epsilon = 0;
+    a->task.options.narrow = set->own_turn > 0
+        ? (kern_real)tan((double)set->own_turn) / (2 * set->own_error) : 0;
+    a->borne = kern_measure(&a->task, &m, NULL);
+    if (a->borne == KERN_STANDS)
         a->bears = (double)(m.margin / (2 * set->own_error));
-    if (status == KERN_FALLS) a->bears = 0;
+    if (a->borne == KERN_FALLS) a->bears = 0;
     a->task.options.narrow = fast;
-    status = kern_measure(&a->task, &m, NULL);
+    a->slid = kern_measure(&a->task, &m, NULL);
     a->task.options = options;
     slope = (double)(fast * m.margin);
-    if (status == KERN_STANDS)
+    if (a->slid == KERN_STANDS)
         a->least_friction = fmax(mu - slope, 0) / (1 + mu * slope);
 }
 

@@ -370,11 +370,52 @@ static inline void report_friction(const struct analysis *a)
                "the friction angle\n", mu, 57.295779513082321 * atan(mu));
 }
 
+/* Options that this file, or another option, leaves without effect. */
+static inline void report_unheard(const struct analysis *a)
+{
+    const struct settings *set = a->set;
+    const struct { const char *name; int asked; } option[] = {
+        { "--near", set->touching }, { "--lone", set->lone },
+        { "--gap", set->gap > 0 }, { "--overlap", set->overlap > 0 },
+        { "--measured", set->error > 0 }
+    };
+    const char *head = "  the file gives its contacts, without effect:";
+    for (size_t k = 0; k < sizeof option / sizeof *option; k++) {
+        if (!a->text.given || !option[k].asked) continue;
+        printf("%s %s", head, option[k].name);
+        head = "";
+    }
+    if (!*head) printf("\n");
+    if (set->error > 0 && !a->text.given && shrinkage(a) > 0)
+        printf("  whether it is certain within the error is not told with "
+               "--at\n");
+}
+
+/* The block nearest to one that touches nothing. Returns 0 where it is alone. */
+static inline int report_nearest(const struct analysis *a, int i)
+{
+    const kern_structure *s = &a->task.s;
+    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
+    double least = HUGE_VAL;
+    int nearest = -1;
+    for (int j = 0; j < s->blocks; j++) {
+        double gap = j == i ? HUGE_VAL : gap_between(&s->block[i],
+                                                     &s->block[j]);
+        if (!(gap < least)) continue;
+        least = gap;
+        nearest = j;
+    }
+    if (nearest < 0) return 0;
+    printf("  %s touches nothing; nearest gap %.4g, to %s%s\n",
+           name_of(a, i, one), least, name_of(a, nearest, two),
+           least <= mean_size(a) ? " (--gap)" : "");
+    return 1;
+}
+
 /* What a structure that falls may lack: ground, or contacts. */
 static inline void report_lack(const struct analysis *a)
 {
     const kern_structure *s = &a->task.s;
-    char one[TEXT_SHOW_ROOM], two[TEXT_SHOW_ROOM];
     int shown = 0;
     if (a->verdict != KERN_FALLS) return;
     if (a->text.fixed == 0)
@@ -384,21 +425,10 @@ static inline void report_lack(const struct analysis *a)
                (double)s->gravity.y);
     report_normals(a);
     for (int i = 0; i < s->blocks && shown < 5; i++) {
-        int touches = s->block[i].fixed || a->text.given, nearest = -1;
-        double least = HUGE_VAL;
+        int touches = s->block[i].fixed || a->text.given;
         for (int k = 0; k < s->contacts && !touches; k++)
             touches = s->contact[k].a == i || s->contact[k].b == i;
-        for (int j = 0; j < s->blocks && !touches; j++) {
-            double gap = j == i ? HUGE_VAL : gap_between(&s->block[i],
-                                                         &s->block[j]);
-            if (!(gap < least)) continue;
-            least = gap;
-            nearest = j;
-        }
-        if (touches || nearest < 0) continue;
-        printf("  %s touches nothing; nearest gap %.4g, to %s (--gap)\n",
-               name_of(a, i, one), least, name_of(a, nearest, two));
-        shown++;
+        if (!touches) shown += report_nearest(a, i);
     }
 }
 
@@ -417,6 +447,7 @@ static inline void report_verdict(const struct analysis *a)
         printf("  within the error  margin from %.4g to %.4g\n",
                (double)a->interval.low, (double)a->interval.high);
     report_friction(a);
+    report_unheard(a);
     report_lack(a);
     fflush(stdout);
 }
@@ -480,9 +511,12 @@ static inline void report_sequence(const struct analysis *a)
     char shown[TEXT_SHOW_ROOM];
     printf("  sequence    margin after each block\n");
     for (int i = 0; i < a->task.s.blocks; i++)
-        if (!a->task.s.block[i].fixed)
-            printf("    %-16s %.4g%s\n", name_of(a, i, shown),
-                   a->sequence[i], i == weakest ? "  weakest" : "");
+        if (!a->task.s.block[i].fixed) {
+            printf("    %-16s ", name_of(a, i, shown));
+            if (isnan(a->sequence[i])) printf("undecided\n");
+            else printf("%.4g%s\n", a->sequence[i],
+                        i == weakest ? "  weakest" : "");
+        }
 }
 
 /* Of all blocks, or of the one that was named. */
@@ -490,23 +524,30 @@ static inline void report_stays(const struct analysis *a)
 {
     char shown[TEXT_SHOW_ROOM];
     for (int i = 0; i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed
-            || (!is_all(a->set->stays)
-             && strcmp(a->text.name[i], a->set->stays) != 0)) continue;
-        printf("  stays       ");
-        if (isnan(a->stays[i])) printf("no        ");
-        else printf("%-8.3f  ", a->stays[i]);
-        printf("chance that %s, laid last, stays where it is let go\n",
+        if (!is_asked(a, i)) continue;
+        if (isnan(a->stays[i])) printf("  stays       undecided whether");
+        else if (a->stays[i] < 0) printf("  stays       no: it falls with");
+        else printf("  stays       %-8.3f  chance that", a->stays[i]);
+        printf(a->stays[i] < 0 ? " %s, laid last\n"
+                               : " %s, laid last, stays where it is let go\n",
                name_of(a, i, shown));
     }
+}
+
+static inline void report_near(const struct analysis *a)
+{
+    const struct settings *set = a->set;
+    const int real = set->raised || set->own_error > 0 || set->sequence
+                     || set->stays;
+    printf("  near contacts count in what follows, but not in the verdict "
+           "above%s\n", real ? ", nor in what --raised, --error, --sequence "
+           "and --stays ask" : "");
 }
 
 static inline void report(const struct analysis *a)
 {
     report_structure(a);
-    if (a->set->touching)
-        printf("  near contacts count in what follows, but not in the verdict "
-               "above\n");
+    if (is_near(a)) report_near(a);
     if (shrinkage(a) > 0)
         printf("  level, margin and bearing are those of contacts as they are, "
                "loads and tilts at %.6g\n", (double)shrinkage(a));

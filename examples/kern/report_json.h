@@ -232,24 +232,31 @@ static inline void json_sequence(const struct analysis *a, int good)
     else json_string("weakest_step", a->text.name[weakest]);
 }
 
-/* A number for the block that was named; a list for all. */
+/* A chance, null where there is none. */
+static inline void json_chance(double chance)
+{ json_number("stays", chance >= 0 ? chance : (double)NAN); }
+
+/* Of the block that was named. */
 static inline void json_stays(const struct analysis *a, int good)
 {
-    const int all = is_all(a->set->stays);
-    const char *comma = "";
-    printf(", \"stays\": %s", all ? "[" : good ? "" : "null");
+    double chance = (double)NAN;
+    for (int i = 0; good && i < a->task.s.blocks; i++)
+        if (strcmp(a->text.name[i], a->set->stays) == 0) chance = a->stays[i];
+    json_chance(chance);
+}
+
+/* All blocks of the file, in its order. */
+static inline void json_each(const struct analysis *a, int good)
+{
+    printf(", \"stays\": [");
     for (int i = 0; good && i < a->task.s.blocks; i++) {
-        if (a->task.s.block[i].fixed) continue;
-        if (all) {
-            printf("%s{", comma);
-            json_string("block", a->text.name[i]);
-            json_number("stays", a->stays[i]);
-            printf("}");
-            comma = ", ";
-        } else if (strcmp(a->text.name[i], a->set->stays) == 0)
-            json_value(a->stays[i]);
+        printf("%s{", i > 0 ? ", " : "");
+        json_string("block", a->text.name[i]);
+        json_flag("fixed", a->task.s.block[i].fixed, 1);
+        json_chance(a->stays[i]);
+        printf("}");
     }
-    printf("%s", all ? "]" : "");
+    printf("]");
 }
 
 static inline void json_open(unsigned open)
@@ -283,7 +290,7 @@ static inline void json_measure(const struct analysis *a, int good, int asked)
     int most = known ? most_stressed(a, 0, a->task.s.contacts) : -1;
     json_known("epsilon", (double)a->m.epsilon, known);
     json_flag("relative", a->set->relative, 1);
-    json_flag("near", a->set->touching, 1);
+    json_flag("near", is_near(a), 1);
     if (a->set->error > 0)
         json_flag("certain", a->certain > 0, a->certain >= 0);
     json_count("level", a->m.level, known && a->m.level >= 0);
@@ -333,7 +340,8 @@ static inline void report_json(const struct analysis *a)
         json_known("least_friction", a->least_friction, asked);
     }
     if (a->set->sequence) json_sequence(a, good && a->sequence);
-    if (a->set->stays) json_stays(a, good && a->stays);
+    if (a->set->stays)
+        (is_all(a->set->stays) ? json_each : json_stays)(a, good && a->stays);
     json_loads(a, asked);
     json_known("proof_error", (double)a->work.error, good);
     json_count("pivots", a->work.pivots, good);

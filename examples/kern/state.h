@@ -77,9 +77,12 @@ struct analysis {
     kern_status raised;     /* real contacts, if asked for       */
     kern_raising raising;
     double reserve;
+    kern_status borne, slid; /* of the measures behind these two: */
     double bears, least_friction;
     double *sequence;       /* the margin after each block       */
-    double *stays;          /* of a block: its chance, or NAN    */
+    double *stays;          /* of a block: its chance; below 0 where it falls,
+                               NAN where it was not asked for, or is
+                               undecided                         */
 
     kern_status profiled;   /* both profiles, if asked for       */
     kern_real *fate[3];     /* of each block: its margin, and its load
@@ -110,7 +113,7 @@ static inline int fail_memory(struct analysis *a)
 static inline kern_motion *shown_motion(const struct analysis *a)
 {
     if (a->shown == KERN_FALLS) return a->motion;
-    if (a->set->mechanism_live && a->text.lives > 0)
+    if (a->set->mechanism_live)
         return isfinite(a->live) ? a->collapse : NULL;
     if (a->measured == KERN_STANDS && !a->m.saturated) return a->collapse;
     return NULL;
@@ -137,6 +140,10 @@ static inline void *array(int count, size_t size)
 {
     return calloc(count > 0 ? (size_t)count : 1, size);
 }
+
+/* Near contacts are looked for where contacts are. */
+static inline int is_near(const struct analysis *a)
+{ return a->set->touching && !a->text.given; }
 
 /* The contact of the largest stress among n from k on; -1: there is none. */
 static inline int most_stressed(const struct analysis *a, int k, int n)
@@ -201,9 +208,41 @@ static inline const char *status_word(const struct analysis *a)
    below. */
 static const char *const open_name[] = {
     "level", "margin", "deficit", "bearing", "load_left", "load_right",
-    "tilt_left", "tilt_right", "profile", "live"
+    "tilt_left", "tilt_right", "profile", "live", "certain", "raised", "bears",
+    "least_friction", "sequence", "stays", "sweep"
 };
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
+
+/* Is --stays about block i? */
+static inline int is_asked(const struct analysis *a, int i)
+{
+    return !a->task.s.block[i].fixed && (is_all(a->set->stays)
+           || strcmp(a->text.name[i], a->set->stays) == 0);
+}
+
+/* Whether one number of a list that was asked for is undecided. */
+static inline int is_open_list(const struct analysis *a, const double *list,
+                               int stays)
+{
+    for (int i = 0; list && i < a->task.s.blocks; i++)
+        if (isnan(list[i]) && (stays ? is_asked(a, i)
+                                     : !a->task.s.block[i].fixed)) return 1;
+    return 0;
+}
+
+static inline int is_open_sweep(const struct analysis *a)
+{
+    for (int k = 0; k < a->sweeps; k++)
+        if (isnan(a->swept[k].live)) return 1;
+    return 0;
+}
+
+/* With given contacts, or shrunk ones, it is not asked. */
+static inline int is_open_certain(const struct analysis *a)
+{
+    return a->set->error > 0 && !a->text.given && !(shrinkage(a) > 0)
+           && a->certain < 0;
+}
 
 static inline unsigned open_questions(const struct analysis *a)
 {
@@ -215,7 +254,11 @@ static inline unsigned open_questions(const struct analysis *a)
         loaded && isnan(a->load[LEFT]), loaded && isnan(a->load[RIGHT]),
         loaded && isnan(a->tilt[LEFT]), loaded && isnan(a->tilt[RIGHT]),
         a->set->profile && a->profiled < 0,
-        a->shown == KERN_STANDS && a->text.lives > 0 && isnan(a->live)
+        a->shown == KERN_STANDS && a->text.lives > 0 && isnan(a->live),
+        is_open_certain(a),
+        a->raised < 0, a->borne < 0, a->slid < 0,
+        is_open_list(a, a->sequence, 0), is_open_list(a, a->stays, 1),
+        is_open_sweep(a)
     };
     unsigned bits = 0;
     for (int k = 0; k < OPENS_MOST; k++) bits |= open[k] ? 1u << k : 0;

@@ -115,8 +115,6 @@ static inline int find_sweep(struct analysis *a)
     const int places = (int)a->set->sweep;
     double low, high;
     kern_wrench *pattern;
-    if (a->text.lives == 0)
-        return fail(a, 0, "--sweep: no live load ('live NAME FX FY X Y')");
     if (!sweep_range(a, &low, &high))
         return fail(a, 0, "--sweep: the blocks have no outline");
     if (a->shown != KERN_STANDS) return 0;

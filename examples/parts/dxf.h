@@ -34,6 +34,7 @@ struct dxf_reader {
     int blocks, block_room;
     char *message;             /* what is wrong                               */
     size_t room;
+    int fault;                 /* the line where it is, 0: the whole file     */
 };
 
 struct dxf_block {
@@ -51,10 +52,10 @@ struct dxf_entity {
 static int dxf_fail(struct dxf_reader *r, int line, const char *format, ...)
 {
     va_list values;
-    int n = line > 0 ? snprintf(r->message, r->room, "line %d: ", line) : 0;
     va_start(values, format);
-    vsnprintf(r->message + n, r->room - (size_t)n, format, values);
+    vsnprintf(r->message, r->room, format, values);
     va_end(values);
+    r->fault = line;
     return -1;
 }
 
@@ -357,24 +358,27 @@ static int dxf_name(const struct dxf_reader *r, int i, char *out, size_t room)
                     dxf_is_ground(r->block + i) ? "" : " *");
 }
 
-/* The statements of text.h; to be freed; NULL where memory ends. */
+/* The statements of text.h, each in the line of the drawing where its block
+   begins; to be freed; NULL where memory ends. */
 static char *dxf_statements(const struct dxf_reader *r)
 {
     enum { WORD = 32, NAME = 300 };
     const int lowest = dxf_lowest(r);
-    const size_t room = (size_t)r->points * 2 * WORD + (size_t)r->blocks * NAME + 1;
+    const size_t room = (size_t)r->points * 2 * WORD
+                      + (size_t)r->blocks * NAME + (size_t)r->line + 1;
     char *text = malloc(room), *to = text;
+    int line = 1;
     if (!text) return NULL;
     *to = '\0';
     for (int i = 0; i < r->blocks; i++) {
         const struct dxf_block *b = r->block + i;
+        for (; line < b->line; line++) *to++ = '\n';
         if (i == lowest) to += snprintf(to, NAME, "fixed ground_%d", i + 1);
         else to += dxf_name(r, i, to, NAME);
         for (int k = 0; k < b->points; k++) {
             to += dxf_write(to, WORD, r->metre * (double)r->point[b->first + k].x);
             to += dxf_write(to, WORD, r->metre * (double)r->point[b->first + k].y);
         }
-        *to++ = '\n';
         *to = '\0';
     }
     return text;
@@ -387,10 +391,11 @@ static inline int dxf_named(const char *path)
     return n > 4 && dxf_same(path + n - 4, ".dxf");
 }
 
-/* The structure of a drawing in the format of text.h, a line a block; to be
-   freed. NULL: the message says what is wrong, and in which line. */
+/* The structure of a drawing in the format of text.h, whose errors then have the
+   lines of the drawing; to be freed. NULL: the message says what is wrong, *line
+   where. */
 static inline char *dxf_read(const char *data, size_t length, char *message,
-                             size_t room)
+                             size_t room, int *line)
 {
     static const struct dxf_reader none;
     struct dxf_reader r = none;
@@ -409,6 +414,7 @@ static inline char *dxf_read(const char *data, size_t length, char *message,
     }
     free(r.point);
     free(r.block);
+    *line = r.fault;
     return text;
 }
 
@@ -416,7 +422,7 @@ static inline char *dxf_read(const char *data, size_t length, char *message,
 static inline int dxf_load(struct text_file *t, const char *path)
 {
     static const struct text_file empty;
-    char message[512], *text = NULL, *data = NULL;
+    char *text = NULL, *data = NULL;
     size_t length = 0;
     FILE *in = fopen(path, "rb");
     int bad = -1;
@@ -427,12 +433,9 @@ static inline int dxf_load(struct text_file *t, const char *path)
     }
     if (!data) snprintf(t->message, sizeof t->message, "cannot be read: %s",
                         strerror(errno));
-    else if ((text = dxf_read(data, length, message, sizeof message)) == NULL)
-        snprintf(t->message, sizeof t->message, "%s", message);
-    else {
+    else if ((text = dxf_read(data, length, t->message, sizeof t->message,
+                              &t->line)) != NULL)
         bad = text_read(t, text, strlen(text));
-        t->line = 0;
-    }
     free(data);
     free(text);
     return bad;

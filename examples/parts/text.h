@@ -16,7 +16,8 @@
        contact  A B  NX NY  X1 Y1 [X2 Y2] [mu MU]     normal from A into B; with
                                                       any of these none is found
        epsilon  E                                     step of Algorithm 1
-       tolerance GAP [ANGLE]                          ANGLE in radians
+       tolerance GAP [ANGLE]                          ANGLE in radians; GAP up
+                                                      to the blocks' mean size
 
    and # begins a comment. friction, gravity, epsilon and tolerance hold for the
    whole file, wherever they stand; of several the last one holds. A program
@@ -89,6 +90,8 @@ struct text_reader {
     const char *statement; /* its first word           */
     kern_real density;
     int unused;            /* the line of a density no block follows, or 0 */
+    int gap_line;          /* where the last `tolerance` stands            */
+    const char *name;      /* of the block that is read, or NULL             */
     int vertices;
     int *slot, slots;      /* names by hash: index of the block + 1, 0: none */
     struct text_contact *contact;
@@ -211,16 +214,28 @@ static int text_fail(struct text_file *t, const char *format, ...)
     return -1;
 }
 
+/* The statement, and the block that it makes: a name that was forgotten is seen
+   by what was taken for one. */
+static const char *text_about(const struct text_reader *r,
+                              char out[TEXT_SHOW_ROOM + 16])
+{
+    char shown[TEXT_SHOW_ROOM];
+    if (!r->name) return r->statement;
+    snprintf(out, TEXT_SHOW_ROOM + 16, "%s '%s'", r->statement,
+             text_show(shown, r->name));
+    return out;
+}
+
 /* The error of most statements: something else was expected than this word. */
 static int text_expect(struct text_reader *r, const char *what,
                        const char *word)
 {
-    char shown[TEXT_SHOW_ROOM];
+    char shown[TEXT_SHOW_ROOM], about[TEXT_SHOW_ROOM + 16];
     if (*word == '\0')
         return text_fail(r->t, "%s: %s is expected, but the line ends",
-                         r->statement, what);
-    return text_fail(r->t, "%s: %s is expected, read '%s'", r->statement, what,
-                     text_show(shown, word));
+                         text_about(r, about), what);
+    return text_fail(r->t, "%s: %s is expected, read '%s'",
+                     text_about(r, about), what, text_show(shown, word));
 }
 
 static int text_no_memory(struct text_file *t)
@@ -298,7 +313,7 @@ static int text_polygon(struct text_reader *r, int *vertices)
 {
     kern_vec *v = r->t->vertex + r->vertices;
     int n = 0, read = 0;
-    char shown[TEXT_SHOW_ROOM];
+    char shown[TEXT_SHOW_ROOM], about[TEXT_SHOW_ROOM + 16];
     for (;;) {
         kern_vec p;
         char *x = text_next(r);
@@ -308,8 +323,8 @@ static int text_polygon(struct text_reader *r, int *vertices)
         read++;
         if (*y == '\0')
             return text_fail(r->t, "%s: the number of coordinates is odd, "
-                             "vertex %d has only x = %s", r->statement, read,
-                             text_show(shown, x));
+                             "vertex %d has only x = %s",
+                             text_about(r, about), read, text_show(shown, x));
         if (text_value(r, y, TEXT_ANY, &p.y)) return -1;
         if (n == 0 || !text_same(p, v[n - 1])) v[n++] = p;
     }
@@ -345,6 +360,7 @@ static int text_epsilon(struct text_reader *r)
 static int text_tolerance(struct text_reader *r)
 {
     kern_options *o = &r->t->options;
+    r->gap_line = r->t->line;
     o->angle = kern_defaults().angle;
     if (text_real(r, TEXT_POSITIVE, &o->gap)) return -1;
     char *word = text_next(r);
@@ -355,21 +371,20 @@ static int text_tolerance(struct text_reader *r)
     return 0;
 }
 
-static int text_polygon_fault(struct text_reader *r, const char *name,
-                              const kern_block *b, kern_status status,
-                              const kern_fault *fault)
+static int text_polygon_fault(struct text_reader *r, const kern_block *b,
+                              kern_status status, const kern_fault *fault)
 {
-    char shown[TEXT_SHOW_ROOM], place[80] = "";
+    char about[TEXT_SHOW_ROOM + 16], place[80] = "";
     if (status == KERN_FEW_VERTICES)
         snprintf(place, sizeof place, ", read %d different ones", b->vertices);
     else if (fault->index >= 0 && fault->index < b->vertices)
         snprintf(place, sizeof place, ", at its vertex %.9g %.9g",
                  (double)b->vertex[fault->index].x,
                  (double)b->vertex[fault->index].y);
-    return text_fail(r->t, "%s '%s': %s%s%s", r->statement,
-                     text_show(shown, name), kern_status_text(status), place,
-                     status == KERN_CROSSING && b->vertices > 50
-                     ? "; simplify an outline of pixels first (contour.c)" : "");
+    return text_fail(r->t, "%s: %s%s%s", text_about(r, about),
+                     kern_status_text(status), place,
+                     status != KERN_CROSSING || b->vertices <= 50 ? ""
+                     : "; simplify an outline of pixels first (contour.c)");
 }
 
 static int text_body(struct text_reader *r, int fixed)
@@ -377,6 +392,7 @@ static int text_body(struct text_reader *r, int fixed)
     struct text_file *t = r->t;
     kern_block *b = &t->block[t->blocks];
     char *name = text_next(r), shown[TEXT_SHOW_ROOM];
+    char about[TEXT_SHOW_ROOM + 16];
     if (*name == '\0') return text_expect(r, "a name", name);
     int slot = text_slot(r, name), vertices = 0, weighed = 0;
     if (r->slot[slot])
@@ -384,6 +400,7 @@ static int text_body(struct text_reader *r, int fixed)
                          r->statement, text_show(shown, name),
                          t->block_line[r->slot[slot] - 1]);
     kern_real mass = 0;
+    r->name = name;
     if (!fixed) {
         char *word = text_next(r);
         weighed = strcmp(word, "*") != 0;
@@ -399,11 +416,11 @@ static int text_body(struct text_reader *r, int fixed)
               : kern_block_init(b, v, vertices, r->density, &fault);
     b->vertex = v;
     b->vertices = vertices;
-    if (status < 0) return text_polygon_fault(r, name, b, status, &fault);
+    if (status < 0) return text_polygon_fault(r, b, status, &fault);
     if (weighed) b->mass = mass;
     if (!fixed && !(b->mass > 0 && (double)b->mass <= TEXT_MOST))
-        return text_fail(t, "%s '%s': area x density is no mass, found %g",
-                         r->statement, text_show(shown, name), (double)b->mass);
+        return text_fail(t, "%s: area x density is no mass, found %g",
+                         text_about(r, about), (double)b->mass);
 
     t->name[t->blocks] = name;
     t->block_line[t->blocks++] = t->line;
@@ -553,6 +570,7 @@ static int text_line(struct text_reader *r)
     for (size_t i = 0; i < sizeof statement / sizeof *statement; i++) {
         if (strcmp(word, statement[i].name) != 0) continue;
         r->statement = statement[i].name;
+        r->name = NULL;
         if (statement[i].read(r)) return -1;
         word = text_next(r);
         return *word ? text_expect(r, "the end of the line", word) : 0;
@@ -605,6 +623,30 @@ static int text_make_room(struct text_reader *r, size_t length)
     return 0;
 }
 
+/* What only the whole file tells. */
+static int text_check(struct text_reader *r)
+{
+    struct text_file *t = r->t;
+    const kern_real size = kern_mean_size(t->block, t->blocks);
+    if (r->unused) {
+        t->line = r->unused;
+        return text_fail(t, "density: expected a block after it, found none");
+    }
+    if (t->blocks == 0)
+        return text_fail(t, "there is no block in the file ('block NAME MASS "
+                         "X1 Y1 X2 Y2 X3 Y3 ...')");
+    if (t->blocks == t->fixed)
+        return text_fail(t, "no block is free, read %d fixed up to the end",
+                         t->fixed);
+    if (t->options.gap > size && r->contacts == 0) {
+        t->line = r->gap_line;
+        return text_fail(t, "tolerance: a gap up to the mean size of the "
+                         "blocks, %.4g, is expected, read %.9g", (double)size,
+                         (double)t->options.gap);
+    }
+    return 0;
+}
+
 static int text_lines(struct text_reader *r, size_t length)
 {
     struct text_file *t = r->t;
@@ -624,14 +666,7 @@ static int text_lines(struct text_reader *r, size_t length)
         if (text_line(r)) return -1;
     }
     if (t->line == 0) t->line = 1;
-    if (r->unused) {
-        t->line = r->unused;
-        return text_fail(t, "density: expected a block after it, found none");
-    }
-    if (t->blocks == t->fixed)
-        return text_fail(t, "no block is free, read %d fixed up to the end",
-                         t->fixed);
-    return 0;
+    return text_check(r);
 }
 
 /* A normal may be too short to tell its direction. */
@@ -723,7 +758,8 @@ static inline int text_read(struct text_file *t, const char *data,
     if (length > 0) memcpy(t->text, data, length);
     t->text[length] = '\0';
 
-    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0 };
+    struct text_reader r = { t, NULL, NULL, "", 1, 0, 0, NULL, 0, NULL, 0,
+                             NULL, 0 };
     int bad = text_make_room(&r, length) || text_lines(&r, length)
               || text_contacts(&r);
     free(r.slot);

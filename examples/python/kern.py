@@ -253,8 +253,9 @@ int kern_py_read(struct text_file *t, const char *data, size_t length)
 void kern_py_free(struct text_file *t) { text_free(t); }
 void kern_py_falls(const kern_task *task, double shrink, kern_motion *motion)
 { room_falls(task, shrink, motion); }
-char *kern_py_dxf(const char *data, size_t length, char *message, size_t room)
-{ return dxf_read(data, length, message, room); }
+char *kern_py_dxf(const char *data, size_t length, char *message, size_t room,
+                  int *line)
+{ return dxf_read(data, length, message, room, line); }
 void kern_py_dxf_free(char *text) { free(text); }
 int kern_py_draw(const char *path, const kern_structure *s, char *const *names,
                  int relative, double shrink, const kern_force *force,
@@ -403,7 +404,7 @@ _lp_solve = _declare("kern_lp_solve", _i, _p, _p, _p, _p)
 _read = _declare("kern_py_read", _i, _p, c_char_p, ctypes.c_size_t)
 _free = _declare("kern_py_free", None, _p)
 _dxf = _declare("kern_py_dxf", _p, c_char_p, ctypes.c_size_t, _p,
-                ctypes.c_size_t)
+                ctypes.c_size_t, _p)
 _dxf_free = _declare("kern_py_dxf_free", None, _p)
 _falls = _declare("kern_py_falls", None, _p, _r, _p)
 _draw = _declare("kern_py_draw", _i, c_char_p, _p, _p, _i, _r, _p, c_char_p, _p,
@@ -461,7 +462,8 @@ class KernError(ValueError):
             place = ": call update()"
         elif self.index >= 0:
             point = self.status in (Status.BAD_BLOCK, Status.SAME_BLOCK,
-                                    Status.BAD_NORMAL, Status.BAD_FRICTION)
+                                    Status.BAD_NORMAL, Status.BAD_FRICTION
+                                    ) or not self.blocks
             place = " (%s %d)" % ("contact point" if point else "vertex",
                                   self.index)
         who = " and ".join("'%s'" % name for name in self.blocks)
@@ -516,9 +518,45 @@ def _numbers(values: Any) -> Any:
     return (c_double * len(flat))(*flat)
 
 
+def _several(what: str, values: Any, count: int) -> List[float]:
+    """So many numbers, neither more nor less."""
+    try:
+        told = [math.fsum((value,)) for value in values]
+    except (TypeError, ValueError, OverflowError):
+        told = []
+    if len(told) != count:
+        raise TypeError("%s: %s expected, read %r" % (
+            what, "a number is" if count == 1 else "%d numbers are" % count,
+            values[0] if count == 1 else values))
+    return told
+
+
 # ---- Options, blocks, contacts ----------------------------------------------
 
 _D = _defaults()
+
+
+def _not_below(x: float) -> bool:
+    return x >= 0
+
+
+# What each number of the options takes, and the status of what is none.
+_TAKES: Dict[str, Tuple[str, Callable[[float], bool], int]] = {
+    "mu": ("a number not below zero", _not_below, Status.BAD_FRICTION),
+    "angle": ("an angle in radians above 0 and below 0.5",
+              lambda x: 0 < x < 0.5, Status.BAD_OPTION),
+    "reserve": ("a share from 0 to 0.1", lambda x: 0 <= x <= 0.1,
+                Status.BAD_OPTION),
+    **{name: ("a number not below zero", _not_below, Status.BAD_OPTION)
+       for name in ("gap", "epsilon", "overlap", "pose_error", "pose_turn",
+                    "narrow")},
+}
+
+
+def _refuse(name: str, takes: str, value: Any,
+            status: int = Status.BAD_OPTION) -> None:
+    raise KernError(status, text="Options.%s takes %s, read %r"
+                    % (name, takes, value))
 
 
 @dataclass
@@ -542,14 +580,40 @@ class Options:
     lone: Point = (_D.lone.x, _D.lone.y)
 
     def _c(self) -> _Options:
-        limit = operator.index(self.limit)
-        if not 0 <= limit < 2 ** 31:
-            raise KernError(Status.BAD_OPTION, text="Options.limit is %d, not "
-                            "from 0 to 2,000,000,000" % limit)
+        for name, (takes, good, status) in _TAKES.items():
+            value = getattr(self, name)
+            try:
+                finite = math.isfinite(value)
+            except (TypeError, OverflowError):
+                raise TypeError("Options.%s takes %s, read %r"
+                                % (name, takes, value)) from None
+            if not finite or not good(value):
+                _refuse(name, takes, value, status)
+        if self.relative and self.epsilon > 1:
+            _refuse("epsilon", "a share up to 1 with relative", self.epsilon)
+        try:
+            limit = operator.index(self.limit)
+        except TypeError:
+            raise TypeError("Options.limit takes a whole number, read %r"
+                            % self.limit) from None
+        if not 0 <= limit <= 2000000000:
+            _refuse("limit", "a whole number from 1 to 2,000,000,000, or 0",
+                    limit)
         return _Options(self.mu, self.gap, self.angle, self.epsilon,
                         bool(self.relative), limit, self.overlap,
                         self.pose_error, self.pose_turn, self.narrow,
                         self.reserve, _Vec(*self.lone))
+
+    def _suits(self, size: float) -> None:
+        """Raises where everything would touch everything in a structure of
+        blocks of this mean size: a length of another unit, or mistyped."""
+        most = "a length up to %%sthe mean size of the blocks, %.4g"
+        if self.pose_error > size / 5:
+            _refuse("pose_error", (most % (size / 5)) % "a fifth of ",
+                    self.pose_error)
+        for name in ("gap", "overlap") if not self.pose_error else ():
+            if getattr(self, name) > size:
+                _refuse(name, (most % size) % "", getattr(self, name))
 
     @staticmethod
     def _of(c: _Options) -> Options:
@@ -567,6 +631,10 @@ class Options:
         >>> round(Options().measured(0.01, 0.01).gap, 6)
         0.0525
         """
+        if not 0 < e < math.inf or not 0 <= theta < 0.5:
+            raise KernError(Status.BAD_OPTION, text="measured() takes a length "
+                            "above 0 and an angle in radians from 0 to below "
+                            "0.5, read %r and %r" % (e, theta))
         return Options._of(_measured(byref(self._c()), e, theta))
 
 
@@ -606,6 +674,9 @@ class Block:
     _taken: Any = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
+        if not isinstance(self.name, str):
+            raise TypeError("a block has a str as its name, read %r"
+                            % (self.name,))
         self._take()
 
     def __eq__(self, other: object) -> bool:
@@ -664,19 +735,26 @@ class Block:
             self._take()
         fault = _Fault()
         n = len(self.vertices)
-        status = (_ground_init(byref(c), self._address, n, byref(fault))
-                  if self.fixed else
-                  _block_init(byref(c), self._address, n, self.density,
-                              byref(fault)))
+        try:
+            status = (_ground_init(byref(c), self._address, n, byref(fault))
+                      if self.fixed else
+                      _block_init(byref(c), self._address, n, self.density,
+                                  byref(fault)))
+        except ctypes.ArgumentError:
+            raise TypeError("'%s': density: a number is expected, read %r"
+                            % (self.name, self.density)) from None
         if status < 0:
             fault.block = 0
             raise KernError(status, (self.name,), fault)
         if self.mass is not None:
-            c.mass = self.mass
+            (c.mass,) = self._told("mass", [self.mass], 1)
         if self.centre is not None:
-            c.centre = _Vec(*self.centre)
+            c.centre = _Vec(*self._told("centre", self.centre, 2))
         if any(self.load):
-            c.load = _Wrench(*self.load)
+            c.load = _Wrench(*self._told("load", self.load, 3))
+
+    def _told(self, what: str, values: Any, count: int) -> List[float]:
+        return _several("'%s': %s" % (self.name, what), values, count)
 
     def _copy_to(self, c: Any) -> Any:
         """Fills a kern_block that reads a copy of the vertices; returns it."""
@@ -1009,10 +1087,31 @@ class _Kept(Block):
                         % self.name)
 
 
+def _name_once(blocks: Iterable[Block]) -> None:
+    """Raises where two blocks have one name: a question by name would be
+    answered for the first."""
+    place: Dict[str, int] = {}
+    for i, block in enumerate(blocks):
+        if place.setdefault(block.name, i) != i:
+            raise ValueError("block %d: the name '%s' was given to block %d "
+                             "already" % (i, block.name, place[block.name]))
+
+
+def _unique(word: str, used: Dict[str, int]) -> str:
+    """The word, with a number where it is used already."""
+    own = word
+    while own in used:
+        used[word] += 1
+        own = "%s_%d" % (word, used[word])
+    used[own] = 1
+    return own
+
+
 class Structure:
     """Blocks, their contacts, options and gravity.
 
-    contacts None: those that are found between the polygons. After a change of
+    Every block has a name of its own. contacts None: those that are found
+    between the polygons. After a change of
     blocks, options, gravity or given contacts, call update(); a question before
     that raises KernError. Where update() raises, the structure is as it was.
 
@@ -1097,13 +1196,18 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         the contacts where none are given."""
         with self._lock:
             given, n, found = self.given, len(self.blocks), Status.NO_SPACE
+            if not isinstance(self.options, Options):
+                raise TypeError("options are Options(...), read %r"
+                                % (self.options,))
             names, options = [b.name for b in self.blocks], self.options._c()
+            _name_once(self.blocks)
             room = 16 * n if given is None else len(given)
             while found == Status.NO_SPACE and room <= 1000000:
                 held = _Held(n, room)
                 for i, block in enumerate(self.blocks):
                     held.vertex.append(block._copy_to(held.block[i]))
                 if given is None:
+                    self.options._suits(_mean_size(held.block, n) or math.inf)
                     found = _contacts(held.block, n, byref(options),
                                       held.contact, room, byref(held.work))
                     room *= 2
@@ -1118,7 +1222,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             task = _task_of(held.block, n, held.contact, found,
                             byref(held.work))
             task.options = options
-            task.s.gravity = _Vec(*self.gravity)
+            task.s.gravity = _Vec(*_several("gravity", self.gravity, 2))
             self._held, self._task, self._told = held, task, self._key()
             self._at_task = byref(self._task)
             self._shape()
@@ -1132,7 +1236,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         b.move(x, y, turn)
         try:
             self.update()
-        except KernError:
+        except ValueError:
             for i, (px, py) in enumerate(before):
                 b.vertices[i, 0], b.vertices[i, 1] = px, py
             b.centre = centre
@@ -1145,14 +1249,15 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         self._motions = c_double * (3 * self._task.s.blocks)
 
     def _index(self, block: Union[int, str]) -> int:
-        if isinstance(block, int):
-            if not -len(self.blocks) <= block < len(self.blocks):
-                raise IndexError("block %d of %d" % (block, len(self.blocks)))
-            return block % len(self.blocks)
-        for i, b in enumerate(self.blocks):
-            if b.name == block:
-                return i
-        raise KeyError(block)
+        if isinstance(block, str):
+            for i, b in enumerate(self.blocks):
+                if b.name == block:
+                    return i
+            raise KeyError("no block is named '%s'" % block)
+        i = operator.index(block)
+        if not -len(self.blocks) <= i < len(self.blocks):
+            raise IndexError("block %d of %d" % (i, len(self.blocks)))
+        return i % len(self.blocks)
 
     @property
     def contacts(self) -> List[Contact]:
@@ -1191,6 +1296,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         """kern_certain(): between what the margin lies, and which verdict is
         certain, within the error that Options.measured() was told."""
         m, out, status = _Margin(), _Interval(), int(Status.NO_SPACE)
+        if not self.options.pose_error > 0:
+            raise KernError(Status.BAD_OPTION, text="interval() and certain(): "
+                            "no error was told, Options.measured() does")
         self._check(_measure(self._at_task, byref(m), None))
         task = _Task.from_buffer_copy(self._task)
         points = 2 * self._task.s.contacts + 12 * len(self.blocks)
@@ -1215,6 +1323,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     def raised(self, shrink: float = 0.0, reserve: bool = False) -> Raised:
         """kern_raised(): are its forces such as its load raises? With the
         sideways reserve if that is asked for."""
+        if reserve:
+            self._pulls("raised(reserve=True)")
         force, motion = self._forces(), self._motions()
         raising, share = c_int(), c_double()
         stands = self._check(_raised(
@@ -1232,8 +1342,21 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         out, i = c_double(), self._index(block)
         if self.blocks[i].fixed:
             raise ValueError("'%s' is fixed" % self.blocks[i].name)
+        self._pulls("stays()")
         status = self._check(_stays(self._at_task, i, byref(out)))
         return out.value if status == _STANDS else None
+
+    def _side(self, ask: str, side: int) -> None:
+        """Raises where a question to a side has no answer."""
+        if side not in (LEFT, RIGHT):
+            raise KernError(Status.BAD_OPTION, text="%s: a side is LEFT or "
+                            "RIGHT, read %r" % (ask, side))
+        self._pulls(ask)
+
+    def _pulls(self, ask: str) -> None:
+        if not any(self.gravity):
+            raise KernError(Status.BAD_OPTION,
+                            text="%s: there is no gravity" % ask)
 
     def _least(self, shrink: float) -> Any:
         force = self._forces()
@@ -1293,6 +1416,7 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         pattern (fx, fy, torque) a block, whatever the side. None: it falls
         without that load."""
         if pattern is None:
+            self._side("load_factor()", side)
             return self._factor(_load_factor, shrink, side)
         return self._factor(_load_factor_of, shrink, _rows(
             pattern, len(self.blocks), 3, "a load pattern"))
@@ -1303,6 +1427,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
                     ) -> Optional[Factor]:
         """kern_raised_load(): load_factor() of Coulomb friction, by equilibrium
         that the load raises from rest. Undecided where none is shown."""
+        if pattern is None:
+            self._side("raised_load()", side)
         return self._factor(_raised_load, shrink, side,
                             None if pattern is None else _rows(
                                 pattern, len(self.blocks), 3, "a load pattern"))
@@ -1314,9 +1440,13 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         of the file. raised: as raised_load()."""
         pattern = [[0.0, 0.0, 0.0] for _ in self.blocks]
         index = {b.name: i for i, b in enumerate(self.blocks)}
+        if loads is None and not self.lives:
+            raise ValueError("no live load: live([(NAME, FORCE, POINT), ...])")
         for name, force, at in self.lives if loads is None else loads:
             if name not in index:
                 raise ValueError("no block is named %r" % name)
+            if self.blocks[index[name]].fixed:
+                raise ValueError("'%s' is fixed" % name)
             centre = self.blocks[index[name]].body().centre
             row = pattern[index[name]]
             row[0] += force[0]
@@ -1329,11 +1459,14 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
     @_asks
     def tilt(self, side: int, shrink: float = 0.0) -> Optional[Factor]:
         """kern_tilt() [rad] to the LEFT or RIGHT. None: it falls at 0."""
+        self._side("tilt()", side)
         return self._factor(_tilt, shrink, side)
 
     @_asks
     def profile(self, side: int = SHRINK) -> Profile:
         """kern_profile(): how far every block is from falling."""
+        if side != SHRINK:
+            self._side("profile()", side)
         value, c = (c_double * self._task.s.blocks)(), _Collapse()
         self._check(_profile(self._at_task, side, value, byref(c)))
         return Profile(value[:len(self.blocks)], c.least, c.mean, c.weak,
@@ -1460,6 +1593,8 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
         options the file has friction, epsilon, gap and angle."""
         o, lines = self.options, ["friction %r" % self.options.mu]
         used: Dict[str, int] = {}
+        names = [_unique(re.sub(r"[\s#]+", "_", b.name) or "block", used)
+                 for b in self.blocks]
         lines.append("gravity %r %r" % tuple(map(float, self.gravity)))
         if o.epsilon:
             lines.append("epsilon %r" % o.epsilon)
@@ -1467,12 +1602,6 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             lines.append("tolerance %r %r" % (o.gap, o.angle))
         elif o.angle != _D.angle:
             raise ValueError("an angle without a gap has no place in a file")
-        names = []
-        for b in self.blocks:
-            word = re.sub(r"[\s#]+", "_", b.name) or "block"
-            used[word] = used.get(word, 0) + 1
-            names.append(word if used[word] == 1
-                         else "%s_%d" % (word, used[word]))
         for name, b in zip(names, self.blocks):
             place = "  ".join("%r %r" % (x, y) for x, y in b.vertices.tolist())
             if b.fixed:
@@ -1499,6 +1628,9 @@ tolerance (at least 0.25 deep; 0.001 is allowed: Options.overlap)
             c, ends = given[i], [given[i].p]
             if c.line:
                 i += 1
+                if i == len(given):
+                    raise ValueError("contact point %d: a line contact has two"
+                                     % (i - 1))
                 ends.append(given[i].p)
             i += 1
             lines.append("contact %s %s %r %r %s mu %r" % (
@@ -1579,7 +1711,7 @@ class Plan(Structure):
         plan = _plan_of(held.block, blocks, held.contact, contacts,
                         _known_of(motion, force), byref(held.work))
         plan.task.options = self.options._c()
-        plan.task.s.gravity = _Vec(*self.gravity)
+        plan.task.s.gravity = _Vec(*_several("gravity", self.gravity, 2))
         for i in range(n):
             assert old is not None
             self._check(_plan_add(byref(plan), byref(old.block[i])))
@@ -1602,14 +1734,19 @@ class Plan(Structure):
             if status >= 0:
                 return status
             if status != Status.NO_SPACE or room[0] > 20000:
-                raise KernError(status, [b.name for b in (*self.blocks, block)],
-                                self._held.work.fault)
+                fault, every = self._held.work.fault, [*self.blocks, block]
+                if status == Status.OVERLAP and function is _plan_add:
+                    fault.value = overlaps([every[fault.block],
+                                            every[fault.other]],
+                                           self.options)[0][2]
+                raise KernError(status, [b.name for b in every], fault)
             self._grow(2 * room[0], 2 * room[1])
 
     def add(self, block: Block) -> int:
         """kern_plan_add(): how many contact points the block has."""
         with self._lock:
             self._fresh()
+            _name_once([*self.blocks, block])
             own = _Kept(block.name, block.vertices.tolist(), block.density,
                         block.fixed, block.mass, block.centre, block.load)
             vertex = own._copy_to(self._candidate)
@@ -1715,6 +1852,7 @@ class Plan(Structure):
         """
         if block.fixed:
             raise ValueError("'%s' is fixed" % block.name)
+        self._pulls("try_stays()")
         with self._lock:
             chance = c_double()
             try:
@@ -1825,11 +1963,12 @@ def read(path: Union[str, os.PathLike], **scale: Any) -> Structure:
 
 def _from_dxf(data: bytes, name: str) -> bytes:
     """The statements of text.h that a drawing stands for."""
-    message = ctypes.create_string_buffer(512)
-    made = _dxf(data, len(data), message, len(message))
+    message, line = ctypes.create_string_buffer(512), c_int()
+    made = _dxf(data, len(data), message, len(message), byref(line))
     if not made:
-        raise ValueError("%s: %s" % (name, message.value.decode(
-            errors="replace")))
+        raise ValueError("%s:%s %s" % (
+            name, "%d:" % line.value if line.value else "",
+            message.value.decode(errors="replace")))
     try:
         return ctypes.string_at(made)
     finally:
@@ -1871,8 +2010,12 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
                 pixel: float, tolerance: float, density: float,
                 fixed: Sequence[str], name: str) -> Structure:
     """Polygons in pixels, y down, as a measured structure."""
+    if not 0 < pixel < _FARTHEST or not 0 <= tolerance < _FARTHEST:
+        raise ValueError("%s: pixel is a length above 0, tolerance a number of "
+                         "pixels, read %r and %r" % (name, pixel, tolerance))
     blocks: List[Block] = []
     used: Dict[str, int] = {}
+    fixed = (fixed,) if isinstance(fixed, str) else fixed
     for label, points in polygons:
         try:
             turned = [(pixel * float(x), pixel * (height - float(y)))
@@ -1883,9 +2026,8 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
             raise ValueError("%s: '%s': points are no pairs of numbers, or "
                              "farther than %g m" % (name, label, _FARTHEST)
                              ) from None
-        used[label] = used.get(label, 0) + 1
-        own = label if used[label] == 1 else "%s_%d" % (label, used[label])
-        blocks.append(Block(own, _simplified(turned, tolerance * pixel), density,
+        blocks.append(Block(_unique(label, used),
+                            _simplified(turned, tolerance * pixel), density,
                             fixed=label in fixed))
     if not blocks:
         raise ValueError("%s: no polygons" % name)
@@ -1894,6 +2036,10 @@ def _from_image(polygons: List[Tuple[str, List[Any]]], height: float,
     if not sizes:
         raise ValueError("%s: every polygon is fixed" % name)
     theta = e * len(sizes) / sum(sizes)
+    if theta > 0.2:
+        raise ValueError("%s: blocks of %.3g pixels in the mean, of which an "
+                         "error of %.3g (pixel and tolerance) is more than a "
+                         "fifth" % (name, e / theta / pixel, e / pixel))
     return Structure(blocks, options=Options().measured(e, theta), name=name)
 
 
@@ -2008,7 +2154,7 @@ def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
              addressof(prices) if prices else None, limit)
     status = _lp_solve(byref(lp), x, y, byref(work))
     if status < 0:
-        raise KernError(status, (), work.fault)
+        raise KernError(status)
     return Solution(Status(status), list(x), list(y))
 
 
