@@ -2792,7 +2792,6 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
                                                   m->answer.sum));
 }
 
-/* Whether block i moves in the motion of the answer. */
 static int kern_moves(const kern_model *m, int i)
 {
     const kern_motion *v = m->answer.motion + i;
@@ -4596,8 +4595,9 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
    `all` of every contact: what is left to be balanced. */
 static void kern_pass_load(const kern_model *m, int g, int all, kern_real *b)
 {
+    const kern_real *load = m->load + 3 * (size_t)g;
     int e;
-    kern_copy(b, m->load + 3 * (size_t)g, 3);
+    b[0] = load[0]; b[1] = load[1]; b[2] = load[2];
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_force *f = m->answer.force + (e >> 1);
         const kern_row row = kern_model_row(m, e);
