@@ -1905,8 +1905,7 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 
    At a place that falls y gives the power -y.rhs > 0, which changes along the
    path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
-   (Newton's method). It converges quadratically, from the side that falls. What
-   is asked, of which part, and when, is told in >>method. */
+   (Newton's method). It converges quadratically, from the side that falls. */
 
 typedef struct kern_model kern_model; /* the structure in units: >>model      */
 typedef struct kern_part kern_part;   /* some of its blocks: >>part           */
@@ -1920,12 +1919,17 @@ typedef struct kern_proven {
     kern_real low, high;
 } kern_proven;
 
+/* Lengths along a path, or numbers. */
+typedef struct kern_lengths {
+    kern_real one;            /* a block's size, or 1                         */
+    kern_real width;          /* of a bracket, as it is wanted                */
+    kern_real aside;          /* from the critical value to its ends          */
+} kern_lengths;
+
 typedef struct kern_path {
     kern_path_kind kind;
     kern_query q;             /* at s = 0; what the path changes is replaced  */
-    kern_real unit;           /* of the path: a block's size, or 1            */
-    kern_real width;          /* of a bracket, as it is wanted                */
-    kern_real aside;          /* from the critical value to its ends          */
+    kern_lengths unit;
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real critical;       /* value that Newton's method predicts          */
@@ -2822,6 +2826,14 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
                                                   m->answer.sum));
 }
 
+static int kern_moves(const kern_model *m, int i)
+{
+    const kern_motion *v = m->answer.motion + i;
+    const kern_real size = kern_block_size(m->s->block + i);
+    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
+           || kern_abs(v->spin) * size > KERN_AT_REST;
+}
+
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status)
@@ -2959,9 +2971,9 @@ static void kern_path_begin(kern_path *path, kern_part *part,
     path->warm.fails = KERN_R(0);
     path->alone = 0;
     path->ipm = NULL;
-    path->unit = task->options.relative ? 1 : path->q.mean;
-    path->width = KERN_WIDTH * path->unit;
-    path->aside = KERN_ASIDE * path->width;
+    path->unit.one = task->options.relative ? 1 : path->q.mean;
+    path->unit.width = KERN_WIDTH * path->unit.one;
+    path->unit.aside = KERN_ASIDE * path->unit.width;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->critical = KERN_R(0);
     path->proven.low = KERN_R(-1);
@@ -2977,9 +2989,9 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->kind = kind;
     path->q.pattern = pattern;
     path->q.side = side;
-    path->unit = KERN_R(1);
-    path->width = KERN_WIDTH;
-    path->aside = KERN_ASIDE * KERN_WIDTH;
+    path->unit.one = KERN_R(1);
+    path->unit.width = KERN_WIDTH;
+    path->unit.aside = KERN_ASIDE * KERN_WIDTH;
 }
 
 /* What a call works on. */
@@ -3039,7 +3051,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
     kern_status status = nested
-        ? kern_path_search(m, path, path->unit * KERN_CLIMB)
+        ? kern_path_search(m, path, path->unit.one * KERN_CLIMB)
         : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
         status = kern_level_scan(m, path, 0, last, out);
@@ -3098,7 +3110,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     path->end = r.most = travels.most;
     r.epsilon = task->options.epsilon;
     if (!(r.epsilon > 0))
-        r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * path->unit;
+        r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * c->m.mean;
     r.margin = r.holds = r.fails = KERN_R(0);
     r.level = r.saturated = 0;
     steps = r.most / r.epsilon;
@@ -3196,7 +3208,7 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
         limit = travels.least < KERN_INFINITY ? limit / travels.least
                                               : KERN_R(1);
     path->start = -limit;
-    for (grown = path->unit * KERN_R(0.001); ;
+    for (grown = path->unit.one * KERN_R(0.001); ;
          grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
@@ -3424,17 +3436,9 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     int tries;
     for (tries = 0; status == KERN_UNDECIDED && tries < 9; tries++) {
         status = kern_path_evaluate(m, path, beyond);
-        beyond += path->width;
+        beyond += path->unit.width;
     }
     return status;
-}
-
-static int kern_moves(const kern_model *m, int i)
-{
-    const kern_motion *v = m->answer.motion + i;
-    const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
-           || kern_abs(v->spin) * size > KERN_AT_REST;
 }
 
 /* Takes away the blocks that move in the last mechanism, which is proven, and
@@ -3457,7 +3461,7 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
     const int shrinks = path->kind == KERN_PATH_SHRINK;
-    const kern_real step = shrinks ? path->unit * KERN_CLIMB : KERN_R(0.05);
+    const kern_real step = shrinks ? path->unit.one * KERN_CLIMB : KERN_R(0.05);
     const kern_status status =
         !shrinks || kern_travels_of(m->s, &path->q).nested
         ? kern_path_search(m, path, step)
@@ -3549,8 +3553,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
                       : kern_travels_of(&task->s, &c.path.q).most;
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
-    half = (free_blocks + 1) / 2;
-    fall.weak = half;
+    fall.weak = half = (free_blocks + 1) / 2;
     fall.sum = fall.weak_sum = KERN_R(0);
     fall.least = KERN_INFINITY;
     fall.value = value;
@@ -4626,8 +4629,9 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
    `all` of every contact: what is left to be balanced. */
 static void kern_pass_load(const kern_model *m, int g, int all, kern_real *b)
 {
+    const kern_real *load = m->load + 3 * (size_t)g;
     int e;
-    kern_copy(b, m->load + 3 * (size_t)g, 3);
+    b[0] = load[0]; b[1] = load[1]; b[2] = load[2];
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
         const kern_force *f = m->answer.force + (e >> 1);
         const kern_row row = kern_model_row(m, e);
@@ -5519,7 +5523,8 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
                                     kern_real under)
 {
-    const kern_real at = path->critical, same = KERN_SAME_VALUE * path->unit;
+    const kern_real same = KERN_SAME_VALUE * path->unit.one;
+    const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
     int i;
     if ((status != KERN_FALLS || path->critical > at)
@@ -5558,14 +5563,14 @@ static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
         && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
-        || n->aside + n->under > path->width * KERN_WIDEST)
+        || n->aside + n->under > path->unit.width * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(crit >= lo && crit <= hi))
         return lo + (hi - lo) * n->share;
     if (hi - crit > n->aside * KERN_R(1.15))
         return crit + n->aside;
     if (!path->ipm && crit > lo
-        && kern_abs(path->exact - crit) > KERN_SAME_VALUE * path->unit)
+        && kern_abs(path->exact - crit) > KERN_SAME_VALUE * path->unit.one)
         return crit;
     return crit - lo > n->under * KERN_R(1.05) && !path->alone
            ? kern_max(crit - n->under, path->start) : KERN_INFINITY;
@@ -5594,7 +5599,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_bracket n;
     int round;
-    n.aside = n.under = path->aside;
+    n.aside = n.under = path->unit.aside;
     n.share = KERN_NEAR;
     for (round = 0; round < KERN_BRACKET_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
@@ -5611,10 +5616,10 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!verify)
             kern_bracket_adapt(&n, status, at, crit, inside);
         if (status == KERN_UNDECIDED && !inside
-            && path->fails - lo <= path->width * KERN_WIDEST)
+            && path->fails - lo <= path->unit.width * KERN_WIDEST)
             break;
     }
-    if (path->fails - path->holds > path->width * KERN_WIDEST
+    if (path->fails - path->holds > path->unit.width * KERN_WIDEST
         && !path->alone)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
@@ -5702,7 +5707,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (status == KERN_STANDS) {
             first = step;
             step *= KERN_CLIMB_GROWS;
-        } else if (status == KERN_UNDECIDED && first > path->width)
+        } else if (status == KERN_UNDECIDED && first > path->unit.width)
             step = first /= 2;
         else
             return status;
@@ -5782,7 +5787,7 @@ static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
-    if (warm->fails - warm->holds > 2 * path->width
+    if (warm->fails - warm->holds > 2 * path->unit.width
         || !kern_known_falls(m, &q, warm))
         return 0;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
@@ -5893,13 +5898,13 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
         const kern_real *load = m->load + 3 * (size_t)g;
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, at, path->aside, u);
-        if (crit <= path->start + 2 * path->aside)
+            : kern_body_critical(m, g, line, at, path->unit.aside, u);
+        if (crit <= path->start + 2 * path->unit.aside)
             return path->start;
-        if (crit + path->aside < best) {
+        if (crit + path->unit.aside < best) {
             least = path->warm.margin = crit;
-            path->warm.holds = crit - path->aside;
-            path->warm.fails = best = crit + path->aside;
+            path->warm.holds = crit - path->unit.aside;
+            path->warm.fails = best = crit + path->unit.aside;
             path->warm.motion = m->answer.motion;
             kern_body_moves(m, g, u);
         }
@@ -6047,7 +6052,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     for (round = 0; round < KERN_PARTS_MOST; ) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && at > path->start) {
-            at = kern_max(path->critical - path->aside, path->start);
+            at = kern_max(path->critical - path->unit.aside, path->start);
             status = KERN_UNDECIDED;
             round++;
         } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
@@ -6490,7 +6495,7 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
     in->p->m->budget.work->solves++;
     in->least = KERN_R(0);
     if (in->gap <= KERN_IPM_LOST) {
-        const kern_real away = kern_abs(place - in->s) / in->path->unit;
+        const kern_real away = kern_abs(place - in->s) / in->path->unit.one;
         in->held = 1;
         in->most = place;
         kern_ipm_place(in, place);
@@ -6515,7 +6520,7 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
     path.kind = KERN_PATH_SHRINK;
     path.q = *q;
     path.part = p;
-    path.unit = m->relative ? KERN_R(1) : m->mean;
+    path.unit.one = m->relative ? KERN_R(1) : m->mean;
     path.holds = path.end = q->shrink;
     p->found = kern_ipm_open(&in, m, &path)
                ? kern_ipm_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
@@ -6532,7 +6537,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
     path->ipm = &in;
     path->fails = path->end;
     m->budget.work->solves++;
-    in.least = path->width / 8;
+    in.least = path->unit.width / 8;
     path->critical = KERN_INFINITY;
     if (kern_ipm_begin(&in, path->holds, 0)
         && kern_ipm_run(&in, 0) == KERN_STANDS)
@@ -6543,7 +6548,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
     }
     if (status == KERN_STANDS)
         status = kern_path_evaluate(
-            m, path, kern_min(path->critical + path->aside, path->end));
+            m, path, kern_min(path->critical + path->unit.aside, path->end));
     if (status == KERN_STANDS && path->holds < path->end)
         status = kern_path_evaluate(m, path, path->end);
     if (status == KERN_STANDS)
@@ -6551,7 +6556,7 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
     else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
         status = kern_path_critical(m, path);
         if (path->proven.high > path->fails
-            || path->fails - path->holds > path->width)
+            || path->fails - path->holds > path->unit.width)
             status = KERN_UNDECIDED;
     }
     path->ipm = NULL;
@@ -9241,7 +9246,7 @@ static kern_real kern_violations(kern_simplex *sx)
    has answered. Without x lifts a certificate y off the columns that it
    touches: rounding puts it a little below zero there as often as above; a few
    roundings higher it costs of its power no more than all of x is worth, times
-   those roundings. With x spreads what x leaves out of balance over the rows
+   those roundings. With x spreads what that leaves out of balance over the rows
    of y, in proportion: no x leaves less, in the sum of squares. The basis
    leaves it to a few rows, where it may exceed the tolerance. */
 static int kern_proof_mend(kern_simplex *sx, kern_real *y, kern_real *x)
