@@ -2115,9 +2115,10 @@ static int kern_spend(kern_work *work, int limit, int units)
    to say, whatever was found without it. */
 static kern_status kern_spent(const kern_work *work, int limit,
                               kern_status status)
-{
-    return work->units > kern_limit_of(limit) ? KERN_LIMIT : status;
-}
+{ return work->units > kern_limit_of(limit) ? KERN_LIMIT : status; }
+
+static kern_status kern_ended(const kern_task *task, kern_status status)
+{ return kern_spent(task->work, task->options.limit, status); }
 
 /* ---- What is handed in ------------------------------------------ >>check */
 /* Everything that the statics reads is looked at once, before any memory is
@@ -2353,9 +2354,6 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
            + KERN_EPS / 2 * gap + KERN_LEAST;
 }
-
-KERN_SHARED static void kern_motion_clear(kern_motion *m)
-{ m->vx = m->vy = m->spin = KERN_R(0); }
 
 /* The speed of a block that rests is 0. */
 static kern_real kern_speed(const kern_motion *m)
@@ -3041,7 +3039,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
         return status;
     status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
-    return kern_spent(task->work, task->options.limit, status);
+    return kern_ended(task, status);
 }
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
@@ -3118,7 +3116,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
         return KERN_BAD_STEP;
     last = (int)steps;
     last += KERN_R(last) < steps; /* until every kern is closed */
-    status = kern_spent(task->work, task->options.limit, kern_measure_path(
+    status = kern_ended(task, kern_measure_path(
         &c->m, path, travels.nested, last, &r));
     if (status == KERN_LIMIT) {
         r.fails = kern_min(path->proven.high, r.most);
@@ -3232,7 +3230,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     status = kern_path_evaluate(&c.m, &c.path, KERN_R(0));
     if (status == KERN_FALLS)
         status = kern_grow(&c.m, &c.path);
-    status = kern_spent(task->work, task->options.limit, status);
+    status = kern_ended(task, status);
     if (status == KERN_LIMIT)
         *deficit = c.path.proven.high <= 0 ? 0 - c.path.proven.high
                                            : KERN_R(-1);
@@ -3290,7 +3288,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
         at = round == 0 ? KERN_INFINITY
                         : kern_length_between(&task->s, c.path.q.mean, lo, hi);
     }
-    status = kern_spent(task->work, task->options.limit, status);
+    status = kern_ended(task, status);
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *length = lo;
     return status;
@@ -3369,7 +3367,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     if (status == KERN_STANDS)
         status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_TILTS)
                         : kern_path_search(&c->m, path, KERN_R(0.0125));
-    status = kern_spent(task->work, task->options.limit, status);
+    status = kern_ended(task, status);
     if (status == KERN_LIMIT)
         path->critical = path->proven.low;
     if (status == KERN_STANDS || status == KERN_LIMIT)
@@ -3557,8 +3555,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     fall.sum = fall.weak_sum = KERN_R(0);
     fall.least = KERN_INFINITY;
     fall.value = value;
-    status = kern_spent(task->work, task->options.limit,
-                        kern_fall_follow(&c.m, &c.path, &fall));
+    status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
     for (i = 0; i < task->s.blocks; i++)
         if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
@@ -4584,8 +4581,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     kern_call c;
     kern_status status = kern_call_open(&c, task, shrink, force);
     if (status == KERN_OK)
-        status = kern_spent(task->work, task->options.limit,
-                            kern_norm_hold(&c.m, &c.part, &c.path.q));
+        status = kern_ended(task, kern_norm_hold(&c.m, &c.part, &c.path.q));
     kern_proof_out(&c.m, &proof, status);
     return status;
 }
@@ -6679,7 +6675,6 @@ static void kern_raise_along(kern_raise *r, int along)
 static int kern_raise_open(kern_raise *r)
 {
     kern_part *p = r->p;
-    int i;
     if (!kern_norm_open(p, r->m))
         return 0;
     p->dual.price = r->price = kern_take_reals(
@@ -6689,8 +6684,7 @@ static int kern_raise_open(kern_raise *r)
     r->last = r->price + 2 * p->contacts;
     r->begin = r->last + 4 * p->contacts;
     r->best = r->begin + 3 * p->groups + p->contacts;
-    for (i = 0; i < p->contacts; i++)
-        r->price[i] = KERN_R(0);
+    kern_zero(r->price, p->contacts);
     kern_raise_along(r, 0);
     return 1;
 }
@@ -6818,15 +6812,9 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
 /* Writes u and prices to `state`, or reads them from there. */
 static void kern_raise_copy(const kern_raise *r, kern_real *state, int save)
 {
-    const int n = 3 * r->p->groups;
-    int i;
-    for (i = 0; i < n + r->p->contacts; i++) {
-        kern_real *at = i < n ? r->p->dual.u + i : r->price + (i - n);
-        if (save)
-            state[i] = *at;
-        else
-            *at = state[i];
-    }
+    kern_real *const u = r->p->dual.u, *const price = state + 3 * r->p->groups;
+    kern_copy(save ? state : u, save ? u : state, 3 * r->p->groups);
+    kern_copy(save ? price : r->price, save ? r->price : price, r->p->contacts);
 }
 
 /* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
@@ -7069,7 +7057,7 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
     if (raising == KERN_RAISED && reserve)
         share = kern_raise_reserve(
             &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
-    status = kern_spent(task->work, task->options.limit, status);
+    status = kern_ended(task, status);
     if (status == KERN_STANDS)
         *out = raising;
     if (status == KERN_STANDS && reserve)
@@ -7120,9 +7108,8 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         kern_model_set(r.m, q); /* the unit of force is what acts at the end */
         if (status == KERN_STANDS)
             stood = kern_raise_climb(&r, q, &q->factor, most, proof);
-        status = kern_spent(task->work, task->options.limit,
-                            status == KERN_STANDS && stood < 0
-                            ? KERN_UNDECIDED : status);
+        status = kern_ended(task, status == KERN_STANDS && stood < 0
+                                  ? KERN_UNDECIDED : status);
     }
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *factor = stood < KERN_FACTOR_MOST ? stood : KERN_INFINITY;
@@ -8649,7 +8636,7 @@ static int kern_plan_is_whole(const kern_plan *plan)
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
 {
     kern_structure *s;
-    int k, found;
+    int found;
     if (plan && plan->task.work)
         kern_work_begin(plan->task.work);
     if (!kern_plan_is_whole(plan) || !block)
@@ -8663,11 +8650,9 @@ KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block)
                        plan->contact_room - s->contacts, plan->task.work);
     if (found < 0)
         return found;
-    kern_motion_clear(plan->task.known.motion + s->blocks++);
-    for (k = 0; k < found; k++, s->contacts++) {
-        plan->task.known.force[s->contacts].normal = KERN_R(0);
-        plan->task.known.force[s->contacts].tangential = KERN_R(0);
-    }
+    kern_zero(plan->task.known.motion + s->blocks++, 3);
+    kern_zero(plan->task.known.force + s->contacts, 2 * found);
+    s->contacts += found;
     return found;
 }
 
@@ -8743,7 +8728,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                  ? KERN_FALLS
                  : kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
-        return kern_spent(task->work, task->options.limit, status);
+        return kern_ended(task, status);
     }
     c.path.q.shrink = KERN_R(0);
     status = kern_measure_task(&c, task, known, &r, proof);
