@@ -6728,8 +6728,7 @@ static void kern_raise_back(kern_raise *r, kern_real back[2])
    approaches, and none slides so far as only a stone that falls into a jam.
    With `keep` a contact that parts keeps its price, and where that is too low
    to open it, the price grows by twice what is missing: else a joint that
-   slides and no longer presses loses its force only as fast as prices
-   converge. */
+   slides and no longer presses loses its force as slowly as prices settle. */
 static int kern_raise_price(kern_raise *r, int keep)
 {
     kern_part *p = r->p;
@@ -6788,9 +6787,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     while (r->rounds < rounds
            && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
         const int first = cold && r->rounds == 0;
-        const kern_status found = kern_norm_find(
-            r->p, r->tolerance, 4 * KERN_NORM_MOST, !first,
-            KERN_RAISE_STEPS + (first ? 10 : 1));
+        const kern_status found = kern_norm_find(p, r->tolerance,
+            4 * KERN_NORM_MOST, !first, KERN_RAISE_STEPS + (first ? 10 : 1));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
         if (!kern_raise_price(r, r->along && found == KERN_STANDS)
@@ -6953,7 +6951,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 {
     kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
     kern_real stood = *share = KERN_R(0), taken = KERN_R(1);
-    int steps = KERN_LOAD_STEPS, good = 1;
+    static const int nth[] = {KERN_LOAD_STEPS, KERN_LOAD_FINE, KERN_LOAD_JUMP};
+    int pace = 0, good = 1;
     kern_raise_along(r, KERN_RAISE_JUMP);
     if (!kern_raise_settle(r, q, 1, KERN_RAISE_PATH, proof)) {
         kern_raise_along(r, 0);
@@ -6962,10 +6961,10 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         kern_raise_along(r, KERN_RAISE_JUMP);
     }
     kern_raise_copy(r, r->best, 1);
-    while (stood < end && steps > 0) {
+    while (stood < end && pace < 3) {
         const kern_real at = *share = kern_min(
-            stood + end / (kern_real)steps, end);
-        r->along = steps == KERN_LOAD_JUMP ? KERN_RAISE_JUMP : KERN_RAISE_STILL;
+            stood + end / (kern_real)nth[pace], end);
+        r->along = pace == 2 ? KERN_RAISE_JUMP : KERN_RAISE_STILL;
         kern_raise_lead(r, good, (at - stood) / taken);
         good = kern_raise_settle(r, q, 0, KERN_RAISE_PATH, proof);
         if (!good && !(stood > 0)) { /* from rest nothing leads there */
@@ -6975,16 +6974,12 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         if (good) {
             taken = at - stood;
             stood = at;
-            if (steps == KERN_LOAD_JUMP)
-                steps = KERN_LOAD_FINE;
-        } else if (steps == KERN_LOAD_STEPS)
-            steps = KERN_LOAD_FINE;
-        else
-            steps = steps == KERN_LOAD_FINE && stood < KERN_LOAD_NEAR * end
-                  ? KERN_LOAD_JUMP : 0;
+            pace = pace > 0;
+        } else
+            pace += pace == 1 && !(stood < KERN_LOAD_NEAR * end) ? 2 : 1;
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
-            steps = KERN_LOAD_STEPS;
+            pace = 0;
         }
     }
     return stood;
@@ -6994,15 +6989,20 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 static int kern_raise_grown(kern_raise *r, const kern_query *q)
 {
     kern_query grown = *q;
-    kern_real loads = KERN_R(0);
+    kern_real loads = KERN_R(0), last = KERN_R(-1);
     int i;
     for (i = 0; i < r->m->s->blocks; i++)
         loads += kern_wrench_sum(&r->m->s->block[i].load);
-    if (!(loads > 0)
-        || kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL) < 1)
-        return 0;
+    if (loads > 0)
+        last = kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL);
+    if (last >= 0 && last < 1) {
+        kern_raise_copy(r, r->best, 0);
+        kern_raise_along(r, 0); /* prices settle sooner than along the load */
+        r->along = KERN_RAISE_PATH;
+        last = (kern_real)kern_raise_settle(r, q, 0, 2 * KERN_RAISE_PATH, NULL);
+    }
     r->along = 0;
-    return 1;
+    return last >= 1;
 }
 
 /* How far block i goes until its forces are raised, for a stiffness and a mean
