@@ -4623,7 +4623,7 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
 
 /* The load of group g and of what rests on it from outside of its cluster; with
    `all` of every contact: what is left to be balanced. */
-static void kern_pass_load(const kern_model *m, int g, int all, kern_real *b)
+static inline void kern_pass_load(const kern_model *m, int g, int all, kern_real *b)
 {
     const kern_real *load = m->load + 3 * (size_t)g;
     int e;
