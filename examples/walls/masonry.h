@@ -205,9 +205,9 @@ static int masonry_column(const kern_structure *s, double size,
     return longest;
 }
 
-/* The course of every block, in the order in which they were laid: one above the
-   highest course that carries it. The ground is 0; a pin is of the course that
-   carries it. */
+/* The course of every block, in the order in which they were laid: one above
+   the highest course that carries it. The ground is 0; a pin is of the course
+   that carries it. */
 MASONRY_API void masonry_courses(const kern_structure *s, double size,
                                  int *course)
 {
