@@ -285,7 +285,7 @@ static int walls_next(const struct stack_wall *w, const int *course, int which,
 static int walls_course(const struct stack_wall *w, const struct draw_view *v,
                         const int *course, int which)
 {
-    const double far = 0.5 * w->stock->size;
+    const double apart = 0.5 * w->stock->size;
     kern_vec last = { -HUGE_VAL, 0 };
     int stones = 0;
     fputs("<path fill=\"none\" stroke=\"" DRAW_FORCE "\" stroke-width=\"1.6\""
@@ -296,8 +296,8 @@ static int walls_course(const struct stack_wall *w, const struct draw_view *v,
         const int n = walls_upper(&w->stone[i], top);
         for (int k = 0; k < n; k++) {
             const struct draw_pt p = draw_place(v, top[k].x, top[k].y);
-            const int broken = k == 0 && (top[k].x - last.x > far ||
-                                          fabs(top[k].y - last.y) > far);
+            const int broken = k == 0 && (top[k].x - last.x > apart ||
+                                          fabs(top[k].y - last.y) > apart);
             fprintf(v->out, "%c%.2f %.2f", broken ? 'M' : 'L', draw_px(p.x),
                     draw_px(p.y));
             last = top[k];
