@@ -502,19 +502,23 @@ static void test_walls(int seeds)
 }
 
 /* A stone on top of the left end of five courses: a column where joints run
-   through, none where every other course is shifted. */
+   through, none where every other course is shifted. Five bricks a course. */
 static void test_bond(void)
 {
     for (int k = 0; k < 2; k++) {
         struct stones stock;
         struct stack_wall w;
         struct stone on_top = box(0, 5, 2, 6), middle = box(4, 5, 6, 6);
+        int course[26];
         if (bricks(&w, &stock, k)) return;
         check(stack_column_of(&w, &on_top, 21) == (k ? 0 : 4), "column",
               stack_column_of(&w, &on_top, 21), k ? 0 : 4);
         check(stack_column_of(&w, &middle, 23) == 0, "not at an end",
               stack_column_of(&w, &middle, 23), 0);
         near_to("of the bricks on two", stack_on_two(&w), k ? 0.8 : 0, 1e-12);
+        masonry_courses(&w.plan.task.s, stock.size, course);
+        for (int i = 0; i < w.plan.task.s.blocks; i++)
+            check(course[i] == (i + 4) / 5, "course", course[i], (i + 4) / 5);
         stack_free(&w);
         stones_free(&stock);
     }

@@ -205,6 +205,26 @@ static int masonry_column(const kern_structure *s, double size,
     return longest;
 }
 
+/* The course of every block, in the order in which they were laid: one above
+   the highest course that carries it. The ground is 0; a pin is of the course
+   that carries it. */
+MASONRY_API void masonry_courses(const kern_structure *s, double size,
+                                 int *course)
+{
+    for (int i = 0; i < s->blocks; i++) {
+        course[i] = 0;
+        for (int k = 0; k < s->contacts; k++) {
+            const kern_contact *c = &s->contact[k];
+            const int over = c->n.y > 0 ? c->b : c->a;
+            const int under = c->a + c->b - over;
+            if (over == i && under < i && fabs(c->n.y) >= masonry_rests &&
+                course[under] > course[i])
+                course[i] = course[under];
+        }
+        course[i] += masonry_is_stone(&s->block[i], size);
+    }
+}
+
 static int masonry_bond(const kern_structure *s, double size,
                         struct masonry *m)
 {

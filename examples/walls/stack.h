@@ -435,7 +435,7 @@ static int stack_column_of(const struct stack_wall *w, const struct stone *s,
     return most - 1;
 }
 
-static const double stack_bonded = 0.6; /* share on two of a wall in bond */
+static const double stack_bonded = 0.53; /* share on two of a wall in bond */
 
 /* The share of the stones above the ground that rest on two or more. */
 static double stack_on_two(const struct stack_wall *w)
@@ -601,11 +601,11 @@ static double stack_value_of_load(struct stack_wall *w)
 }
 
 /* What of a wall is as masons want it, 0 to 1: filled, its joints crossed, its
-   long stones lying, every stone on a bed, a little more than half of its stones
-   on two others, and no column at either end. */
+   long stones lying, every stone on a bed, half of its stones on two others and a
+   few more, and no column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
-    const double half = 0.54;
+    const double half = 0.51;
     struct masonry m;
     double bond;
     if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
@@ -676,14 +676,17 @@ static struct stack_weights stack_vary(struct stack_weights g, uint64_t *chance)
     return g;
 }
 
-/* Was the effort spent? A wall has more candidates where more stones may be the
-   next one: the limit grows with these. */
+/* Was the effort spent: candidates, questions to kern and passes of the
+   simulator, each by the time that it takes? A wall has more candidates where more
+   stones may be the next one: the limit grows with these. */
 static int stack_spent(const struct stack_wall *w)
 {
     const struct stack_options *o = &w->options;
     const double share = fmin(2, fmax(1, (double)o->look / STACK_LOOK));
-    return o->effort > 0 && (double)w->tried + (double)w->asked +
-                            w->passes / STACK_PASSES > share * o->effort;
+    const double spent = w->tried + (double)STACK_ASKING * w->asked
+                       + (double)STACK_RAISING * w->raised
+                       + w->passes / STACK_PASSES;
+    return o->effort > 0 && spent > share * o->effort;
 }
 
 /* Builds one more wall: from the ground, or by taking stones off the best one
@@ -710,7 +713,7 @@ static int stack_next_wall(struct stack_wall *w, struct stack_search *s,
     return 0;
 }
 
-/* Builds one wall after the other, the first quarter from the ground, and leaves
+/* Builds one wall after the other, the first eighth from the ground, and leaves
    the best. Returns 0, or -1 where memory is lacking. */
 STACK_API int stack_best(struct stack_wall *w)
 {
@@ -719,7 +722,7 @@ STACK_API int stack_best(struct stack_wall *w)
     int bad = stack_search_open(w, random_start(o->seed), &s);
     for (w->walls = 0; w->walls < o->walls && !bad && !stack_spent(w);
          w->walls++)
-        bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < o->walls / 4);
+        bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < o->walls / 8);
     bad = bad || stack_restore(w, s.kept, s.keep);
     if (!stack_ends(w)) stack_give_up(w);
     stack_search_free(&s);

@@ -588,14 +588,14 @@ static int stack_endures_twice(struct stack_wall *w, double level)
     return stack_endures(w, level, 1) && stack_endures(w, level, 2);
 }
 
-/* The highest level of shaking, to 5 per cent, that the wall endures twice; 0
+/* The highest level of shaking, to 9 per cent, that the wall endures twice; 0
    where that is below `least`. */
 STACK_API double stack_endured_level(struct stack_wall *w, double least)
 {
     double level = fmax(least, stack_endured_low), step = 2;
     if (!stack_endures_twice(w, level))
         return least > stack_endured_low ? 0 : stack_endured_low;
-    while (step > 1.03) {
+    while (step > 1.06) {
         const double next = level * step;
         if (next <= stack_endured_high && stack_endures_twice(w, next))
             level = next;
@@ -635,6 +635,7 @@ static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
     kern_block block;
     kern_raising raising;
     kern_real reserve;
+    w->raised++;
     return kern_block_init(&block, s.v, s.n, 1, NULL) == KERN_OK &&
            !stack_sticks(w, &block) &&
            kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)

@@ -73,10 +73,12 @@ static const char *const stack_goal_name[] = { "shaking", "drop", "load" };
 
 struct stack_wall;
 
-/* How many passes of the simulator over a contact take as long as a candidate;
-   and how many stones of the stock may be the next one, if nothing else is asked
-   for. */
-enum { STACK_PASSES = 200, STACK_LOOK = 6 };
+/* How many passes of the simulator over a contact take as long as a candidate; as
+   how many candidates it takes to ask whether the wall stands with one, and
+   whether its load raises the forces; and how many stones of the stock may be the
+   next one, if nothing else is asked for. */
+enum { STACK_PASSES = 200, STACK_ASKING = 4, STACK_RAISING = 40,
+       STACK_LOOK = 6 };
 
 struct stack_options {
     enum stack_planner planner;
@@ -89,10 +91,9 @@ struct stack_options {
     double joints;          /* friction in head joints; < 0: the same     */
     uint64_t seed;          /* of what `best` leaves to chance            */
     int walls;              /* that `best` builds                         */
-    int effort;             /* where it begins no further one: candidates,
-                               questions to kern, and one for every
-                               STACK_PASSES in the simulator; in proportion
-                               to `look`, up to twice as much; 0: no limit */
+    int effort;             /* where it begins no further one, see
+                               stack_spent(): in candidates, in proportion to
+                               `look`, up to twice as much; 0: no limit   */
     enum stack_goal goal;   /* what it wants to be high                   */
     double beat[2];         /* with STACK_LOAD: a filling and a limit
                                multiplier that both are to be exceeded    */
@@ -103,7 +104,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
-                               { 0 }, 0, 0.4, -1, 1, 48, 280000, STACK_SHAKING,
+                               { 0 }, 0, 0.4, -1, 1, 48, 400000, STACK_SHAKING,
                                { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
@@ -145,6 +146,7 @@ struct stack_wall {
     int walls;              /* that `best` has built                     */
     int tried;              /* stones let down that came to rest         */
     int asked;              /* candidates that kern was asked about      */
+    int raised;             /* of them, whether they are raised          */
     double asking;          /* CPU seconds that took                     */
     int swayed, slipped;    /* let go in the simulator; moved            */
     double passes;          /* of the simulator over a contact           */

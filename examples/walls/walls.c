@@ -5,7 +5,8 @@
 
        walls/                   every wall, for the program kern
        walls.csv                one line a wall
-       fig8.svg                 the walls of the first set, side by side
+       fig8.svg                 the walls of the first set, side by side, with
+                                lines along the tops of their courses
        fig9.svg                 quality over irregularity: mean and deviation,
                                 that of heuristic as a band, with the level of
                                 collapse as the stability; beside it the paired
@@ -246,12 +247,73 @@ static int walls_read(const struct walls *f)
 static const double walls_wide = 300, walls_high = 212, walls_left = 40,
                     walls_top = 40;
 
+/* The top of a stone, from left to right: the ends of its edges that look upward,
+   45 degrees off the level at the most. Returns how many. */
+static int walls_upper(const struct stone *s, kern_vec *at)
+{
+    const double up = 0.7071;
+    int right = 0, n = 0;
+    for (int i = 0; i < s->n; i++) /* edges go from right to left there */
+        if (rest_edge_at(s, i).n.y >= up &&
+            rest_edge_at(s, i + 1 < s->n ? i + 1 : 0).n.y < up)
+            right = i;
+    for (int i = right + s->n; n < s->n; i--) {
+        const struct rest_edge e = rest_edge_at(s, i % s->n);
+        if (e.n.y < up) break;
+        if (n == 0) at[n++] = e.b;
+        at[n++] = e.a;
+    }
+    return n;
+}
+
+/* The stone of a course whose centre is the next one to the right of x; -1: there
+   is none. */
+static int walls_next(const struct stack_wall *w, const int *course, int which,
+                      double x)
+{
+    int next = -1;
+    for (int i = 0; i < w->laid; i++)
+        if (course[i + 1] == which && w->stone[i].centre.x > x &&
+            !stack_keeps_back(w, w->place[i].stone) &&
+            (next < 0 || w->stone[i].centre.x < w->stone[next].centre.x))
+            next = i;
+    return next;
+}
+
+/* A line along the tops of a course, broken where the next top is far. Returns how
+   many stones the course has. */
+static int walls_course(const struct stack_wall *w, const struct draw_view *v,
+                        const int *course, int which)
+{
+    const double apart = 0.5 * w->stock->size;
+    kern_vec last = { -HUGE_VAL, 0 };
+    int stones = 0;
+    fputs("<path fill=\"none\" stroke=\"" DRAW_FORCE "\" stroke-width=\"1.6\""
+          " stroke-linejoin=\"round\" d=\"", v->out);
+    for (int i = walls_next(w, course, which, last.x); i >= 0;
+         i = walls_next(w, course, which, w->stone[i].centre.x), stones++) {
+        kern_vec top[STONES_CORNERS + 1];
+        const int n = walls_upper(&w->stone[i], top);
+        for (int k = 0; k < n; k++) {
+            const struct draw_pt p = draw_place(v, top[k].x, top[k].y);
+            const int broken = k == 0 && (top[k].x - last.x > apart ||
+                                          fabs(top[k].y - last.y) > apart);
+            fprintf(v->out, "%c%.2f %.2f", broken ? 'M' : 'L', draw_px(p.x),
+                    draw_px(p.y));
+            last = top[k];
+        }
+    }
+    fputs("\"/>\n", v->out);
+    return stones;
+}
+
 /* One wall in its place: levels downwards, planners to the right. */
 static void walls_draw(const struct walls *f, FILE *out, int level,
                        int planner, const struct stack_wall *w)
 {
     const struct walls_one *one = walls_at(f, level, 0, planner);
     struct draw_view v;
+    int course[WALLS_STONES + 1];
     char text[120];
     stack_view(w, &v, walls_wide);
     v.out = out;
@@ -261,6 +323,8 @@ static void walls_draw(const struct walls *f, FILE *out, int level,
           - (v.high.y - v.low.y) * v.scale;
     stack_draw_frame(w, &v);
     for (int i = 0; i < w->laid; i++) stack_draw_stone(w, &v, i);
+    masonry_courses(&w->plan.task.s, w->stock->size, course);
+    for (int k = 1; walls_course(w, &v, course, k) > 0;) k++;
     snprintf(text, sizeof text, "filling %.2f, collapse at %.0f, joints %.2f",
              one->fill, one->stability[WALLS_COLLAPSE], one->masonry.joint);
     draw_open(out, "font-family=\"" DRAW_FONT "\" fill=\"" DRAW_INK "\"");
