@@ -7992,7 +7992,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     if (kern_pair_opposed(pair, &e[0], &e[1])) {
         t = kern_vec_unit(kern_vec_sub(e[0].d, e[1].d));
         q = kern_vec_mid(kern_edge_foot(&e[0], p), kern_edge_foot(&e[1], p));
-    } else if (half > 0
+    } else if (2 * half > pair->gap
                || kern_chord_stands(&e[on], &e[!on], &pair->of[!on], &p)) {
         t = on ? kern_vec_scale(e[1].d, -1) : e[0].d;
         q = kern_edge_foot(&e[on], p);
@@ -8069,12 +8069,16 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *own = pair->of[!on].parts.block;
+    kern_edge by[2], chord;
     kern_vec back, p = f->p;
+    int last, low;
     if (high > wide || high < -kern_max(wide, pair->deep)
         || kern_vec_cross(f->d, e->d) < -pair->sine)
         return;
-    back = kern_vec_unit(kern_vec_sub(own->vertex[kern_polygon_next(
-        own, f->start, own->area > 0)], f->p));
+    last = kern_polygon_next(own, f->start, own->area > 0);
+    back = kern_vec_sub(own->vertex[last], f->p);
+    low = kern_vec_length(back) <= pair->of[!on].step;
+    back = kern_vec_unit(back);
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
         || !kern_edge_bears(e, pair->of[on].parts.block, p,
@@ -8082,6 +8086,13 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
+    if (low && !kern_outline_chord(&pair->of[!on], f, &chord)) {
+        kern_edge_set(&by[!on], own, own->area > 0 ? last : f->start,
+                      own->area > 0 ? f->start : last);
+        by[on] = *e;
+        if (kern_outline_chord(&pair->of[!on], &by[!on], &chord))
+            edge = by; /* a step that ends at the corner counts too */
+    }
     kern_pair_add(pair, edge, p,
                   on ? kern_vec_turn(e->d) : kern_vec_outward(e->d), 0, !on);
 }

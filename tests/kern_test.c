@@ -3466,6 +3466,45 @@ static void steps_at_ends(void)
     context[0] = 0;
 }
 
+/* A lip lower than the gap at the end of a bed is no shear key, whether it
+   stands on the ground beside the stone, or hangs from the stone beside the
+   ground; a higher one is. */
+static void steps_lips(void)
+{
+    static const double high[] = {1e-4, 5e-4, 1.1e-3, 2e-3, 3.9e-3, 5e-3};
+    static world w;
+    double load;
+    int k, i, kind, turned;
+    for (k = 0; k < 6; k++)
+        for (kind = 0; kind < 2; kind++)
+            for (turned = 0; turned < 2; turned++) {
+                const double h = high[k];
+                const double lip[2][10] = {
+                    {-1, -1, 3, -1, 1, h, 1, 0, -1, 0},
+                    {0, 0, 1, 0, 1, -h, 2, 1, 0, 1}};
+                const double box[2][8] = {{0, 0, 1, 0, 1, 1, 0, 1},
+                                          {-1, -1, 1, -1, 1, 0, -1, 0}};
+                double xy[10];
+                for (i = 0; i < 10; i += 2) { /* the other way round */
+                    const int at = turned ? 8 - i : i;
+                    xy[at] = lip[kind][i];
+                    xy[at + 1] = lip[kind][i + 1];
+                }
+                sprintf(context, "(lip %g, kind %d, turned %d)", h, kind,
+                        turned);
+                world_reset(&w);
+                w.options.gap = R(4e-3);
+                w.options.mu = R(0.4);
+                world_polygon(&w, kind, xy, 5);
+                world_polygon(&w, !kind, box[kind], 4);
+                CHECK(world_touch(&w) >= 2);
+                CHECK_INT(load_factor(&w, NULL, kind ? -1 : 1, &load),
+                          KERN_STANDS);
+                CHECK(h > 4e-3 ? load > 0.9 : fabs(load - 0.4) < 5e-3);
+            }
+    context[0] = 0;
+}
+
 /* A ramp lower than the gap and longer, in a bed that fits it: one contact, on
    the chord. */
 static void steps_of_ramps(void)
@@ -11198,6 +11237,7 @@ static const test tests[] = {
     TEST(steps_that_slide),
     TEST(steps_and_knees),
     TEST(steps_at_ends),
+    TEST(steps_lips),
     TEST(steps_of_ramps),
     TEST(steps_apart),
     TEST(steps_straight_joint),
