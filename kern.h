@@ -4623,7 +4623,8 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
 
 /* The load of group g and of what rests on it from outside of its cluster; with
    `all` of every contact: what is left to be balanced. */
-static inline void kern_pass_load(const kern_model *m, int g, int all, kern_real *b)
+static inline void kern_pass_load(const kern_model *m, int g, int all,
+                                  kern_real *b)
 {
     const kern_real *load = m->load + 3 * (size_t)g;
     int e;
@@ -7966,6 +7967,28 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
               >= -KERN_STEP_SINE * kern_vec_length(way);
 }
 
+/* The chord of an edge. At a corner where it starts it may be that of the edge
+   before, where that is low: the end of a step. */
+static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
+                           kern_edge *chord)
+{
+    const kern_block *block = o->parts.block;
+    const int out = block->area > 0;
+    int last, steps = kern_outline_chord(o, edge, chord);
+    if (steps || !corner || !o->parts.reflex)
+        return steps;
+    last = kern_polygon_next(block, edge->start, out);
+    if (kern_vec_length(kern_vec_sub(block->vertex[last], edge->p))
+        <= o->step) {
+        kern_edge_set(chord, block, out ? last : edge->start,
+                      out ? edge->start : last);
+        steps = kern_outline_chord(o, chord, chord);
+        if (!steps)
+            *chord = *edge;
+    }
+    return steps;
+}
+
 /* Adds a contact of two edges, on their chords: midway between two that run
    against each other, else on the one inside of whose ends it lies farther. A
    point is a corner of a (0) or of b (1), which has no normal at the end of its
@@ -7977,8 +8000,9 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(kern_outline_chord(&pair->of[0], edge, &e[0])
-          | kern_outline_chord(&pair->of[1], edge + 1, &e[1]))) {
+    if (!(pair->of[0].parts.reflex || pair->of[1].parts.reflex)
+        || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
+             | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
@@ -8069,16 +8093,12 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *own = pair->of[!on].parts.block;
-    kern_edge by[2], chord;
     kern_vec back, p = f->p;
-    int last, low;
     if (high > wide || high < -kern_max(wide, pair->deep)
         || kern_vec_cross(f->d, e->d) < -pair->sine)
         return;
-    last = kern_polygon_next(own, f->start, own->area > 0);
-    back = kern_vec_sub(own->vertex[last], f->p);
-    low = kern_vec_length(back) <= pair->of[!on].step;
-    back = kern_vec_unit(back);
+    back = kern_vec_unit(kern_vec_sub(own->vertex[kern_polygon_next(
+        own, f->start, own->area > 0)], f->p));
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
         || !kern_edge_bears(e, pair->of[on].parts.block, p,
@@ -8086,13 +8106,6 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
-    if (low && !kern_outline_chord(&pair->of[!on], f, &chord)) {
-        kern_edge_set(&by[!on], own, own->area > 0 ? last : f->start,
-                      own->area > 0 ? f->start : last);
-        by[on] = *e;
-        if (kern_outline_chord(&pair->of[!on], &by[!on], &chord))
-            edge = by; /* a step that ends at the corner counts too */
-    }
     kern_pair_add(pair, edge, p,
                   on ? kern_vec_turn(e->d) : kern_vec_outward(e->d), 0, !on);
 }
