@@ -3718,11 +3718,11 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the
    forces and the motion of the margin's proof. */
 
-/* G_q of contact i times `one`, and its share of G_d: 0 where no force acts or
-   no block moves. */
+/* G_q of contact i, and its share of G_d: 0 where no force acts or no block
+   moves. */
 static kern_real kern_contact_gain(const kern_structure *s,
                                    const kern_query *q, int i,
-                                   const kern_proof *proof, kern_real one,
+                                   const kern_proof *proof,
                                    kern_contact_rate *out)
 {
     const kern_contact *c = s->contact + i;
@@ -3731,36 +3731,31 @@ static kern_real kern_contact_gain(const kern_structure *s,
     const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    kern_real rate, shift, spin;
+    kern_real rate, shift;
     kern_motion v;
     kern_vec u;
-    out->p = kern_vec_make(0, 0);
-    out->turn = out->mu = out->travel = KERN_R(0);
+    kern_zero(out, 5);
     if (!(f > 0) || !(kern_speeds(c, proof->motion) > 0))
         return KERN_R(0);
     v = kern_meeting_motion(s, q, c, proof->motion);
-    u = kern_vec_make(v.vx * one, v.vy * one);
-    spin = v.spin * one;
+    u = kern_vec_make(v.vx, v.vy);
     shift = kern_shift(travel, q->shrink, q->relative, &rate);
-    out->p = kern_vec_make(spin * force.y, -spin * force.x);
-    out->turn = kern_vec_cross(force, u) - shift * spin * r;
+    out->p = kern_vec_make(v.spin * force.y, -v.spin * force.x);
+    out->turn = kern_vec_cross(force, u) - shift * v.spin * r;
     if (c->mu > 0)
         out->mu = r / c->mu * kern_vec_dot(u, t);
     if (q->relative || closed)
-        out->travel = -spin * f * (closed ? KERN_R(1) : q->shrink);
-    return -rate * spin * f;
+        out->travel = -v.spin * f * (closed ? KERN_R(1) : q->shrink);
+    return -rate * v.spin * f;
 }
 
 static void kern_block_gain(const kern_structure *s, int i,
-                            const kern_motion *motion, kern_real one,
-                            kern_block_rate *out)
+                            const kern_motion *motion, kern_block_rate *out)
 {
     const kern_block *b = s->block + i;
     kern_wrench w;
     kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
-    out->load.fx = motion[i].vx * one;
-    out->load.fy = motion[i].vy * one;
-    out->load.torque = motion[i].spin * one;
+    kern_copy(&out->load, motion + i, 3);
     out->place = out->centre = kern_vec_make(out->load.torque * w.fy,
                                              -out->load.torque * w.fx);
     out->mass = s->gravity.x * out->load.fx + s->gravity.y * out->load.fy;
@@ -3839,17 +3834,15 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
     for (i = 0; i < task->s.contacts; i++) {
-        const kern_real g = kern_contact_gain(&task->s, &q, i, proof, KERN_R(1),
+        const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
         gain += g;
         most += kern_abs(g);
     }
     if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
         return KERN_UNDECIDED;
-    for (i = 0; i < task->s.contacts; i++)
-        kern_contact_gain(&task->s, &q, i, proof, -1 / gain, contact + i);
     for (i = 0; i < task->s.blocks; i++)
-        kern_block_gain(&task->s, i, proof->motion, -1 / gain, block + i);
+        kern_block_gain(&task->s, i, proof->motion, block + i);
     for (i = 0; i < task->s.contacts; i++) {
         const int line = kern_line_begins(task->s.contact, task->s.contacts, i);
         kern_pose_gain(task, contact, i, i + line, block);
@@ -3857,6 +3850,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
             kern_pose_gain(task, contact, i + 1, i, block);
         i += line;
     }
+    kern_scale(contact, 5 * task->s.contacts, -1 / gain);
+    kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
 }
 
