@@ -932,7 +932,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
 
 /* Sets the travel of every contact point (>>rules), a point's from the others
    of its interface: the same two blocks, in either order. NULL: no effect.
-   Time: O(C) for each interface, and O(C) for each of its points. */
+   Time: O(C) for each interface, and O(C) for each of its points where these
+   are neighbours in the array. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage, or where it is negative a growth;
@@ -7607,7 +7608,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
    4. Steps: contacts go to the chords of an outline (kern_outline_chord()).
    5. Faces: points next to a line are dropped (kern_pair_filter()), and what
       lies on one line is merged (kern_pair_face()).
-   6. Travels: kern_point_travels(), kern_lone_travels(). When what: >>rules.
+   6. Travels: kern_point_travels(). When what: >>rules.
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
@@ -8209,44 +8210,34 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* The point travels to the foot of the middle. */
-static void kern_travel_set(kern_contact *point, kern_vec middle)
+/* Is c alone in its interface, and does it carry a block? */
+static int kern_is_lone(const kern_contact *contact, int contacts,
+                        const kern_contact *c, kern_vec down)
 {
-    const kern_vec way = kern_vec_sub(middle, point->p);
-    point->travel = 0 + kern_vec_cross(point->n, way); /* 0, but not -0 */
+    int k, found = 0;
+    for (k = 0; k < contacts; k++)
+        found += kern_same_interface(c, contact + k);
+    return found == 1 && kern_carried(c, down) != KERN_OUT;
 }
 
-/* Travels of all points. Beyond all lengths means: not known yet. */
-static void kern_point_travels(kern_contact *contact, int contacts)
+/* Travels of all points, or where `down` is given of those that are lone: each
+   to the foot of the middle, which is that of the point before as a rule. */
+static void kern_point_travels(kern_contact *contact, int contacts,
+                               const kern_vec *down)
 {
-    int i, k;
-    for (i = 0; i < contacts; i++)
-        if (!contact[i].line)
-            contact[i].travel = KERN_HUGE;
+    kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
+    const kern_contact *of = NULL;
+    int i;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = contact + i;
-        kern_vec middle;
-        if (c->line || c->travel < KERN_HUGE)
+        if (c->line || (down && !kern_is_lone(contact, contacts, c, *down)))
             continue;
-        middle = kern_middle(c, contacts - i, c, NULL);
-        for (k = i; k < contacts; k++)
-            if (kern_same_interface(c, contact + k))
-                kern_travel_set(contact + k, middle);
-    }
-}
-
-/* Travels of the points that are alone in their interface. */
-static void kern_lone_travels(kern_contact *contact, int contacts,
-                              kern_vec down)
-{
-    int i, k;
-    for (i = 0; i < contacts; i++) {
-        kern_contact *c = contact + i;
-        int others = -1; /* without itself */
-        for (k = 0; k < contacts; k++)
-            others += kern_same_interface(c, contact + k);
-        if (!c->line && others == 0 && kern_carried(c, down) != KERN_OUT)
-            kern_travel_set(c, kern_middle(contact, contacts, c, &down));
+        if (!of || !kern_together(of, c, down)) {
+            of = c;
+            middle = kern_middle(contact, contacts, c, down);
+        }
+        c->travel = 0 /* no -0 */
+                    + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
     }
 }
 
@@ -8276,7 +8267,8 @@ static kern_status kern_pair_touch(kern_pair *pair)
     kern_pair_filter(pair);
     for (i = pair->first; i < pair->count; i++)
         kern_pair_face(pair, i);
-    kern_point_travels(pair->out + pair->first, pair->count - pair->first);
+    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
+                       NULL);
     return KERN_OK;
 }
 
@@ -8520,7 +8512,7 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
         return s.pair.count;
     room = kern_search_close(&s);
     if (room > 0 && kern_vec_largest(options->lone) > 0)
-        kern_lone_travels(s.pair.out, room, options->lone);
+        kern_point_travels(s.pair.out, room, &options->lone);
     return room;
 }
 
@@ -8590,7 +8582,7 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
     int i;
     if (!contact)
         return;
-    kern_point_travels(contact, contacts);
+    kern_point_travels(contact, contacts, NULL);
     for (i = 0; i < contacts; i++)
         if (kern_line_begins(contact, contacts, i)) {
             kern_contact *c = &contact[i++];
