@@ -3412,18 +3412,22 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
-    kern_real least;          /* of the values of all that fell               */
-    kern_real sum, weak_sum;  /* of them all, of that half                    */
+    kern_real sum, weak_sum;  /* of the values of all, and of that half       */
     kern_real *value;         /* of each block, -1 as long as it stands       */
 } kern_fall;
 
-static void kern_fall_add(kern_fall *fall, int i, kern_real at)
+/* Blocks that are left fall there: all, or those that move in the mechanism. */
+static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
+                          int all)
 {
-    fall->value[i] = at;
-    fall->least = kern_min(fall->least, at);
-    fall->sum += at;
-    if (fall->weak-- > 0)
-        fall->weak_sum += at;
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
+        if (kern_is_free(m, i) && (all || kern_moves(m, i))) {
+            fall->value[i] = at;
+            fall->sum += at;
+            if (fall->weak-- > 0)
+                fall->weak_sum += at;
+        }
 }
 
 /* Evaluates where the structure fell last, and a little farther as long as
@@ -3445,10 +3449,7 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 static kern_status kern_fall_take(kern_model *m, kern_path *path,
                                   kern_fall *fall, kern_real at)
 {
-    int i;
-    for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && kern_moves(m, i))
-            kern_fall_add(fall, i, at);
+    kern_fall_add(m, fall, at, 0);
     kern_model_group(m, &path->q);
     return m->graph.groups > 0 ? kern_fall_beyond(m, path) : KERN_STANDS;
 }
@@ -3478,7 +3479,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 {
     kern_real at = KERN_R(0);
     kern_status status = kern_path_evaluate(m, path, at);
-    int i, rounds = 2 * m->graph.groups + KERN_FALL_ROUNDS;
+    int rounds = 2 * m->graph.groups + KERN_FALL_ROUNDS;
     while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
@@ -3489,9 +3490,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         if (m->graph.groups > 0)
             status = kern_fall_climb(m, path, &at);
     }
-    for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i))
-            kern_fall_add(fall, i, path->end);
+    kern_fall_add(m, fall, path->end, 1);
     return KERN_OK;
 }
 
@@ -3536,6 +3535,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 {
     kern_call c;
     kern_fall fall;
+    kern_real least = KERN_INFINITY;
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, KERN_R(0),
                                         value ? out : NULL);
@@ -3554,15 +3554,16 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
     fall.sum = fall.weak_sum = KERN_R(0);
-    fall.least = KERN_INFINITY;
     fall.value = value;
     status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
-    for (i = 0; i < task->s.blocks; i++)
+    for (i = 0; i < task->s.blocks; i++) {
         if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
+        least = kern_min(least, value[i]);
+    }
     if (status != KERN_OK)
         return status;
-    out->least = fall.least;
+    out->least = least;
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
     out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
