@@ -3574,51 +3574,48 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 /* ---- What is critical ---------------------------------------- >>critical */
 
 /* Velocity of block b relative to block a where contact point c acts. */
-static kern_motion kern_meeting_motion(const kern_structure *s,
-                                       const kern_query *q,
-                                       const kern_contact *c,
-                                       const kern_motion *motion)
+static kern_vec kern_meeting_motion(const kern_structure *s,
+                                    const kern_query *q, const kern_contact *c,
+                                    const kern_motion *motion)
 {
-    const kern_motion *a = motion + c->a, *b = motion + c->b;
-    kern_motion v;
-    kern_vec arm[2], u;
+    kern_vec arm[2];
     kern_arms(s, c, q, arm);
-    u = kern_vec_sub(kern_velocity(b, arm[1]), kern_velocity(a, arm[0]));
-    v.vx = u.x;
-    v.vy = u.y;
-    v.spin = b->spin - a->spin;
-    return v;
+    return kern_vec_sub(kern_velocity(motion + c->b, arm[1]),
+                        kern_velocity(motion + c->a, arm[0]));
 }
 
-static kern_meeting kern_meeting_of(const kern_contact *c, kern_motion v,
-                                    kern_real size)
+/* And its spin. */
+static kern_real kern_meeting_spin(const kern_contact *c,
+                                   const kern_motion *motion)
+{ return motion[c->b].spin - motion[c->a].spin; }
+
+static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
+                                    kern_real turn)
 {
-    const kern_vec u = kern_vec_make(v.vx, v.vy);
     const kern_real along = kern_abs(kern_vec_cross(c->n, u));
     if (kern_vec_dot(c->n, u) > c->mu * along + KERN_REST)
         return KERN_OPENS;
     if (along > KERN_REST)
         return KERN_SLIDES;
-    return kern_abs(v.spin) * size > KERN_REST ? KERN_HINGES : KERN_RESTS;
+    return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
 /* How much a contact point limits, by the first of: the power f w that moving
    inward with a force f costs while the blocks turn at w, unless its kern is
    closed; the rate of a hinge; the speed of sliding. */
-static kern_real kern_limit_by(int by, const kern_contact *c, kern_motion v,
-                               kern_meeting meeting, const kern_force *force,
-                               const kern_query *q)
+static kern_real kern_limit_by(int by, const kern_contact *c, kern_vec u,
+                               kern_real spin, kern_meeting meeting,
+                               const kern_force *force, const kern_query *q)
 {
     kern_real rate;
     if (by == 1)
-        return meeting == KERN_HINGES ? kern_abs(v.spin) : KERN_R(0);
+        return meeting == KERN_HINGES ? kern_abs(spin) : KERN_R(0);
     if (by == 2)
-        return meeting == KERN_SLIDES
-               ? kern_vec_length(kern_vec_make(v.vx, v.vy)) : KERN_R(0);
+        return meeting == KERN_SLIDES ? kern_vec_length(u) : KERN_R(0);
     if (!force || meeting == KERN_OPENS)
         return KERN_R(0);
     kern_shift(c->travel, q->shrink, q->relative, &rate);
-    return kern_max(-v.spin * rate * force->normal, KERN_R(0));
+    return kern_max(-spin * rate * force->normal, KERN_R(0));
 }
 
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
@@ -3629,10 +3626,12 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
     for (by = 0; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
-            const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
-            const kern_meeting meeting = kern_meeting_of(c, v, q->mean);
+            const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
+            const kern_real spin = kern_meeting_spin(c, proof->motion);
+            const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
             const kern_real limit = kern_limit_by(
-                by, c, v, meeting, proof->force ? proof->force + i : NULL, q);
+                by, c, u, spin, meeting,
+                proof->force ? proof->force + i : NULL, q);
             if (out->meeting)
                 out->meeting[i] = meeting;
             if (out->limit)
@@ -3733,22 +3732,21 @@ static kern_real kern_contact_gain(const kern_structure *s,
     const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
+    const kern_real spin = kern_meeting_spin(c, proof->motion);
     kern_real rate, shift;
-    kern_motion v;
     kern_vec u;
     kern_zero(out, 5);
     if (!(f > 0) || !(kern_speeds(c, proof->motion) > 0))
         return KERN_R(0);
-    v = kern_meeting_motion(s, q, c, proof->motion);
-    u = kern_vec_make(v.vx, v.vy);
+    u = kern_meeting_motion(s, q, c, proof->motion);
     shift = kern_shift(travel, q->shrink, q->relative, &rate);
-    out->p = kern_vec_make(v.spin * force.y, -v.spin * force.x);
-    out->turn = kern_vec_cross(force, u) - shift * v.spin * r;
+    out->p = kern_vec_make(spin * force.y, -spin * force.x);
+    out->turn = kern_vec_cross(force, u) - shift * spin * r;
     if (c->mu > 0)
         out->mu = r / c->mu * kern_vec_dot(u, t);
     if (q->relative || closed)
-        out->travel = -v.spin * f * (closed ? KERN_R(1) : q->shrink);
-    return -rate * v.spin * f;
+        out->travel = -spin * f * (closed ? KERN_R(1) : q->shrink);
+    return -rate * spin * f;
 }
 
 static void kern_block_gain(const kern_structure *s, int i,
@@ -6587,10 +6585,10 @@ static kern_real kern_prove_raised(const kern_structure *s,
     for (i = 0; i < s->contacts && error <= 1; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
-        const kern_motion v = kern_meeting_motion(s, q, c, motion);
+        const kern_vec u = kern_meeting_motion(s, q, c, motion);
         const kern_real mu = kern_friction(c, kern_reduction(q));
-        const kern_real press = -(c->n.x * v.vx + c->n.y * v.vy);
-        const kern_real slide = c->n.x * v.vy - c->n.y * v.vx;
+        const kern_real press = -kern_vec_dot(c->n, u);
+        const kern_real slide = kern_vec_cross(c->n, u);
         kern_real least = KERN_HUGE;
         for (end = 0; end < 2 && f > 0; end++) {
             const int b = end ? c->b : c->a;
