@@ -8046,13 +8046,14 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 static int kern_edge_bears(const kern_edge *e, const kern_block *block,
                            kern_vec p, kern_real inside, kern_real gap)
 {
-    const kern_vec r = kern_vec_sub(p, e->p), t = kern_vec_sub(p, e->q);
     const kern_real along = kern_edge_along(e, p);
-    return (along > inside && along < e->length - inside)
-           || (kern_vec_dot(r, r) <= gap * gap
-               && kern_polygon_turn(block, e->start) < 0)
-           || (kern_vec_dot(t, t) <= gap * gap
-               && kern_polygon_turn(block, e->end) < 0);
+    int end, bears = along > inside && along < e->length - inside;
+    for (end = 0; end < 2 && !bears; end++) {
+        const kern_vec r = kern_vec_sub(p, end ? e->q : e->p);
+        bears = kern_vec_dot(r, r) <= gap * gap
+                && kern_polygon_turn(block, end ? e->end : e->start) < 0;
+    }
+    return bears;
 }
 
 /* The corner where edge f starts stands on edge e, of a (on 0) or of b (1): it
