@@ -3685,8 +3685,7 @@ static void kern_critical_blocks(const kern_structure *s,
         if (!(most > 0))
             return;
         for (i = 0; i < s->blocks; i++)
-            if (out->group[i] == none
-                && (i == lead || kern_as_one(s, motion, lead, i)))
+            if (out->group[i] == none && kern_as_one(s, motion, lead, i))
                 out->group[i] = out->groups;
     }
 }
