@@ -8102,7 +8102,7 @@ static void kern_pair_edges(kern_pair *pair)
    join it. The face takes its place in the array and the rest moves up in
    order, so that the first of the rest leads the next face. */
 
-/* Does the line pass within the gap of the point, about as inclined? */
+/* Is it a line that passes within the gap of the point, about as inclined? */
 static int kern_line_passes(const kern_contact *line, const kern_contact *point,
                             kern_real gap)
 {
@@ -8110,7 +8110,7 @@ static int kern_line_passes(const kern_contact *line, const kern_contact *point,
     const kern_real off = kern_vec_dot(r, line->n);
     const kern_real beyond = kern_max(
         kern_abs(kern_vec_cross(line->n, r)) - line->travel, KERN_R(0));
-    return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE
+    return line->line && kern_vec_dot(line->n, point->n) > KERN_SAME_FACE
            && off * off + beyond * beyond <= gap * gap;
 }
 
@@ -8120,11 +8120,11 @@ static void kern_pair_filter(kern_pair *pair)
     kern_contact *at = pair->out;
     int i, line, kept = pair->first;
     for (i = kept; i < pair->count; i++) {
-        line = pair->first;
-        while (line < kept && at[line].line && !at[i].line
+        line = at[i].line ? kept : pair->first;
+        while (line < kept
                && !kern_line_passes(&at[line], &at[i], pair->gap))
             line++;
-        if (line == kept || !at[line].line || at[i].line)
+        if (line == kept)
             at[kept++] = at[i];
     }
     pair->count = kept;
