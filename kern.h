@@ -8470,8 +8470,8 @@ static kern_status kern_search_asked(const kern_block *block, int blocks,
                                        : KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
-    if (options->gap > KERN_FAR || options->overlap > KERN_FAR
-        || options->pose_error > KERN_FAR || options->pose_turn > KERN_FAR)
+    if (options->gap + options->overlap + options->pose_error
+        + options->pose_turn > KERN_FAR)
         return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
