@@ -7160,6 +7160,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_VERTICES_MOST 1000000
 /* Share of the size: the default gap, and the length of the shortest line. */
 #define KERN_GAP        KERN_R(1e-3)
+/* The default angle [rad]. */
+#define KERN_ANGLE      KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
 #define KERN_NEAR_GAP   KERN_R(0.04)
@@ -9695,7 +9697,7 @@ KERN_API kern_options kern_defaults(void)
     o.reserve = KERN_R(0);
     o.lone = kern_vec_make(KERN_R(0), KERN_R(0));
     o.gap = KERN_R(0);
-    o.angle = KERN_R(0.0174533);
+    o.angle = KERN_ANGLE;
     o.epsilon = KERN_R(0);
     o.relative = 0;
     o.limit = KERN_WORK_USUAL;
@@ -9710,10 +9712,9 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
     o.pose_turn = theta;
     o.gap = KERN_ERROR_GAP * e;
-    o.angle = kern_max(kern_defaults().angle, KERN_ERROR_ANGLE * theta);
+    o.angle = kern_max(KERN_ANGLE, KERN_ERROR_ANGLE * theta);
     o.angle = kern_min(o.angle, KERN_R(0.99) * KERN_ANGLE_MOST);
-    o.overlap = kern_max(options ? options->overlap : KERN_R(0),
-                         KERN_ERROR_OVERLAP * e);
+    o.overlap = kern_max(o.overlap, KERN_ERROR_OVERLAP * e);
     return o;
 }
 
