@@ -1893,12 +1893,15 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
            && c->b == c[1].b;
 }
 
-/* Is d a point between the same blocks as c? */
-static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+/* Are they between the same blocks? */
+static int kern_same_blocks(const kern_contact *c, const kern_contact *d)
 {
-    return !d->line && ((c->a == d->a && c->b == d->b)
-                        || (c->a == d->b && c->b == d->a));
+    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
 }
+
+/* And is d a point? */
+static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+{ return !d->line && kern_same_blocks(c, d); }
 
 /* ---- The kern -------------------------------------------------- >>kern */
 /* Every measure follows a path s, one-parameter loading: kerns shrink, a load
@@ -9743,9 +9746,7 @@ static int kern_bed_end(const kern_structure *s, int i, int *held,
 {
     const kern_contact *c = s->contact, *first = c + i;
     kern_real low = KERN_HUGE, high = -KERN_HUGE, up = KERN_R(0);
-    for (; i < s->contacts && ((c[i].a == first->a && c[i].b == first->b)
-                               || (c[i].a == first->b && c[i].b == first->a));
-         i++) {
+    for (; i < s->contacts && kern_same_blocks(first, c + i); i++) {
         const kern_real at = kern_vec_cross(s->gravity, c[i].p);
         const kern_real lift = -kern_vec_dot(s->gravity, c[i].n);
         low = kern_min(low, at);
