@@ -7424,12 +7424,12 @@ static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
     return inside ? KERN_SQRT(least) : -KERN_SQRT(least);
 }
 
-/* Do p and q both lie left of the line from u to v, or both right of it? */
-static int kern_one_side(kern_vec u, kern_vec v, kern_vec p, kern_vec q)
+/* Does f lie to one side of the line of e? A unit direction is rounded. */
+static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
-    const kern_vec d = kern_vec_sub(v, u);
-    const kern_real from = kern_vec_cross(d, kern_vec_sub(p, u));
-    const kern_real to = kern_vec_cross(d, kern_vec_sub(q, u));
+    const kern_vec d = kern_vec_sub(e->q, e->p);
+    const kern_real from = kern_vec_cross(d, kern_vec_sub(f->p, e->p));
+    const kern_real to = kern_vec_cross(d, kern_vec_sub(f->q, e->p));
     return (from > 0 && to > 0) || (from < 0 && to < 0);
 }
 
@@ -7462,8 +7462,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
         f = e;
         while (kern_edge_next(&f, &parts, &e.box, 0))
             if (f.start != e.end && f.end != e.start
-                && !kern_one_side(e.p, e.q, f.p, f.q)
-                && !kern_one_side(f.p, f.q, e.p, e.q)) {
+                && !kern_one_side(&e, &f) && !kern_one_side(&f, &e)) {
                 fault->index = e.at;
                 return KERN_CROSSING;
             }
