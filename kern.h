@@ -3674,12 +3674,13 @@ static void kern_critical_blocks(const kern_structure *s,
     const int none = s->blocks;
     int i, lead;
     for (i = 0; i < s->blocks; i++)
-        out->group[i] = kern_block_speed(s->block + i, motion + i) < KERN_REST
-                        ? -1 : none;
+        out->group[i] = none;
     for (;; out->groups++) {
         kern_real most = KERN_R(0);
         for (lead = i = 0; i < s->blocks; i++) {
             const kern_real speed = kern_block_speed(s->block + i, motion + i);
+            if (speed < KERN_REST)
+                out->group[i] = -1;
             if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
                 most = speed;
                 lead = i;
