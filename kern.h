@@ -8352,11 +8352,9 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OVERLAP;
     }
     s->fault->block = -1;
-    if (!s->listing)
-        return kern_pair_touch(pair);
     if (found.depth > 0 && pair->count++ < pair->room)
         s->overlap[pair->count - 1] = found;
-    return KERN_OK;
+    return s->listing ? KERN_OK : kern_pair_touch(pair);
 }
 
 /* Gives every line the two places of its ends, from the last to the first.
