@@ -3447,16 +3447,6 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     return status;
 }
 
-/* Takes away the blocks that move in the last mechanism, which is proven, and
-   evaluates the rest just beyond it. */
-static kern_status kern_fall_take(kern_model *m, kern_path *path,
-                                  kern_fall *fall, kern_real at)
-{
-    kern_fall_add(m, fall, at, 0);
-    kern_model_group(m, &path->q);
-    return m->graph.groups > 0 ? kern_fall_beyond(m, path) : KERN_STANDS;
-}
-
 /* To the next critical value, in the steps that its measure takes by itself,
    and to the proven mechanism there: the search for it may have ended with
    another verdict. */
@@ -3486,8 +3476,12 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
-        while (status == KERN_FALLS)
-            status = kern_fall_take(m, path, fall, at);
+        while (status == KERN_FALLS) { /* the rest, just beyond the proof */
+            kern_fall_add(m, fall, at, 0);
+            kern_model_group(m, &path->q);
+            status = m->graph.groups > 0 ? kern_fall_beyond(m, path)
+                                         : KERN_STANDS;
+        }
         if (status != KERN_STANDS)
             return status;
         if (m->graph.groups > 0)
