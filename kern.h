@@ -932,7 +932,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
 
 /* Sets the travel of every contact point (>>rules), a point's from the others
    of its interface: the same two blocks, in either order. NULL: no effect.
-   Time: O(C) for each interface, and O(C) for each of its points. */
+   Time: O(C) for each interface, and O(C) for each of its points where these
+   are neighbours in the array. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage, or where it is negative a growth;
@@ -1892,12 +1893,15 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
            && c->b == c[1].b;
 }
 
-/* Is d a point between the same blocks as c? */
-static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+/* Are they between the same blocks? */
+static int kern_same_blocks(const kern_contact *c, const kern_contact *d)
 {
-    return !d->line && ((c->a == d->a && c->b == d->b)
-                        || (c->a == d->b && c->b == d->a));
+    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
 }
+
+/* And is d a point? */
+static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+{ return !d->line && kern_same_blocks(c, d); }
 
 /* ---- The kern -------------------------------------------------- >>kern */
 /* Every measure follows a path s, one-parameter loading: kerns shrink, a load
@@ -3411,18 +3415,22 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
-    kern_real least;          /* of the values of all that fell               */
-    kern_real sum, weak_sum;  /* of them all, of that half                    */
+    kern_real sum, weak_sum;  /* of the values of all, and of that half       */
     kern_real *value;         /* of each block, -1 as long as it stands       */
 } kern_fall;
 
-static void kern_fall_add(kern_fall *fall, int i, kern_real at)
+/* Blocks that are left fall there: all, or those that move in the mechanism. */
+static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
+                          int all)
 {
-    fall->value[i] = at;
-    fall->least = kern_min(fall->least, at);
-    fall->sum += at;
-    if (fall->weak-- > 0)
-        fall->weak_sum += at;
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
+        if (kern_is_free(m, i) && (all || kern_moves(m, i))) {
+            fall->value[i] = at;
+            fall->sum += at;
+            if (fall->weak-- > 0)
+                fall->weak_sum += at;
+        }
 }
 
 /* Evaluates where the structure fell last, and a little farther as long as
@@ -3437,19 +3445,6 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
         beyond += path->unit.width;
     }
     return status;
-}
-
-/* Takes away the blocks that move in the last mechanism, which is proven, and
-   evaluates the rest just beyond it. */
-static kern_status kern_fall_take(kern_model *m, kern_path *path,
-                                  kern_fall *fall, kern_real at)
-{
-    int i;
-    for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && kern_moves(m, i))
-            kern_fall_add(fall, i, at);
-    kern_model_group(m, &path->q);
-    return m->graph.groups > 0 ? kern_fall_beyond(m, path) : KERN_STANDS;
 }
 
 /* To the next critical value, in the steps that its measure takes by itself,
@@ -3477,20 +3472,22 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 {
     kern_real at = KERN_R(0);
     kern_status status = kern_path_evaluate(m, path, at);
-    int i, rounds = 2 * m->graph.groups + KERN_FALL_ROUNDS;
+    int rounds = 2 * m->graph.groups + KERN_FALL_ROUNDS;
     while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
-        while (status == KERN_FALLS)
-            status = kern_fall_take(m, path, fall, at);
+        while (status == KERN_FALLS) { /* the rest, just beyond the proof */
+            kern_fall_add(m, fall, at, 0);
+            kern_model_group(m, &path->q);
+            status = m->graph.groups > 0 ? kern_fall_beyond(m, path)
+                                         : KERN_STANDS;
+        }
         if (status != KERN_STANDS)
             return status;
         if (m->graph.groups > 0)
             status = kern_fall_climb(m, path, &at);
     }
-    for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i))
-            kern_fall_add(fall, i, path->end);
+    kern_fall_add(m, fall, path->end, 1);
     return KERN_OK;
 }
 
@@ -3535,6 +3532,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 {
     kern_call c;
     kern_fall fall;
+    kern_real least = KERN_INFINITY;
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, KERN_R(0),
                                         value ? out : NULL);
@@ -3553,15 +3551,16 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
     fall.sum = fall.weak_sum = KERN_R(0);
-    fall.least = KERN_INFINITY;
     fall.value = value;
     status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
-    for (i = 0; i < task->s.blocks; i++)
+    for (i = 0; i < task->s.blocks; i++) {
         if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
+        least = kern_min(least, value[i]);
+    }
     if (status != KERN_OK)
         return status;
-    out->least = fall.least;
+    out->least = least;
     out->mean = fall.sum / KERN_R(free_blocks);
     out->weak = fall.weak_sum / KERN_R(half);
     out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
@@ -3572,51 +3571,48 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 /* ---- What is critical ---------------------------------------- >>critical */
 
 /* Velocity of block b relative to block a where contact point c acts. */
-static kern_motion kern_meeting_motion(const kern_structure *s,
-                                       const kern_query *q,
-                                       const kern_contact *c,
-                                       const kern_motion *motion)
+static kern_vec kern_meeting_motion(const kern_structure *s,
+                                    const kern_query *q, const kern_contact *c,
+                                    const kern_motion *motion)
 {
-    const kern_motion *a = motion + c->a, *b = motion + c->b;
-    kern_motion v;
-    kern_vec arm[2], u;
+    kern_vec arm[2];
     kern_arms(s, c, q, arm);
-    u = kern_vec_sub(kern_velocity(b, arm[1]), kern_velocity(a, arm[0]));
-    v.vx = u.x;
-    v.vy = u.y;
-    v.spin = b->spin - a->spin;
-    return v;
+    return kern_vec_sub(kern_velocity(motion + c->b, arm[1]),
+                        kern_velocity(motion + c->a, arm[0]));
 }
 
-static kern_meeting kern_meeting_of(const kern_contact *c, kern_motion v,
-                                    kern_real size)
+/* And its spin. */
+static kern_real kern_meeting_spin(const kern_contact *c,
+                                   const kern_motion *motion)
+{ return motion[c->b].spin - motion[c->a].spin; }
+
+static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
+                                    kern_real turn)
 {
-    const kern_vec u = kern_vec_make(v.vx, v.vy);
     const kern_real along = kern_abs(kern_vec_cross(c->n, u));
     if (kern_vec_dot(c->n, u) > c->mu * along + KERN_REST)
         return KERN_OPENS;
     if (along > KERN_REST)
         return KERN_SLIDES;
-    return kern_abs(v.spin) * size > KERN_REST ? KERN_HINGES : KERN_RESTS;
+    return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
 /* How much a contact point limits, by the first of: the power f w that moving
    inward with a force f costs while the blocks turn at w, unless its kern is
    closed; the rate of a hinge; the speed of sliding. */
-static kern_real kern_limit_by(int by, const kern_contact *c, kern_motion v,
-                               kern_meeting meeting, const kern_force *force,
-                               const kern_query *q)
+static kern_real kern_limit_by(int by, const kern_contact *c, kern_vec u,
+                               kern_real spin, kern_meeting meeting,
+                               const kern_force *force, const kern_query *q)
 {
     kern_real rate;
     if (by == 1)
-        return meeting == KERN_HINGES ? kern_abs(v.spin) : KERN_R(0);
+        return meeting == KERN_HINGES ? kern_abs(spin) : KERN_R(0);
     if (by == 2)
-        return meeting == KERN_SLIDES
-               ? kern_vec_length(kern_vec_make(v.vx, v.vy)) : KERN_R(0);
+        return meeting == KERN_SLIDES ? kern_vec_length(u) : KERN_R(0);
     if (!force || meeting == KERN_OPENS)
         return KERN_R(0);
     kern_shift(c->travel, q->shrink, q->relative, &rate);
-    return kern_max(-v.spin * rate * force->normal, KERN_R(0));
+    return kern_max(-spin * rate * force->normal, KERN_R(0));
 }
 
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
@@ -3627,10 +3623,12 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
     for (by = 0; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
-            const kern_motion v = kern_meeting_motion(s, q, c, proof->motion);
-            const kern_meeting meeting = kern_meeting_of(c, v, q->mean);
+            const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
+            const kern_real spin = kern_meeting_spin(c, proof->motion);
+            const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
             const kern_real limit = kern_limit_by(
-                by, c, v, meeting, proof->force ? proof->force + i : NULL, q);
+                by, c, u, spin, meeting,
+                proof->force ? proof->force + i : NULL, q);
             if (out->meeting)
                 out->meeting[i] = meeting;
             if (out->limit)
@@ -3670,12 +3668,13 @@ static void kern_critical_blocks(const kern_structure *s,
     const int none = s->blocks;
     int i, lead;
     for (i = 0; i < s->blocks; i++)
-        out->group[i] = kern_block_speed(s->block + i, motion + i) < KERN_REST
-                        ? -1 : none;
+        out->group[i] = none;
     for (;; out->groups++) {
         kern_real most = KERN_R(0);
         for (lead = i = 0; i < s->blocks; i++) {
             const kern_real speed = kern_block_speed(s->block + i, motion + i);
+            if (speed < KERN_REST)
+                out->group[i] = -1;
             if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
                 most = speed;
                 lead = i;
@@ -3684,8 +3683,7 @@ static void kern_critical_blocks(const kern_structure *s,
         if (!(most > 0))
             return;
         for (i = 0; i < s->blocks; i++)
-            if (out->group[i] == none
-                && (i == lead || kern_as_one(s, motion, lead, i)))
+            if (out->group[i] == none && kern_as_one(s, motion, lead, i))
                 out->group[i] = out->groups;
     }
 }
@@ -3718,11 +3716,11 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the
    forces and the motion of the margin's proof. */
 
-/* G_q of contact i times `one`, and its share of G_d: 0 where no force acts or
-   no block moves. */
+/* G_q of contact i, and its share of G_d: 0 where no force acts or no block
+   moves. */
 static kern_real kern_contact_gain(const kern_structure *s,
                                    const kern_query *q, int i,
-                                   const kern_proof *proof, kern_real one,
+                                   const kern_proof *proof,
                                    kern_contact_rate *out)
 {
     const kern_contact *c = s->contact + i;
@@ -3731,16 +3729,13 @@ static kern_real kern_contact_gain(const kern_structure *s,
     const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    kern_real rate, shift, spin;
-    kern_motion v;
+    const kern_real spin = kern_meeting_spin(c, proof->motion);
+    kern_real rate, shift;
     kern_vec u;
-    out->p = kern_vec_make(0, 0);
-    out->turn = out->mu = out->travel = KERN_R(0);
+    kern_zero(out, 5);
     if (!(f > 0) || !(kern_speeds(c, proof->motion) > 0))
         return KERN_R(0);
-    v = kern_meeting_motion(s, q, c, proof->motion);
-    u = kern_vec_make(v.vx * one, v.vy * one);
-    spin = v.spin * one;
+    u = kern_meeting_motion(s, q, c, proof->motion);
     shift = kern_shift(travel, q->shrink, q->relative, &rate);
     out->p = kern_vec_make(spin * force.y, -spin * force.x);
     out->turn = kern_vec_cross(force, u) - shift * spin * r;
@@ -3752,15 +3747,12 @@ static kern_real kern_contact_gain(const kern_structure *s,
 }
 
 static void kern_block_gain(const kern_structure *s, int i,
-                            const kern_motion *motion, kern_real one,
-                            kern_block_rate *out)
+                            const kern_motion *motion, kern_block_rate *out)
 {
     const kern_block *b = s->block + i;
     kern_wrench w;
     kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
-    out->load.fx = motion[i].vx * one;
-    out->load.fy = motion[i].vy * one;
-    out->load.torque = motion[i].spin * one;
+    kern_copy(&out->load, motion + i, 3);
     out->place = out->centre = kern_vec_make(out->load.torque * w.fy,
                                              -out->load.torque * w.fx);
     out->mass = s->gravity.x * out->load.fx + s->gravity.y * out->load.fy;
@@ -3839,17 +3831,15 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     if (status != KERN_OK)
         return status;
     for (i = 0; i < task->s.contacts; i++) {
-        const kern_real g = kern_contact_gain(&task->s, &q, i, proof, KERN_R(1),
+        const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
                                               contact + i);
         gain += g;
         most += kern_abs(g);
     }
     if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
         return KERN_UNDECIDED;
-    for (i = 0; i < task->s.contacts; i++)
-        kern_contact_gain(&task->s, &q, i, proof, -1 / gain, contact + i);
     for (i = 0; i < task->s.blocks; i++)
-        kern_block_gain(&task->s, i, proof->motion, -1 / gain, block + i);
+        kern_block_gain(&task->s, i, proof->motion, block + i);
     for (i = 0; i < task->s.contacts; i++) {
         const int line = kern_line_begins(task->s.contact, task->s.contacts, i);
         kern_pose_gain(task, contact, i, i + line, block);
@@ -3857,6 +3847,8 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
             kern_pose_gain(task, contact, i + 1, i, block);
         i += line;
     }
+    kern_scale(contact, 5 * task->s.contacts, -1 / gain);
+    kern_scale(block, 9 * task->s.blocks, -1 / gain);
     return KERN_OK;
 }
 
@@ -6591,10 +6583,10 @@ static kern_real kern_prove_raised(const kern_structure *s,
     for (i = 0; i < s->contacts && error <= 1; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real f = force[i].normal, r = force[i].tangential;
-        const kern_motion v = kern_meeting_motion(s, q, c, motion);
+        const kern_vec u = kern_meeting_motion(s, q, c, motion);
         const kern_real mu = kern_friction(c, kern_reduction(q));
-        const kern_real press = -(c->n.x * v.vx + c->n.y * v.vy);
-        const kern_real slide = c->n.x * v.vy - c->n.y * v.vx;
+        const kern_real press = -kern_vec_dot(c->n, u);
+        const kern_real slide = kern_vec_cross(c->n, u);
         kern_real least = KERN_HUGE;
         for (end = 0; end < 2 && f > 0; end++) {
             const int b = end ? c->b : c->a;
@@ -7167,6 +7159,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_VERTICES_MOST 1000000
 /* Share of the size: the default gap, and the length of the shortest line. */
 #define KERN_GAP        KERN_R(1e-3)
+/* The default angle [rad]. */
+#define KERN_ANGLE      KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
 #define KERN_NEAR_GAP   KERN_R(0.04)
@@ -7426,12 +7420,12 @@ static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
     return inside ? KERN_SQRT(least) : -KERN_SQRT(least);
 }
 
-/* Do p and q both lie left of the line from u to v, or both right of it? */
-static int kern_one_side(kern_vec u, kern_vec v, kern_vec p, kern_vec q)
+/* Does f lie to one side of the line of e? A unit direction is rounded. */
+static int kern_one_side(const kern_edge *e, const kern_edge *f)
 {
-    const kern_vec d = kern_vec_sub(v, u);
-    const kern_real from = kern_vec_cross(d, kern_vec_sub(p, u));
-    const kern_real to = kern_vec_cross(d, kern_vec_sub(q, u));
+    const kern_vec d = kern_vec_sub(e->q, e->p);
+    const kern_real from = kern_vec_cross(d, kern_vec_sub(f->p, e->p));
+    const kern_real to = kern_vec_cross(d, kern_vec_sub(f->q, e->p));
     return (from > 0 && to > 0) || (from < 0 && to < 0);
 }
 
@@ -7464,8 +7458,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
         f = e;
         while (kern_edge_next(&f, &parts, &e.box, 0))
             if (f.start != e.end && f.end != e.start
-                && !kern_one_side(e.p, e.q, f.p, f.q)
-                && !kern_one_side(f.p, f.q, e.p, e.q)) {
+                && !kern_one_side(&e, &f) && !kern_one_side(&f, &e)) {
                 fault->index = e.at;
                 return KERN_CROSSING;
             }
@@ -7613,7 +7606,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
    4. Steps: contacts go to the chords of an outline (kern_outline_chord()).
    5. Faces: points next to a line are dropped (kern_pair_filter()), and what
       lies on one line is merged (kern_pair_face()).
-   6. Travels: kern_point_travels(), kern_lone_travels(). When what: >>rules.
+   6. Travels: kern_point_travels(). When what: >>rules.
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
@@ -8075,13 +8068,14 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 static int kern_edge_bears(const kern_edge *e, const kern_block *block,
                            kern_vec p, kern_real inside, kern_real gap)
 {
-    const kern_vec r = kern_vec_sub(p, e->p), t = kern_vec_sub(p, e->q);
     const kern_real along = kern_edge_along(e, p);
-    return (along > inside && along < e->length - inside)
-           || (kern_vec_dot(r, r) <= gap * gap
-               && kern_polygon_turn(block, e->start) < 0)
-           || (kern_vec_dot(t, t) <= gap * gap
-               && kern_polygon_turn(block, e->end) < 0);
+    int end, bears = along > inside && along < e->length - inside;
+    for (end = 0; end < 2 && !bears; end++) {
+        const kern_vec r = kern_vec_sub(p, end ? e->q : e->p);
+        bears = kern_vec_dot(r, r) <= gap * gap
+                && kern_polygon_turn(block, end ? e->end : e->start) < 0;
+    }
+    return bears;
 }
 
 /* The corner where edge f starts stands on edge e, of a (on 0) or of b (1): it
@@ -8131,7 +8125,7 @@ static void kern_pair_edges(kern_pair *pair)
    join it. The face takes its place in the array and the rest moves up in
    order, so that the first of the rest leads the next face. */
 
-/* Does the line pass within the gap of the point, about as inclined? */
+/* Is it a line that passes within the gap of the point, about as inclined? */
 static int kern_line_passes(const kern_contact *line, const kern_contact *point,
                             kern_real gap)
 {
@@ -8139,7 +8133,7 @@ static int kern_line_passes(const kern_contact *line, const kern_contact *point,
     const kern_real off = kern_vec_dot(r, line->n);
     const kern_real beyond = kern_max(
         kern_abs(kern_vec_cross(line->n, r)) - line->travel, KERN_R(0));
-    return kern_vec_dot(line->n, point->n) > KERN_SAME_FACE
+    return line->line && kern_vec_dot(line->n, point->n) > KERN_SAME_FACE
            && off * off + beyond * beyond <= gap * gap;
 }
 
@@ -8149,11 +8143,11 @@ static void kern_pair_filter(kern_pair *pair)
     kern_contact *at = pair->out;
     int i, line, kept = pair->first;
     for (i = kept; i < pair->count; i++) {
-        line = pair->first;
-        while (line < kept && at[line].line && !at[i].line
+        line = at[i].line ? kept : pair->first;
+        while (line < kept
                && !kern_line_passes(&at[line], &at[i], pair->gap))
             line++;
-        if (line == kept || !at[line].line || at[i].line)
+        if (line == kept)
             at[kept++] = at[i];
     }
     pair->count = kept;
@@ -8238,44 +8232,34 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* The point travels to the foot of the middle. */
-static void kern_travel_set(kern_contact *point, kern_vec middle)
+/* Is c alone in its interface, and does it carry a block? */
+static int kern_is_lone(const kern_contact *contact, int contacts,
+                        const kern_contact *c, kern_vec down)
 {
-    const kern_vec way = kern_vec_sub(middle, point->p);
-    point->travel = 0 + kern_vec_cross(point->n, way); /* 0, but not -0 */
+    int k, found = 0;
+    for (k = 0; k < contacts; k++)
+        found += kern_same_interface(c, contact + k);
+    return found == 1 && kern_carried(c, down) != KERN_OUT;
 }
 
-/* Travels of all points. Beyond all lengths means: not known yet. */
-static void kern_point_travels(kern_contact *contact, int contacts)
+/* Travels of all points, or where `down` is given of those that are lone: each
+   to the foot of the middle, which is that of the point before as a rule. */
+static void kern_point_travels(kern_contact *contact, int contacts,
+                               const kern_vec *down)
 {
-    int i, k;
-    for (i = 0; i < contacts; i++)
-        if (!contact[i].line)
-            contact[i].travel = KERN_HUGE;
+    kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
+    const kern_contact *of = NULL;
+    int i;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = contact + i;
-        kern_vec middle;
-        if (c->line || c->travel < KERN_HUGE)
+        if (c->line || (down && !kern_is_lone(contact, contacts, c, *down)))
             continue;
-        middle = kern_middle(c, contacts - i, c, NULL);
-        for (k = i; k < contacts; k++)
-            if (kern_same_interface(c, contact + k))
-                kern_travel_set(contact + k, middle);
-    }
-}
-
-/* Travels of the points that are alone in their interface. */
-static void kern_lone_travels(kern_contact *contact, int contacts,
-                              kern_vec down)
-{
-    int i, k;
-    for (i = 0; i < contacts; i++) {
-        kern_contact *c = contact + i;
-        int others = -1; /* without itself */
-        for (k = 0; k < contacts; k++)
-            others += kern_same_interface(c, contact + k);
-        if (!c->line && others == 0 && kern_carried(c, down) != KERN_OUT)
-            kern_travel_set(c, kern_middle(contact, contacts, c, &down));
+        if (!of || !kern_together(of, c, down)) {
+            of = c;
+            middle = kern_middle(contact, contacts, c, down);
+        }
+        c->travel = 0 /* no -0 */
+                    + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
     }
 }
 
@@ -8305,7 +8289,8 @@ static kern_status kern_pair_touch(kern_pair *pair)
     kern_pair_filter(pair);
     for (i = pair->first; i < pair->count; i++)
         kern_pair_face(pair, i);
-    kern_point_travels(pair->out + pair->first, pair->count - pair->first);
+    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
+                       NULL);
     return KERN_OK;
 }
 
@@ -8385,11 +8370,9 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_OVERLAP;
     }
     s->fault->block = -1;
-    if (!s->listing)
-        return kern_pair_touch(pair);
     if (found.depth > 0 && pair->count++ < pair->room)
         s->overlap[pair->count - 1] = found;
-    return KERN_OK;
+    return s->listing ? KERN_OK : kern_pair_touch(pair);
 }
 
 /* Gives every line the two places of its ends, from the last to the first.
@@ -8508,8 +8491,8 @@ static kern_status kern_search_asked(const kern_block *block, int blocks,
                                        : KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
-    if (options->gap > KERN_FAR || options->overlap > KERN_FAR
-        || options->pose_error > KERN_FAR || options->pose_turn > KERN_FAR)
+    if (options->gap + options->overlap + options->pose_error
+        + options->pose_turn > KERN_FAR)
         return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
@@ -8549,7 +8532,7 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
         return s.pair.count;
     room = kern_search_close(&s);
     if (room > 0 && kern_vec_largest(options->lone) > 0)
-        kern_lone_travels(s.pair.out, room, options->lone);
+        kern_point_travels(s.pair.out, room, &options->lone);
     return room;
 }
 
@@ -8619,7 +8602,7 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
     int i;
     if (!contact)
         return;
-    kern_point_travels(contact, contacts);
+    kern_point_travels(contact, contacts, NULL);
     for (i = 0; i < contacts; i++)
         if (kern_line_begins(contact, contacts, i)) {
             kern_contact *c = &contact[i++];
@@ -9733,7 +9716,7 @@ KERN_API kern_options kern_defaults(void)
     o.reserve = KERN_R(0);
     o.lone = kern_vec_make(KERN_R(0), KERN_R(0));
     o.gap = KERN_R(0);
-    o.angle = KERN_R(0.0174533);
+    o.angle = KERN_ANGLE;
     o.epsilon = KERN_R(0);
     o.relative = 0;
     o.limit = KERN_WORK_USUAL;
@@ -9748,10 +9731,9 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
     o.pose_turn = theta;
     o.gap = KERN_ERROR_GAP * e;
-    o.angle = kern_max(kern_defaults().angle, KERN_ERROR_ANGLE * theta);
+    o.angle = kern_max(KERN_ANGLE, KERN_ERROR_ANGLE * theta);
     o.angle = kern_min(o.angle, KERN_R(0.99) * KERN_ANGLE_MOST);
-    o.overlap = kern_max(options ? options->overlap : KERN_R(0),
-                         KERN_ERROR_OVERLAP * e);
+    o.overlap = kern_max(o.overlap, KERN_ERROR_OVERLAP * e);
     return o;
 }
 
@@ -9780,9 +9762,7 @@ static int kern_bed_end(const kern_structure *s, int i, int *held,
 {
     const kern_contact *c = s->contact, *first = c + i;
     kern_real low = KERN_HUGE, high = -KERN_HUGE, up = KERN_R(0);
-    for (; i < s->contacts && ((c[i].a == first->a && c[i].b == first->b)
-                               || (c[i].a == first->b && c[i].b == first->a));
-         i++) {
+    for (; i < s->contacts && kern_same_blocks(first, c + i); i++) {
         const kern_real at = kern_vec_cross(s->gravity, c[i].p);
         const kern_real lift = -kern_vec_dot(s->gravity, c[i].n);
         low = kern_min(low, at);
