@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xabbf083c98cc7336u },
-    { 1000, 0x692a9e9632ab27d5u },
-    { 5000, 0x2a2eba001f58528du },
+    { 200, 0x916e9a623478da4bu },
+    { 1000, 0x08bb7073231aa25du },
+    { 5000, 0x5cf7ee253c442fb6u },
 #else
-    { 200, 0x5684073346473a65u },
-    { 1000, 0x23112b07755407e9u },
-    { 5000, 0x223ef864939d19ceu },
+    { 200, 0x58c4ee0537106738u },
+    { 1000, 0x726b66cdd56fb7c8u },
+    { 5000, 0x2a6e45081c2e2ea6u },
 #endif
 };
 
