@@ -40,11 +40,11 @@ static const struct {
 #ifdef KERN_SINGLE
     { 200, 0x916e9a623478da4bu },
     { 1000, 0x08bb7073231aa25du },
-    { 5000, 0x5cf7ee253c442fb6u },
+    { 5000, 0x1b0291042e6cbe82u },
 #else
     { 200, 0x58c4ee0537106738u },
     { 1000, 0x726b66cdd56fb7c8u },
-    { 5000, 0x2a6e45081c2e2ea6u },
+    { 5000, 0x665b4429c856a490u },
 #endif
 };
 
