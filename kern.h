@@ -1015,8 +1015,7 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
            travel in mean sizes; a turn counts by half the size
    KERN_STANDS: *chance, from 0 to 1; 0 where something hangs. KERN_FALLS: it is
    as it was. KERN_BAD_BLOCK: there is no free block i; KERN_BAD_OPTION: no
-   gravity. Time: that of kern_raised() with options.reserve .01, of 7.5
-   kern_plan_try() in the median. */
+   gravity. Time: that of 7.5 kern_plan_try() in the median. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -2116,14 +2115,12 @@ static int kern_spend(kern_work *work, int limit, int units)
     return units <= left;
 }
 
-/* What a call returns: where work was refused on the way that is all there is
-   to say, whatever was found without it. */
-static kern_status kern_spent(const kern_work *work, int limit,
-                              kern_status status)
-{ return work->units > kern_limit_of(limit) ? KERN_LIMIT : status; }
-
+/* What a call returns: KERN_LIMIT where work was refused on the way. */
 static kern_status kern_ended(const kern_task *task, kern_status status)
-{ return kern_spent(task->work, task->options.limit, status); }
+{
+    return task->work->units > kern_limit_of(task->options.limit) ? KERN_LIMIT
+                                                                  : status;
+}
 
 /* ---- What is handed in ------------------------------------------ >>check */
 /* Everything that the statics reads is looked at once, before any memory is
@@ -2503,10 +2500,13 @@ struct kern_model {
     kern_take rest;           /* work memory that is left                     */
 };
 
-/* Slices of the work arrays that hold structs of numbers. */
+/* Structs that are copied, cleared and scaled as numbers. */
 typedef char kern_structs_are_numbers[
     sizeof(kern_force) == 2 * sizeof(kern_real)
-    && sizeof(kern_motion) == 3 * sizeof(kern_real) ? 1 : -1];
+    && sizeof(kern_motion) == 3 * sizeof(kern_real)
+    && sizeof(kern_wrench) == 3 * sizeof(kern_real)
+    && sizeof(kern_contact_rate) == 5 * sizeof(kern_real)
+    && sizeof(kern_block_rate) == 9 * sizeof(kern_real) ? 1 : -1];
 
 static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
 {
@@ -3684,7 +3684,8 @@ static void kern_critical_blocks(const kern_structure *s,
         if (!(most > 0))
             return;
         for (i = 0; i < s->blocks; i++)
-            if (out->group[i] == none && kern_as_one(s, motion, lead, i))
+            if (i == lead || (out->group[i] == none
+                              && kern_as_one(s, motion, lead, i)))
                 out->group[i] = out->groups;
     }
 }
@@ -7007,9 +7008,8 @@ static kern_real kern_raise_sag(const kern_raise *r, int i)
 {
     const kern_graph *graph = &r->m->graph;
     const kern_real *u = r->p->dual.u + 3 * graph->local[graph->group[i]];
-    const kern_vec move = {u[0], u[1]};
-    return (kern_real)graph->groups
-         * (kern_vec_length(move) + kern_abs(u[2]) / 2);
+    return (kern_real)graph->groups * (
+        kern_vec_length(kern_vec_make(u[0], u[1])) + kern_abs(u[2]) / 2);
 }
 
 /* Whether it is raised, in *out; and the sag of block i, unless sag is NULL. */
@@ -7069,8 +7069,8 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance)
 {
-    kern_raising raising = KERN_NOT_SHOWN;
-    kern_real reserve = KERN_R(0), sag = KERN_R(0), odds;
+    kern_raising raising;
+    kern_real reserve, sag = KERN_R(0), odds;
     const kern_status status = chance ? kern_raise_task(
         task, KERN_R(0), &raising, &reserve, NULL, i, &sag) : KERN_BAD_POINTER;
     if (status != KERN_STANDS)
@@ -7971,7 +7971,7 @@ static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
     const kern_block *block = o->parts.block;
     const int out = block->area > 0;
     int last, steps = kern_outline_chord(o, edge, chord);
-    if (steps || !corner || !o->parts.reflex)
+    if (steps || !corner)
         return steps;
     last = kern_polygon_next(block, edge->start, out);
     if (kern_vec_length(kern_vec_sub(block->vertex[last], edge->p))
@@ -8246,7 +8246,7 @@ static int kern_is_lone(const kern_contact *contact, int contacts,
 }
 
 /* Travels of all points, or where `down` is given of those that are lone: each
-   to the foot of the middle, which is that of the point before as a rule. */
+   to the foot of the middle, mostly that of the point before; 0 is not -0. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down)
 {
@@ -8261,8 +8261,7 @@ static void kern_point_travels(kern_contact *contact, int contacts,
             of = c;
             middle = kern_middle(contact, contacts, c, down);
         }
-        c->travel = 0 /* no -0 */
-                    + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
+        c->travel = 0 + kern_vec_cross(c->n, kern_vec_sub(middle, c->p));
     }
 }
 
@@ -9693,7 +9692,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     kern_simplex_lay(&sx, &p, KERN_LP_ROOM(lp->rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
-    status = kern_spent(work, p.limit, kern_program_solve(&sx, 0, x, y, work));
+    status = kern_program_solve(&sx, 0, x, y, work);
+    if (work->units > kern_limit_of(p.limit))
+        return KERN_LIMIT;
     if (status < 0)
         return status;
     return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
