@@ -1347,8 +1347,14 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_TOL           KERN_PICK(1e-9, 1e-4)
 /* Largest forces that are taken for real, in weights: the bound
    excludes jams, whose forces are arbitrarily large; a motion may close no
-   contact faster than its power divided by it. */
+   contact faster than its power divided by it. A larger gap leaves the interior
+   point no digits. */
 #define KERN_BOUND         KERN_PICK(1e6, 1e3)
+/* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
+   a variable below zero, as a share of the largest, a pivot or a gain; and the
+   difference of two critical values, in mean block sizes. Less, and the simplex
+   chases rounding, a search does not end. */
+#define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
@@ -1356,10 +1362,10 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* ---- what may be asked ---- */
 
-/* Least and largest mass [kg] and sum of all that acts on a block [N], least
-   size of a block [m], least power of a motion [W]: of these the squares, the
-   moments and products with KERN_BOUND are numbers, and keep all digits. */
-#define KERN_LIGHT         KERN_PICK(1e-100, 1e-15)
+/* Largest mass [kg] and sum of all that acts on a block [N], the least of both
+   being its inverse; least size of a block [m], least power of a motion [W]: of
+   these the squares, the moments and products with KERN_BOUND are numbers, and
+   keep all digits. */
 #define KERN_HEAVY         KERN_PICK(1e100, 1e15)
 #define KERN_LEAST_SIZE    KERN_PICK(1e-60, 1e-10)
 #define KERN_LEAST         KERN_PICK(1e-290, 1e-35)
@@ -1377,7 +1383,6 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_CONTACTS_MOST 1000000
 #define KERN_COUNT_MOST    100000000
 #define KERN_WORK_MOST     2000000000 /* units of one call                    */
-#define KERN_WORK_USUAL    10000000   /* by default: a second or two          */
 
 /* ---- measures ---- */
 
@@ -1391,9 +1396,6 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* From the critical value to either end of its bracket, as a share of
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
 #define KERN_ASIDE         KERN_R(0.45)
-/* Critical values that differ by less, in units of KERN_WIDTH, are one: hundred
-   times the rounding of Newton's method. Smaller, a search does not end. */
-#define KERN_SAME_VALUE    KERN_PICK(1e-10, 1e-5)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL         64
@@ -1406,9 +1408,14 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
+/* Rounds of what ends by itself in fewer, as a rule: steps of Newton's method
+   for one group, and from bend to bend; parts that fall, before the whole is
+   asked; steps of the interior point that shorten the gap by less than a tenth;
+   and of a collapse those in which nothing falls. */
+#define KERN_FEW_ROUNDS    8
+
 /* ---- profile, mechanism ---- */
 
-#define KERN_FALL_ROUNDS   8       /* of a collapse, and two for each block   */
 #define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
 /* Expected drop: the load factor at which a stone's chance to fall is 1/e, and
    the least height that counts, in mean block sizes: chosen on one half of
@@ -1438,18 +1445,18 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_NORM_MOST     KERN_R(50)
 #define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
 #define KERN_FORCES_ROUNDS 100     /* of all groups                           */
-#define KERN_PASS_ROUNDS   8       /* of one group                            */
-#define KERN_ROWS_MOST     12      /* contacts of one group                   */
+#define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
+                                      are tried for the crash basis           */
 /* Groups of a cluster: a share of few groups, in a verdict and in a search; of
    many this, and one more for so many. */
 #define KERN_CLUSTER_ONCE  4
 #define KERN_CLUSTER_AGAIN 5
 #define KERN_CLUSTER_MOST  20
 #define KERN_CLUSTER_SHARE 32
-/* Products of a pass for each group and contact, of at most so many: their
-   product is an int. With 5000 measures of bricks take 1.4 times as long. */
+/* Products of a pass for each group and contact: of KERN_BLOCKS_MOST and
+   KERN_CONTACTS_MOST still an int. With 5000 measures of bricks take 1.4 times
+   as long. */
 #define KERN_PASS_BUDGET   1500
-#define KERN_PASS_LARGEST  400000
 
 /* ---- search ---- */
 
@@ -1463,26 +1470,17 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_BODY_NEAR     KERN_R(1.25)
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
 #define KERN_BRACKET_ROUNDS 200    /* of a bracket: four to eight suffice     */
-#define KERN_PARTS_MOST    8       /* parts that fall, before the whole       */
-#define KERN_BENDS         8       /* Newton steps from bend to bend          */
 
 /* ---- interior point ---- */
 
 #define KERN_IPM_ROUNDS    100     /* steps of a question                     */
-#define KERN_IPM_STALLED   8       /* that shorten the gap by less than .1    */
 #define KERN_IPM_SHARE     KERN_R(0.9995) /* of the way to x, z = 0 in a step */
 #define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means              */
-#define KERN_IPM_LOST      KERN_R(1e6)    /* gap that leaves no digits        */
 #define KERN_IPM_SHARP     KERN_R(1e-4)   /* gap, as a share of what s lacks of
                                              the place, to predict by y       */
 
 /* ---- simplex method ---- */
 
-/* A variable this far below zero is still zero. A tenth of what the proof
-   allows; less, and the simplex chases rounding. */
-#define KERN_FEAS_TOL      KERN_PICK(1e-10, 1e-5)
-/* Pivots and gains below this share of the largest are rounding. */
-#define KERN_PIVOT_TOL     KERN_PICK(1e-10, 1e-5)
 /* A column whose part outside of the basis is a smaller share of it depends on
    the basis. */
 #define KERN_RANK_TOL      KERN_PICK(1e-7, 1e-4)
@@ -1500,7 +1498,6 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_ABOVE         KERN_PICK(64 * KERN_EPS, 16 * KERN_EPS)
 /* Determinant of three columns that are said to depend on each other. */
 #define KERN_CRASH_TOL     KERN_PICK(1e-6, 1e-4)
-#define KERN_CRASH_MOST    12      /* columns of a group tried for the crash  */
 #define KERN_CRASH_PULL    KERN_R(2) /* loads that a crash column may pull    */
 
 /* ---- raised ---- */
@@ -1643,9 +1640,9 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
         return KERN_OK;
     if (!(size >= KERN_LEAST_SIZE))
         return KERN_NO_AREA;
-    if (!(b->mass >= KERN_LIGHT) || b->mass > KERN_HEAVY)
+    if (!(b->mass >= 1 / KERN_HEAVY) || b->mass > KERN_HEAVY)
         return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
-    return acts <= KERN_HEAVY && (acts >= KERN_LIGHT || !(acts > 0))
+    return acts <= KERN_HEAVY && (acts >= 1 / KERN_HEAVY || !(acts > 0))
            ? KERN_OK : KERN_BAD_NUMBER;
 }
 
@@ -3473,7 +3470,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 {
     kern_real at = KERN_R(0);
     kern_status status = kern_path_evaluate(m, path, at);
-    int rounds = 2 * m->graph.groups + KERN_FALL_ROUNDS;
+    int rounds = 2 * m->graph.groups + KERN_FEW_ROUNDS;
     while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
@@ -3838,7 +3835,7 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
         gain += g;
         most += kern_abs(g);
     }
-    if (margin->saturated || !(kern_abs(gain) > KERN_PIVOT_TOL * most))
+    if (margin->saturated || !(kern_abs(gain) > KERN_NOISE * most))
         return KERN_UNDECIDED;
     for (i = 0; i < task->s.blocks; i++)
         kern_block_gain(&task->s, i, proof->motion, block + i);
@@ -3907,7 +3904,7 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
         least = kern_min(least, m->size[g]);
         kern_copy(to + 3 * n, m->load + 3 * g, 3);
     }
-    return KERN_FEAS_TOL * least;
+    return KERN_NOISE * least;
 }
 
 /* Takes the lists of a part's groups; 0 if there is no room. */
@@ -4746,7 +4743,7 @@ static kern_status kern_pass_solve(kern_support *c, int n,
     u[0] = u[1] = u[2] = KERN_R(0);
     for (k = 0; k < n; k++)
         c[k].mask = 3;
-    for (round = 0; round < KERN_PASS_ROUNDS && changed; round++) {
+    for (round = 0; round < KERN_FEW_ROUNDS && changed; round++) {
         kern_support_sum(c, n, b, left, h);
         good = kern_pass_three(h, left, step);
         kern_support_move(c, n, step, u);
@@ -5052,8 +5049,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     int g;
     for (g = 0; g < m->graph.groups; g++)
         m->graph.local[g] = KERN_OUT; /* a part may have been open            */
-    c->budget = KERN_PASS_BUDGET
-                * (size < KERN_PASS_LARGEST ? size : KERN_PASS_LARGEST);
+    c->budget = KERN_PASS_BUDGET * size;
     for (c->at = 0; c->at < m->graph.groups && found == KERN_STANDS; ) {
         g = c->at++;
         if (!c->open[g])
@@ -5403,11 +5399,10 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
 static kern_real kern_shrink_critical(const kern_part *p, const kern_query *q,
                                       kern_real holds, kern_real power)
 {
-    const kern_real same = KERN_SAME_VALUE
-                           * (p->m->relative ? 1 : p->m->mean) / 8;
+    const kern_real same = KERN_NOISE * (p->m->relative ? 1 : p->m->mean) / 8;
     kern_real lo = holds, hi = q->shrink, at = hi, rate;
     int round;
-    for (round = 0; round < KERN_BENDS; round++) {
+    for (round = 0; round < KERN_FEW_ROUNDS; round++) {
         const kern_real left = power + kern_shrink_power(p, q, at, &rate);
         const kern_real step = left / rate;
         if (kern_abs(step) <= same)
@@ -5514,7 +5509,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
                                     kern_real under)
 {
-    const kern_real same = KERN_SAME_VALUE * path->unit.one;
+    const kern_real same = KERN_NOISE * path->unit.one;
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
     int i;
@@ -5561,7 +5556,7 @@ static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
     if (hi - crit > n->aside * KERN_R(1.15))
         return crit + n->aside;
     if (!path->ipm && crit > lo
-        && kern_abs(path->exact - crit) > KERN_SAME_VALUE * path->unit.one)
+        && kern_abs(path->exact - crit) > KERN_NOISE * path->unit.one)
         return crit;
     return crit - lo > n->under * KERN_R(1.05) && !path->alone
            ? kern_max(crit - n->under, path->start) : KERN_INFINITY;
@@ -6040,7 +6035,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     if (m->whole || path->kind != KERN_PATH_SHRINK)
         return kern_path_whole(m, path, step, step);
     at = kern_path_first(m, path, step);
-    for (round = 0; round < KERN_PARTS_MOST; ) {
+    for (round = 0; round < KERN_FEW_ROUNDS; ) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && at > path->start) {
             at = kern_max(path->critical - path->unit.aside, path->start);
@@ -6284,7 +6279,7 @@ static int kern_ipm_step(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x, of_z, ds;
     int i;
-    if (!(in->gap <= KERN_IPM_LOST) || !kern_norm_spend(p))
+    if (!(in->gap <= KERN_BOUND) || !kern_norm_spend(p))
         return 0;
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i] / in->z[i];
@@ -6454,7 +6449,7 @@ static kern_status kern_ipm_run(kern_ipm *in, int sharp)
     const int n = 3 * in->p->groups;
     int round, stalled = 0;
     for (round = 0; round < KERN_IPM_ROUNDS
-                    && stalled < KERN_IPM_STALLED; round++) {
+                    && stalled < KERN_FEW_ROUNDS; round++) {
         const kern_real before = in->gap;
         if (!kern_ipm_step(in))
             return status;
@@ -6485,7 +6480,7 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
         return KERN_LIMIT;
     in->p->m->budget.work->solves++;
     in->least = KERN_R(0);
-    if (in->gap <= KERN_IPM_LOST) {
+    if (in->gap <= KERN_BOUND) {
         const kern_real away = kern_abs(place - in->s) / in->path->unit.one;
         in->held = 1;
         in->most = place;
@@ -7552,7 +7547,7 @@ static kern_status kern_block_fill(kern_block *block, const kern_vec *vertex,
         status = kern_polygon_measure(&made, fault ? fault : &ignored);
     if (status == KERN_OK && !fixed) {
         made.mass = density * kern_abs(made.area);
-        if (!(made.mass >= KERN_LIGHT) || made.mass > KERN_HEAVY)
+        if (!(made.mass >= 1 / KERN_HEAVY) || made.mass > KERN_HEAVY)
             status = KERN_BAD_MASS;
     }
     if (status != KERN_OK)
@@ -8975,7 +8970,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n,
                              kern_real pull)
 {
     const kern_real *load = sx->alpha + 3 * g;
-    kern_real part[KERN_CRASH_MOST][3], best = -KERN_INFINITY, share[3];
+    kern_real part[KERN_ROWS_MOST][3], best = -KERN_INFINITY, share[3];
     int i, j, k, take[3];
     for (i = 0; i < n; i++) {
         part[i][0] = part[i][1] = KERN_R(0); /* a logical of the torque */
@@ -9032,7 +9027,7 @@ static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int *next = sx->place, *first = sx->list; /* columns of a group */
-    int mine[KERN_CRASH_MOST], g, j, any, done;
+    int mine[KERN_ROWS_MOST], g, j, any, done;
     for (j = 0; j < lp->rows; j++) {
         sx->base[j] = lp->cols + 1 + j; /* its logical */
         sx->alpha[j] = lp->rhs[j];
@@ -9050,8 +9045,8 @@ static void kern_simplex_crash(kern_simplex *sx)
             for (j = first[g]; j != KERN_OUT; j = next[j]) {
                 if (!any && !kern_crash_faces(sx, j))
                     continue;
-                if (n == KERN_CRASH_MOST)
-                    for (n = 0, stride *= 2; n < KERN_CRASH_MOST / 2; n++)
+                if (n == KERN_ROWS_MOST)
+                    for (n = 0, stride *= 2; n < KERN_ROWS_MOST / 2; n++)
                         mine[n] = mine[2 * n];
                 if (seen++ % stride == 0)
                     mine[n++] = j;
@@ -9285,9 +9280,9 @@ static kern_real kern_prices(kern_simplex *sx, kern_real sum)
                                     : kern_lp_cost(lp, sx->base[p]);
     kern_basis_solve_t(sx, sx->price);
     size = kern_largest(sx->price, lp->rows);
-    least = KERN_PIVOT_TOL * size;
+    least = KERN_NOISE * size;
     if (!sx->violated)
-        least = KERN_FEAS_TOL
+        least = KERN_NOISE
                 * (lp->cost ? kern_largest(lp->cost, lp->cols) : KERN_R(1));
     else if (lp->most > 0)
         least = sum / lp->most;
@@ -9346,8 +9341,7 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
                         kern_work *work)
 {
     const kern_real enough = sx->gain * KERN_R(64) * KERN_EPS;
-    const kern_real least = KERN_PIVOT_TOL
-                            * kern_largest(sx->alpha, sx->lp->rows);
+    const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
     const int once = first || !sx->violated;
     kern_real *at = sx->ratio, left = sx->gain;
     int *list = sx->list, i, n = 0, best = KERN_OUT, seen = 0;
@@ -9506,8 +9500,8 @@ static kern_real kern_simplex_place(const kern_simplex *sx)
 static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
 {
     const kern_program *lp = sx->lp;
-    sx->least = KERN_FEAS_TOL * kern_largest(lp->rhs, lp->rows);
-    sx->least = sx->least > 0 ? sx->least : KERN_FEAS_TOL;
+    sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
+    sx->least = sx->least > 0 ? sx->least : KERN_NOISE;
     if (sx->state != KERN_BASIS_READY
         && !kern_spend(work, lp->limit, lp->ends ? (lp->rows + lp->cols) / 2
                                                  : lp->rows * (lp->cols / 64)))
@@ -9723,7 +9717,7 @@ KERN_API kern_options kern_defaults(void)
     o.angle = KERN_ANGLE;
     o.epsilon = KERN_R(0);
     o.relative = 0;
-    o.limit = KERN_WORK_USUAL;
+    o.limit = 10000000; /* a second or two */
     o.overlap = o.pose_error = o.pose_turn = 0;
     return o;
 }
