@@ -64,8 +64,7 @@
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
-   count of contacts is the status of the search; the next call returns it.
+   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too.
    examples/copy/one_block.c is this program with all checks, examples/kern.c
    that for the command line. "multiple definition of kern_...":
    KERN_IMPLEMENTATION is in more than one file; "undefined reference": in none,
@@ -360,8 +359,8 @@
              never collapsed below its load factor. kern_raised_load() has no
              dilatancy: on these, used for no choice, 0.985 of the simulator's
              in the median, 0.94 or more on 96 %, 1.01 at most on 99 %, 1.03 at
-             most. It answers for one path of loading. Use the lower one for
-             what must hold. Bricks that hang in a flat arch are not raised.
+             most. Use the lower one for what must hold. Bricks that hang in a
+             flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 400 rows of one to five wedges between cliffs, with
              nothing below, 181 fell in a simulator though forces exist; 179
@@ -371,8 +370,7 @@
              load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
    nested    searched in steps of d_max / 1001, tilts with loads in steps of
-             pi / 400: a fall narrower than that may be missed, and the call
-             takes longer.
+             pi / 400: a fall narrower than that may be missed.
    Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
              grow without bound toward critical, within 1e-7, rarely 1e-5; where
              one block weighs more than 1e4 times another, farther. A level is
@@ -1345,17 +1343,18 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* Residual that a proof may leave, as a share of what acts on the block. */
 #define KERN_TOL           KERN_PICK(1e-9, 1e-4)
-/* Largest forces that are taken for real, in weights: the bound
-   excludes jams, whose forces are arbitrarily large; a motion may close no
-   contact faster than its power divided by it. A larger gap leaves the interior
-   point no digits. */
+/* Largest forces that are taken for real, in weights: the bound excludes jams,
+   whose forces are arbitrarily large; a motion may close no contact faster than
+   its power divided by it. A larger gap leaves the interior point no digits. */
 #define KERN_BOUND         KERN_PICK(1e6, 1e3)
 /* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
    a variable below zero, as a share of the largest, a pivot or a gain; and the
    difference of two critical values, in mean block sizes. Less, and the simplex
    chases rounding, a search does not end. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
-/* What a row of a proof may lose by rounding, as a share of its terms. */
+/* What a row of a proof may lose by rounding, as a share of its terms; and what
+   is added to the diagonal of the matrix of >>norm, as a share of its mean:
+   without it a group that no ray presses has no pivot. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1400,7 +1399,8 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL         64
 /* Steps to the largest travel where kerns are not nested: a range of shrinkages
-   that falls, and is narrower than one, may be missed. */
+   that falls, and is narrower than one, may be missed. A walk in these steps,
+   or a climb, takes no more than five times as many verdicts. */
 #define KERN_SCAN          1001
 /* Steps of half a circle of tilt under loads that stay: a range of angles that
    falls, and is narrower than one (half a degree), may be missed. */
@@ -1408,6 +1408,10 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
+/* Rounds of what ends by itself in far fewer, unless digits are lost: Newton's
+   method for the minimum-norm forces of a cluster and of all groups, a bracket
+   (four to eight suffice), the interior point (some twenty). */
+#define KERN_ROUNDS        100
 /* Rounds of what ends by itself in fewer, as a rule: steps of Newton's method
    for one group, and from bend to bend; parts that fall, before the whole is
    asked; steps of the interior point that shorten the gap by less than a tenth;
@@ -1423,32 +1427,29 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_DROP_LOAD     KERN_R(0.07)
 #define KERN_DROP_HEIGHT   KERN_R(0.3)
 /* Share of the fastest block's speed below which a block rests, or two do not
-   approach: rounding; and below which a mechanism is shown to rest. */
-#define KERN_AT_REST       KERN_PICK(1e-6, 1e-3)
+   approach. */
 #define KERN_REST          KERN_R(1e-4)
 
 /* ---- minimum-norm forces, top-down pass ---- */
 
-/* Residual of a group's equilibrium, as a share of its load. A proof allows far
-   more, and so residuals of many groups may add up. */
+/* Residual of equilibrium that a method leaves, of a group as a share of its
+   load. A proof allows far more, and so residuals of many groups may add up.
+   Where a basis leaves more it is made anew. */
 #define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
-/* Added to the diagonal of a skyline matrix, as a share of its mean. Without it
-   a group that no ray presses has no pivot. */
-#define KERN_SHIFT         KERN_PICK(1e-13, 1e-6)
-/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding;
-   and above which the solution needs no refinement. */
+/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding (at
+   1e-10 in double two profiles of rubble begin beyond the margin); and above
+   which the solution needs no refinement. */
 #define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
 #define KERN_THREE_GOOD    KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
    steps: without the bound trying a stone costs 4 % more. */
 #define KERN_NORM_MOST     KERN_R(50)
-#define KERN_LEAST_ROUNDS  30      /* Newton steps: of a cluster              */
-#define KERN_FORCES_ROUNDS 100     /* of all groups                           */
 #define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
                                       are tried for the crash basis           */
 /* Groups of a cluster: a share of few groups, in a verdict and in a search; of
-   many this, and one more for so many. */
+   many this, and one more for so many. At 5 verdicts take 7 % more, at 4
+   measures 6 %. */
 #define KERN_CLUSTER_ONCE  4
 #define KERN_CLUSTER_AGAIN 5
 #define KERN_CLUSTER_MOST  20
@@ -1460,20 +1461,20 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* ---- search ---- */
 
-/* First place and first step of a search [mean block size], and a step in those
-   before it: chosen on the odd half of the corpus. */
+/* First place and first step of a search [mean block size], chosen on the odd
+   half of the corpus. */
 #define KERN_CLIMB         KERN_R(0.1)
-#define KERN_CLIMB_GROWS   KERN_R(1.5)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR          KERN_R(0.12)
+#define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 /* A body less than so many times as far as a known value is asked before it. */
 #define KERN_BODY_NEAR     KERN_R(1.25)
-#define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
-#define KERN_BRACKET_ROUNDS 200    /* of a bracket: four to eight suffice     */
 
 /* ---- interior point ---- */
 
-#define KERN_IPM_ROUNDS    100     /* steps of a question                     */
+/* What is added to a diagonal without pivots, as a share of its mean: at
+   KERN_ROUNDING loads on walls of 100 to 200 blocks take 7 % more. */
+#define KERN_IPM_SHIFT     KERN_PICK(1e-13, 1e-6)
 #define KERN_IPM_SHARE     KERN_R(0.9995) /* of the way to x, z = 0 in a step */
 #define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means              */
 #define KERN_IPM_SHARP     KERN_R(1e-4)   /* gap, as a share of what s lacks of
@@ -1482,23 +1483,16 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* ---- simplex method ---- */
 
 /* A column whose part outside of the basis is a smaller share of it depends on
-   the basis. */
+   the basis, as three columns of a smaller determinant on each other. */
 #define KERN_RANK_TOL      KERN_PICK(1e-7, 1e-4)
 /* Least pivot of a column in its own group, where its entries are about 1. Less
    makes the inverse grow from course to course, more fills it. */
 #define KERN_OWN_TOL       KERN_R(0.03)
-/* Residual of the basic solution at which refinement ends, and above which the
-   basis is made anew. */
-#define KERN_REFINE_TOL    KERN_PICK(1e-15, 2e-7)
-#define KERN_REFACTOR_TOL  KERN_PICK(1e-12, 1e-5)
-#define KERN_REFACTOR      40      /* most pivots between factorisations      */
+#define KERN_CRASH_PULL    KERN_R(2) /* loads that a crash column may pull    */
 /* How far a certificate is lifted off the columns that it touches: as much as
    the check of a motion adds for rounding where arms are long and friction is
    high. It costs as much of the power, in float a good part of it. */
 #define KERN_ABOVE         KERN_PICK(64 * KERN_EPS, 16 * KERN_EPS)
-/* Determinant of three columns that are said to depend on each other. */
-#define KERN_CRASH_TOL     KERN_PICK(1e-6, 1e-4)
-#define KERN_CRASH_PULL    KERN_R(2) /* loads that a crash column may pull    */
 
 /* ---- raised ---- */
 
@@ -1901,8 +1895,7 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 { return !d->line && kern_same_blocks(c, d); }
 
 /* ---- The kern -------------------------------------------------- >>kern */
-/* Every measure follows a path s, one-parameter loading: kerns shrink, a load
-   grows, or gravity turns. It is the first place where the structure falls.
+/* Every measure follows a path (>>method), one-parameter loading.
 
    At a place that falls y gives the power -y.rhs > 0, which changes along the
    path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
@@ -2830,8 +2823,8 @@ static int kern_moves(const kern_model *m, int i)
 {
     const kern_motion *v = m->answer.motion + i;
     const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_AT_REST || kern_abs(v->vy) > KERN_AT_REST
-           || kern_abs(v->spin) * size > KERN_AT_REST;
+    return kern_abs(v->vx) > KERN_REST || kern_abs(v->vy) > KERN_REST
+           || kern_abs(v->spin) * size > KERN_REST;
 }
 
 /* Hands the proof of a verdict to the caller. */
@@ -2870,7 +2863,7 @@ typedef struct kern_factors {
                                what its column is in its other end's rows     */
     int *to;                /* row: the first of those rows                   */
     int most, room;         /* for factors, and for groups of entries         */
-    int count, fresh;       /* factors; those of the last factorisation       */
+    int count;              /* factors                                        */
     int *pivot, *first;     /* factor: the row in which it pivots, and the first
                                of its groups of entries; one more             */
     int *at;                /* group of entries: its first row                */
@@ -4356,7 +4349,7 @@ static void kern_norm_matrix(kern_part *p, int all)
         if (s.nn > 0)
             kern_part_add(p, k, &s);
     }
-    kern_skyline_shift(a, KERN_SHIFT);
+    kern_skyline_shift(a, KERN_ROUNDING);
 }
 
 /* The dual's derivative at u + share * step, along it; `push`: the loads'. */
@@ -4556,7 +4549,7 @@ static kern_status kern_norm_hold(kern_model *m, kern_part *p,
     if (!kern_norm_open(p, m))
         return KERN_NO_SPACE;
     status = kern_norm_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
-                            KERN_FORCES_ROUNDS);
+                            KERN_ROUNDS);
     if (status == KERN_LIMIT)
         return status;
     if (status != KERN_STANDS)
@@ -4889,8 +4882,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
 static int kern_pass_parts(kern_part *p)
 {
     const kern_model *m = p->m;
-    const kern_real most = KERN_AT_REST
-                           * kern_largest(p->dual.u, 3 * p->groups);
+    const kern_real most = KERN_REST * kern_largest(p->dual.u, 3 * p->groups);
     kern_real power = KERN_R(0);
     int n, j, k;
     for (n = 0; n < p->groups; n++)
@@ -4926,8 +4918,8 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
-    status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_NORM_MOST * load,
-                             0, KERN_LEAST_ROUNDS);
+    status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_NORM_MOST * load, 0,
+                            KERN_ROUNDS);
     m->cluster.budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
         kern_pass_keep(p, KERN_PASS_TOL * least);
@@ -5311,9 +5303,8 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     return status;
 }
 
-/* The verdict for a query, with a proof or none: by the pass, by the
-   motion of the part that falls, or else by the linear program of the whole.
-   After KERN_FALLS the part that falls is open. */
+/* The verdict for a query, with a proof or none, by the methods that >>method
+   lists. After KERN_FALLS the part that falls is open. */
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q)
 {
@@ -5587,7 +5578,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
     int round;
     n.aside = n.under = path->unit.aside;
     n.share = KERN_NEAR;
-    for (round = 0; round < KERN_BRACKET_ROUNDS; round++) {
+    for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
         const kern_real at = kern_bracket_next(path, &n);
         const int inside = crit >= lo && crit <= path->fails;
@@ -5683,7 +5674,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
     int round;
-    for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
+    for (round = 0; round < 5 * KERN_SCAN; round++) {
         const kern_real next = kern_min(path->holds + first, path->end);
         const kern_status status = kern_path_evaluate(m, path, next);
         if (status == KERN_FALLS)
@@ -5732,7 +5723,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
     const kern_real end = path->end;
     kern_real at = path->holds, fell = KERN_INFINITY;
     int round, stride = 1;
-    for (round = 0; round < KERN_CLIMB_ROUNDS; round++) {
+    for (round = 0; round < 5 * KERN_SCAN; round++) {
         const kern_real next = kern_min(end, at + KERN_R(stride) * step);
         const kern_real holds = path->holds;
         const kern_status status = kern_path_evaluate(m, path, next);
@@ -6262,8 +6253,7 @@ static void kern_ipm_predict(kern_ipm *in)
         left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
     left = in->s < in->most ? kern_max(left / in->gap, 1 - of_x)
                             : KERN_R(1); /* nothing is left to maximise */
-    mu = kern_max(in->gap * left * left * left, in->least / 8);
-    mu = kern_min(mu, in->gap) / KERN_R(rays);
+    mu = kern_max(in->gap * left * left * left, in->least / 8) / KERN_R(rays);
     kern_zero(p->dual.grad, n);
     if (!in->held && in->path->kind == KERN_PATH_SHRINK)
         kern_ipm_shrink(in, in->dx, of_x * of_x * ds, p->dual.grad);
@@ -6285,7 +6275,7 @@ static int kern_ipm_step(kern_ipm *in)
         in->d[i] = p->x[i] / in->z[i];
     kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
     if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE))
-        kern_ipm_factor(in, KERN_SHIFT, in->g, in->gain);
+        kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_predict(in);
     ds = kern_ipm_solve(in);
     of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
@@ -6356,7 +6346,7 @@ static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
         in->d[i] = KERN_R(1);
     }
     kern_ipm_place(in, place);
-    kern_ipm_factor(in, KERN_SHIFT, p->eq.rhs, p->y);
+    kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
     kern_ipm_place(in, place);
@@ -6448,8 +6438,7 @@ static kern_status kern_ipm_run(kern_ipm *in, int sharp)
     kern_status status = KERN_UNDECIDED;
     const int n = 3 * in->p->groups;
     int round, stalled = 0;
-    for (round = 0; round < KERN_IPM_ROUNDS
-                    && stalled < KERN_FEW_ROUNDS; round++) {
+    for (round = 0; round < KERN_ROUNDS && stalled < KERN_FEW_ROUNDS; round++) {
         const kern_real before = in->gap;
         if (!kern_ipm_step(in))
             return status;
@@ -8985,7 +8974,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n,
             for (k = j + 1; k < n; k++) {
                 const kern_real *c = part[k], det = kern_three_det(a, b, c);
                 kern_real la, lb, least;
-                if (kern_abs(det) < KERN_CRASH_TOL
+                if (kern_abs(det) < KERN_RANK_TOL
                     || (det > 0 ? last <= best * det : last >= best * det))
                     continue; /* last / det would be no better */
                 la = kern_three_det(b, c, load) / det;
@@ -9021,8 +9010,7 @@ static int kern_crash_faces(const kern_simplex *sx, int j)
 
 /* Logicals, but for a network: from top to bottom three columns of each group
    carry what it bears, those that face its load if they can; else two, which
-   leave the torque to a logical. Of many columns every second, fourth, ... is
-   tried. */
+   leave the torque to a logical. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -9041,16 +9029,10 @@ static void kern_simplex_crash(kern_simplex *sx)
     }
     for (g = 0; g < sx->factors.groups; g++)
         for (any = done = 0; any < 2 && !done; any++) {
-            int n = 0, seen = 0, stride = 1;
-            for (j = first[g]; j != KERN_OUT; j = next[j]) {
-                if (!any && !kern_crash_faces(sx, j))
-                    continue;
-                if (n == KERN_ROWS_MOST)
-                    for (n = 0, stride *= 2; n < KERN_ROWS_MOST / 2; n++)
-                        mine[n] = mine[2 * n];
-                if (seen++ % stride == 0)
+            int n = 0;
+            for (j = first[g]; j != KERN_OUT && n < KERN_ROWS_MOST; j = next[j])
+                if (any || kern_crash_faces(sx, j))
                     mine[n++] = j;
-            }
             done = kern_crash_choose(sx, g, mine, n, KERN_CRASH_PULL);
             if (any && !done && n > 1) {
                 mine[2] = sx->base[3 * g + 2];
@@ -9143,7 +9125,7 @@ static int kern_basis_values(kern_simplex *sx)
 {
     kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
     int round;
-    for (round = 0; round < 4 && left > KERN_REFINE_TOL
+    for (round = 0; round < 4 && left > 4 * KERN_EPS
                     && (left < last || round < 2); round++) {
         kern_basis_solve(sx, sx->alpha);
         kern_basis_add(sx, KERN_R(1));
@@ -9151,7 +9133,7 @@ static int kern_basis_values(kern_simplex *sx)
         left = kern_basis_residual(sx);
     }
     sx->refined = 1;
-    return left <= KERN_REFACTOR_TOL;
+    return left <= KERN_PASS_TOL;
 }
 
 /* Factors the basis anew: three own columns of each group, then what is left of
@@ -9181,7 +9163,6 @@ static void kern_basis_refactorise(kern_simplex *sx)
             sx->list[left++] = sx->list[p];
     for (i = 0; i < left; i++)
         kern_left_enter(sx, sx->list[i]);
-    f->fresh = f->count;
     sx->state = KERN_BASIS_READY;
     kern_basis_values(sx);
 }
@@ -9399,8 +9380,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
     sx->refined = 0;
     work->pivots++;
     KERN_AUDIT(simplex, sx);
-    if (kern_basis_full(sx)
-        || sx->factors.count >= sx->factors.fresh + KERN_REFACTOR)
+    if (kern_basis_full(sx))
         kern_basis_refactorise(sx);
     return KERN_OK;
 }

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x916e9a623478da4bu },
-    { 1000, 0x08bb7073231aa25du },
-    { 5000, 0x1b0291042e6cbe82u },
+    { 200, 0xc90cf17f3c922554u },
+    { 1000, 0xa5a53dace2e3e98bu },
+    { 5000, 0xd5b0f486b1b470cau },
 #else
-    { 200, 0x58c4ee0537106738u },
-    { 1000, 0x726b66cdd56fb7c8u },
-    { 5000, 0x665b4429c856a490u },
+    { 200, 0x61670bf011423bf8u },
+    { 1000, 0x8981e9c34bfbbbb7u },
+    { 5000, 0xa7f684c6abaee1c2u },
 #endif
 };
 
