@@ -2452,7 +2452,7 @@ typedef struct kern_answer {
     const kern_known *known;  /* forces that held one like it, or NULL        */
     kern_force *force;        /* one a contact                                */
     kern_motion *motion;      /* one a block                                  */
-    kern_real *sum;           /* scratch of the proof, four a block           */
+    kern_real *sum;           /* scratch, four a block                        */
 } kern_answer;
 
 /* The work that a call may do. */
@@ -2480,6 +2480,12 @@ typedef struct kern_cones {
     kern_real reduction;      /* tangent of that angle, of the last question  */
 } kern_cones;
 
+/* Torques of n and t at each end of the contacts, as their rows have them. */
+typedef struct kern_arm {
+    kern_real *torque;        /* two an end                                   */
+    kern_real shrink;         /* that they are of; infinity: none             */
+} kern_arm;
+
 struct kern_model {
     const kern_structure *s;
     kern_graph graph;
@@ -2491,8 +2497,7 @@ struct kern_model {
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
     kern_real *load;          /* three a group: what contacts must exert      */
     kern_real *size;          /* of a group: magnitude of all that acts       */
-    kern_real *arm;           /* two an end: torques of n and t there, as its
-                                 row has them                                 */
+    kern_arm arm;
     kern_cones cone;
     kern_clusters cluster;
     int whole;                /* nonzero: all groups are one part             */
@@ -2528,7 +2533,7 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->cluster.open = kern_take_ints(take, groups);
     m->graph.carrier = kern_take_ints(take, groups);
     m->graph.local = kern_take_ints(take, groups + 1);
-    m->arm = kern_take_reals(take, 4 * contacts);
+    m->arm.torque = kern_take_reals(take, 4 * contacts);
 }
 
 KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
@@ -2612,6 +2617,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->graph.block[none++] = i;
     m->graph.groups = none;
+    m->arm.shrink = KERN_INFINITY;
     m->whole = 0;
     kern_model_order(m);
     for (i = 0; i < s->blocks; i++)
@@ -2721,16 +2727,19 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     kern_row row;
     row.n[0] = end & 1 ? -n.x : n.x;
     row.n[1] = end & 1 ? -n.y : n.y;
-    row.n[2] = m->arm[2 * (size_t)end];
-    row.turn = m->arm[2 * (size_t)end + 1];
+    row.n[2] = m->arm.torque[2 * (size_t)end];
+    row.turn = m->arm.torque[2 * (size_t)end + 1];
     return row;
 }
 
-/* The torques of all rows for a query. */
+/* The torques of all rows for a query, unless they are those. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
-    kern_real *to = m->arm;
+    kern_real *to = m->arm.torque;
     int i, end;
+    if (m->arm.shrink >= q->shrink && m->arm.shrink <= q->shrink)
+        return;
+    m->arm.shrink = q->shrink;
     for (i = 0; i < m->s->contacts; i++) {
         kern_row row[2];
         kern_model_rows(m, q, i, row);
@@ -5266,29 +5275,24 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
-   an open part that seems to fall; or KERN_UNDECIDED. */
+/* Passes the loads of the query that is set down: KERN_STANDS with a proof;
+   KERN_FALLS with an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    int change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
     m->budget.work->solves++;
-    kern_model_set(m, q);
-    for (; change >= 0; change--) {
-        kern_pass_begin(m, share);
-        if (change)
-            kern_pass_known(m, q->shrink);
-        found = kern_pass(m, p);
-        if (found == KERN_FALLS)
-            return found;
-        kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
-        if (found == KERN_STANDS && kern_answer_holds(m, q))
-            return p->found = found;
-    }
-    return KERN_UNDECIDED;
+    kern_pass_begin(m, share);
+    if (m->answer.known)
+        kern_pass_known(m, q->shrink);
+    found = kern_pass(m, p);
+    if (found == KERN_FALLS)
+        return found;
+    kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
+    return found == KERN_STANDS && kern_answer_holds(m, q) ? p->found = found
+                                                           : KERN_UNDECIDED;
 }
 
 /* From now on one linear program of all groups answers, from its last basis. It
@@ -5298,7 +5302,7 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
 {
     kern_status status;
     int g, k;
-    kern_model_set(m, q);
+    kern_model_weigh(m, q);
     if (!kern_part_begin(p, m, m->graph.groups, &m->common))
         return KERN_NO_SPACE;
     p->contacts = p->own = m->s->contacts;
@@ -5324,6 +5328,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     kern_status status;
     p->found = KERN_UNDECIDED;
     if (!m->whole) {
+        kern_model_set(m, q);
         status = kern_model_pass(m, p, q, KERN_CLUSTER_ONCE);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
@@ -5814,14 +5819,13 @@ static int kern_body_line(kern_model *m, int g)
 /* Where body g, on the line that begins with end e, tips about one of the
    line's ends, and the motion u by which it does, `aside` beyond; infinity: it
    is not pressed on the line, or slides, or stands until the kern is closed.
-   The model is that of the shrinkage `at`. */
+   The model is that of the shrinkage `at`; b is the body's load. */
 static kern_real kern_body_critical(const kern_model *m, int g, int e,
-                                    kern_real at, kern_real aside,
-                                    kern_real u[3])
+                                    const kern_real *b, kern_real at,
+                                    kern_real aside, kern_real u[3])
 {
     const kern_contact *c = m->s->contact + (e >> 1);
     const kern_row row = kern_model_row(m, e), last = kern_model_row(m, e + 2);
-    const kern_real *b = m->load + 3 * (size_t)g;
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
     const kern_real span = last.n[2] - row.n[2];
@@ -5877,19 +5881,21 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 
 /* The smallest critical value of a body becomes the path's warm start, if it is
    below that. Returns it; the start, where a body falls there; or infinity. The
-   model is that of the shrinkage `at`; its loads are none afterwards. */
+   model is that of the shrinkage `at`. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
     kern_real least = KERN_INFINITY, u[3] = {0, 0, 0};
-    kern_real best = kern_min(path->end, path->warm.fails);
+    kern_real best = kern_min(path->end, path->warm.margin + path->unit.aside
+                              - KERN_SAME_VALUE * path->unit.one);
+    kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
     if (!kern_model_spend(m, m->budget.query_units))
         return least;
-    for (g = 0; g < m->graph.groups; g++) {
-        const kern_real *load = m->load + 3 * (size_t)g;
+    kern_copy(load, m->load, 3 * m->graph.groups);
+    for (g = 0; g < m->graph.groups; g++, load += 3) {
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, at, path->unit.aside, u);
+            : kern_body_critical(m, g, line, load, at, path->unit.aside, u);
         if (crit <= path->start + 2 * path->unit.aside)
             return path->start;
         if (crit + path->unit.aside < best) {
@@ -5900,7 +5906,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
             kern_body_moves(m, g, u);
         }
         if (on != KERN_OUT) {
-            kern_real *to = m->load + 3 * (size_t)on;
+            kern_real *to = load + 3 * (on - g);
             const kern_vec arm = kern_vec_sub(
                 m->s->block[m->graph.block[g]].centre,
                 m->s->block[m->graph.block[on]].centre);
@@ -5969,22 +5975,20 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The verdict of the pass at s. After KERN_FALLS path->critical is that of a
-   body, or of the part that falls; without forces and such a part
+/* The verdict of the pass at s; all but the arms is set. After KERN_FALLS
+   path->critical is that of the part that falls; without forces and such a part
    KERN_UNDECIDED. */
 static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
     const kern_real holds = path->holds;
-    kern_status status = kern_model_pass(m, path->part, &q, KERN_CLUSTER_AGAIN);
+    kern_status status;
+    m->cone.reduction = kern_reduction(&q);
+    kern_model_arms(m, &q);
+    status = kern_model_pass(m, path->part, &q, KERN_CLUSTER_AGAIN);
     if (status == KERN_STANDS) {
         kern_path_note(m, path, status, s);
         path->holds = s;
-    } else if (status >= KERN_UNDECIDED && path->warm.fails < KERN_INFINITY
-               && path->warm.motion != m->answer.motion) {
-        const kern_real body = kern_body_first(m, path, s);
-        if (body < s && body > path->start && kern_start_falls(m, path))
-            return KERN_FALLS;
     }
     if (status != KERN_FALLS)
         return status;
@@ -6000,30 +6004,31 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Where a search begins: just before the known critical value, if its motion
-   proves it, or that of a body near; else where that held, or a step on. */
+/* Where a search begins: just before the known critical value, or that of a
+   body before it, if a motion proves it; or that of a body near; else where the
+   known one held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     kern_known *warm = &path->warm;
-    const kern_query q = kern_path_at(path, path->start);
-    const int known = warm->fails > path->start && warm->fails <= path->end
-                      && warm->holds <= warm->margin
-                      && warm->margin <= warm->fails;
+    int known = warm->fails > path->start && warm->fails <= path->end
+                && warm->holds <= warm->margin && warm->margin <= warm->fails;
     const kern_real holds = known ? kern_max(path->start, warm->holds)
                                   : kern_min(path->start + first, path->end);
-    kern_real body;
-    if (known && kern_start_falls(m, path))
-        return holds;
-    warm->fails = KERN_INFINITY;
+    const kern_query q = kern_path_at(path, holds);
+    kern_real near = KERN_INFINITY, body;
     kern_model_set(m, &q);
-    body = kern_body_first(m, path, path->start);
-    if (body <= path->start)
-        return body;
-    if (!(body < (known ? KERN_BODY_NEAR * holds : KERN_INFINITY)))
-        return holds;
-    kern_start_falls(m, path);
-    return warm->holds;
+    for (; known >= 0; known--) {
+        if (!known)
+            warm->fails = warm->margin = KERN_INFINITY;
+        body = kern_body_first(m, path, holds);
+        if (body <= path->start)
+            return body;
+        if ((known || body < near) && (kern_start_falls(m, path) || !known))
+            return kern_max(path->start, warm->holds);
+        near = KERN_BODY_NEAR * holds;
+    }
+    return holds;
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
