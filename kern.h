@@ -1459,8 +1459,6 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_CLIMB_GROWS   KERN_R(1.5)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR          KERN_R(0.12)
-/* A body less than so many times as far as a known value is asked before it. */
-#define KERN_BODY_NEAR     KERN_R(1.25)
 #define KERN_CLIMB_ROUNDS  5000    /* evaluations of a climb or a walk        */
 #define KERN_BRACKET_ROUNDS 200    /* of a bracket: four to eight suffice     */
 #define KERN_PARTS_MOST    8       /* parts that fall, before the whole       */
@@ -2732,11 +2730,12 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     return row;
 }
 
-/* The torques of all rows for a query, unless they are those. */
+/* The cones, and the torques of all rows unless they are those, of a query. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *to = m->arm.torque;
     int i, end;
+    m->cone.reduction = kern_reduction(q);
     if (m->arm.shrink >= q->shrink && m->arm.shrink <= q->shrink)
         return;
     m->arm.shrink = q->shrink;
@@ -2797,8 +2796,6 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
     int g;
-    if (m->graph.groups == 0)
-        kern_model_group(m, q);
     kern_model_weigh(m, q);
     for (g = 0; g <= m->graph.groups; g++)
         m->graph.local[g] = KERN_OUT;
@@ -3187,7 +3184,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* The extent: the longest side of the box around the free blocks. */
+/* The longest side of the box around the free blocks, as squares. */
 static kern_real kern_extent(const kern_structure *s)
 {
     kern_box whole;
@@ -3200,10 +3197,8 @@ static kern_real kern_extent(const kern_structure *s)
         const kern_vec way = kern_vec_make(half, half);
         if (b->fixed)
             continue;
-        kern_box_add(&whole, b->vertices ? b->box.low
-                                         : kern_vec_sub(b->centre, way));
-        kern_box_add(&whole, b->vertices ? b->box.high
-                                         : kern_vec_add(b->centre, way));
+        kern_box_add(&whole, kern_vec_sub(b->centre, way));
+        kern_box_add(&whole, kern_vec_add(b->centre, way));
     }
     side = kern_vec_sub(whole.high, whole.low);
     return kern_max(side.x, side.y);
@@ -3345,16 +3340,6 @@ static kern_status kern_growth_check(const kern_model *m,
     return KERN_OK;
 }
 
-/* Whether a load lies on a block that is free. */
-static int kern_model_loaded(const kern_model *m)
-{
-    int g;
-    for (g = 0; g < m->graph.groups; g++)
-        if (kern_wrench_sum(&m->s->block[m->graph.block[g]].load) > 0)
-            return 1;
-    return 0;
-}
-
 /* Runs a path on which a load grows or gravity turns: a verdict at the start,
    search, proofs. */
 static kern_status kern_run(kern_call *c, const kern_task *task,
@@ -3364,14 +3349,15 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
 {
     const int tilt = kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
-    int loaded;
+    int g, loaded = 0; /* then a tilt may stand again after it fell */
     kern_status status = kern_number_open(c, task, shrink, out);
     if (status == KERN_OK)
         status = kern_growth_check(&c->m, pattern, side);
     if (status != KERN_OK)
         return status;
-    /* under loads that stay a tilt may stand again after it fell */
-    loaded = tilt && kern_model_loaded(&c->m);
+    for (g = 0; g < c->m.graph.groups && tilt; g++)
+        loaded |= kern_wrench_sum(
+            &task->s.block[c->m.graph.block[g]].load) > 0;
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
@@ -4662,18 +4648,6 @@ static int kern_pass_three(const kern_real h[6], const kern_real b[3],
     return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
 }
 
-/* The motion u in the null space of a singular 3 x 3 matrix, with u.b <= 0. */
-static void kern_pass_free(const kern_real h[6], const kern_real b[3],
-                           kern_real u[3])
-{
-    const kern_real l1 = h[1] / h[0], l3 = h[3] / h[0];
-    const kern_real l4 = (h[4] - l3 * h[1]) / (h[2] - l1 * h[1]);
-    u[2] = b[2] + (l1 * l4 - l3) * b[0] - l4 * b[1] > 0 ? KERN_R(-1)
-                                                       : KERN_R(1);
-    u[1] = -l4 * u[2];
-    u[0] = (l1 * l4 - l3) * u[2];
-}
-
 typedef struct kern_support { /* a contact that carries the group */
     kern_row row;
     kern_real mu;
@@ -4743,16 +4717,13 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
     }
 }
 
-/* The least change u that makes the rows exert b, by Newton's method with full
-   steps. KERN_FALLS where that ends with something left: then u is how the
-   group seems to move; KERN_UNDECIDED where it does not end soon. */
+/* The least change that makes the rows exert b, by Newton's method with full
+   steps. KERN_FALLS: something is left; KERN_UNDECIDED: it does not end. */
 static kern_status kern_pass_solve(kern_support *c, int n,
-                                   const kern_real b[3], kern_real tolerance,
-                                   kern_real u[3])
+                                   const kern_real b[3], kern_real tolerance)
 {
-    kern_real left[3], h[6], step[3], most;
+    kern_real left[3], h[6], step[3], most, u[3] = {0, 0, 0};
     int k, round, changed = 1, good = 0;
-    u[0] = u[1] = u[2] = KERN_R(0);
     for (k = 0; k < n; k++)
         c[k].mask = 3;
     for (round = 0; round < KERN_PASS_ROUNDS && changed; round++) {
@@ -4774,10 +4745,8 @@ static kern_status kern_pass_solve(kern_support *c, int n,
             break;
         if (changed)
             return KERN_UNDECIDED;
-        if (round == 2) {
-            kern_pass_free(h, left, u);
+        if (round == 2)
             return KERN_FALLS;
-        }
         kern_pass_three(h, left, step);
         kern_support_move(c, n, step, u);
     }
@@ -4788,15 +4757,14 @@ static kern_status kern_pass_solve(kern_support *c, int n,
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     kern_support c[KERN_ROWS_MOST];
-    kern_real b[3], u[3];
+    kern_real b[3];
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_status status;
-    int n, k;
-    n = kern_pass_supports(m, g, c);
+    int n = kern_pass_supports(m, g, c), k;
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pass_load(m, g, 0, b);
-    status = kern_pass_solve(c, n, b, tolerance, u);
+    status = kern_pass_solve(c, n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real *w = c[k].way;
         const kern_law s = kern_law_pressed(w[0], w[1], c[k].mu);
@@ -4900,18 +4868,16 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
    that rests on it, and its loads do work: no force from above holds it. */
 static int kern_pass_parts(kern_part *p)
 {
-    const kern_model *m = p->m;
     const kern_real most = KERN_AT_REST
                            * kern_largest(p->dual.u, 3 * p->groups);
     kern_real power = KERN_R(0);
-    int n, j, k;
+    int n, k;
     for (n = 0; n < p->groups; n++)
-        for (j = 0; j < 3; j++)
-            power += p->dual.u[3 * n + j] * m->load[3 * p->group[n] + j];
+        power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
     kern_norm_ways(p, p->dual.u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k + 2;
-        if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
+        if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > most)
             return 0;
     }
     return power > 0;
@@ -4977,8 +4943,7 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* All groups must be balanced, and there are no forces. A cluster may have a
-   share of the groups. */
+/* No forces, and all groups open. A cluster may have a share of the groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     const int groups = m->graph.groups;
@@ -5027,10 +4992,8 @@ static void kern_pass_known(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
     int i, g;
-    for (i = 0; i < m->s->contacts; i++) {
-        m->answer.force[i].normal = known->force[i].normal / m->weight;
-        m->answer.force[i].tangential = known->force[i].tangential / m->weight;
-    }
+    kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
+    kern_scale(m->answer.force, 2 * m->s->contacts, 1 / m->weight);
     for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
         i += kern_force_transfer(m, i, known->holds, shrink);
     for (g = 0; g < m->graph.groups; g++) {
@@ -5652,7 +5615,7 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
 {
     const kern_contact *c = m->s->contact + i;
     kern_support row[KERN_ROWS_MOST], was;
-    kern_real b[3] = {0, 0, 0}, u[3];
+    kern_real b[3] = {0, 0, 0};
     int k;
     if (j - i > KERN_ROWS_MOST)
         return 0;
@@ -5664,7 +5627,7 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
         kern_support_set(row + (k - i), m, d, sign, place, c->p, one);
         kern_row_exert(&was.row, f->normal, f->tangential, b);
     }
-    return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3), u)
+    return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3))
            == KERN_STANDS;
 }
 
@@ -5798,8 +5761,7 @@ static int kern_start_falls(kern_model *m, kern_path *path)
    the whole falls. The critical value of most structures is that of a body. */
 
 /* The first contact of the line that carries body g, as an end; KERN_OUT where
-   other contacts carry it. Sets m->graph.carrier: the block that carries it, if
-   it is one. */
+   other contacts carry it. Sets graph.carrier: what carries it alone. */
 static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
@@ -5858,35 +5820,32 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 {
     const kern_real spin = u[2] * m->unit[body];
     kern_real most = KERN_R(0);
-    int i, g, h;
+    int g, h;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
-    for (i = 0; i < 2; i++)
-        for (g = 0; g <= body; g++) {
-            const kern_block *b = m->s->block + m->graph.block[g];
-            kern_motion *v = m->answer.motion + m->graph.block[g];
-            const kern_real one = i ? 1 / most : KERN_R(1);
-            kern_vec arm;
-            for (h = g; h != KERN_OUT && h < body; h = m->graph.carrier[h])
-                ;
-            if (h != body)
-                continue;
-            arm = kern_vec_sub(b->centre,
-                               m->s->block[m->graph.block[body]].centre);
-            v->vx = (u[0] - spin * arm.y) * one;
-            v->vy = (u[1] + spin * arm.x) * one;
-            v->spin = spin * one;
-            most = i ? most : kern_max(most, kern_block_speed(b, v));
-        }
+    for (g = 0; g <= body; g++) {
+        const kern_block *b = m->s->block + m->graph.block[g];
+        kern_motion *v = m->answer.motion + m->graph.block[g];
+        kern_vec arm;
+        for (h = g; h != KERN_OUT && h < body; h = m->graph.carrier[h])
+            ;
+        if (h != body)
+            continue;
+        arm = kern_vec_sub(b->centre,
+                           m->s->block[m->graph.block[body]].centre);
+        v->vx = u[0] - spin * arm.y;
+        v->vy = u[1] + spin * arm.x;
+        v->spin = spin;
+        most = kern_max(most, kern_block_speed(b, v));
+    }
+    kern_scale(m->answer.motion, 3 * m->s->blocks, 1 / most);
 }
 
-/* The smallest critical value of a body becomes the path's warm start, if it is
-   below that. Returns it; the start, where a body falls there; or infinity. The
-   model is that of the shrinkage `at`. */
+/* The smallest critical value of a body becomes the path's warm start. Returns
+   it; the start, where a body falls there; or infinity. The model is that of
+   the shrinkage `at`. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
-    kern_real least = KERN_INFINITY, u[3] = {0, 0, 0};
-    kern_real best = kern_min(path->end, path->warm.margin + path->unit.aside
-                              - KERN_SAME_VALUE * path->unit.one);
+    kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
     if (!kern_model_spend(m, m->budget.query_units))
@@ -5975,23 +5934,12 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The verdict of the pass at s; all but the arms is set. After KERN_FALLS
-   path->critical is that of the part that falls; without forces and such a part
-   KERN_UNDECIDED. */
-static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
+/* The verdict on the open part alone at s, and after KERN_FALLS in
+   path->critical its critical value; KERN_UNDECIDED where it does not fall. */
+static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
-    const kern_query q = kern_path_at(path, s);
     const kern_real holds = path->holds;
     kern_status status;
-    m->cone.reduction = kern_reduction(&q);
-    kern_model_arms(m, &q);
-    status = kern_model_pass(m, path->part, &q, KERN_CLUSTER_AGAIN);
-    if (status == KERN_STANDS) {
-        kern_path_note(m, path, status, s);
-        path->holds = s;
-    }
-    if (status != KERN_FALLS)
-        return status;
     if (kern_part_lay(path->part) != KERN_OK)
         return KERN_UNDECIDED;
     path->alone = 1;
@@ -6004,31 +5952,72 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Where a search begins: just before the known critical value, or that of a
-   body before it, if a motion proves it; or that of a body near; else where the
-   known one held, or a step on. */
+/* The verdict of the pass at s; all but the rows is set. After KERN_FALLS the
+   critical value is that of a part; KERN_UNDECIDED: no forces and no part. */
+static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_query q = kern_path_at(path, s);
+    kern_status status;
+    kern_model_arms(m, &q);
+    status = kern_model_pass(m, path->part, &q, KERN_CLUSTER_AGAIN);
+    if (status == KERN_STANDS) {
+        kern_path_note(m, path, status, s);
+        path->holds = s;
+    }
+    return status == KERN_FALLS ? kern_path_part(m, path, s) : status;
+}
+
+/* Whether what moved in the known structure falls with the last block at s; its
+   critical value is the path's. */
+static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_motion *known = m->answer.known->motion;
+    int g, groups = 0, last = 0;
+    for (g = 0; g < m->graph.groups; g++) {
+        const int b = m->graph.block[g];
+        if (b == m->s->blocks - 1 || kern_speed(known + b) > 0) {
+            m->graph.local[g] = 0;
+            groups++;
+            last = g;
+        }
+    }
+    return groups > 0 && kern_part_open(path->part, m, groups, last)
+           && kern_path_part(m, path, s) == KERN_FALLS;
+}
+
+/* Where a search begins: just before the known critical value, if its motion
+   proves it, or up to a step on that of the known part or of a body; else where
+   the known one held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     kern_known *warm = &path->warm;
     int known = warm->fails > path->start && warm->fails <= path->end
                 && warm->holds <= warm->margin && warm->margin <= warm->fails;
-    const kern_real holds = known ? kern_max(path->start, warm->holds)
-                                  : kern_min(path->start + first, path->end);
-    const kern_query q = kern_path_at(path, holds);
-    kern_real near = KERN_INFINITY, body;
+    const kern_real at = known ? kern_max(path->start, warm->holds)
+                               : kern_min(path->start + first, path->end);
+    const kern_real most = known ? kern_min(at + first, path->end)
+                                 : KERN_INFINITY;
+    const kern_query q = kern_path_at(path, at);
+    kern_real body;
+    path->part->groups = 0;
     kern_model_set(m, &q);
-    for (; known >= 0; known--) {
-        if (!known)
-            warm->fails = warm->margin = KERN_INFINITY;
-        body = kern_body_first(m, path, holds);
-        if (body <= path->start)
-            return body;
-        if ((known || body < near) && (kern_start_falls(m, path) || !known))
-            return kern_max(path->start, warm->holds);
-        near = KERN_BODY_NEAR * holds;
+    if (known && kern_start_falls(m, path))
+        return at;
+    warm->fails = KERN_INFINITY;
+    body = kern_body_first(m, path, at);
+    if (body <= path->start)
+        return body;
+    if (body < most) {
+        kern_start_falls(m, path);
+        return warm->holds;
     }
-    return holds;
+    if (known && m->answer.known && m->graph.groups <= KERN_SMALL
+        && kern_known_part(m, path, most))
+        return kern_max(path->start, path->critical - path->unit.aside);
+    path->part->groups = 0;
+    path->fails = KERN_INFINITY;
+    return at;
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
@@ -6037,7 +6026,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real step)
 {
-    kern_status status = KERN_STANDS;
+    kern_status status = KERN_UNDECIDED;
     kern_real at;
     int round;
     path->start = path->holds;
@@ -6045,7 +6034,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     if (m->whole || path->kind != KERN_PATH_SHRINK)
         return kern_path_whole(m, path, step, step);
     at = kern_path_first(m, path, step);
-    for (round = 0; round < KERN_PARTS_MOST; ) {
+    round = path->part->groups > m->graph.groups / KERN_CLUSTER_AGAIN + 1
+            ? KERN_PARTS_MOST : 0; /* no cluster is as large */
+    while (round < KERN_PARTS_MOST) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && at > path->start) {
             at = kern_max(path->critical - path->unit.aside, path->start);
@@ -6826,7 +6817,6 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     q->factor = share;
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
-        r->m->cone.reduction = kern_reduction(q);
         kern_model_arms(r->m, q);
         raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
     }
