@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x916e9a623478da4bu },
-    { 1000, 0x08bb7073231aa25du },
-    { 5000, 0x1b0291042e6cbe82u },
+    { 200, 0x2ec77399d5228406u },
+    { 1000, 0xb3a385d09a21246du },
+    { 5000, 0x2bb45ec6ecd92f77u },
 #else
-    { 200, 0x58c4ee0537106738u },
-    { 1000, 0x726b66cdd56fb7c8u },
-    { 5000, 0x665b4429c856a490u },
+    { 200, 0x93d5ca8517bdb272u },
+    { 1000, 0x72a034a01e1bf8e2u },
+    { 5000, 0x68290bfedfff81a5u },
 #endif
 };
 
