@@ -8613,7 +8613,8 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 /* What is known of a structure is the bracket of its last margin, with a
    mechanism at the upper end of it. A stone that does not touch what moves
    there leaves the mechanism as it is: the old motion proves it again, and one
-   verdict at the lower end is all that is left to do. */
+   verdict at the lower end is all that is left to do. One that does often moves
+   with it: what moved, and the stone, are asked alone (kern_known_part()). */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
