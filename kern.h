@@ -4991,9 +4991,12 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
 static void kern_pass_known(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
+    const kern_real one = 1 / m->weight;
     int i, g;
-    kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
-    kern_scale(m->answer.force, 2 * m->s->contacts, 1 / m->weight);
+    for (i = 0; i < m->s->contacts; i++) {
+        m->answer.force[i].normal = known->force[i].normal * one;
+        m->answer.force[i].tangential = known->force[i].tangential * one;
+    }
     for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
         i += kern_force_transfer(m, i, known->holds, shrink);
     for (g = 0; g < m->graph.groups; g++) {
