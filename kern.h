@@ -1467,8 +1467,6 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR          KERN_R(0.12)
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
-/* A body less than so many times as far as a known value is asked before it. */
-#define KERN_BODY_NEAR     KERN_R(1.25)
 
 /* ---- interior point ---- */
 
@@ -2442,7 +2440,7 @@ typedef struct kern_answer {
     const kern_known *known;  /* forces that held one like it, or NULL        */
     kern_force *force;        /* one a contact                                */
     kern_motion *motion;      /* one a block                                  */
-    kern_real *sum;           /* scratch of the proof, four a block           */
+    kern_real *sum;           /* scratch, four a block                        */
 } kern_answer;
 
 /* The work that a call may do. */
@@ -2470,6 +2468,12 @@ typedef struct kern_cones {
     kern_real reduction;      /* tangent of that angle, of the last question  */
 } kern_cones;
 
+/* Torques of n and t at each end of the contacts, as their rows have them. */
+typedef struct kern_arm {
+    kern_real *torque;        /* two an end                                   */
+    kern_real shrink;         /* that they are of; infinity: none             */
+} kern_arm;
+
 struct kern_model {
     const kern_structure *s;
     kern_graph graph;
@@ -2481,8 +2485,7 @@ struct kern_model {
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
     kern_real *load;          /* three a group: what contacts must exert      */
     kern_real *size;          /* of a group: magnitude of all that acts       */
-    kern_real *arm;           /* two an end: torques of n and t there, as its
-                                 row has them                                 */
+    kern_arm arm;
     kern_cones cone;
     kern_clusters cluster;
     int whole;                /* nonzero: all groups are one part             */
@@ -2518,7 +2521,7 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
     m->cluster.open = kern_take_ints(take, groups);
     m->graph.carrier = kern_take_ints(take, groups);
     m->graph.local = kern_take_ints(take, groups + 1);
-    m->arm = kern_take_reals(take, 4 * contacts);
+    m->arm.torque = kern_take_reals(take, 4 * contacts);
 }
 
 KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
@@ -2602,6 +2605,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->graph.block[none++] = i;
     m->graph.groups = none;
+    m->arm.shrink = KERN_INFINITY;
     m->whole = 0;
     kern_model_order(m);
     for (i = 0; i < s->blocks; i++)
@@ -2711,16 +2715,20 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
     kern_row row;
     row.n[0] = end & 1 ? -n.x : n.x;
     row.n[1] = end & 1 ? -n.y : n.y;
-    row.n[2] = m->arm[2 * (size_t)end];
-    row.turn = m->arm[2 * (size_t)end + 1];
+    row.n[2] = m->arm.torque[2 * (size_t)end];
+    row.turn = m->arm.torque[2 * (size_t)end + 1];
     return row;
 }
 
-/* The torques of all rows for a query. */
+/* The cones, and the torques of all rows unless they are those, of a query. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
-    kern_real *to = m->arm;
+    kern_real *to = m->arm.torque;
     int i, end;
+    m->cone.reduction = kern_reduction(q);
+    if (m->arm.shrink >= q->shrink && m->arm.shrink <= q->shrink)
+        return;
+    m->arm.shrink = q->shrink;
     for (i = 0; i < m->s->contacts; i++) {
         kern_row row[2];
         kern_model_rows(m, q, i, row);
@@ -2778,8 +2786,6 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
     int g;
-    if (m->graph.groups == 0)
-        kern_model_group(m, q);
     kern_model_weigh(m, q);
     for (g = 0; g <= m->graph.groups; g++)
         m->graph.local[g] = KERN_OUT;
@@ -3326,16 +3332,6 @@ static kern_status kern_growth_check(const kern_model *m,
     return KERN_OK;
 }
 
-/* Whether a load lies on a block that is free. */
-static int kern_model_loaded(const kern_model *m)
-{
-    int g;
-    for (g = 0; g < m->graph.groups; g++)
-        if (kern_wrench_sum(&m->s->block[m->graph.block[g]].load) > 0)
-            return 1;
-    return 0;
-}
-
 /* Runs a path on which a load grows or gravity turns: a verdict at the start,
    search, proofs. */
 static kern_status kern_run(kern_call *c, const kern_task *task,
@@ -3345,14 +3341,15 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
 {
     const int tilt = kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
-    int loaded;
+    int g, loaded = 0; /* then a tilt may stand again after it fell */
     kern_status status = kern_number_open(c, task, shrink, out);
     if (status == KERN_OK)
         status = kern_growth_check(&c->m, pattern, side);
     if (status != KERN_OK)
         return status;
-    /* under loads that stay a tilt may stand again after it fell */
-    loaded = tilt && kern_model_loaded(&c->m);
+    for (g = 0; g < c->m.graph.groups && tilt; g++)
+        loaded |= kern_wrench_sum(
+            &task->s.block[c->m.graph.block[g]].load) > 0;
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
@@ -4643,18 +4640,6 @@ static int kern_pass_three(const kern_real h[6], const kern_real b[3],
     return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
 }
 
-/* The motion u in the null space of a singular 3 x 3 matrix, with u.b <= 0. */
-static void kern_pass_free(const kern_real h[6], const kern_real b[3],
-                           kern_real u[3])
-{
-    const kern_real l1 = h[1] / h[0], l3 = h[3] / h[0];
-    const kern_real l4 = (h[4] - l3 * h[1]) / (h[2] - l1 * h[1]);
-    u[2] = b[2] + (l1 * l4 - l3) * b[0] - l4 * b[1] > 0 ? KERN_R(-1)
-                                                       : KERN_R(1);
-    u[1] = -l4 * u[2];
-    u[0] = (l1 * l4 - l3) * u[2];
-}
-
 typedef struct kern_support { /* a contact that carries the group */
     kern_row row;
     kern_real mu;
@@ -4724,16 +4709,13 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
     }
 }
 
-/* The least change u that makes the rows exert b, by Newton's method with full
-   steps. KERN_FALLS where that ends with something left: then u is how the
-   group seems to move; KERN_UNDECIDED where it does not end soon. */
+/* The least change that makes the rows exert b, by Newton's method with full
+   steps. KERN_FALLS: something is left; KERN_UNDECIDED: it does not end. */
 static kern_status kern_pass_solve(kern_support *c, int n,
-                                   const kern_real b[3], kern_real tolerance,
-                                   kern_real u[3])
+                                   const kern_real b[3], kern_real tolerance)
 {
-    kern_real left[3], h[6], step[3], most;
+    kern_real left[3], h[6], step[3], most, u[3] = {0, 0, 0};
     int k, round, changed = 1, good = 0;
-    u[0] = u[1] = u[2] = KERN_R(0);
     for (k = 0; k < n; k++)
         c[k].mask = 3;
     for (round = 0; round < KERN_FEW_ROUNDS && changed; round++) {
@@ -4755,10 +4737,8 @@ static kern_status kern_pass_solve(kern_support *c, int n,
             break;
         if (changed)
             return KERN_UNDECIDED;
-        if (round == 2) {
-            kern_pass_free(h, left, u);
+        if (round == 2)
             return KERN_FALLS;
-        }
         kern_pass_three(h, left, step);
         kern_support_move(c, n, step, u);
     }
@@ -4769,15 +4749,14 @@ static kern_status kern_pass_solve(kern_support *c, int n,
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     kern_support c[KERN_ROWS_MOST];
-    kern_real b[3], u[3];
+    kern_real b[3];
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_status status;
-    int n, k;
-    n = kern_pass_supports(m, g, c);
+    int n = kern_pass_supports(m, g, c), k;
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
     kern_pass_load(m, g, 0, b);
-    status = kern_pass_solve(c, n, b, tolerance, u);
+    status = kern_pass_solve(c, n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real *w = c[k].way;
         const kern_law s = kern_law_pressed(w[0], w[1], c[k].mu);
@@ -4881,17 +4860,15 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
    that rests on it, and its loads do work: no force from above holds it. */
 static int kern_pass_parts(kern_part *p)
 {
-    const kern_model *m = p->m;
     const kern_real most = KERN_REST * kern_largest(p->dual.u, 3 * p->groups);
     kern_real power = KERN_R(0);
-    int n, j, k;
+    int n, k;
     for (n = 0; n < p->groups; n++)
-        for (j = 0; j < 3; j++)
-            power += p->dual.u[3 * n + j] * m->load[3 * p->group[n] + j];
+        power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
     kern_norm_ways(p, p->dual.u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k + 2;
-        if (w[0] + kern_model_mu(m, p->contact[k]) * kern_abs(w[1]) > most)
+        if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > most)
             return 0;
     }
     return power > 0;
@@ -4957,8 +4934,7 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* All groups must be balanced, and there are no forces. A cluster may have a
-   share of the groups. */
+/* No forces, and all groups open. A cluster may have a share of the groups. */
 static void kern_pass_begin(kern_model *m, int share)
 {
     const int groups = m->graph.groups;
@@ -5006,10 +4982,11 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
 static void kern_pass_known(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
+    const kern_real one = 1 / m->weight;
     int i, g;
     for (i = 0; i < m->s->contacts; i++) {
-        m->answer.force[i].normal = known->force[i].normal / m->weight;
-        m->answer.force[i].tangential = known->force[i].tangential / m->weight;
+        m->answer.force[i].normal = known->force[i].normal * one;
+        m->answer.force[i].tangential = known->force[i].tangential * one;
     }
     for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
         i += kern_force_transfer(m, i, known->holds, shrink);
@@ -5254,29 +5231,24 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     return status;
 }
 
-/* Passes the loads of a query down: KERN_STANDS with a proof; KERN_FALLS with
-   an open part that seems to fall; or KERN_UNDECIDED. */
+/* Passes the loads of the query that is set down: KERN_STANDS with a proof;
+   KERN_FALLS with an open part that seems to fall; or KERN_UNDECIDED. */
 static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    int change = m->answer.known != NULL;
     if (!kern_model_spend(m, m->budget.query_units))
         return KERN_LIMIT;
     m->budget.work->solves++;
-    kern_model_set(m, q);
-    for (; change >= 0; change--) {
-        kern_pass_begin(m, share);
-        if (change)
-            kern_pass_known(m, q->shrink);
-        found = kern_pass(m, p);
-        if (found == KERN_FALLS)
-            return found;
-        kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
-        if (found == KERN_STANDS && kern_answer_holds(m, q))
-            return p->found = found;
-    }
-    return KERN_UNDECIDED;
+    kern_pass_begin(m, share);
+    if (m->answer.known)
+        kern_pass_known(m, q->shrink);
+    found = kern_pass(m, p);
+    if (found == KERN_FALLS)
+        return found;
+    kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
+    return found == KERN_STANDS && kern_answer_holds(m, q) ? p->found = found
+                                                           : KERN_UNDECIDED;
 }
 
 /* From now on one linear program of all groups answers, from its last basis. It
@@ -5286,7 +5258,7 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
 {
     kern_status status;
     int g, k;
-    kern_model_set(m, q);
+    kern_model_weigh(m, q);
     if (!kern_part_begin(p, m, m->graph.groups, &m->common))
         return KERN_NO_SPACE;
     p->contacts = p->own = m->s->contacts;
@@ -5311,6 +5283,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     kern_status status;
     p->found = KERN_UNDECIDED;
     if (!m->whole) {
+        kern_model_set(m, q);
         status = kern_model_pass(m, p, q, KERN_CLUSTER_ONCE);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
@@ -5633,7 +5606,7 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
 {
     const kern_contact *c = m->s->contact + i;
     kern_support row[KERN_ROWS_MOST], was;
-    kern_real b[3] = {0, 0, 0}, u[3];
+    kern_real b[3] = {0, 0, 0};
     int k;
     if (j - i > KERN_ROWS_MOST)
         return 0;
@@ -5645,7 +5618,7 @@ static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
         kern_support_set(row + (k - i), m, d, sign, place, c->p, one);
         kern_row_exert(&was.row, f->normal, f->tangential, b);
     }
-    return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3), u)
+    return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3))
            == KERN_STANDS;
 }
 
@@ -5779,8 +5752,7 @@ static int kern_start_falls(kern_model *m, kern_path *path)
    the whole falls. The critical value of most structures is that of a body. */
 
 /* The first contact of the line that carries body g, as an end; KERN_OUT where
-   other contacts carry it. Sets m->graph.carrier: the block that carries it, if
-   it is one. */
+   other contacts carry it. Sets graph.carrier: what carries it alone. */
 static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
@@ -5800,14 +5772,13 @@ static int kern_body_line(kern_model *m, int g)
 /* Where body g, on the line that begins with end e, tips about one of the
    line's ends, and the motion u by which it does, `aside` beyond; infinity: it
    is not pressed on the line, or slides, or stands until the kern is closed.
-   The model is that of the shrinkage `at`. */
+   The model is that of the shrinkage `at`; b is the body's load. */
 static kern_real kern_body_critical(const kern_model *m, int g, int e,
-                                    kern_real at, kern_real aside,
-                                    kern_real u[3])
+                                    const kern_real *b, kern_real at,
+                                    kern_real aside, kern_real u[3])
 {
     const kern_contact *c = m->s->contact + (e >> 1);
     const kern_row row = kern_model_row(m, e), last = kern_model_row(m, e + 2);
-    const kern_real *b = m->load + 3 * (size_t)g;
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
     const kern_real span = last.n[2] - row.n[2];
@@ -5840,42 +5811,41 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 {
     const kern_real spin = u[2] * m->unit[body];
     kern_real most = KERN_R(0);
-    int i, g, h;
+    int g, h;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
-    for (i = 0; i < 2; i++)
-        for (g = 0; g <= body; g++) {
-            const kern_block *b = m->s->block + m->graph.block[g];
-            kern_motion *v = m->answer.motion + m->graph.block[g];
-            const kern_real one = i ? 1 / most : KERN_R(1);
-            kern_vec arm;
-            for (h = g; h != KERN_OUT && h < body; h = m->graph.carrier[h])
-                ;
-            if (h != body)
-                continue;
-            arm = kern_vec_sub(b->centre,
-                               m->s->block[m->graph.block[body]].centre);
-            v->vx = (u[0] - spin * arm.y) * one;
-            v->vy = (u[1] + spin * arm.x) * one;
-            v->spin = spin * one;
-            most = i ? most : kern_max(most, kern_block_speed(b, v));
-        }
+    for (g = 0; g <= body; g++) {
+        const kern_block *b = m->s->block + m->graph.block[g];
+        kern_motion *v = m->answer.motion + m->graph.block[g];
+        kern_vec arm;
+        for (h = g; h != KERN_OUT && h < body; h = m->graph.carrier[h])
+            ;
+        if (h != body)
+            continue;
+        arm = kern_vec_sub(b->centre,
+                           m->s->block[m->graph.block[body]].centre);
+        v->vx = u[0] - spin * arm.y;
+        v->vy = u[1] + spin * arm.x;
+        v->spin = spin;
+        most = kern_max(most, kern_block_speed(b, v));
+    }
+    kern_scale(m->answer.motion, 3 * m->s->blocks, 1 / most);
 }
 
-/* The smallest critical value of a body becomes the path's warm start, if it is
-   below that. Returns it; the start, where a body falls there; or infinity. The
-   model is that of the shrinkage `at`; its loads are none afterwards. */
+/* The smallest critical value of a body becomes the path's warm start. Returns
+   it; the start, where a body falls there; or infinity. The model is that of
+   the shrinkage `at`. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
-    kern_real least = KERN_INFINITY, u[3] = {0, 0, 0};
-    kern_real best = kern_min(path->end, path->warm.fails);
+    kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
+    kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
     if (!kern_model_spend(m, m->budget.query_units))
         return least;
-    for (g = 0; g < m->graph.groups; g++) {
-        const kern_real *load = m->load + 3 * (size_t)g;
+    kern_copy(load, m->load, 3 * m->graph.groups);
+    for (g = 0; g < m->graph.groups; g++, load += 3) {
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, at, path->unit.aside, u);
+            : kern_body_critical(m, g, line, load, at, path->unit.aside, u);
         if (crit <= path->start + 2 * path->unit.aside)
             return path->start;
         if (crit + path->unit.aside < best) {
@@ -5886,7 +5856,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
             kern_body_moves(m, g, u);
         }
         if (on != KERN_OUT) {
-            kern_real *to = m->load + 3 * (size_t)on;
+            kern_real *to = load + 3 * (on - g);
             const kern_vec arm = kern_vec_sub(
                 m->s->block[m->graph.block[g]].centre,
                 m->s->block[m->graph.block[on]].centre);
@@ -5955,25 +5925,12 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     return status;
 }
 
-/* The verdict of the pass at s. After KERN_FALLS path->critical is that of a
-   body, or of the part that falls; without forces and such a part
-   KERN_UNDECIDED. */
-static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
+/* The verdict on the open part alone at s, and after KERN_FALLS in
+   path->critical its critical value; KERN_UNDECIDED where it does not fall. */
+static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
-    const kern_query q = kern_path_at(path, s);
     const kern_real holds = path->holds;
-    kern_status status = kern_model_pass(m, path->part, &q, KERN_CLUSTER_AGAIN);
-    if (status == KERN_STANDS) {
-        kern_path_note(m, path, status, s);
-        path->holds = s;
-    } else if (status >= KERN_UNDECIDED && path->warm.fails < KERN_INFINITY
-               && path->warm.motion != m->answer.motion) {
-        const kern_real body = kern_body_first(m, path, s);
-        if (body < s && body > path->start && kern_start_falls(m, path))
-            return KERN_FALLS;
-    }
-    if (status != KERN_FALLS)
-        return status;
+    kern_status status;
     if (kern_part_lay(path->part) != KERN_OK)
         return KERN_UNDECIDED;
     path->alone = 1;
@@ -5986,30 +5943,72 @@ static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
+/* The verdict of the pass at s; all but the rows is set. After KERN_FALLS the
+   critical value is that of a part; KERN_UNDECIDED: no forces and no part. */
+static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_query q = kern_path_at(path, s);
+    kern_status status;
+    kern_model_arms(m, &q);
+    status = kern_model_pass(m, path->part, &q, KERN_CLUSTER_AGAIN);
+    if (status == KERN_STANDS) {
+        kern_path_note(m, path, status, s);
+        path->holds = s;
+    }
+    return status == KERN_FALLS ? kern_path_part(m, path, s) : status;
+}
+
+/* Whether what moved in the known structure falls with the last block at s; its
+   critical value is the path's. */
+static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_motion *known = m->answer.known->motion;
+    int g, groups = 0, last = 0;
+    for (g = 0; g < m->graph.groups; g++) {
+        const int b = m->graph.block[g];
+        if (b == m->s->blocks - 1 || kern_speed(known + b) > 0) {
+            m->graph.local[g] = 0;
+            groups++;
+            last = g;
+        }
+    }
+    return groups > 0 && kern_part_open(path->part, m, groups, last)
+           && kern_path_part(m, path, s) == KERN_FALLS;
+}
+
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or that of a body near; else where that held, or a step on. */
+   proves it, or up to a step on that of the known part or of a body; else where
+   the known one held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     kern_known *warm = &path->warm;
-    const kern_query q = kern_path_at(path, path->start);
-    const int known = warm->fails > path->start && warm->fails <= path->end
-                      && warm->holds <= warm->margin
-                      && warm->margin <= warm->fails;
-    const kern_real holds = known ? kern_max(path->start, warm->holds)
-                                  : kern_min(path->start + first, path->end);
+    int known = warm->fails > path->start && warm->fails <= path->end
+                && warm->holds <= warm->margin && warm->margin <= warm->fails;
+    const kern_real at = known ? kern_max(path->start, warm->holds)
+                               : kern_min(path->start + first, path->end);
+    const kern_real most = known ? kern_min(at + first, path->end)
+                                 : KERN_INFINITY;
+    const kern_query q = kern_path_at(path, at);
     kern_real body;
-    if (known && kern_start_falls(m, path))
-        return holds;
-    warm->fails = KERN_INFINITY;
+    path->part->groups = 0;
     kern_model_set(m, &q);
-    body = kern_body_first(m, path, path->start);
+    if (known && kern_start_falls(m, path))
+        return at;
+    warm->fails = KERN_INFINITY;
+    body = kern_body_first(m, path, at);
     if (body <= path->start)
         return body;
-    if (!(body < (known ? KERN_BODY_NEAR * holds : KERN_INFINITY)))
-        return holds;
-    kern_start_falls(m, path);
-    return warm->holds;
+    if (body < most) {
+        kern_start_falls(m, path);
+        return warm->holds;
+    }
+    if (known && m->answer.known && m->graph.groups <= KERN_SMALL
+        && kern_known_part(m, path, most))
+        return kern_max(path->start, path->critical - path->unit.aside);
+    path->part->groups = 0;
+    path->fails = KERN_INFINITY;
+    return at;
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
@@ -6018,7 +6017,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real step)
 {
-    kern_status status = KERN_STANDS;
+    kern_status status = KERN_UNDECIDED;
     kern_real at;
     int round;
     path->start = path->holds;
@@ -6026,7 +6025,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     if (m->whole || path->kind != KERN_PATH_SHRINK)
         return kern_path_whole(m, path, step, step);
     at = kern_path_first(m, path, step);
-    for (round = 0; round < KERN_FEW_ROUNDS; ) {
+    round = path->part->groups > m->graph.groups / KERN_CLUSTER_AGAIN + 1
+            ? KERN_FEW_ROUNDS : 0; /* no cluster is as large */
+    while (round < KERN_FEW_ROUNDS) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && at > path->start) {
             at = kern_max(path->critical - path->unit.aside, path->start);
@@ -6805,7 +6806,6 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     q->factor = share;
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
-        r->m->cone.reduction = kern_reduction(q);
         kern_model_arms(r->m, q);
         raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
     }
@@ -8602,7 +8602,8 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 /* What is known of a structure is the bracket of its last margin, with a
    mechanism at the upper end of it. A stone that does not touch what moves
    there leaves the mechanism as it is: the old motion proves it again, and one
-   verdict at the lower end is all that is left to do. */
+   verdict at the lower end is all that is left to do. One that does often moves
+   with it: what moved, and the stone, are asked alone (kern_known_part()). */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,

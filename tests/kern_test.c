@@ -4352,12 +4352,11 @@ static void engine_factor(void)
 }
 
 /* A box on two points at -1 and 1, loaded at x: the forces are (1 -+ x) / 2;
-   beyond the points none hold it, and it moves as the load does. */
+   beyond the points none hold it. */
 static void engine_group_on(double x)
 {
     const kern_real b[3] = {0, R(1), R(x)};
     kern_support c[2];
-    kern_real u[3];
     kern_status got;
     int k;
     memset(c, 0, sizeof c);
@@ -4365,10 +4364,8 @@ static void engine_group_on(double x)
         c[k].row = kern_row_of(vec(0, 1), vec(k ? 1 : -1, -0.5), R(1));
         c[k].mu = R(0.4);
     }
-    got = kern_pass_solve(c, 2, b, R(SINGLE ? 1e-6 : 1e-11), u);
+    got = kern_pass_solve(c, 2, b, R(SINGLE ? 1e-6 : 1e-11));
     CHECK_INT(got, fabs(x) <= 1 ? KERN_STANDS : KERN_FALLS);
-    if (got == KERN_FALLS)
-        CHECK(b[1] * u[1] + b[2] * u[2] < 0); /* the load is -b */
     for (k = 0; k < 2 && got == KERN_STANDS; k++) {
         const kern_law s = kern_law_pressed(c[k].way[0], c[k].way[1],
                                                   c[k].mu);
