@@ -224,7 +224,7 @@ static void test_sky(void)
     const double sky[8] = { 1, 0, 2, 0, 0, 0, 3, 0 };
     const double wanted[8] = { 1, 1, 2, 0, 0, 0, 3, 3 };
     const double wide[8] = { 2, 2, 2, 2, 2, 2, 3, 3 };
-    double room[16], out[16];
+    double room[20], out[20];
     stack_close(sky, 8, 2, room, out);
     for (int i = 0; i < 8; i++)
         near_to("closed sky", out[i + 1], wanted[i], 0);

@@ -159,7 +159,7 @@ struct stack_weights {
 
 /* Room for the skies that a cost compares. */
 struct stack_skies {
-    double *now, *then, *room, *closed[2];
+    double *then, *room, *closed[2];
 };
 
 struct stack_search {
@@ -178,15 +178,14 @@ static int stack_search_open(const struct stack_wall *w, uint64_t chance,
                              struct stack_search *s)
 {
     static const struct stack_search empty;
-    const size_t n = (size_t)w->columns + 4 * STACK_COLUMNS; /* notches below 2
-                                                          sizes on both sides */
+    const size_t n = (size_t)w->columns + 6 * STACK_COLUMNS; /* stack_close() of
+                                                          notches below 2 sizes */
     *s = empty;
     s->chance = chance;
     s->value = -HUGE_VAL;
     s->kept = malloc((size_t)w->stock->stones * sizeof *s->kept);
-    s->skies.now = malloc(5 * n * sizeof *s->skies.now);
-    if (!s->kept || !s->skies.now) return -1;
-    s->skies.then = s->skies.now + n;
+    s->skies.then = malloc(4 * n * sizeof *s->skies.then);
+    if (!s->kept || !s->skies.then) return -1;
     s->skies.room = s->skies.then + n;
     s->skies.closed[0] = s->skies.room + n;
     s->skies.closed[1] = s->skies.closed[0] + n;
@@ -197,7 +196,7 @@ static void stack_search_free(struct stack_search *s)
 {
     free(s->list.one);
     free(s->kept);
-    free(s->skies.now);
+    free(s->skies.then);
 }
 
 /* Notes the wall as the best so far. */
@@ -324,28 +323,26 @@ STACK_API int stack_build(struct stack_wall *w)
 /* ---- Search: `best`, many walls by a cost -------------------------------- */
 
 /* The most (sign 1) or least (-1) of every k neighbours in a[0..n), where what
-   is beside them is `beyond`: out[i] is that of the k that end at i. */
+   is beside them is `beyond`: out[i] is that of the k that end at i, of windows
+   whose width is doubled. `out` has room for n + 2 k. */
 static void stack_windows(const double *a, int n, int k, double sign,
                           double beyond, double *out)
 {
-    int at = -k; /* of the extreme */
-    double best = 0;
-    for (int i = 0; i < n + k - 1; i++) {
-        int first = i - k + 1, from = at < first ? first : i;
-        if (at < first) best = -HUGE_VAL;
-        for (int j = from; j <= i; j++) {
-            double v = sign * (j < 0 || j >= n ? beyond : a[j]);
-            if (v < best) continue;
-            best = v;
-            at = j;
-        }
-        out[i] = sign * best;
-    }
+    const int all = n + 2 * k - 2;
+    int wide = 1;
+    for (int i = 0; i < all; i++) out[i] = sign * beyond;
+    for (int i = 0; i < n; i++) out[i + k - 1] = sign * a[i];
+    for (; 2 * wide <= k; wide *= 2)
+        for (int i = 0; i + wide < all; i++)
+            out[i] = rigid_most(out[i], out[i + wide]);
+    for (int i = 0; i < n + k - 1; i++)
+        out[i] = sign * rigid_most(out[i], out[i + k - wide]);
 }
 
 /* The sky with notches narrower than k columns filled: for every column the
    least, over the windows that hold it, of the highest in the window. What is
-   beside the frame is as high as can be. */
+   beside the frame is as high as can be. out[i + k - 1] is that of column i; it
+   has room for n + 3 k. */
 static void stack_close(const double *sky, int n, int k, double *room,
                         double *out)
 {
@@ -354,28 +351,31 @@ static void stack_close(const double *sky, int n, int k, double *room,
 }
 
 /* Area that a candidate takes and does not fill: what the closed sky rises by
-   over it, within the frame, less the stone. */
+   over it, within the frame, less the stone. r->closed[0] is the sky before,
+   closed. */
 static double stack_dead(const struct stack_wall *w, const struct stone *s,
                          double inside, int k, const struct stack_skies *r)
 {
     const double top = w->options.height;
-    int from = stack_column(w, s->low.x) - 2 * k, n;
-    int to = stack_column(w, s->high.x) + 2 * k;
+    int from = stack_column(w, s->low.x) - 2 * k;
+    int to = stack_column(w, s->high.x) + 2 * k, n, left = k, right = k;
     double sum = 0;
-    if (from < 0) from = 0;
-    if (to > w->columns) to = w->columns;
+    if (from < 0) from = left = 0;
+    if (to > w->columns) {
+        to = w->columns;
+        right = 0;
+    }
     n = to - from;
     for (int i = 0; i < n; i++) {
         double low, high;
-        r->now[i] = r->then[i] = w->sky[from + i];
+        r->then[i] = w->sky[from + i];
         if (stack_sides(s, stack_column_x(w, from + i), &low, &high))
-            r->then[i] = fmax(high, r->now[i]);
+            r->then[i] = rigid_most(high, r->then[i]);
     }
-    stack_close(r->now, n, k, r->room, r->closed[0]);
     stack_close(r->then, n, k, r->room, r->closed[1]);
-    for (int i = 0; i < n; i++)
-        sum += fmin(r->closed[1][i + k - 1], top)
-             - fmin(r->closed[0][i + k - 1], top);
+    for (int i = left; i < n - right; i++) /* beyond, nothing has changed */
+        sum += rigid_least(r->closed[1][i + k - 1], top)
+             - rigid_least(r->closed[0][from + i + k - 1], top);
     return sum * w->options.width / w->columns - inside;
 }
 
@@ -521,6 +521,8 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
     double low = HUGE_VAL;
     if (stack_on_two(w) > stack_bonded) g.one = 0;
     for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
+    stack_close(w->sky, w->columns, (int)(g.notch * STACK_COLUMNS),
+                s->skies.room, s->skies.closed[0]);
     for (int i = 0; i < list->count; i++)
         list->one[i].cost = stack_cost(w, &list->one[i], low, &g, &s->skies)
                           + g.noise * random_uniform(&s->chance, 0, 1);

@@ -56,6 +56,7 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
                       const struct stone *s)
 {
     const double within = (s->n > STONES_BEDS ? 0.03 : 1e-3) * w->stock->size;
+    const int best = w->options.planner == STACK_BEST;
     struct stack_candidate *more, c;
     if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
         return 0;
@@ -71,8 +72,8 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
         if (stack_same(&list->one[i].place, &c.place, within))
             return 0;
     c.feature[STACK_EDGES] = stack_edges(&w->around, s);
-    c.feature[STACK_HOLE] = -stack_hole(w, s);
-    c.feature[STACK_NEIGHBOURS] = stack_neighbours(w, s);
+    c.feature[STACK_HOLE] = best ? 0 : -stack_hole(w, s); /* has no use of it */
+    c.feature[STACK_NEIGHBOURS] = best ? 0 : stack_neighbours(w, s);
     c.feature[STACK_SLOPE] = -stack_slope(s);
     c.feature[STACK_BOND] = stack_bond(w, s);
     c.bed = stack_bed(&w->around, s);

@@ -241,8 +241,8 @@ static int stack_sides(const struct stone *s, double x, double *low,
         kern_vec p = s->v[i], q = s->v[i + 1 < s->n ? i + 1 : 0];
         if ((p.x < x) == (q.x < x)) continue;
         double y = p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y);
-        *low = fmin(*low, y);
-        *high = fmax(*high, y);
+        *low = rigid_least(*low, y);
+        *high = rigid_most(*high, y);
     }
     return *low < HUGE_VAL;
 }
@@ -408,8 +408,8 @@ STACK_API void stack_look(struct stack_wall *w, double left, double right,
         for (int i = 0; i < block->vertices; i++) {
             kern_vec p = block->vertex[i];
             kern_vec q = block->vertex[i + 1 < block->vertices ? i + 1 : 0];
-            if (fmax(p.y, q.y) < low || fmin(p.x, q.x) > right ||
-                fmax(p.x, q.x) < left)
+            if (rigid_most(p.y, q.y) < low || rigid_least(p.x, q.x) > right ||
+                rigid_most(p.x, q.x) < left)
                 continue;
             w->around.edge[w->around.edges] = rest_edge_of(p, q);
             w->around.edge[w->around.edges++].block = b;
@@ -426,8 +426,8 @@ STACK_API double stack_common(const struct rest_edge *a,
     kern_vec t = stones_vec(-a->n.y, a->n.x);
     double from, to, length = stones_dot(t, stones_sub(a->b, a->a));
     if (stones_dot(a->n, b->n) > -cosine) return 0;
-    from = fmax(0, stones_dot(t, stones_sub(b->b, a->a)));
-    to = fmin(length, stones_dot(t, stones_sub(b->a, a->a)));
+    from = rigid_most(0, stones_dot(t, stones_sub(b->b, a->a)));
+    to = rigid_least(length, stones_dot(t, stones_sub(b->a, a->a)));
     if (to <= from) return 0;
     /* the gap in the middle of what they share */
     kern_vec m = stones_vec(a->a.x + (from + to) / 2 * t.x,
@@ -465,8 +465,8 @@ STACK_API double stack_hole(const struct stack_wall *w, const struct stone *s)
 /* Mean height of the sky from x to x + way; HUGE_VAL outside of the frame. */
 static double stack_mean_sky(const struct stack_wall *w, double x, double way)
 {
-    int from = stack_column(w, fmin(x, x + way));
-    int to = stack_column(w, fmax(x, x + way));
+    int from = stack_column(w, rigid_least(x, x + way));
+    int to = stack_column(w, rigid_most(x, x + way));
     double sum = 0;
     for (int i = from; i < to; i++) sum += w->sky[i];
     return to > from ? sum / (to - from) : HUGE_VAL;
