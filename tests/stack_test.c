@@ -276,6 +276,8 @@ static void test_masonry(void)
         near_to("bricks on two", m.on_two, shift[k] > 0 ? 0.8 : 0, 1e-12);
         near_to("ends that are columns", m.end_columns, shift[k] > 0 ? 0 : 1,
                 0);
+        near_to("joints through three courses", m.running,
+                shift[k] > 0 ? 0 : 4, 0);
         stack_free(&w);
         stones_free(&stock);
     }

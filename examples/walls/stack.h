@@ -251,8 +251,9 @@ static void stack_give_up(struct stack_wall *w)
 
 /* ---- Search: one wall by the filters ------------------------------------- */
 
-/* Where so many candidates that stand are not raised or move, none is laid. */
-enum { STACK_TRIES = 128 };
+/* Where so many candidates that stand are not raised or move, none is laid; the
+   second is for a wall of many. */
+enum { STACK_TRIES = 128, STACK_FEW_TRIES = 16 };
 
 /* What the filters choose of the candidates that stack_holds(); -1: none. */
 STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
@@ -517,7 +518,7 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
 {
     struct stack_list *list = &s->list;
     const int ask = w->options.goal == STACK_LOAD ? 8 : 1;
-    int stand = 0;
+    int stand = 0, tries = 0;
     double low = HUGE_VAL;
     if (stack_on_two(w) > stack_bonded) g.one = 0;
     for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
@@ -528,11 +529,16 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
                           + g.noise * random_uniform(&s->chance, 0, 1);
     if (list->count == 0) return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
-    for (int from = 0; from < list->count; from += stand) {
+    for (int from = 0; from < list->count && tries < STACK_FEW_TRIES;
+         from += stand) {
         stand = 0;
         for (int i = from; i < list->count && stand < ask; i++) {
             struct stack_candidate c = list->one[i];
-            if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) continue;
+            if (c.out) continue;
+            if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) {
+                list->one[i].out = 1;
+                continue;
+            }
             c.cost -= g.stable * c.stable;
             list->one[i] = list->one[from + stand];
             list->one[from + stand++] = c;
@@ -540,7 +546,7 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
         if (stand == 0) break;
         qsort(list->one + from, (size_t)stand, sizeof *list->one,
               stack_compare);
-        for (int i = from; i < from + stand; i++)
+        for (int i = from; i < from + stand; i++, tries++)
             if (stack_holds(w, &list->one[i])) return i;
     }
     return -1;
@@ -572,7 +578,7 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
    it would build walls that are low. A stock that cannot fill as much as is
    enough is measured by what it can: else a stone that rises above the frame
    would count for more than what the wall endures. */
-static const double stack_more = 0.07, stack_enough = 0.80;
+static const double stack_more = 0.08, stack_enough = 0.80;
 
 static double stack_worth_of_filling(const struct stack_wall *w)
 {
@@ -602,19 +608,19 @@ static double stack_value_of_load(struct stack_wall *w)
     return limit * stack_worth(fill);
 }
 
-/* What of a wall is as masons want it, 0 to 1: filled, its joints crossed, its
-   long stones lying, every stone on a bed, half of its stones on two others and a
-   few more, and no column at either end. */
+/* What of a wall is as masons want it, 0 to 1: filled, its joints crossed and none
+   through three courses, its long stones lying, every stone on a bed, half of its
+   stones on two others and a few more, and no column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
-    const double half = 0.51;
+    const double half = 0.51, runs = 0.7;
     struct masonry m;
     double bond;
     if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
     bond = pow(fmin(1, m.on_two / half), 4);
     return stack_worth_of_filling(w)
          * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless)
-         * bond * (1 - 0.8 * m.end_columns);
+         * bond * (1 - 0.8 * m.end_columns) * pow(runs, m.running);
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is
@@ -622,6 +628,7 @@ static double stack_value_of_masonry(const struct stack_wall *w)
    be more than `most`. */
 static double stack_value(struct stack_wall *w, double most)
 {
+    const double better = 1.05; /* less is chance */
     double worth;
     if (stack_asked(w) && w->laid - w->pins < w->options.most)
         return w->laid - w->pins - w->options.most;
@@ -630,7 +637,7 @@ static double stack_value(struct stack_wall *w, double most)
     if (w->options.goal == STACK_DROP)
         return worth * fmax(0, stack_predicted_level(w));
     return worth * stack_endured_high > most
-           ? worth * stack_endured_level(w, most / worth) : 0;
+           ? worth * stack_endured_level(w, better * most / worth) : 0;
 }
 
 /* Weights that a search multiplies, and between what it draws them first. */
@@ -691,6 +698,28 @@ static int stack_spent(const struct stack_wall *w)
     return o->effort > 0 && spent > share * o->effort;
 }
 
+/* Builds on stones that are known to stay, and returns the value of the wall;
+   -HUGE_VAL: memory is lacking. Some of the runs are asked only of a wall that
+   would be kept: from the first stone on that moves it is built again, and all
+   are asked. */
+static double stack_grown(struct stack_wall *w, struct stack_search *s,
+                          const struct stack_weights *g, int known)
+{
+    double value = -HUGE_VAL;
+    w->runs = STACK_FIRST_RUNS;
+    for (int stay = -1; stay < w->laid;) {
+        if (stay >= 0) {
+            stack_cut(w, stay);
+            w->runs = STACK_RUNS;
+        }
+        if (stack_grow(w, s, g)) value = -HUGE_VAL;
+        else value = stack_value(w, s->value);
+        stay = value > s->value ? stack_stay(w, known) : w->laid;
+    }
+    w->runs = STACK_RUNS;
+    return value;
+}
+
 /* Builds one more wall: from the ground, or by taking stones off the best one
    and going on differently, more often than not with weights like those that
    made it. Keeps it where it is the best so far. Returns 0, or -1. */
@@ -701,21 +730,24 @@ static int stack_next_wall(struct stack_wall *w, struct stack_search *s,
     double value;
     int from = 0;
     if (!fresh) {
-        from = (int)random_uniform(&s->chance, 0, s->keep - 1);
+        from = (int)((s->keep - 1) * sqrt(random_uniform(&s->chance, 0, 1)));
         if (random_uniform(&s->chance, 0, 1) < 0.6)
             g = stack_vary(s->good, &s->chance);
     }
-    if (stack_restore(w, s->kept, from) || stack_grow(w, s, &g)) return -1;
-    value = stack_value(w, s->value);
+    if (stack_restore(w, s->kept, from)) return -1;
+    value = stack_grown(w, s, &g, from);
     if (value > s->value) {
         s->value = value;
         s->good = g;
         stack_keep(w, s);
     }
-    return 0;
+    return value > -HUGE_VAL ? 0 : -1;
 }
 
-/* Builds one wall after the other, the first eighth from the ground, and leaves
+/* So many walls at least begin at the ground. */
+enum { STACK_FRESH = 6 };
+
+/* Builds one wall after the other, the first ones from the ground, and leaves
    the best. Returns 0, or -1 where memory is lacking. */
 STACK_API int stack_best(struct stack_wall *w)
 {
@@ -724,7 +756,7 @@ STACK_API int stack_best(struct stack_wall *w)
     int bad = stack_search_open(w, random_start(o->seed), &s);
     for (w->walls = 0; w->walls < o->walls && !bad && !stack_spent(w);
          w->walls++)
-        bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < o->walls / 8);
+        bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < STACK_FRESH);
     bad = bad || stack_restore(w, s.kept, s.keep);
     if (!stack_ends(w)) stack_give_up(w);
     stack_search_free(&s);

@@ -77,8 +77,11 @@ struct stack_wall;
    how many candidates it takes to ask whether the wall stands with one, and
    whether its load raises the forces; and how many stones of the stock may be the
    next one, if nothing else is asked for. */
-enum { STACK_PASSES = 200, STACK_ASKING = 4, STACK_RAISING = 40,
+enum { STACK_PASSES = 160, STACK_ASKING = 2, STACK_RAISING = 70,
        STACK_LOOK = 6 };
+
+/* Runs of the simulator that are asked of a stone, see stack_place.h. */
+enum { STACK_RUNS = 5 };
 
 struct stack_options {
     enum stack_planner planner;
@@ -104,7 +107,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
-                               { 0 }, 0, 0.4, -1, 1, 48, 400000, STACK_SHAKING,
+                               { 0 }, 0, 0.4, -1, 1, 400, 460000, STACK_SHAKING,
                                { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
@@ -144,6 +147,7 @@ struct stack_wall {
     int columns;
     struct rest_near around;  /* room for the edges of all                 */
     int walls;              /* that `best` has built                     */
+    int runs;               /* of the simulator before a stone is laid   */
     int tried;              /* stones let down that came to rest         */
     int asked;              /* candidates that kern was asked about      */
     int raised;             /* of them, whether they are raised          */
@@ -202,6 +206,7 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     const int blocks = stock->stones + 2, contacts = 40 * blocks;
     int corners = 4;
     *w = empty;
+    w->runs = STACK_RUNS;
     w->stock = stock;
     w->options = *options;
     for (int i = 0; i < stock->stones; i++) corners += stock->stone[i].n;
