@@ -252,7 +252,7 @@ static void stack_give_up(struct stack_wall *w)
 /* ---- Search: one wall by the filters ------------------------------------- */
 
 /* Where so many candidates that stand are not raised or move, none is laid; the
-   second is for a wall of many. */
+   second is for `best`, where a few stones may be the next one. */
 enum { STACK_TRIES = 128, STACK_FEW_TRIES = 16 };
 
 /* What the filters choose of the candidates that stack_holds(); -1: none. */
@@ -518,6 +518,8 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
 {
     struct stack_list *list = &s->list;
     const int ask = w->options.goal == STACK_LOAD ? 8 : 1;
+    const int most = w->options.look > STACK_LOOK ? STACK_TRIES
+                                                  : STACK_FEW_TRIES;
     int stand = 0, tries = 0;
     double low = HUGE_VAL;
     if (stack_on_two(w) > stack_bonded) g.one = 0;
@@ -529,8 +531,7 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
                           + g.noise * random_uniform(&s->chance, 0, 1);
     if (list->count == 0) return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
-    for (int from = 0; from < list->count && tries < STACK_FEW_TRIES;
-         from += stand) {
+    for (int from = 0; from < list->count && tries < most; from += stand) {
         stand = 0;
         for (int i = from; i < list->count && stand < ask; i++) {
             struct stack_candidate c = list->one[i];
