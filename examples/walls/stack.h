@@ -510,6 +510,11 @@ static double stack_cost(const struct stack_wall *w,
          + stack_fault(w, &s, c);
 }
 
+static int stack_tries(const struct stack_wall *w)
+{
+    return w->options.look > STACK_LOOK ? STACK_TRIES : STACK_FEW_TRIES;
+}
+
 /* The candidate of least cost that may be laid; -1: none. A stone on one alone
    costs more until the wall is in bond. The load factor is weighed among the
    cheapest that stand. */
@@ -518,8 +523,7 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
 {
     struct stack_list *list = &s->list;
     const int ask = w->options.goal == STACK_LOAD ? 8 : 1;
-    const int most = w->options.look > STACK_LOOK ? STACK_TRIES
-                                                  : STACK_FEW_TRIES;
+    const int most = stack_tries(w);
     int stand = 0, tries = 0;
     double low = HUGE_VAL;
     if (stack_on_two(w) > stack_bonded) g.one = 0;

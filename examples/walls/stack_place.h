@@ -406,7 +406,7 @@ static const double stack_soft = 0.04, stack_still = 0.02;
 /* The runs that a planner asks, first those that find most of what moves: in the
    steps that game engines take, where springs are softer and stones sink in by
    more, with an error in each pose and a push to either side, in long steps for
-   longer, and as the stones lie. */
+   longer, and as the stones lie. `best` asks the first ones of every stone. */
 enum { STACK_FIRST_RUNS = 3 };
 static const struct stack_run stack_runs[STACK_RUNS] = {
     { 60, 4, 1e-4, 0, 1, 6 }, { 120, 6, 2e-4, -0.02, 0, 4 },
