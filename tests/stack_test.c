@@ -685,7 +685,7 @@ static void test_bricks(void)
         struct stack_options o = stack_defaults();
         struct stones stock;
         struct stack_wall w;
-        struct masonry m = { 0, 0, 0, 0, 0, 0 };
+        struct masonry m = { 0, 0, 0, 0, 0, 0, 0 };
         o.width = 8.5;
         o.height = 3;
         o.walls = 16;
