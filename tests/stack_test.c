@@ -224,7 +224,7 @@ static void test_sky(void)
     const double sky[8] = { 1, 0, 2, 0, 0, 0, 3, 0 };
     const double wanted[8] = { 1, 1, 2, 0, 0, 0, 3, 3 };
     const double wide[8] = { 2, 2, 2, 2, 2, 2, 3, 3 };
-    double room[16], out[16];
+    double room[20], out[20];
     stack_close(sky, 8, 2, room, out);
     for (int i = 0; i < 8; i++)
         near_to("closed sky", out[i + 1], wanted[i], 0);
@@ -276,6 +276,8 @@ static void test_masonry(void)
         near_to("bricks on two", m.on_two, shift[k] > 0 ? 0.8 : 0, 1e-12);
         near_to("ends that are columns", m.end_columns, shift[k] > 0 ? 0 : 1,
                 0);
+        near_to("joints through three courses", m.running,
+                shift[k] > 0 ? 0 : 4, 0);
         stack_free(&w);
         stones_free(&stock);
     }
@@ -683,7 +685,7 @@ static void test_bricks(void)
         struct stack_options o = stack_defaults();
         struct stones stock;
         struct stack_wall w;
-        struct masonry m = { 0, 0, 0, 0, 0, 0 };
+        struct masonry m = { 0, 0, 0, 0, 0, 0, 0 };
         o.width = 8.5;
         o.height = 3;
         o.walls = 16;

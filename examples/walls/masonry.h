@@ -34,6 +34,7 @@ struct masonry {
                                stones or more, each on the one below alone  */
     double joint;           /* length of the shortest way up through the
                                joints over its height: 1 is a running joint */
+    double running;         /* joints that run up through three courses      */
 };
 
 static const double masonry_long = 1.25;  /* aspect of a long stone         */
@@ -42,6 +43,7 @@ static const double masonry_level = 0.866; /* normal of a bed: 30 degrees   */
 static const double masonry_point = 0.15; /* a shorter bed is none          */
 static const double masonry_rests = 0.5; /* normal of what carries: 60 deg  */
 static const double masonry_pin = 0.2;    /* below so much of a mean square */
+static const double masonry_apart = 0.15; /* of joints that run on, in sizes */
 static const double masonry_step = 0.06;  /* of the ways, in mean sizes     */
 static const double masonry_side = 0.6;   /* no way runs nearer to the ends */
 static const double masonry_high = 0.8;   /* of the mean top: the end       */
@@ -225,6 +227,54 @@ MASONRY_API void masonry_courses(const kern_structure *s, double size,
     }
 }
 
+/* The head joint to the right of block i: the middle between it and the next
+   stone of its course, beside it; HUGE_VAL: there is none. */
+static double masonry_head_joint(const kern_structure *s, double size,
+                                 const int *course, int i)
+{
+    const kern_block *b = &s->block[i], *next = NULL;
+    for (int k = 0; k < s->blocks; k++) {
+        const kern_block *c = &s->block[k];
+        if (course[k] != course[i] || c->centre.x <= b->centre.x ||
+            !masonry_is_stone(c, size) || c->box.low.y >= b->box.high.y ||
+            b->box.low.y >= c->box.high.y)
+            continue;
+        if (!next || c->centre.x < next->centre.x) next = c;
+    }
+    return next && masonry_is_stone(b, size)
+         ? (b->box.high.x + next->box.low.x) / 2 : HUGE_VAL;
+}
+
+/* Through how many courses a joint has come, from below. */
+struct masonry_line { double x; int courses; };
+
+/* How many joints run on from course to course through three. */
+static int masonry_running(const kern_structure *s, double size,
+                           struct masonry *m)
+{
+    const size_t blocks = (size_t)s->blocks + 1;
+    struct masonry_line *line = malloc(blocks * sizeof *line);
+    int *course = malloc(blocks * sizeof *course), left = s->blocks;
+    m->running = 0;
+    if (line && course) masonry_courses(s, size, course);
+    for (int now = 0; line && course && left > 0; now++)
+        for (int i = 0; i < s->blocks; i++) {
+            if (course[i] != now) continue;
+            left--;
+            line[i].x = masonry_head_joint(s, size, course, i);
+            line[i].courses = 1;
+            for (int k = 0; k < s->blocks && line[i].x < HUGE_VAL; k++)
+                if (course[k] == now - 1 &&
+                    fabs(line[k].x - line[i].x) < masonry_apart * size &&
+                    line[k].courses >= line[i].courses)
+                    line[i].courses = line[k].courses + 1;
+            m->running += line[i].courses == 3;
+        }
+    free(course);
+    free(line);
+    return left > 0 ? -1 : 0;
+}
+
 static int masonry_bond(const kern_structure *s, double size,
                         struct masonry *m)
 {
@@ -373,7 +423,7 @@ MASONRY_API int masonry_of(const kern_structure *s, double size,
 {
     m->upright = masonry_upright(s, size);
     return masonry_beds(s, size, m) || masonry_bond(s, size, m) ||
-           masonry_joints(s, size, m) ? -1 : 0;
+           masonry_running(s, size, m) || masonry_joints(s, size, m) ? -1 : 0;
 }
 
 #endif /* MASONRY_H */

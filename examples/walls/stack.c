@@ -57,8 +57,8 @@ static const char help[] =
 "      --friction MU     default 0.4\n"
 "      --joints MU       friction in head joints, steeper than 45 degrees, for\n"
 "                        the margin alone; default: that of all contacts\n"
-"      --walls N         best: so many walls are built; default 48, and fewer\n"
-"                        where these take more than some seconds\n"
+"      --walls N         best: so many walls are built; default: as many as\n"
+"                        some seconds allow\n"
 "      --goal G          best: what it wants to be high beside the filling:\n"
 "                        shaking, the level that a table of its own says,\n"
 "                        the default, drop, the one that the expected drop\n"
@@ -519,6 +519,7 @@ static void print_json(const struct settings *o, const struct row *r,
     if (r->masonry.joint < HUGE_VAL)
         printf("\"joint\": %.4g, ", r->masonry.joint);
     else printf("\"joint\": null, ");
+    printf("\"running\": %.0f, ", r->masonry.running);
     printf("\"seconds\": %.2f}\n", seconds);
 }
 

@@ -159,7 +159,7 @@ struct stack_weights {
 
 /* Room for the skies that a cost compares. */
 struct stack_skies {
-    double *now, *then, *room, *closed[2];
+    double *then, *room, *closed[2];
 };
 
 struct stack_search {
@@ -178,15 +178,14 @@ static int stack_search_open(const struct stack_wall *w, uint64_t chance,
                              struct stack_search *s)
 {
     static const struct stack_search empty;
-    const size_t n = (size_t)w->columns + 4 * STACK_COLUMNS; /* notches below 2
-                                                          sizes on both sides */
+    const size_t n = (size_t)w->columns + 6 * STACK_COLUMNS; /* stack_close() of
+                                                          notches below 2 sizes */
     *s = empty;
     s->chance = chance;
     s->value = -HUGE_VAL;
     s->kept = malloc((size_t)w->stock->stones * sizeof *s->kept);
-    s->skies.now = malloc(5 * n * sizeof *s->skies.now);
-    if (!s->kept || !s->skies.now) return -1;
-    s->skies.then = s->skies.now + n;
+    s->skies.then = malloc(4 * n * sizeof *s->skies.then);
+    if (!s->kept || !s->skies.then) return -1;
     s->skies.room = s->skies.then + n;
     s->skies.closed[0] = s->skies.room + n;
     s->skies.closed[1] = s->skies.closed[0] + n;
@@ -197,7 +196,7 @@ static void stack_search_free(struct stack_search *s)
 {
     free(s->list.one);
     free(s->kept);
-    free(s->skies.now);
+    free(s->skies.then);
 }
 
 /* Notes the wall as the best so far. */
@@ -252,8 +251,9 @@ static void stack_give_up(struct stack_wall *w)
 
 /* ---- Search: one wall by the filters ------------------------------------- */
 
-/* Where so many candidates that stand are not raised or move, none is laid. */
-enum { STACK_TRIES = 128 };
+/* Where so many candidates that stand are not raised or move, none is laid; the
+   second is for `best`, where a few stones may be the next one. */
+enum { STACK_TRIES = 128, STACK_FEW_TRIES = 16 };
 
 /* What the filters choose of the candidates that stack_holds(); -1: none. */
 STACK_API int stack_choose(struct stack_wall *w, struct stack_list *list)
@@ -324,28 +324,26 @@ STACK_API int stack_build(struct stack_wall *w)
 /* ---- Search: `best`, many walls by a cost -------------------------------- */
 
 /* The most (sign 1) or least (-1) of every k neighbours in a[0..n), where what
-   is beside them is `beyond`: out[i] is that of the k that end at i. */
+   is beside them is `beyond`: out[i] is that of the k that end at i, of windows
+   whose width is doubled. `out` has room for n + 2 k. */
 static void stack_windows(const double *a, int n, int k, double sign,
                           double beyond, double *out)
 {
-    int at = -k; /* of the extreme */
-    double best = 0;
-    for (int i = 0; i < n + k - 1; i++) {
-        int first = i - k + 1, from = at < first ? first : i;
-        if (at < first) best = -HUGE_VAL;
-        for (int j = from; j <= i; j++) {
-            double v = sign * (j < 0 || j >= n ? beyond : a[j]);
-            if (v < best) continue;
-            best = v;
-            at = j;
-        }
-        out[i] = sign * best;
-    }
+    const int all = n + 2 * k - 2;
+    int wide = 1;
+    for (int i = 0; i < all; i++) out[i] = sign * beyond;
+    for (int i = 0; i < n; i++) out[i + k - 1] = sign * a[i];
+    for (; 2 * wide <= k; wide *= 2)
+        for (int i = 0; i + wide < all; i++)
+            out[i] = rigid_most(out[i], out[i + wide]);
+    for (int i = 0; i < n + k - 1; i++)
+        out[i] = sign * rigid_most(out[i], out[i + k - wide]);
 }
 
 /* The sky with notches narrower than k columns filled: for every column the
    least, over the windows that hold it, of the highest in the window. What is
-   beside the frame is as high as can be. */
+   beside the frame is as high as can be. out[i + k - 1] is that of column i; it
+   has room for n + 3 k. */
 static void stack_close(const double *sky, int n, int k, double *room,
                         double *out)
 {
@@ -354,28 +352,31 @@ static void stack_close(const double *sky, int n, int k, double *room,
 }
 
 /* Area that a candidate takes and does not fill: what the closed sky rises by
-   over it, within the frame, less the stone. */
+   over it, within the frame, less the stone. r->closed[0] is the sky before,
+   closed. */
 static double stack_dead(const struct stack_wall *w, const struct stone *s,
                          double inside, int k, const struct stack_skies *r)
 {
     const double top = w->options.height;
-    int from = stack_column(w, s->low.x) - 2 * k, n;
-    int to = stack_column(w, s->high.x) + 2 * k;
+    int from = stack_column(w, s->low.x) - 2 * k;
+    int to = stack_column(w, s->high.x) + 2 * k, n, left = k, right = k;
     double sum = 0;
-    if (from < 0) from = 0;
-    if (to > w->columns) to = w->columns;
+    if (from < 0) from = left = 0;
+    if (to > w->columns) {
+        to = w->columns;
+        right = 0;
+    }
     n = to - from;
     for (int i = 0; i < n; i++) {
         double low, high;
-        r->now[i] = r->then[i] = w->sky[from + i];
+        r->then[i] = w->sky[from + i];
         if (stack_sides(s, stack_column_x(w, from + i), &low, &high))
-            r->then[i] = fmax(high, r->now[i]);
+            r->then[i] = rigid_most(high, r->then[i]);
     }
-    stack_close(r->now, n, k, r->room, r->closed[0]);
     stack_close(r->then, n, k, r->room, r->closed[1]);
-    for (int i = 0; i < n; i++)
-        sum += fmin(r->closed[1][i + k - 1], top)
-             - fmin(r->closed[0][i + k - 1], top);
+    for (int i = left; i < n - right; i++) /* beyond, nothing has changed */
+        sum += rigid_least(r->closed[1][i + k - 1], top)
+             - rigid_least(r->closed[0][from + i + k - 1], top);
     return sum * w->options.width / w->columns - inside;
 }
 
@@ -509,6 +510,11 @@ static double stack_cost(const struct stack_wall *w,
          + stack_fault(w, &s, c);
 }
 
+static int stack_tries(const struct stack_wall *w)
+{
+    return w->options.look > STACK_LOOK ? STACK_TRIES : STACK_FEW_TRIES;
+}
+
 /* The candidate of least cost that may be laid; -1: none. A stone on one alone
    costs more until the wall is in bond. The load factor is weighed among the
    cheapest that stand. */
@@ -517,20 +523,27 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
 {
     struct stack_list *list = &s->list;
     const int ask = w->options.goal == STACK_LOAD ? 8 : 1;
-    int stand = 0;
+    const int most = stack_tries(w);
+    int stand = 0, tries = 0;
     double low = HUGE_VAL;
     if (stack_on_two(w) > stack_bonded) g.one = 0;
     for (int i = 0; i < w->columns; i++) low = fmin(low, w->sky[i]);
+    stack_close(w->sky, w->columns, (int)(g.notch * STACK_COLUMNS),
+                s->skies.room, s->skies.closed[0]);
     for (int i = 0; i < list->count; i++)
         list->one[i].cost = stack_cost(w, &list->one[i], low, &g, &s->skies)
                           + g.noise * random_uniform(&s->chance, 0, 1);
     if (list->count == 0) return -1;
     qsort(list->one, (size_t)list->count, sizeof *list->one, stack_compare);
-    for (int from = 0; from < list->count; from += stand) {
+    for (int from = 0; from < list->count && tries < most; from += stand) {
         stand = 0;
         for (int i = from; i < list->count && stand < ask; i++) {
             struct stack_candidate c = list->one[i];
-            if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) continue;
+            if (c.out) continue;
+            if (stack_founds_badly(w, &c.place) || !stack_ask(w, &c)) {
+                list->one[i].out = 1;
+                continue;
+            }
             c.cost -= g.stable * c.stable;
             list->one[i] = list->one[from + stand];
             list->one[from + stand++] = c;
@@ -538,7 +551,7 @@ static int stack_pick(struct stack_wall *w, struct stack_search *s,
         if (stand == 0) break;
         qsort(list->one + from, (size_t)stand, sizeof *list->one,
               stack_compare);
-        for (int i = from; i < from + stand; i++)
+        for (int i = from; i < from + stand; i++, tries++)
             if (stack_holds(w, &list->one[i])) return i;
     }
     return -1;
@@ -570,7 +583,7 @@ static int stack_grow(struct stack_wall *w, struct stack_search *s,
    it would build walls that are low. A stock that cannot fill as much as is
    enough is measured by what it can: else a stone that rises above the frame
    would count for more than what the wall endures. */
-static const double stack_more = 0.07, stack_enough = 0.80;
+static const double stack_more = 0.08, stack_enough = 0.80;
 
 static double stack_worth_of_filling(const struct stack_wall *w)
 {
@@ -600,19 +613,19 @@ static double stack_value_of_load(struct stack_wall *w)
     return limit * stack_worth(fill);
 }
 
-/* What of a wall is as masons want it, 0 to 1: filled, its joints crossed, its
-   long stones lying, every stone on a bed, half of its stones on two others and a
-   few more, and no column at either end. */
+/* What of a wall is as masons want it, 0 to 1: filled, its joints crossed and none
+   through three courses, its long stones lying, every stone on a bed, half of its
+   stones on two others and a few more, and no column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
-    const double half = 0.51;
+    const double half = 0.51, runs = 0.7;
     struct masonry m;
     double bond;
     if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;
     bond = pow(fmin(1, m.on_two / half), 4);
     return stack_worth_of_filling(w)
          * fmin(1, 0.7 + 3 * (m.joint - 1)) * (1 - m.upright) * (1 - m.bedless)
-         * bond * (1 - 0.8 * m.end_columns);
+         * bond * (1 - 0.8 * m.end_columns) * pow(runs, m.running);
 }
 
 /* What `best` wants to be high. A wall that lacks stones that were asked for is
@@ -620,6 +633,7 @@ static double stack_value_of_masonry(const struct stack_wall *w)
    be more than `most`. */
 static double stack_value(struct stack_wall *w, double most)
 {
+    const double better = 1.05; /* less is chance */
     double worth;
     if (stack_asked(w) && w->laid - w->pins < w->options.most)
         return w->laid - w->pins - w->options.most;
@@ -628,7 +642,7 @@ static double stack_value(struct stack_wall *w, double most)
     if (w->options.goal == STACK_DROP)
         return worth * fmax(0, stack_predicted_level(w));
     return worth * stack_endured_high > most
-           ? worth * stack_endured_level(w, most / worth) : 0;
+           ? worth * stack_endured_level(w, better * most / worth) : 0;
 }
 
 /* Weights that a search multiplies, and between what it draws them first. */
@@ -689,6 +703,28 @@ static int stack_spent(const struct stack_wall *w)
     return o->effort > 0 && spent > share * o->effort;
 }
 
+/* Builds on stones that are known to stay, and returns the value of the wall;
+   -HUGE_VAL: memory is lacking. Some of the runs are asked only of a wall that
+   would be kept: from the first stone on that moves it is built again, and all
+   are asked. */
+static double stack_grown(struct stack_wall *w, struct stack_search *s,
+                          const struct stack_weights *g, int known)
+{
+    double value = -HUGE_VAL;
+    w->runs = STACK_FIRST_RUNS;
+    for (int stay = -1; stay < w->laid;) {
+        if (stay >= 0) {
+            stack_cut(w, stay);
+            w->runs = STACK_RUNS;
+        }
+        if (stack_grow(w, s, g)) value = -HUGE_VAL;
+        else value = stack_value(w, s->value);
+        stay = value > s->value ? stack_stay(w, known) : w->laid;
+    }
+    w->runs = STACK_RUNS;
+    return value;
+}
+
 /* Builds one more wall: from the ground, or by taking stones off the best one
    and going on differently, more often than not with weights like those that
    made it. Keeps it where it is the best so far. Returns 0, or -1. */
@@ -699,21 +735,24 @@ static int stack_next_wall(struct stack_wall *w, struct stack_search *s,
     double value;
     int from = 0;
     if (!fresh) {
-        from = (int)random_uniform(&s->chance, 0, s->keep - 1);
+        from = (int)((s->keep - 1) * sqrt(random_uniform(&s->chance, 0, 1)));
         if (random_uniform(&s->chance, 0, 1) < 0.6)
             g = stack_vary(s->good, &s->chance);
     }
-    if (stack_restore(w, s->kept, from) || stack_grow(w, s, &g)) return -1;
-    value = stack_value(w, s->value);
+    if (stack_restore(w, s->kept, from)) return -1;
+    value = stack_grown(w, s, &g, from);
     if (value > s->value) {
         s->value = value;
         s->good = g;
         stack_keep(w, s);
     }
-    return 0;
+    return value > -HUGE_VAL ? 0 : -1;
 }
 
-/* Builds one wall after the other, the first eighth from the ground, and leaves
+/* So many walls at least begin at the ground. */
+enum { STACK_FRESH = 6 };
+
+/* Builds one wall after the other, the first ones from the ground, and leaves
    the best. Returns 0, or -1 where memory is lacking. */
 STACK_API int stack_best(struct stack_wall *w)
 {
@@ -722,7 +761,7 @@ STACK_API int stack_best(struct stack_wall *w)
     int bad = stack_search_open(w, random_start(o->seed), &s);
     for (w->walls = 0; w->walls < o->walls && !bad && !stack_spent(w);
          w->walls++)
-        bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < o->walls / 8);
+        bad = stack_next_wall(w, &s, s.keep == 0 || w->walls < STACK_FRESH);
     bad = bad || stack_restore(w, s.kept, s.keep);
     if (!stack_ends(w)) stack_give_up(w);
     stack_search_free(&s);

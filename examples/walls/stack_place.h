@@ -56,6 +56,7 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
                       const struct stone *s)
 {
     const double within = (s->n > STONES_BEDS ? 0.03 : 1e-3) * w->stock->size;
+    const int best = w->options.planner == STACK_BEST;
     struct stack_candidate *more, c;
     if (s->low.x < -rest_touch || s->high.x > w->options.width + rest_touch)
         return 0;
@@ -71,8 +72,8 @@ static int stack_note(struct stack_wall *w, struct stack_list *list, int stone,
         if (stack_same(&list->one[i].place, &c.place, within))
             return 0;
     c.feature[STACK_EDGES] = stack_edges(&w->around, s);
-    c.feature[STACK_HOLE] = -stack_hole(w, s);
-    c.feature[STACK_NEIGHBOURS] = stack_neighbours(w, s);
+    c.feature[STACK_HOLE] = best ? 0 : -stack_hole(w, s); /* has no use of it */
+    c.feature[STACK_NEIGHBOURS] = best ? 0 : stack_neighbours(w, s);
     c.feature[STACK_SLOPE] = -stack_slope(s);
     c.feature[STACK_BOND] = stack_bond(w, s);
     c.bed = stack_bed(&w->around, s);
@@ -405,8 +406,9 @@ static const double stack_soft = 0.04, stack_still = 0.02;
 /* The runs that a planner asks, first those that find most of what moves: in the
    steps that game engines take, where springs are softer and stones sink in by
    more, with an error in each pose and a push to either side, in long steps for
-   longer, and as the stones lie. */
-static const struct stack_run stack_runs[] = {
+   longer, and as the stones lie. `best` asks the first ones of every stone. */
+enum { STACK_FIRST_RUNS = 3 };
+static const struct stack_run stack_runs[STACK_RUNS] = {
     { 60, 4, 1e-4, 0, 1, 6 }, { 120, 6, 2e-4, -0.02, 0, 4 },
     { 240, 4, 2e-4, 0.02, 0, 4 }, { 90, 6, 2e-4, 0, 0.5, 6 },
     { 240, 4, 0, 0, 0, 4 }
@@ -499,12 +501,13 @@ STACK_API double stack_sway(struct stack_wall *w, const struct stone *last,
     return sway;
 }
 
-/* Does the wall stay where it is with one more stone, in every run? */
-static int stack_stays(struct stack_wall *w, const struct stone *last)
+/* Does the wall stay where it is with one more stone, in runs from one to
+   another? */
+static int stack_stays(struct stack_wall *w, const struct stone *last, int from,
+                       int to)
 {
-    const int runs = (int)(sizeof stack_runs / sizeof stack_runs[0]);
     int stays = 1;
-    for (int i = 0; i < runs && stays; i++) {
+    for (int i = from; i < to && stays; i++) {
         const double most = stack_runs[i].rate < 90 ? stack_soft : stack_still;
         stays = stack_sway(w, last, &stack_runs[i], (uint64_t)i, most) <= most;
     }
@@ -545,8 +548,10 @@ STACK_API int stack_moves(const struct stack_wall *w, int stones)
     return moves;
 }
 
-/* The least and the most that stack_endured_level() tells apart, levels. */
-static const double stack_endured_low = 1, stack_endured_high = 30;
+/* The least and the most that stack_endured_level() tells apart, levels; the table
+   stops after so many seconds, in full motion. */
+static const double stack_endured_low = 1, stack_endured_high = 30,
+                    stack_endured_ends = 5;
 
 /* Do the stones keep their places, within a quarter of a size in the mean, when
    the ground runs along the figure of eight of table.h at some level? It begins
@@ -561,7 +566,7 @@ static int stack_endures(struct stack_wall *w, double level, uint64_t seed)
     const struct rigid_pt on = rigid_unit(2 * table_pi * table_frequency
                                           * r.step);
     struct rigid_pt q = rigid_unit(2 * table_pi * (double)seed / 5);
-    for (int i = 1; !bad && time < table_fade_ends && mean < 2 * allowed; i++) {
+    for (int i = 1; !bad && time < stack_endured_ends && mean < 2 * allowed; i++) {
         struct rigid_pt to, *at = &r.block[0].at;
         time = i * r.step;
         to = table_eight(q, table_amplitude * level * table_strength(time));
@@ -588,14 +593,14 @@ static int stack_endures_twice(struct stack_wall *w, double level)
     return stack_endures(w, level, 1) && stack_endures(w, level, 2);
 }
 
-/* The highest level of shaking, to 9 per cent, that the wall endures twice; 0
+/* The highest level of shaking, to 19 per cent, that the wall endures twice; 0
    where that is below `least`. */
 STACK_API double stack_endured_level(struct stack_wall *w, double least)
 {
     double level = fmax(least, stack_endured_low), step = 2;
     if (!stack_endures_twice(w, level))
         return least > stack_endured_low ? 0 : stack_endured_low;
-    while (step > 1.06) {
+    while (step > 1.12) {
         const double next = level * step;
         if (next <= stack_endured_high && stack_endures_twice(w, next))
             level = next;
@@ -641,7 +646,19 @@ static int stack_holds(struct stack_wall *w, const struct stack_candidate *c)
            kern_plan_raised(&w->plan, &block, &raising, &reserve, NULL)
                == KERN_STANDS &&
            raising == KERN_RAISED && reserve >= stack_reserve &&
-           stack_stays(w, &s);
+           stack_stays(w, &s, 0, w->runs);
+}
+
+/* How many of the stones of a wall, whose first ones are known to, stay when they
+   are laid in the runs that were not asked then. */
+static int stack_stay(struct stack_wall *w, int known)
+{
+    struct stack_wall part = *w;
+    for (part.laid = known; part.laid < w->laid &&
+         stack_stays(&part, &w->stone[part.laid], w->runs, STACK_RUNS);)
+        part.laid++;
+    w->passes = part.passes;
+    return part.laid;
 }
 
 #endif /* STACK_PLACE_H */

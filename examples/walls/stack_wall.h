@@ -77,8 +77,11 @@ struct stack_wall;
    how many candidates it takes to ask whether the wall stands with one, and
    whether its load raises the forces; and how many stones of the stock may be the
    next one, if nothing else is asked for. */
-enum { STACK_PASSES = 200, STACK_ASKING = 4, STACK_RAISING = 40,
+enum { STACK_PASSES = 160, STACK_ASKING = 2, STACK_RAISING = 70,
        STACK_LOOK = 6 };
+
+/* Runs of the simulator that are asked of a stone, see stack_place.h. */
+enum { STACK_RUNS = 5 };
 
 struct stack_options {
     enum stack_planner planner;
@@ -104,7 +107,7 @@ struct stack_options {
 STACK_API struct stack_options stack_defaults(void)
 {
     struct stack_options o = { STACK_BEST, 8, 4.5, STONES_MOST, STACK_LOOK,
-                               { 0 }, 0, 0.4, -1, 1, 48, 400000, STACK_SHAKING,
+                               { 0 }, 0, 0.4, -1, 1, 400, 460000, STACK_SHAKING,
                                { 0, 0 }, NULL };
     for (int k = 0; k < STACK_FILTERS; k++) o.threshold[k] = stack_threshold[k];
     return o;
@@ -144,6 +147,7 @@ struct stack_wall {
     int columns;
     struct rest_near around;  /* room for the edges of all                 */
     int walls;              /* that `best` has built                     */
+    int runs;               /* of the simulator before a stone is laid   */
     int tried;              /* stones let down that came to rest         */
     int asked;              /* candidates that kern was asked about      */
     int raised;             /* of them, whether they are raised          */
@@ -202,6 +206,7 @@ STACK_API int stack_open(struct stack_wall *w, const struct stones *stock,
     const int blocks = stock->stones + 2, contacts = 40 * blocks;
     int corners = 4;
     *w = empty;
+    w->runs = STACK_RUNS;
     w->stock = stock;
     w->options = *options;
     for (int i = 0; i < stock->stones; i++) corners += stock->stone[i].n;
@@ -241,8 +246,8 @@ static int stack_sides(const struct stone *s, double x, double *low,
         kern_vec p = s->v[i], q = s->v[i + 1 < s->n ? i + 1 : 0];
         if ((p.x < x) == (q.x < x)) continue;
         double y = p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y);
-        *low = fmin(*low, y);
-        *high = fmax(*high, y);
+        *low = rigid_least(*low, y);
+        *high = rigid_most(*high, y);
     }
     return *low < HUGE_VAL;
 }
@@ -408,8 +413,8 @@ STACK_API void stack_look(struct stack_wall *w, double left, double right,
         for (int i = 0; i < block->vertices; i++) {
             kern_vec p = block->vertex[i];
             kern_vec q = block->vertex[i + 1 < block->vertices ? i + 1 : 0];
-            if (fmax(p.y, q.y) < low || fmin(p.x, q.x) > right ||
-                fmax(p.x, q.x) < left)
+            if (rigid_most(p.y, q.y) < low || rigid_least(p.x, q.x) > right ||
+                rigid_most(p.x, q.x) < left)
                 continue;
             w->around.edge[w->around.edges] = rest_edge_of(p, q);
             w->around.edge[w->around.edges++].block = b;
@@ -426,8 +431,8 @@ STACK_API double stack_common(const struct rest_edge *a,
     kern_vec t = stones_vec(-a->n.y, a->n.x);
     double from, to, length = stones_dot(t, stones_sub(a->b, a->a));
     if (stones_dot(a->n, b->n) > -cosine) return 0;
-    from = fmax(0, stones_dot(t, stones_sub(b->b, a->a)));
-    to = fmin(length, stones_dot(t, stones_sub(b->a, a->a)));
+    from = rigid_most(0, stones_dot(t, stones_sub(b->b, a->a)));
+    to = rigid_least(length, stones_dot(t, stones_sub(b->a, a->a)));
     if (to <= from) return 0;
     /* the gap in the middle of what they share */
     kern_vec m = stones_vec(a->a.x + (from + to) / 2 * t.x,
@@ -465,8 +470,8 @@ STACK_API double stack_hole(const struct stack_wall *w, const struct stone *s)
 /* Mean height of the sky from x to x + way; HUGE_VAL outside of the frame. */
 static double stack_mean_sky(const struct stack_wall *w, double x, double way)
 {
-    int from = stack_column(w, fmin(x, x + way));
-    int to = stack_column(w, fmax(x, x + way));
+    int from = stack_column(w, rigid_least(x, x + way));
+    int to = stack_column(w, rigid_most(x, x + way));
     double sum = 0;
     for (int i = from; i < to; i++) sum += w->sky[i];
     return to > from ? sum / (to - from) : HUGE_VAL;

@@ -429,7 +429,7 @@ static double rest_way_one(const struct rest_edge *e, kern_vec p, kern_vec d)
     if (gap < -rest_touch) return HUGE_VAL;
     way = gap / into;
     return rest_on(e, stones_vec(p.x + way * d.x, p.y + way * d.y))
-           ? fmax(way, 0) : HUGE_VAL;
+           ? rigid_most(way, 0) : HUGE_VAL;
 }
 
 /* Lengths within which nothing that might touch is passed over. */
@@ -443,9 +443,9 @@ static struct rest_span rest_span_of(const struct stone *s, kern_vec d)
     struct rest_span span = { HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
     for (int i = 0; i < s->n; i++) {
         const double across = stones_cross(d, s->v[i]);
-        span.low = fmin(span.low, across);
-        span.high = fmax(span.high, across);
-        span.reach = fmax(span.reach, stones_dot(d, s->v[i]));
+        span.low = rigid_least(span.low, across);
+        span.high = rigid_most(span.high, across);
+        span.reach = rigid_most(span.reach, stones_dot(d, s->v[i]));
     }
     return span;
 }
@@ -456,9 +456,9 @@ static int rest_may_meet(const struct rest_span *span,
                          const struct rest_edge *e, kern_vec d, double way)
 {
     const double a = stones_cross(d, e->a), b = stones_cross(d, e->b);
-    return fmax(a, b) > span->low + rest_beside &&
-           fmin(a, b) < span->high - rest_beside &&
-           fmin(stones_dot(d, e->a), stones_dot(d, e->b)) - span->reach
+    return rigid_most(a, b) > span->low + rest_beside &&
+           rigid_least(a, b) < span->high - rest_beside &&
+           rigid_least(stones_dot(d, e->a), stones_dot(d, e->b)) - span->reach
                < way + rest_skip;
 }
 
@@ -481,9 +481,9 @@ STONES_API double rest_way(const struct rest_near *around,
         const struct rest_edge *e = &around->edge[k];
         if (!rest_may_meet(&span, e, d, way)) continue;
         for (int i = 0; i < s->n; i++) {
-            way = fmin(way, rest_way_one(e, own[i].a, d));
+            way = rigid_least(way, rest_way_one(e, own[i].a, d));
             if (stones_dot(own[i].n, d) > 0)
-                way = fmin(way, rest_way_one(&own[i], e->a, back));
+                way = rigid_least(way, rest_way_one(&own[i], e->a, back));
         }
     }
     return way;
@@ -525,9 +525,9 @@ static struct rest_ring rest_ring_of(const struct rest_edge *e, kern_vec c)
     const double h = stones_dot(e->n, a);
     struct rest_ring r;
     r.low = stones_dot(t, a) > 0 && stones_dot(t, b) < 0 ? h * h
-                                                         : fmin(aa, bb);
+                                                         : rigid_least(aa, bb);
     r.low -= rest_skip * (1 + r.low);
-    r.high = fmax(aa, bb);
+    r.high = rigid_most(aa, bb);
     r.high += rest_skip * (1 + r.high);
     return r;
 }
@@ -551,7 +551,7 @@ STONES_API double rest_turn(const struct rest_near *around,
         const kern_vec arm = stones_sub(own[i].a, c);
         ring[i] = rest_ring_of(&own[i], c);
         square[i] = stones_dot(arm, arm);
-        reach = fmax(reach, square[i]);
+        reach = rigid_most(reach, square[i]);
     }
     for (int k = 0; k < around->edges; k++) {
         const struct rest_edge *e = &around->edge[k];
@@ -586,10 +586,10 @@ STONES_API double rest_turn(const struct rest_near *around,
 static int rest_is_beside(const struct rest_edge *e, const struct stone *s,
                           double gap)
 {
-    return fmax(e->a.x, e->b.x) > s->low.x - gap &&
-           fmin(e->a.x, e->b.x) < s->high.x + gap &&
-           fmax(e->a.y, e->b.y) > s->low.y - gap &&
-           fmin(e->a.y, e->b.y) < s->high.y + gap;
+    return rigid_most(e->a.x, e->b.x) > s->low.x - gap &&
+           rigid_least(e->a.x, e->b.x) < s->high.x + gap &&
+           rigid_most(e->a.y, e->b.y) > s->low.y - gap &&
+           rigid_least(e->a.y, e->b.y) < s->high.y + gap;
 }
 
 /* Notes a point of contact, if its force has a part that points upward. */

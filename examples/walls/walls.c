@@ -180,13 +180,16 @@ static void walls_list(const struct walls *f, int level, int set, int planner)
 {
     const struct walls_one *o = walls_at(f, level, set, planner);
     fprintf(f->list, "%d,%d,%s,%d,%.4f,%.0f,%.4f,%.4g,%.5f,%.5f,%.4f,%.4f,"
-            "%.4f,%.4f,%.4f,%.1f,%.3g,%d,%d,%.0f", walls_percent(level), f->first + set,
+            "%.4f,%.4f,%.4f,%.1f,%.3g,%.0f,%d,%d,%.0f", walls_percent(level),
+            f->first + set,
             stack_planner_name[planner], o->laid, o->fill,
             o->stability[WALLS_LEVEL], o->stability[WALLS_MARGIN],
             o->stability[WALLS_COLLAPSE], walls_quality(o, WALLS_COLLAPSE),
             walls_quality(o, WALLS_MARGIN), o->masonry.bed,
             o->masonry.bedless, o->masonry.upright, o->masonry.joint,
-            o->masonry.on_two, o->masonry.end_columns, o->seconds, o->tried, o->asked, o->asked / fmax(o->asking, 1e-9));
+            o->masonry.on_two, o->masonry.end_columns, o->seconds,
+            o->masonry.running, o->tried, o->asked,
+            o->asked / fmax(o->asking, 1e-9));
     if (o->tested)
         fprintf(f->list, ",%d,%d,%d\n", o->some, o->all, o->falls);
     else
@@ -200,8 +203,8 @@ static int walls_open_list(struct walls *f)
     if (!f->list) return -1;
     fprintf(f->list, "irregularity,seed,planner,stones,filling,level,"
             "margin_sizes,collapse,Q,Q_margin,bed,bedless,upright,joint,"
-            "on_two,end_columns,seconds,candidates,asked,asked_a_second,moves_some,moves_all,"
-            "finished_moves\n");
+            "on_two,end_columns,seconds,running,candidates,asked,"
+            "asked_a_second,moves_some,moves_all,finished_moves\n");
     return 0;
 }
 
@@ -211,18 +214,20 @@ static void walls_line(const struct walls *f, const char *line)
     struct walls_one o = { 0 };
     char planner[20];
     int level, seed, found = sscanf(line, "%d,%d,%19[a-z],%d,%lf,%lf,%lf,%lf,"
-        "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,%d", &level, &seed,
+        "%*f,%*f,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%*f,%d,%d,%d",
+        &level, &seed,
         planner, &o.laid, &o.fill, &o.stability[WALLS_LEVEL],
         &o.stability[WALLS_MARGIN], &o.stability[WALLS_COLLAPSE],
         &o.masonry.bed, &o.masonry.bedless, &o.masonry.upright,
         &o.masonry.joint, &o.masonry.on_two, &o.masonry.end_columns,
-        &o.seconds, &o.tried, &o.asked, &o.some, &o.all, &o.falls);
+        &o.seconds, &o.masonry.running, &o.tried, &o.asked, &o.some,
+        &o.all, &o.falls);
     const int set = seed - f->first;
     level = level / 10 - 1;
-    if (found < 17 || set < 0 || set >= f->sets || level < 0 ||
+    if (found < 18 || set < 0 || set >= f->sets || level < 0 ||
         level >= WALLS_LEVELS)
         return;
-    o.tested = found == 20;
+    o.tested = found == 21;
     for (int p = 0; p < f->planners; p++)
         if (strcmp(planner, stack_planner_name[p]) == 0)
             *walls_at(f, level, set, p) = o;
@@ -455,7 +460,7 @@ static void walls_differences(const struct walls *f, FILE *out, int more,
     }
 }
 
-enum { WALLS_FIGURES = 13 };
+enum { WALLS_FIGURES = 14 };
 
 /* What the table of means has of a wall, from left to right. */
 static void walls_figures(const struct walls_one *o, double x[WALLS_FIGURES])
@@ -465,7 +470,7 @@ static void walls_figures(const struct walls_one *o, double x[WALLS_FIGURES])
         walls_quality(o, WALLS_COLLAPSE), o->stability[WALLS_MARGIN],
         walls_quality(o, WALLS_MARGIN), o->masonry.bed, o->masonry.bedless,
         o->masonry.upright, o->masonry.joint, o->masonry.on_two,
-        o->masonry.end_columns, o->seconds
+        o->masonry.end_columns, o->masonry.running, o->seconds
     };
     memcpy(x, all, sizeof all);
 }
@@ -475,8 +480,8 @@ static void walls_means(const struct walls *f, FILE *out)
 {
     fprintf(out, "| irregularity | planner | stones | filling | collapse | "
             "Q | margin / size | Q, margin | bed | without bed | upright | "
-            "joints | on two | end columns | seconds |\n|---|---|---|---|---|"
-            "---|---|---|---|---|---|---|---|---|---|\n");
+            "joints | on two | end columns | running | seconds |\n|---|---|"
+            "---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
     for (int l = 0; l < WALLS_LEVELS; l++)
         for (int p = 0; p < f->planners; p++) {
             double sum[WALLS_FIGURES] = { 0 }, x[WALLS_FIGURES];
@@ -488,7 +493,7 @@ static void walls_means(const struct walls *f, FILE *out)
             fprintf(out, "| %d | %s | %.1f |", walls_percent(l),
                     stack_planner_name[p], sum[0]);
             for (int k = 1; k < WALLS_FIGURES; k++)
-                fprintf(out, " %.*f |", k == 2 || k == 12 ? 1 : 3, sum[k]);
+                fprintf(out, " %.*f |", k == 2 || k == 13 ? 1 : 3, sum[k]);
             fprintf(out, "\n");
         }
 }
