@@ -1528,6 +1528,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_LOAD_FALL     KERN_R(0.3)
 /* The law of kern_stays(), fitted to placements: the largest reserve that it
    asks for, since more says no more; what is added to it; and its scale. */
+#define KERN_STAYS_NEAR    4
 #define KERN_STAYS_MOST    KERN_R(0.01)
 #define KERN_STAYS_ADD     KERN_R(0.004)
 #define KERN_STAYS_ODDS    KERN_R(9.1e7)
@@ -4465,20 +4466,24 @@ KERN_SHARED static int kern_graph_degree(const kern_graph *graph, int g)
     return n;
 }
 
-/* Lists the groups that contacts connect to `first`, from place n of the part
-   down: of each listed group the neighbours that are not yet, those of fewer
-   contacts first. Returns the place below the last. */
-static int kern_norm_layers(kern_part *p, int first, int n)
+/* Lists the groups that at most so many contacts connect to `first`, from place
+   n of the part down: of each listed group the neighbours that are not yet,
+   those of fewer contacts first. Returns the place below the last. */
+static int kern_norm_layers(kern_part *p, int first, int n, int most)
 {
     const kern_graph *graph = &p->m->graph;
-    int at = n, from, e, k;
+    int at = n, layer = n - 1, from, e, k;
     graph->local[first] = 0;
     p->group[n--] = first;
     for (; at > n; at--) {
         from = n;
+        if (at == layer && --most == 0)
+            break;
+        if (at == layer)
+            layer = n;
         for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
             const int g = graph->ends[e ^ 1];
-            if (g == p->groups || graph->local[g] != KERN_OUT)
+            if (g == graph->groups || graph->local[g] != KERN_OUT)
                 continue;
             graph->local[g] = 0;
             for (k = n--; k < from
@@ -4502,17 +4507,18 @@ static void kern_norm_order(kern_part *p)
         local[g] = KERN_OUT;
     for (g = 0; g < p->groups; g++)
         if (local[g] == KERN_OUT) {
-            const int end = kern_norm_layers(p, g, n);
+            const int end = kern_norm_layers(p, g, n, p->groups);
             for (k = n; k > end; k--)
                 local[p->group[k]] = KERN_OUT;
-            n = kern_norm_layers(p, p->group[end + 1], n);
+            n = kern_norm_layers(p, p->group[end + 1], n, p->groups);
         }
     for (g = 0; g < p->groups; g++)
         local[p->group[g]] = g;
 }
 
-/* Opens all groups as one part; 0: no room. */
-static int kern_norm_open(kern_part *p, kern_model *m)
+/* Opens all groups as one part, or those near group `around`, if there is one;
+   0: no room. */
+static int kern_norm_open(kern_part *p, kern_model *m, int around)
 {
     int i;
     if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 3))
@@ -4523,10 +4529,19 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     p->ends = kern_take_ints(&p->rest, 2 * m->s->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
-    kern_norm_order(p);
+    if (around >= 0) {
+        const int end = kern_norm_layers(p, around, p->groups - 1,
+                                         KERN_STAYS_NEAR);
+        p->group += end + 1;
+        p->groups -= end + 1;
+        for (i = 0; i < p->groups; i++)
+            m->graph.local[p->group[i]] = i;
+    } else
+        kern_norm_order(p);
     p->contacts = 0;
     for (i = 0; i < m->s->contacts; i++)
-        if (m->graph.ends[2 * i] != m->graph.ends[2 * i + 1])
+        if (m->graph.local[m->graph.ends[2 * i]]
+            != m->graph.local[m->graph.ends[2 * i + 1]])
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
     kern_part_ends(p);
@@ -4556,7 +4571,7 @@ static kern_status kern_norm_hold(kern_model *m, kern_part *p,
     kern_status status;
     kern_model_set(m, q);
     kern_model_unload(m);
-    if (!kern_norm_open(p, m))
+    if (!kern_norm_open(p, m, KERN_OUT))
         return KERN_NO_SPACE;
     status = kern_norm_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
                             KERN_FORCES_ROUNDS);
@@ -6400,7 +6415,7 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, const kern_path *path)
     if (m->whole)
         kern_model_group(m, &q);
     kern_model_set(m, &q);
-    if (!kern_norm_open(p, m) || p->contacts == 0)
+    if (!kern_norm_open(p, m, KERN_OUT) || p->contacts == 0)
         return 0;
     rays = 2 * p->contacts;
     n = 3 * p->groups;
@@ -6646,6 +6661,8 @@ typedef struct kern_raise {
                                  so far; the last two along a load            */
     int along;                /* a load: rounds without a gain, or 0; what
                                  parts is kept apart                          */
+    int around;               /* the block that is asked about, others being
+                                 held that are not near; or KERN_OUT          */
 } kern_raise;
 
 /* Sets how a load is followed, and the stiffness of contacts: as long as they
@@ -6670,7 +6687,8 @@ static void kern_raise_along(kern_raise *r, int along)
 static int kern_raise_open(kern_raise *r)
 {
     kern_part *p = r->p;
-    if (!kern_norm_open(p, r->m))
+    if (!kern_norm_open(p, r->m, r->around < 0
+                        ? KERN_OUT : r->m->graph.group[r->around]))
         return 0;
     p->dual.price = r->price = kern_take_reals(
         &p->rest, 6 * p->groups + 8 * p->contacts);
@@ -6789,6 +6807,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
         if (!kern_raise_price(r, r->along && found == KERN_STANDS)
             || !(r->along || found == KERN_STANDS))
             continue;
+        if (r->around >= 0)
+            return 1;
         for (i = 0; i < 3 * p->groups; i++)
             p->y[i] = -p->dual.u[i];
         kern_part_motion(p);
@@ -6906,9 +6926,12 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         value[i] = KERN_R(1);
     for (; gone > 0; left -= gone)
         gone = kern_hang_pass(m->s, value);
-    if (left > 0) {
+    if (left > 0 || r->around >= 0) {
         status = kern_model_evaluate(m, r->p, q);
-        if (status == KERN_STANDS && kern_raise_hangs(m, r->p, q, value))
+        if (m->whole)
+            kern_model_group(m, q);
+        if (left > 0 && status == KERN_STANDS
+            && kern_raise_hangs(m, r->p, q, value))
             *out = KERN_HANGS;
     }
     if (status != KERN_STANDS || *out == KERN_HANGS)
@@ -7002,38 +7025,22 @@ static int kern_raise_grown(kern_raise *r, const kern_query *q)
     return last >= 1;
 }
 
-/* How far block i goes until its forces are raised, for a stiffness and a mean
-   weight of 1; a turn by half of what it moves a point a size away. */
-static kern_real kern_raise_sag(const kern_raise *r, int i)
-{
-    const kern_graph *graph = &r->m->graph;
-    const kern_real *u = r->p->dual.u + 3 * graph->local[graph->group[i]];
-    return (kern_real)graph->groups * (
-        kern_vec_length(kern_vec_make(u[0], u[1])) + kern_abs(u[2]) / 2);
-}
-
-/* Whether it is raised, in *out; and the sag of block i, unless sag is NULL. */
+/* Whether it is raised, in *out. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
-                                   kern_raising *out, int i, kern_real *sag)
+                                   kern_raising *out)
 {
     const kern_query *q = &c->path.q;
     const kern_status status = kern_raise_begin(r, c, out);
-    if (status != KERN_STANDS || *out == KERN_HANGS)
-        return status;
-    if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, NULL)
-        || kern_raise_grown(r, q))
+    if (status == KERN_STANDS && *out != KERN_HANGS
+        && (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, NULL)
+            || kern_raise_grown(r, q)))
         *out = KERN_RAISED;
-    if (sag)
-        *sag = kern_raise_sag(r, i);
-    return *out == KERN_RAISED ? status
-                               : kern_model_evaluate(&c->m, &c->part, q);
+    return status;
 }
 
-/* kern_raised(); or, with the sag of block i, what kern_stays() asks for. */
-static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
-                                   kern_raising *out, kern_real *reserve,
-                                   const kern_proof *proof, int i,
-                                   kern_real *sag)
+KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
+                                 kern_raising *out, kern_real *reserve,
+                                 const kern_proof *proof)
 {
     kern_call c;
     kern_raise r;
@@ -7044,15 +7051,15 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         return status;
     if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
         return KERN_BAD_OPTION;
-    if (sag && (i < 0 || i >= task->s.blocks || task->s.block[i].fixed))
-        return KERN_BAD_BLOCK;
-    status = kern_raise_show(&r, &c, &raising, i, sag);
+    r.around = KERN_OUT;
+    status = kern_raise_show(&r, &c, &raising);
+    if (status == KERN_STANDS && raising == KERN_NOT_SHOWN)
+        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     kern_proof_out(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)
         kern_proof_out(&c.m, proof, KERN_FALLS);
     if (raising == KERN_RAISED && reserve)
-        share = kern_raise_reserve(
-            &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
+        share = kern_raise_reserve(&r, &c.path.q, task->options.reserve);
     status = kern_ended(task, status);
     if (status == KERN_STANDS)
         *out = raising;
@@ -7061,24 +7068,54 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
     return status;
 }
 
-KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
-                                 kern_raising *out, kern_real *reserve,
-                                 const kern_proof *proof)
-{ return kern_raise_task(task, shrink, out, reserve, proof, 0, NULL); }
+/* What the law of kern_stays() weighs: the reserve of what is near block i, if
+   all else is held, and how far the block goes until its forces are raised, for
+   a stiffness and a mean weight of 1, a turn by half of what it moves a point a
+   size away. *hangs: it is not raised, since something hangs. */
+static kern_status kern_stays_terms(const kern_task *task, int i,
+                                    const void *out, kern_real *reserve,
+                                    kern_real *sag, int *hangs)
+{
+    kern_call c;
+    kern_raise r;
+    kern_raising raising = KERN_NOT_SHOWN;
+    kern_status status = kern_call_open(&c, task, KERN_R(0), out);
+    if (status != KERN_OK)
+        return status;
+    if (!kern_has_side(&task->s, KERN_RIGHT))
+        return KERN_BAD_OPTION;
+    if (i < 0 || i >= task->s.blocks || task->s.block[i].fixed)
+        return KERN_BAD_BLOCK;
+    c.m.answer.known = task->known.fails > 0 ? &task->known : NULL;
+    r.around = i;
+    *reserve = *sag = KERN_R(0);
+    status = kern_raise_show(&r, &c, &raising);
+    *hangs = raising == KERN_HANGS;
+    if (status == KERN_STANDS && !*hangs) {
+        const kern_graph *graph = &c.m.graph;
+        const kern_real *u = c.part.dual.u
+                             + 3 * graph->local[graph->group[i]];
+        *sag = (kern_real)graph->groups * (
+            kern_vec_length(kern_vec_make(u[0], u[1])) + kern_abs(u[2]) / 2);
+        if (raising == KERN_RAISED)
+            *reserve = kern_raise_reserve(&r, &c.path.q, KERN_STAYS_MOST);
+    }
+    return kern_ended(task, status);
+}
 
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance)
 {
-    kern_raising raising;
-    kern_real reserve, sag = KERN_R(0), odds;
-    const kern_status status = chance ? kern_raise_task(
-        task, KERN_R(0), &raising, &reserve, NULL, i, &sag) : KERN_BAD_POINTER;
+    kern_real reserve, sag, odds;
+    int hangs;
+    const kern_status status = kern_stays_terms(task, i, chance, &reserve, &sag,
+                                                &hangs);
     if (status != KERN_STANDS)
         return status;
     reserve += KERN_STAYS_ADD;
     odds = KERN_STAYS_ODDS * reserve * reserve * reserve / kern_max(sag, 1);
     odds *= KERN_SQRT(KERN_SQRT(odds));
-    *chance = raising == KERN_HANGS ? KERN_R(0) : odds / (1 + odds);
+    *chance = hangs ? KERN_R(0) : odds / (1 + odds);
     return status;
 }
 
@@ -7097,6 +7134,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
         kern_query *q = &c.path.q;
         kern_raising hung = KERN_NOT_SHOWN;
         kern_model_open(&c.m, task, q);
+        r.around = KERN_OUT;
         status = kern_raise_begin(&r, &c, &hung);
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
