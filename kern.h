@@ -1526,9 +1526,16 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_LOAD_JUMP     40
 #define KERN_LOAD_NEAR     KERN_R(0.94)
 #define KERN_LOAD_FALL     KERN_R(0.3)
-/* The law of kern_stays(), fitted to placements: the largest reserve that it
-   asks for, since more says no more; what is added to it; and its scale. */
+/* kern_stays(): of how many contacts from block to block what is not held is
+   away at the most: with 3 and 5 it tells less. No proof is asked for, so rounds
+   are fewer, and contacts less stiff along t, than of what is raised. */
 #define KERN_STAYS_NEAR    4
+#define KERN_STAYS_ROUNDS  10      /* prices of contacts: at rest             */
+#define KERN_STAYS_WARM    3       /* of a push                               */
+#define KERN_STAYS_STIFF   KERN_R(4)
+#define KERN_STAYS_TOL     KERN_R(5e-3) /* residual, in the least load        */
+/* Its law, fitted to placements: the largest reserve that it asks for, since
+   more says no more; what is added to it; and its scale. */
 #define KERN_STAYS_MOST    KERN_R(0.01)
 #define KERN_STAYS_ADD     KERN_R(0.004)
 #define KERN_STAYS_ODDS    KERN_R(9.1e7)
@@ -2923,6 +2930,7 @@ typedef struct kern_dual {
     kern_real *b;             /* loads, three a group                         */
     kern_real *way;           /* four a contact: u and step along n and t     */
     const kern_real *price;   /* then stiffness, of contacts: >>raised; NULL  */
+    kern_real stiff;          /* along t, in stiffnesses along n              */
     int cost;                 /* of a step, in products                       */
     int rounds;               /* that the last forces took                    */
 } kern_dual;
@@ -3987,19 +3995,19 @@ static inline kern_law kern_law_pressed(kern_real wn, kern_real wt,
 }
 
 /* The law of a contact that answers what presses it by `stiff`, and what shears
-   it by KERN_STIFF times as much until it slides. */
+   it by `along` times as much until it slides. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
-                                      kern_real stiff)
+                                      kern_real stiff, kern_real along)
 {
     const kern_real side = wt > 0 ? mu : -mu;
     kern_law s = {0, 0, 0, {0, 0}};
-    if (wn > 0 && KERN_STIFF * kern_abs(wt) <= wn) {
+    if (wn > 0 && along * kern_abs(wt) <= wn) {
         s.nn = stiff;
-        s.tt = KERN_STIFF * mu * stiff;
+        s.tt = along * mu * stiff;
         s.force.normal = stiff * wn;
         s.force.tangential = s.tt * wt;
     } else if (wn + side * wt > 0) {
-        s.nn = stiff / (1 + mu / KERN_STIFF);
+        s.nn = stiff / (1 + mu / along);
         s.nt = side * s.nn;
         s.tt = side * s.nt;
         s.force.normal = s.nn * (wn + side * wt);
@@ -4248,7 +4256,8 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
 {
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
     const kern_real *price = p->dual.price;
-    return price ? kern_law_stiff(wn, wt, mu, price[p->contacts + k])
+    return price ? kern_law_stiff(wn, wt, mu, price[p->contacts + k],
+                                  p->dual.stiff)
                  : kern_law_pressed(wn, wt, mu);
 }
 
@@ -4356,7 +4365,7 @@ static void kern_norm_matrix(kern_part *p, int all)
         kern_law s = kern_part_law(p, k, all ? KERN_R(1) : w[0],
                                          all ? KERN_R(0) : w[1]);
         if (all && p->dual.price) /* as stiff along t for every friction */
-            s.tt = KERN_STIFF * s.nn;
+            s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
             kern_part_add(p, k, &s);
     }
@@ -4421,8 +4430,8 @@ static int kern_norm_spend(const kern_part *p)
 { return kern_model_spend(p->m, 1 + p->dual.cost / 170); }
 
 /* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
-   rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
-   with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
+   rounds [first, end); after round 0 u goes on from what it is, and round 2,
+   where it is the first, has the factor at hand. KERN_STANDS with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, int first, int end)
 {
@@ -4445,8 +4454,10 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
             return KERN_FALLS;
         if (!kern_norm_spend(p))
             return KERN_LIMIT;
-        kern_norm_matrix(p, round == 0);
-        kern_skyline_factor(&p->dual.matrix);
+        if (round > first || first < 2) {
+            kern_norm_matrix(p, round == 0);
+            kern_skyline_factor(&p->dual.matrix);
+        }
         kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
         kern_norm_ways(p, p->dual.step, p->own, 2);
         p->dual.rounds = round + 1 - first;
@@ -4466,24 +4477,20 @@ KERN_SHARED static int kern_graph_degree(const kern_graph *graph, int g)
     return n;
 }
 
-/* Lists the groups that at most so many contacts connect to `first`, from place
-   n of the part down: of each listed group the neighbours that are not yet,
-   those of fewer contacts first. Returns the place below the last. */
-static int kern_norm_layers(kern_part *p, int first, int n, int most)
+/* Lists the groups that contacts connect to `first`, from place n of the part
+   down: of each listed group the neighbours that are not yet, those of fewer
+   contacts first. Returns the place below the last. */
+static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
-    int at = n, layer = n - 1, from, e, k;
+    int at = n, from, e, k;
     graph->local[first] = 0;
     p->group[n--] = first;
     for (; at > n; at--) {
         from = n;
-        if (at == layer && --most == 0)
-            break;
-        if (at == layer)
-            layer = n;
         for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
             const int g = graph->ends[e ^ 1];
-            if (g == graph->groups || graph->local[g] != KERN_OUT)
+            if (g == p->groups || graph->local[g] != KERN_OUT)
                 continue;
             graph->local[g] = 0;
             for (k = n--; k < from
@@ -4496,30 +4503,33 @@ static int kern_norm_layers(kern_part *p, int first, int n, int most)
     return n;
 }
 
-/* Orders the groups for short rows of the factor: in layers around one of the
-   last layer around another, from the last place down (reverse Cuthill-McKee).
-   Without the order in a layer the factor takes up to 20 % longer. */
+/* Orders the groups that are not marked for short rows of the factor: in layers
+   around one of the last layer around another, from the last place down
+   (reverse Cuthill-McKee); they are the part then. Without the order in a layer
+   the factor takes up to 20 % longer. */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
     int g, k, n = p->groups - 1;
     for (g = 0; g < p->groups; g++)
-        local[g] = KERN_OUT;
-    for (g = 0; g < p->groups; g++)
         if (local[g] == KERN_OUT) {
-            const int end = kern_norm_layers(p, g, n, p->groups);
+            const int end = kern_norm_layers(p, g, n);
             for (k = n; k > end; k--)
                 local[p->group[k]] = KERN_OUT;
-            n = kern_norm_layers(p, p->group[end + 1], n, p->groups);
+            n = kern_norm_layers(p, p->group[end + 1], n);
         }
+    for (g = 0; g < p->groups; g++)
+        local[g] = KERN_OUT;
+    p->group += ++n;
+    p->groups -= n;
     for (g = 0; g < p->groups; g++)
         local[p->group[g]] = g;
 }
 
-/* Opens all groups as one part, or those near group `around`, if there is one;
-   0: no room. */
-static int kern_norm_open(kern_part *p, kern_model *m, int around)
+/* Opens all groups that are not marked as one part; 0: no room. */
+static int kern_norm_open(kern_part *p, kern_model *m)
 {
+    const int *local = m->graph.local;
     int i;
     if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 3))
         return 0;
@@ -4529,19 +4539,10 @@ static int kern_norm_open(kern_part *p, kern_model *m, int around)
     p->ends = kern_take_ints(&p->rest, 2 * m->s->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
-    if (around >= 0) {
-        const int end = kern_norm_layers(p, around, p->groups - 1,
-                                         KERN_STAYS_NEAR);
-        p->group += end + 1;
-        p->groups -= end + 1;
-        for (i = 0; i < p->groups; i++)
-            m->graph.local[p->group[i]] = i;
-    } else
-        kern_norm_order(p);
+    kern_norm_order(p);
     p->contacts = 0;
     for (i = 0; i < m->s->contacts; i++)
-        if (m->graph.local[m->graph.ends[2 * i]]
-            != m->graph.local[m->graph.ends[2 * i + 1]])
+        if (local[m->graph.ends[2 * i]] != local[m->graph.ends[2 * i + 1]])
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
     kern_part_ends(p);
@@ -4571,7 +4572,7 @@ static kern_status kern_norm_hold(kern_model *m, kern_part *p,
     kern_status status;
     kern_model_set(m, q);
     kern_model_unload(m);
-    if (!kern_norm_open(p, m, KERN_OUT))
+    if (!kern_norm_open(p, m))
         return KERN_NO_SPACE;
     status = kern_norm_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
                             KERN_FORCES_ROUNDS);
@@ -6415,7 +6416,7 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, const kern_path *path)
     if (m->whole)
         kern_model_group(m, &q);
     kern_model_set(m, &q);
-    if (!kern_norm_open(p, m, KERN_OUT) || p->contacts == 0)
+    if (!kern_norm_open(p, m) || p->contacts == 0)
         return 0;
     rays = 2 * p->contacts;
     n = 3 * p->groups;
@@ -6683,13 +6684,31 @@ static void kern_raise_along(kern_raise *r, int along)
     r->along = along;
 }
 
-/* Opens all groups as one part, with prices. 0 if there is no room. */
+/* Marks the groups that are far from that of block i. */
+static void kern_raise_near(kern_model *m, int i)
+{
+    int *local = m->graph.local, *const ends = m->graph.ends;
+    int g, k, at;
+    for (g = 0; g < m->graph.groups; g++)
+        local[g] = 0;
+    local[m->graph.group[i]] = 1;
+    for (at = 1; at <= KERN_STAYS_NEAR; at++)
+        for (k = 0; k < 2 * m->s->contacts; k++)
+            if (local[ends[k]] == at && local[ends[k ^ 1]] == 0)
+                local[ends[k ^ 1]] = at + 1;
+    for (g = 0; g < m->graph.groups; g++)
+        local[g] = local[g] > 0 ? KERN_OUT : 0;
+}
+
+/* Opens the groups as one part, with prices. 0 if there is no room. */
 static int kern_raise_open(kern_raise *r)
 {
     kern_part *p = r->p;
-    if (!kern_norm_open(p, r->m, r->around < 0
-                        ? KERN_OUT : r->m->graph.group[r->around]))
+    if (r->around >= 0)
+        kern_raise_near(r->m, r->around);
+    if (!kern_norm_open(p, r->m))
         return 0;
+    p->dual.stiff = r->around < 0 ? KERN_STIFF : KERN_STAYS_STIFF;
     p->dual.price = r->price = kern_take_reals(
         &p->rest, 6 * p->groups + 8 * p->contacts);
     if (!kern_take_fits(&p->rest))
@@ -6755,7 +6774,7 @@ static int kern_raise_price(kern_raise *r, int keep)
         const kern_real mu = kern_model_mu(m, i);
         const kern_real approach = w[0] + r->price[k];
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
-                                                / KERN_STIFF;
+                                                / p->dual.stiff;
         if (m->answer.force[i].normal > r->tolerance * m->weight) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
@@ -6794,14 +6813,17 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     int i;
     p->y = p->dual.step;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
+    if (r->around >= 0)
+        r->tolerance *= KERN_STAYS_TOL / KERN_FEAS_TOL;
     r->rounds = r->gained = 0;
     if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
         return 0;
     while (r->rounds < rounds
            && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
-        const int first = cold && r->rounds == 0;
+        const int first = cold && r->rounds == 0 ? 0 : r->around < 0 ? 1 : 2;
         const kern_status found = kern_norm_find(p, r->tolerance,
-            4 * KERN_NORM_MOST, !first, KERN_RAISE_STEPS + (first ? 10 : 1));
+            4 * KERN_NORM_MOST, first,
+            KERN_RAISE_STEPS + (first > 0 ? first : 10));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
         if (!kern_raise_price(r, r->along && found == KERN_STANDS)
@@ -6843,7 +6865,8 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
         q->shrink = shrink + (kern_real)k * most;
         r->m->cone.reduction = kern_reduction(q);
         kern_model_arms(r->m, q);
-        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
+        raised = kern_raise_settle(r, q, 0, r->around < 0
+                                   ? KERN_RAISE_WARM : KERN_STAYS_WARM, NULL);
     }
     return raised;
 }
@@ -7032,7 +7055,8 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
     const kern_query *q = &c->path.q;
     const kern_status status = kern_raise_begin(r, c, out);
     if (status == KERN_STANDS && *out != KERN_HANGS
-        && (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, NULL)
+        && (kern_raise_settle(r, q, 1, r->around < 0
+                              ? KERN_RAISE_ROUNDS : KERN_STAYS_ROUNDS, NULL)
             || kern_raise_grown(r, q)))
         *out = KERN_RAISED;
     return status;
@@ -7071,10 +7095,10 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
 /* What the law of kern_stays() weighs: the reserve of what is near block i, if
    all else is held, and how far the block goes until its forces are raised, for
    a stiffness and a mean weight of 1, a turn by half of what it moves a point a
-   size away. *hangs: it is not raised, since something hangs. */
+   size away; infinity where something hangs. */
 static kern_status kern_stays_terms(const kern_task *task, int i,
                                     const void *out, kern_real *reserve,
-                                    kern_real *sag, int *hangs)
+                                    kern_real *sag)
 {
     kern_call c;
     kern_raise r;
@@ -7086,12 +7110,13 @@ static kern_status kern_stays_terms(const kern_task *task, int i,
         return KERN_BAD_OPTION;
     if (i < 0 || i >= task->s.blocks || task->s.block[i].fixed)
         return KERN_BAD_BLOCK;
-    c.m.answer.known = task->known.fails > 0 ? &task->known : NULL;
+    c.m.answer.known = task->known.fails > 0 && task->known.force
+                         ? &task->known : NULL;
     r.around = i;
-    *reserve = *sag = KERN_R(0);
+    *reserve = KERN_R(0);
+    *sag = KERN_INFINITY;
     status = kern_raise_show(&r, &c, &raising);
-    *hangs = raising == KERN_HANGS;
-    if (status == KERN_STANDS && !*hangs) {
+    if (status == KERN_STANDS && raising != KERN_HANGS) {
         const kern_graph *graph = &c.m.graph;
         const kern_real *u = c.part.dual.u
                              + 3 * graph->local[graph->group[i]];
@@ -7107,15 +7132,14 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance)
 {
     kern_real reserve, sag, odds;
-    int hangs;
-    const kern_status status = kern_stays_terms(task, i, chance, &reserve, &sag,
-                                                &hangs);
+    const kern_status status = kern_stays_terms(task, i, chance, &reserve,
+                                                &sag);
     if (status != KERN_STANDS)
         return status;
     reserve += KERN_STAYS_ADD;
     odds = KERN_STAYS_ODDS * reserve * reserve * reserve / kern_max(sag, 1);
     odds *= KERN_SQRT(KERN_SQRT(odds));
-    *chance = hangs ? KERN_R(0) : odds / (1 + odds);
+    *chance = odds / (1 + odds);
     return status;
 }
 
