@@ -4454,7 +4454,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
             return KERN_FALLS;
         if (!kern_norm_spend(p))
             return KERN_LIMIT;
-        if (round > first || first < 2) {
+        if (first < 2 || round > 2) {
             kern_norm_matrix(p, round == 0);
             kern_skyline_factor(&p->dual.matrix);
         }
@@ -4518,8 +4518,6 @@ static void kern_norm_order(kern_part *p)
                 local[p->group[k]] = KERN_OUT;
             n = kern_norm_layers(p, p->group[end + 1], n);
         }
-    for (g = 0; g < p->groups; g++)
-        local[g] = KERN_OUT;
     p->group += ++n;
     p->groups -= n;
     for (g = 0; g < p->groups; g++)
@@ -6684,20 +6682,23 @@ static void kern_raise_along(kern_raise *r, int along)
     r->along = along;
 }
 
-/* Marks the groups that are far from that of block i. */
+/* Marks all but the n groups near block i, and the ground, as place n. */
 static void kern_raise_near(kern_model *m, int i)
 {
     int *local = m->graph.local, *const ends = m->graph.ends;
-    int g, k, at;
-    for (g = 0; g < m->graph.groups; g++)
+    int g, k, at, n = 1;
+    for (g = 0; g <= m->graph.groups; g++)
         local[g] = 0;
     local[m->graph.group[i]] = 1;
     for (at = 1; at <= KERN_STAYS_NEAR; at++)
         for (k = 0; k < 2 * m->s->contacts; k++)
-            if (local[ends[k]] == at && local[ends[k ^ 1]] == 0)
+            if (local[ends[k]] == at && local[ends[k ^ 1]] == 0
+                && ends[k ^ 1] < m->graph.groups) {
                 local[ends[k ^ 1]] = at + 1;
-    for (g = 0; g < m->graph.groups; g++)
-        local[g] = local[g] > 0 ? KERN_OUT : 0;
+                n++;
+            }
+    for (g = 0; g <= m->graph.groups; g++)
+        local[g] = local[g] > 0 ? KERN_OUT : n;
 }
 
 /* Opens the groups as one part, with prices. 0 if there is no room. */
@@ -7048,23 +7049,36 @@ static int kern_raise_grown(kern_raise *r, const kern_query *q)
     return last >= 1;
 }
 
-/* Whether it is raised, in *out. */
+/* Whether it is raised, in *out. And unless sag is NULL how far the block asked
+   about goes until its forces are raised, for a stiffness and a mean weight of
+   1; a turn by half of what it moves a point a size away. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
-                                   kern_raising *out)
+                                   kern_raising *out, kern_real *sag)
 {
     const kern_query *q = &c->path.q;
     const kern_status status = kern_raise_begin(r, c, out);
-    if (status == KERN_STANDS && *out != KERN_HANGS
-        && (kern_raise_settle(r, q, 1, r->around < 0
-                              ? KERN_RAISE_ROUNDS : KERN_STAYS_ROUNDS, NULL)
-            || kern_raise_grown(r, q)))
+    if (status != KERN_STANDS || *out == KERN_HANGS)
+        return status;
+    if (kern_raise_settle(r, q, 1, sag ? KERN_STAYS_ROUNDS : KERN_RAISE_ROUNDS,
+                          NULL) || kern_raise_grown(r, q))
         *out = KERN_RAISED;
-    return status;
+    if (sag) {
+        const kern_graph *graph = &r->m->graph;
+        const kern_real *u = r->p->dual.u
+                             + 3 * graph->local[graph->group[r->around]];
+        *sag = (kern_real)graph->groups * (kern_abs(u[2]) / 2
+               + kern_vec_length(kern_vec_make(u[0], u[1])));
+    }
+    return *out == KERN_RAISED || sag ? status
+        : kern_model_evaluate(&c->m, &c->part, q);
 }
 
-KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
-                                 kern_raising *out, kern_real *reserve,
-                                 const kern_proof *proof)
+/* kern_raised(); or of what is near block i, if all else is held, with its sag:
+   what kern_stays() asks for. */
+static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
+                                   kern_raising *out, kern_real *reserve,
+                                   const kern_proof *proof, int i,
+                                   kern_real *sag)
 {
     kern_call c;
     kern_raise r;
@@ -7075,15 +7089,18 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
         return status;
     if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
         return KERN_BAD_OPTION;
-    r.around = KERN_OUT;
-    status = kern_raise_show(&r, &c, &raising);
-    if (status == KERN_STANDS && raising == KERN_NOT_SHOWN)
-        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+    if (sag && (i < 0 || i >= task->s.blocks || task->s.block[i].fixed))
+        return KERN_BAD_BLOCK;
+    r.around = i;
+    if (sag && task->known.fails > 0 && task->known.force)
+        c.m.answer.known = &task->known;
+    status = kern_raise_show(&r, &c, &raising, sag);
     kern_proof_out(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)
         kern_proof_out(&c.m, proof, KERN_FALLS);
     if (raising == KERN_RAISED && reserve)
-        share = kern_raise_reserve(&r, &c.path.q, task->options.reserve);
+        share = kern_raise_reserve(
+            &r, &c.path.q, sag ? KERN_STAYS_MOST : task->options.reserve);
     status = kern_ended(task, status);
     if (status == KERN_STANDS)
         *out = raising;
@@ -7092,54 +7109,24 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
     return status;
 }
 
-/* What the law of kern_stays() weighs: the reserve of what is near block i, if
-   all else is held, and how far the block goes until its forces are raised, for
-   a stiffness and a mean weight of 1, a turn by half of what it moves a point a
-   size away; infinity where something hangs. */
-static kern_status kern_stays_terms(const kern_task *task, int i,
-                                    const void *out, kern_real *reserve,
-                                    kern_real *sag)
-{
-    kern_call c;
-    kern_raise r;
-    kern_raising raising = KERN_NOT_SHOWN;
-    kern_status status = kern_call_open(&c, task, KERN_R(0), out);
-    if (status != KERN_OK)
-        return status;
-    if (!kern_has_side(&task->s, KERN_RIGHT))
-        return KERN_BAD_OPTION;
-    if (i < 0 || i >= task->s.blocks || task->s.block[i].fixed)
-        return KERN_BAD_BLOCK;
-    c.m.answer.known = task->known.fails > 0 && task->known.force
-                         ? &task->known : NULL;
-    r.around = i;
-    *reserve = KERN_R(0);
-    *sag = KERN_INFINITY;
-    status = kern_raise_show(&r, &c, &raising);
-    if (status == KERN_STANDS && raising != KERN_HANGS) {
-        const kern_graph *graph = &c.m.graph;
-        const kern_real *u = c.part.dual.u
-                             + 3 * graph->local[graph->group[i]];
-        *sag = (kern_real)graph->groups * (
-            kern_vec_length(kern_vec_make(u[0], u[1])) + kern_abs(u[2]) / 2);
-        if (raising == KERN_RAISED)
-            *reserve = kern_raise_reserve(&r, &c.path.q, KERN_STAYS_MOST);
-    }
-    return kern_ended(task, status);
-}
+KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
+                                 kern_raising *out, kern_real *reserve,
+                                 const kern_proof *proof)
+{ return kern_raise_task(task, shrink, out, reserve, proof, KERN_OUT, NULL); }
 
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance)
 {
-    kern_real reserve, sag, odds;
-    const kern_status status = kern_stays_terms(task, i, chance, &reserve,
-                                                &sag);
+    kern_raising raising;
+    kern_real reserve, sag = KERN_R(0), odds;
+    const kern_status status = chance ? kern_raise_task(
+        task, KERN_R(0), &raising, &reserve, NULL, i, &sag) : KERN_BAD_POINTER;
     if (status != KERN_STANDS)
         return status;
     reserve += KERN_STAYS_ADD;
     odds = KERN_STAYS_ODDS * reserve * reserve * reserve / kern_max(sag, 1);
     odds *= KERN_SQRT(KERN_SQRT(odds));
-    *chance = odds / (1 + odds);
+    *chance = raising == KERN_HANGS ? KERN_R(0) : odds / (1 + odds);
     return status;
 }
 

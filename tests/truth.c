@@ -45,7 +45,8 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
 {
     kern_task task = kern_task_of(t->block, t->blocks, contact, 0, work);
     kern_margin m;
-    kern_real load[2], reserve, stays, sag;
+    kern_raising near;
+    kern_real load[2], reserve, stays, sag = 0;
     kern_force force[POINTS];
     kern_motion *motion = malloc(sizeof *motion * (size_t)t->blocks);
     kern_proof proof = { force, motion };
@@ -75,11 +76,11 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
             return -1;
     if (kern_stays(&task, t->blocks - 1, &stays) != KERN_STANDS) return -1;
     f->reserve = (double)reserve;
-    kern_stays_terms(&task, t->blocks - 1, &stays, &reserve, &sag);
+    kern_raise_task(&task, 0, &near, &reserve, NULL, t->blocks - 1, &sag);
     f->stays = (double)stays;
     f->law[0] = 1;
     f->law[1] = log((double)(reserve + KERN_STAYS_ADD));
-    f->law[2] = -log(fmin(fmax((double)sag, 1), 1e9));
+    f->law[2] = -log((double)kern_max(sag, 1));
     f->load = (double)(load[0] < load[1] ? load[0] : load[1]);
     free(motion);
     return 0;
