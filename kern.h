@@ -1010,12 +1010,13 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
    law of two numbers that kern_raised() finds, fitted to placements
    (>>measures):
        odds = (9.1e7 r^3 / s)^(5/4),    r = reserve, up to .01, + .004
-       s = how far the block goes until forces are raised, at least 1, where the
+       s = how far the block goes until forces are raised, at least 1, where
+           what is more than four contacts away from it is held, the
            mean weight is 1 and the stiffness of a contact point .1 and its
            travel in mean sizes; a turn counts by half the size
    KERN_STANDS: *chance, from 0 to 1; 0 where something hangs. KERN_FALLS: it is
    as it was. KERN_BAD_BLOCK: there is no free block i; KERN_BAD_OPTION: no
-   gravity. Time: that of 7.5 kern_plan_try() in the median. */
+   gravity. Time: that of 3 kern_plan_try() in the median. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -1533,7 +1534,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_STAYS_ROUNDS  10      /* prices of contacts: at rest             */
 #define KERN_STAYS_WARM    3       /* of a push                               */
 #define KERN_STAYS_STIFF   KERN_R(4)
-#define KERN_STAYS_TOL     KERN_R(5e-3) /* residual, in the least load        */
+#define KERN_STAYS_TOL     KERN_R(1e-4) /* residual, in the least load        */
 /* Its law, fitted to placements: the largest reserve that it asks for, since
    more says no more; what is added to it; and its scale. */
 #define KERN_STAYS_MOST    KERN_R(0.01)
@@ -6821,7 +6822,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
         return 0;
     while (r->rounds < rounds
            && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
-        const int first = cold && r->rounds == 0 ? 0 : r->around < 0 ? 1 : 2;
+        const int first = r->rounds == 0 ? !cold : r->around < 0 ? 1 : 2;
         const kern_status found = kern_norm_find(p, r->tolerance,
             4 * KERN_NORM_MOST, first,
             KERN_RAISE_STEPS + (first > 0 ? first : 10));
