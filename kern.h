@@ -297,10 +297,10 @@
    load factor 0.90, margin 0.87. Each half by the law of the other:
 
        chance    stays kept    moves rejected    unclear rejected
-       0.3             0.97              0.90                0.65
-       0.5             0.96              0.94                0.75
-       0.7             0.94              0.98                0.84
-       0.9             0.82             0.995                0.96
+       0.3             0.97              0.89                0.69
+       0.5             0.95              0.94                0.76
+       0.7             0.94              0.97                0.82
+       0.9             0.81             0.995                0.96
 
    In ten groups by the chance, its mean and the share that stays differ by at
    most 0.10 in sample, out of sample by 0.21 and 0.06 (0.07 by chance alone).
