@@ -1530,7 +1530,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    asks for, since more says no more; what is added to it; and its scale. */
 #define KERN_STAYS_MOST    KERN_R(0.01)
 #define KERN_STAYS_ADD     KERN_R(0.004)
-#define KERN_STAYS_ODDS    KERN_R(9.1e7)
+#define KERN_STAYS_ODDS    KERN_R(5.85e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
@@ -7077,8 +7077,9 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
         return status;
     reserve += KERN_STAYS_ADD;
     odds = KERN_STAYS_ODDS * reserve * reserve * reserve / kern_max(sag, 1);
-    odds *= KERN_SQRT(KERN_SQRT(odds));
-    *chance = raising == KERN_HANGS ? KERN_R(0) : odds / (1 + odds);
+    odds *= odds;
+    *chance = raising == KERN_HANGS ? KERN_R(0)
+            : KERN_R(0.05) + KERN_R(0.95) * odds / (1 + odds);
     return status;
 }
 
