@@ -1009,12 +1009,13 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
 /* The chance that block i, laid last, stays where it is let go, from statics: a
    law of two numbers that kern_raised() finds, fitted to placements
    (>>measures):
-       odds = (9.1e7 r^3 / s)^(5/4),    r = reserve, up to .01, + .004
+       .05 + .95 odds / (1 + odds),    odds = (5.85e7 r^3 / s)^2
+       r = reserve, up to .01, + .004
        s = how far the block goes until forces are raised, at least 1, where the
            mean weight is 1 and the stiffness of a contact point .1 and its
            travel in mean sizes; a turn counts by half the size
-   KERN_STANDS: *chance, from 0 to 1; 0 where something hangs. KERN_FALLS: it is
-   as it was. KERN_BAD_BLOCK: there is no free block i; KERN_BAD_OPTION: no
+   KERN_STANDS: *chance, from .05 to 1; 0 where something hangs. KERN_FALLS: it
+   is as it was. KERN_BAD_BLOCK: there is no free block i; KERN_BAD_OPTION: no
    gravity. Time: that of 7.5 kern_plan_try() in the median. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
