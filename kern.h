@@ -1007,14 +1007,16 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
 /* The chance that block i, laid last, stays where it is let go, from statics: a
    law of two numbers that kern_raised() finds, fitted to placements
    (>>measures):
-       odds = (9.1e7 r^3 / s)^(5/4),    r = reserve, up to .01, + .004
-       s = how far the block goes until forces are raised, at least 1, where
-           what is more than four contacts away from it is held, the
+       .05 + .95 odds / (1 + odds),    odds = (5.55e7 r^3 / s)^2
+       r = reserve, up to .01, + .004
+       s = how far the block goes until forces are raised, at least 1, where the
            mean weight is 1 and the stiffness of a contact point .1 and its
            travel in mean sizes; a turn counts by half the size
-   KERN_STANDS: *chance, from 0 to 1; 0 where something hangs. KERN_FALLS: it is
-   as it was. KERN_BAD_BLOCK: there is no free block i; KERN_BAD_OPTION: no
-   gravity. Time: that of 3 kern_plan_try() in the median. */
+   For both what is more than four contacts away from the block is held.
+   KERN_STANDS: *chance, from .05 to 1; 0 where something hangs. KERN_FALLS: it
+   is as it was. KERN_BAD_BLOCK: there is no free block i; KERN_BAD_OPTION: no
+   gravity. Time: that of 3 kern_plan_try() in the median, if task->known is of
+   the structure without the block, as that of a plan is. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -1528,7 +1530,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    more says no more; what is added to it; and its scale. */
 #define KERN_STAYS_MOST    KERN_R(0.01)
 #define KERN_STAYS_ADD     KERN_R(0.004)
-#define KERN_STAYS_ODDS    KERN_R(9.1e7)
+#define KERN_STAYS_ODDS    KERN_R(5.55e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
@@ -6801,7 +6803,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     p->y = p->dual.step;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
     if (r->around >= 0)
-        r->tolerance *= KERN_STAYS_TOL / KERN_FEAS_TOL;
+        r->tolerance *= KERN_STAYS_TOL / KERN_NOISE;
     r->rounds = r->gained = 0;
     if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
         return 0;
@@ -7110,8 +7112,9 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
         return status;
     reserve += KERN_STAYS_ADD;
     odds = KERN_STAYS_ODDS * reserve * reserve * reserve / kern_max(sag, 1);
-    odds *= KERN_SQRT(KERN_SQRT(odds));
-    *chance = raising == KERN_HANGS ? KERN_R(0) : odds / (1 + odds);
+    odds *= odds;
+    *chance = raising == KERN_HANGS ? KERN_R(0)
+            : KERN_R(0.05) + KERN_R(0.95) * odds / (1 + odds);
     return status;
 }
 
