@@ -1413,7 +1413,8 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* Rounds of what ends by itself in far fewer, unless digits are lost: Newton's
    method for the minimum-norm forces of a cluster and of all groups, a bracket
-   (four to eight suffice), the interior point (some twenty). */
+   (four to eight suffice), the interior point (some twenty), prices of contacts
+   along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends by itself in fewer, as a rule: steps of Newton's method
    for one group, and from bend to bend; parts that fall, before the whole is
@@ -1504,7 +1505,6 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_SLID          KERN_R(100)
 #define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
-#define KERN_RAISE_PATH    100     /* from those of a smaller load            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 /* Rounds, beside as many as before, in which squared changes of prices fall by
    no fifth: along a load; in a step over a gap; in one from rest, anew. */
@@ -1518,14 +1518,12 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_LOAD_JUMP     40
 #define KERN_LOAD_NEAR     KERN_R(0.94)
 #define KERN_LOAD_FALL     KERN_R(0.3)
-/* kern_stays(): of how many contacts from block to block what is not held is
-   away at the most: with 3 and 5 it tells less. No proof is asked for, so rounds
-   are fewer, and contacts less stiff along t, than of what is raised. */
+/* kern_stays(): from block to block, how many contacts away from the stone what
+   is not held may be: with 3 and 5 it tells less. No proof is asked for: the
+   contacts are less stiff along t, and more is left of the least load. */
 #define KERN_STAYS_NEAR    4
-#define KERN_STAYS_ROUNDS  10      /* prices of contacts: at rest             */
-#define KERN_STAYS_WARM    3       /* of a push                               */
 #define KERN_STAYS_STIFF   KERN_R(4)
-#define KERN_STAYS_TOL     KERN_R(1e-4) /* residual, in the least load        */
+#define KERN_STAYS_TOL     KERN_R(3e-4)
 /* Its law, fitted to placements: the largest reserve that it asks for, since
    more says no more; what is added to it; and its scale. */
 #define KERN_STAYS_MOST    KERN_R(0.01)
@@ -4070,52 +4068,33 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
-/* Adds to the block of groups g and h <= g: what moving h does to the forces on
-   g (xx, xy, yy, times a sign), what turning h does (f and r along n and t of
-   g), and what either does to the torque on g; only up to the diagonal. */
+/* Adds to the block of groups g and h <= g what a motion of h does to g: v and
+   w are the wrenches that the law makes of the row of g. */
 static inline void kern_skyline_add(kern_skyline *a, int g, int h,
-                                    kern_real sign, const kern_real k[3],
-                                    const kern_row *of_g, const kern_row *of_h,
-                                    const kern_real turn_g[2],
-                                    const kern_real turn_h[2])
+                                    const kern_real v[3], const kern_real w[3],
+                                    const kern_row *of_h)
 {
     const int wide = 3 * (g - a->first[g] + 1);
     kern_real *to = a->entry + a->offset[g] + 3 * (h - a->first[g]);
-    to[0] += sign * k[0];
-    to[1] += sign * k[1];
-    to[2] += turn_h[0] * of_g->n[0] - turn_h[1] * of_g->n[1];
-    to += wide;
-    to[0] += sign * k[1];
-    to[1] += sign * k[2];
-    to[2] += turn_h[0] * of_g->n[1] + turn_h[1] * of_g->n[0];
-    to += wide;
-    to[0] += turn_g[0] * of_h->n[0] - turn_g[1] * of_h->n[1];
-    to[1] += turn_g[0] * of_h->n[1] + turn_g[1] * of_h->n[0];
-    to[2] += turn_g[0] * of_h->n[2] + turn_g[1] * of_h->turn;
+    kern_row_exert(of_h, v[0], w[0], to);
+    kern_row_exert(of_h, v[1], w[1], to + wide);
+    kern_row_exert(of_h, v[2], w[2], to + 2 * wide);
 }
 
-/* Adds what the two groups of a contact exert on each other by its law. */
+/* Adds what the two groups of a contact exert on each other by its law; what is
+   fixed has the last number and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
-    const kern_real x = row->n[0], y = row->n[1];
-    const kern_real xx = x * x, yy = y * y, xy = x * y;
-    const kern_real k[3] = {s->nn * xx - 2 * s->nt * xy + s->tt * yy,
-                            (s->nn - s->tt) * xy + s->nt * (xx - yy),
-                            s->nn * yy + 2 * s->nt * xy + s->tt * xx};
-    const int late = ends[1] > ends[0], early = !late;
-    kern_real turn[2][2];
-    int i;
-    for (i = 0; i < 2; i++) {
-        turn[i][0] = s->nn * row[i].n[2] + s->nt * row[i].turn;
-        turn[i][1] = s->nt * row[i].n[2] + s->tt * row[i].turn;
-        if (ends[i] < a->groups)
-            kern_skyline_add(a, ends[i], ends[i], KERN_R(1), k, row + i,
-                             row + i, turn[i], turn[i]);
-    }
-    if (ends[late] < a->groups)
-        kern_skyline_add(a, ends[late], ends[early], KERN_R(-1), k, row + late,
-                         row + early, turn[late], turn[early]);
+    kern_real v[3], w[3];
+    int k;
+    for (k = 0; k < 2; k++)
+        if (ends[k] < a->groups) {
+            kern_row_answer(row + k, s, v, w);
+            kern_skyline_add(a, ends[k], ends[k], v, w, row + k);
+            if (ends[k] > ends[1 - k])
+                kern_skyline_add(a, ends[k], ends[1 - k], v, w, row + 1 - k);
+        }
 }
 
 /* Adds a share of their mean to the entries of the diagonal. */
@@ -4420,8 +4399,8 @@ static int kern_norm_spend(const kern_part *p)
 { return kern_model_spend(p->m, 1 + p->dual.cost / 170); }
 
 /* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
-   rounds [first, end); after round 0 u goes on from what it is, and round 2,
-   where it is the first, has the factor at hand. KERN_STANDS with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
+   rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
+   with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
 static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, int first, int end)
 {
@@ -4444,10 +4423,8 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
             return KERN_FALLS;
         if (!kern_norm_spend(p))
             return KERN_LIMIT;
-        if (first < 2 || round > 2) {
-            kern_norm_matrix(p, round == 0);
-            kern_skyline_factor(&p->dual.matrix);
-        }
+        kern_norm_matrix(p, round == 0);
+        kern_skyline_factor(&p->dual.matrix);
         kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
         kern_norm_ways(p, p->dual.step, p->own, 2);
         p->dual.rounds = round + 1 - first;
@@ -6802,17 +6779,18 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     int i;
     p->y = p->dual.step;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
-    if (r->around >= 0)
+    if (r->around >= 0) {
         r->tolerance *= KERN_STAYS_TOL / KERN_NOISE;
+        rounds = rounds / 3 + 1;
+    }
     r->rounds = r->gained = 0;
     if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
         return 0;
     while (r->rounds < rounds
            && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
-        const int first = r->rounds == 0 ? !cold : r->around < 0 ? 1 : 2;
+        const int first = cold && r->rounds == 0;
         const kern_status found = kern_norm_find(p, r->tolerance,
-            4 * KERN_NORM_MOST, first,
-            KERN_RAISE_STEPS + (first > 0 ? first : 10));
+            4 * KERN_NORM_MOST, !first, KERN_RAISE_STEPS + (first ? 10 : 1));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
         if (!kern_raise_price(r, r->along && found == KERN_STANDS)
@@ -6853,8 +6831,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
         kern_model_arms(r->m, q);
-        raised = kern_raise_settle(r, q, 0, r->around < 0
-                                   ? KERN_RAISE_WARM : KERN_STAYS_WARM, NULL);
+        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
     }
     return raised;
 }
@@ -6983,7 +6960,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     static const int nth[] = {KERN_LOAD_STEPS, KERN_LOAD_FINE, KERN_LOAD_JUMP};
     int pace = 0, good = 1;
     kern_raise_along(r, KERN_RAISE_JUMP);
-    if (!kern_raise_settle(r, q, 1, KERN_RAISE_PATH, proof)) {
+    if (!kern_raise_settle(r, q, 1, KERN_ROUNDS, proof)) {
         kern_raise_along(r, 0);
         if (!kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, proof))
             return KERN_R(-1);
@@ -6995,10 +6972,10 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
             stood + end / (kern_real)nth[pace], end);
         r->along = pace == 2 ? KERN_RAISE_JUMP : KERN_RAISE_STILL;
         kern_raise_lead(r, good, (at - stood) / taken);
-        good = kern_raise_settle(r, q, 0, KERN_RAISE_PATH, proof);
+        good = kern_raise_settle(r, q, 0, KERN_ROUNDS, proof);
         if (!good && !(stood > 0)) { /* from rest nothing leads there */
             r->along = KERN_RAISE_REST;
-            good = kern_raise_settle(r, q, 1, KERN_RAISE_PATH, proof);
+            good = kern_raise_settle(r, q, 1, KERN_ROUNDS, proof);
         }
         if (good) {
             taken = at - stood;
@@ -7027,10 +7004,9 @@ static int kern_raise_grown(kern_raise *r, const kern_query *q)
     if (last >= 0 && last < 1) {
         kern_raise_copy(r, r->best, 0);
         kern_raise_along(r, 0); /* prices settle sooner than along the load */
-        r->along = KERN_RAISE_PATH;
-        last = (kern_real)(
-            kern_raise_settle(r, q, 0, 2 * KERN_RAISE_PATH, NULL)
-            || kern_raise_settle(r, q, 1, KERN_RAISE_PATH, NULL));
+        r->along = KERN_ROUNDS;
+        last = (kern_real)(kern_raise_settle(r, q, 0, 2 * KERN_ROUNDS, NULL)
+                           || kern_raise_settle(r, q, 1, KERN_ROUNDS, NULL));
     }
     r->along = 0;
     return last >= 1;
@@ -7046,8 +7022,8 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
     const kern_status status = kern_raise_begin(r, c, out);
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    if (kern_raise_settle(r, q, 1, sag ? KERN_STAYS_ROUNDS : KERN_RAISE_ROUNDS,
-                          NULL) || kern_raise_grown(r, q))
+    if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, NULL)
+        || kern_raise_grown(r, q))
         *out = KERN_RAISED;
     if (sag) {
         const kern_graph *graph = &r->m->graph;
