@@ -64,11 +64,10 @@
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too.
-   examples/copy/one_block.c is this program with all checks, examples/kern.c
-   that for the command line. "multiple definition of kern_...":
-   KERN_IMPLEMENTATION is in more than one file; "undefined reference": in none,
-   or in one of the other precision.
+   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. With all
+   checks this is examples/copy/one_block.c; for a command line examples/kern.c.
+   "multiple definition of kern_...": KERN_IMPLEMENTATION is in more than one
+   file; "undefined reference": in none, or in one of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
@@ -288,24 +287,20 @@
    Whether a stone stays where it is let go. kern_stays() gives the chance: let
    go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
    times in another simulator (tests/truth.c): 630 stay, 205 move, 134 depend on
-   its noise and count as not staying. Out of sample, the law fitted to the
-   walls of odd number and tested on the 509 placements of those of even number,
-   and the other way (460): area under the ROC curve 0.989 [0.977, 0.996] and
-   0.986 [0.974, 0.996], where the wall below has a reserve of 0.0055 or more
-   0.992 [0.983, 0.998] and 0.989 [0.978, 0.997]; reserve alone 0.971 and 0.976,
-   load factor 0.90, margin 0.87. Each half by the law of the other:
+   its noise and count as not staying. With the scale of the law fitted to the
+   walls of odd number, the 509 placements of the others, and the other way the
+   460, have an area under the ROC curve of 0.992 [0.985, 0.998] and 0.988
+   [0.974, 0.997]; where the wall below has a reserve of 0.0055, 0.994 [0.987,
+   0.999] and 0.989 [0.977, 0.997]; reserve alone 0.971 and 0.976.
 
        chance    stays kept    moves rejected    unclear rejected
-       0.3             0.97              0.89                0.69
-       0.5             0.95              0.94                0.76
-       0.7             0.94              0.97                0.82
-       0.9             0.81             0.995                0.96
+       0.3             0.96              0.94                0.75
+       0.5             0.95              0.97                0.78
+       0.7             0.93              0.98                0.87
+       0.9             0.85             0.995                0.95
 
-   In ten groups by the chance, its mean and the share that stays differ by at
-   most 0.10 in sample, out of sample by 0.21 and 0.06 (0.07 by chance alone).
-   Which numbers the law has was chosen on both halves. By reserve alone, 0.0055
-   or more, on 956 other placements: 0.94 [0.92, 0.96] kept, 0.89 [0.84, 0.93]
-   and 0.64 rejected (0.1.0). KERN_NOT_SHOWN is no proof of falling.
+   In ten groups by the chance, mean and share that stays differ by 0.03 at
+   most, out of sample by 0.15 (0.07 at random). Both halves chose the form.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -1005,18 +1000,16 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  const kern_proof *proof);
 
 /* The chance that block i, laid last, stays where it is let go, from statics: a
-   law of two numbers that kern_raised() finds, fitted to placements
-   (>>measures):
-       .05 + .95 odds / (1 + odds),    odds = (5.55e7 r^3 / s)^2
+   law fitted to placements (>>measures), of what raises it where all that is
+   more than four contacts away from it is held:
+       .05 + .95 odds / (1 + odds),    odds = (5.5e7 r^3 / s)^2
        r = reserve, up to .01, + .004
        s = how far the block goes until forces are raised, at least 1, where the
            mean weight is 1 and the stiffness of a contact point .1 and its
            travel in mean sizes; a turn counts by half the size
-   For both what is more than four contacts away from the block is held.
-   KERN_STANDS: *chance, from .05 to 1; 0 where something hangs. KERN_FALLS: it
-   is as it was. KERN_BAD_BLOCK: there is no free block i; KERN_BAD_OPTION: no
-   gravity. Time: that of 3 kern_plan_try() in the median, if task->known is of
-   the structure without the block, as that of a plan is. */
+   KERN_STANDS: *chance, from .05 to 1; 0 where something hangs. KERN_FALLS: as
+   it was. KERN_BAD_BLOCK: no free block i; KERN_BAD_OPTION: no gravity. Time:
+   that of 3 kern_plan_try() in the median, by a plan's known forces. */
 KERN_API kern_status kern_stays(const kern_task *task, int i,
                                 kern_real *chance);
 
@@ -1411,23 +1404,20 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
-/* Rounds of what ends by itself in far fewer, unless digits are lost: Newton's
-   method for the minimum-norm forces of a cluster and of all groups, a bracket
-   (four to eight suffice), the interior point (some twenty), prices of contacts
-   along a load. */
+/* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
+   minimum-norm forces, a bracket (four to eight suffice), the interior point
+   (some twenty), prices of contacts along a load. */
 #define KERN_ROUNDS        100
-/* Rounds of what ends by itself in fewer, as a rule: steps of Newton's method
-   for one group, and from bend to bend; parts that fall, before the whole is
-   asked; steps of the interior point that shorten the gap by less than a tenth;
-   and of a collapse those in which nothing falls. */
+/* Rounds of what ends in fewer, as a rule: Newton's method for one group and
+   from bend to bend, parts that fall before the whole is asked; steps without
+   gain, of the interior point (a tenth) and of a collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
 
 #define KERN_PROFILE_MOST  KERN_R(10) /* load factor that counts as no limit  */
-/* Expected drop: the load factor at which a stone's chance to fall is 1/e, and
-   the least height that counts, in mean block sizes: chosen on one half of
-   the structures of a shaking test; 0.05 to 0.1 rank the others as well. */
+/* Expected drop: the load factor at which a stone's chance to fall is 1/e (0.05
+   to 0.1 rank as well), and the least height that counts [mean block size]. */
 #define KERN_DROP_LOAD     KERN_R(0.07)
 #define KERN_DROP_HEIGHT   KERN_R(0.3)
 /* Share of the fastest block's speed below which a block rests, or two do not
@@ -1465,8 +1455,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* ---- search ---- */
 
-/* First place and first step of a search [mean block size], chosen on the odd
-   half of the corpus. */
+/* First place and step of a search [mean size], by the corpus' odd half. */
 #define KERN_CLIMB         KERN_R(0.1)
 /* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
 #define KERN_NEAR          KERN_R(0.12)
@@ -1528,7 +1517,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    more says no more; what is added to it; and its scale. */
 #define KERN_STAYS_MOST    KERN_R(0.01)
 #define KERN_STAYS_ADD     KERN_R(0.004)
-#define KERN_STAYS_ODDS    KERN_R(5.55e7)
+#define KERN_STAYS_ODDS    KERN_R(5.5e7)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
@@ -3080,6 +3069,10 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     return nested ? kern_level_scan(m, path, 1, last, out) : status;
 }
 
+/* What is remembered, or NULL. */
+static const kern_known *kern_task_known(const kern_task *task)
+{ return task->known.fails > 0 && task->known.force ? &task->known : NULL; }
+
 /* Remembers a measure, whose proof is in the arrays of what is known, and
    copies the proof to where it is wanted. */
 static void kern_known_set(kern_task *task, kern_status status,
@@ -3342,6 +3335,16 @@ static kern_status kern_growth_check(const kern_model *m,
     return KERN_OK;
 }
 
+/* Whether a load lies on a block that is free. */
+static int kern_model_loaded(const kern_model *m)
+{
+    int g;
+    for (g = 0; g < m->graph.groups; g++)
+        if (kern_wrench_sum(&m->s->block[m->graph.block[g]].load) > 0)
+            return 1;
+    return 0;
+}
+
 /* Runs a path on which a load grows or gravity turns: a verdict at the start,
    search, proofs. */
 static kern_status kern_run(kern_call *c, const kern_task *task,
@@ -3351,15 +3354,14 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
 {
     const int tilt = kind == KERN_PATH_TILT;
     kern_path *const path = &c->path;
-    int g, loaded = 0; /* then a tilt may stand again after it fell */
+    int loaded;
     kern_status status = kern_number_open(c, task, shrink, out);
     if (status == KERN_OK)
         status = kern_growth_check(&c->m, pattern, side);
     if (status != KERN_OK)
         return status;
-    for (g = 0; g < c->m.graph.groups && tilt; g++)
-        loaded |= kern_wrench_sum(
-            &task->s.block[c->m.graph.block[g]].load) > 0;
+    /* under loads that stay a tilt may stand again after it fell */
+    loaded = tilt && kern_model_loaded(&c->m);
     kern_path_push(path, kind, pattern, side);
     path->proof = proof;
     path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
@@ -4470,10 +4472,9 @@ static int kern_norm_layers(kern_part *p, int first, int n)
     return n;
 }
 
-/* Orders the groups that are not marked for short rows of the factor: in layers
-   around one of the last layer around another, from the last place down
-   (reverse Cuthill-McKee); they are the part then. Without the order in a layer
-   the factor takes up to 20 % longer. */
+/* Orders the groups that are not marked, which are the part then, for short
+   rows of the factor: in layers around one of the last layer around another,
+   from the last place down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -6544,11 +6545,10 @@ static kern_status kern_ipm_search(kern_model *m, kern_path *path)
    analysis, by which what slides parts: f = k (approach + mu slip). A price mu
    slip on each contact takes that away (the fixed point of Acary, Cadoux,
    Lemarechal and Malick). Prices need not be exact: where every loaded contact
-   approaches, the forces and the displacement are a proof, for contacts of
-   other stiffnesses. From one round to the next prices are extrapolated
-   (Anderson's method with one difference): where contacts neither open nor
-   begin to slide any more, the map from prices to prices is linear. Along a
-   load the method takes two differences, and prices fall slowly: else those of
+   approaches, forces and displacement are a proof, for other stiffnesses.
+   Prices are extrapolated (Anderson's method with one difference): where no
+   contact opens or begins to slide, the map from prices to prices is linear.
+   Along a load it takes two differences, and prices fall slowly: else those of
    joints that lean on each other alternate. */
 
 static kern_real kern_prove_raised(const kern_structure *s,
@@ -6625,8 +6625,7 @@ typedef struct kern_raise {
                                  so far; the last two along a load            */
     int along;                /* a load: rounds without a gain, or 0; what
                                  parts is kept apart                          */
-    int around;               /* the block that is asked about, others being
-                                 held that are not near; or KERN_OUT          */
+    int around;               /* the block asked about, or KERN_OUT           */
 } kern_raise;
 
 /* Sets how a load is followed, and the stiffness of contacts: as long as they
@@ -6770,18 +6769,33 @@ static int kern_raise_price(kern_raise *r, int keep)
     return pressed && slid <= KERN_SLID * most;
 }
 
+/* Whether forces and u prove it; near a block, where none asks, always. */
+static int kern_raise_proves(const kern_raise *r, const kern_query *q,
+                             const kern_proof *proof)
+{
+    const kern_model *m = r->m;
+    int i;
+    for (i = 0; i < 3 * r->p->groups; i++)
+        r->p->y[i] = -r->p->dual.u[i];
+    kern_part_motion(r->p);
+    if (r->around < 0 && !kern_model_proven(m, kern_prove_raised(
+            m->s, q, m->answer.force, m->answer.motion, m->answer.sum)))
+        return 0;
+    kern_proof_out(m, proof, KERN_STANDS);
+    kern_proof_out(m, proof, KERN_FALLS);
+    return 1;
+}
+
 /* Looks for a proof, from nothing or from u and prices as they are. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
                              int rounds, const kern_proof *proof)
 {
     kern_part *p = r->p;
-    const kern_model *m = r->m;
-    int i;
     p->y = p->dual.step;
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
     if (r->around >= 0) {
         r->tolerance *= KERN_STAYS_TOL / KERN_NOISE;
-        rounds = rounds / 3 + 1;
+        rounds = cold ? 10 : 3;
     }
     r->rounds = r->gained = 0;
     if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
@@ -6793,20 +6807,10 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
             4 * KERN_NORM_MOST, !first, KERN_RAISE_STEPS + (first ? 10 : 1));
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
-        if (!kern_raise_price(r, r->along && found == KERN_STANDS)
-            || !(r->along || found == KERN_STANDS))
-            continue;
-        if (r->around >= 0)
+        if (kern_raise_price(r, r->along && found == KERN_STANDS)
+            && (r->along || found == KERN_STANDS)
+            && kern_raise_proves(r, q, proof))
             return 1;
-        for (i = 0; i < 3 * p->groups; i++)
-            p->y[i] = -p->dual.u[i];
-        kern_part_motion(p);
-        if (kern_model_proven(m, kern_prove_raised(
-                m->s, q, m->answer.force, m->answer.motion, m->answer.sum))) {
-            kern_proof_out(r->m, proof, KERN_STANDS);
-            kern_proof_out(r->m, proof, KERN_FALLS);
-            return 1;
-        }
     }
     return 0;
 }
@@ -6842,15 +6846,11 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
 static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
                                     kern_real enough)
 {
-    static const kern_real share[] = {
-        KERN_R(0), KERN_R(0.001), KERN_R(0.002), KERN_R(0.003), KERN_R(0.004),
-        KERN_R(0.005), KERN_R(0.0055), KERN_R(0.006), KERN_R(0.007),
-        KERN_R(0.008), KERN_R(0.01), KERN_R(0.015), KERN_R(0.02), KERN_R(0.03),
-        KERN_R(0.05), KERN_R(0.1)
-    };
+    static const short share[] = {0, 10, 20, 30, 40, 50, 55, 60, 70, 80, 100,
+                                  150, 200, 300, 500, 1000}; /* of 10,000 */
     kern_query q = *asked;
     int most = (int)(sizeof share / sizeof share[0]) - 1;
-    while (enough > 0 && share[most] > enough)
+    while (enough > 0 && KERN_R(share[most]) / 10000 > enough)
         most--;
     kern_raise_copy(r, r->begin, 1);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
@@ -6860,7 +6860,8 @@ static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
         kern_raise_copy(r, r->best, 1);
         for (; high - low > 1; at = (low + high) / 2) {
             kern_raise_copy(r, r->best, 0);
-            if (kern_raise_push(r, &q, asked->shrink, share[at])) {
+            if (kern_raise_push(r, &q, asked->shrink,
+                                KERN_R(share[at]) / 10000)) {
                 low = at;
                 kern_raise_copy(r, r->best, 1);
             } else
@@ -6869,7 +6870,7 @@ static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
         most = low;
         kern_raise_copy(r, r->begin, 0);
     }
-    return share[most];
+    return KERN_R(share[most]) / 10000;
 }
 
 /* Whether blocks hang that nothing holds up, and the others stand without them.
@@ -6995,11 +6996,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 static int kern_raise_grown(kern_raise *r, const kern_query *q)
 {
     kern_query grown = *q;
-    kern_real loads = KERN_R(0), last = KERN_R(-1);
-    int i;
-    for (i = 0; i < r->m->s->blocks; i++)
-        loads += kern_wrench_sum(&r->m->s->block[i].load);
-    if (loads > 0)
+    kern_real last = KERN_R(-1);
+    if (kern_model_loaded(r->m))
         last = kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL);
     if (last >= 0 && last < 1) {
         kern_raise_copy(r, r->best, 0);
@@ -7036,8 +7034,7 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
         : kern_model_evaluate(&c->m, &c->part, q);
 }
 
-/* kern_raised(); or of what is near block i, if all else is held, with its sag:
-   what kern_stays() asks for. */
+/* kern_raised(); with a sag of what is near block i, for kern_stays(). */
 static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
                                    kern_raising *out, kern_real *reserve,
                                    const kern_proof *proof, int i,
@@ -7055,8 +7052,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
     if (sag && (i < 0 || i >= task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
     r.around = i;
-    if (sag && task->known.fails > 0 && task->known.force)
-        c.m.answer.known = &task->known;
+    if (sag)
+        c.m.answer.known = kern_task_known(task);
     status = kern_raise_show(&r, &c, &raising, sag);
     kern_proof_out(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)
@@ -8160,8 +8157,7 @@ static void kern_pair_filter(kern_pair *pair)
     int i, line, kept = pair->first;
     for (i = kept; i < pair->count; i++) {
         line = at[i].line ? kept : pair->first;
-        while (line < kept
-               && !kern_line_passes(&at[line], &at[i], pair->gap))
+        while (line < kept && !kern_line_passes(&at[line], &at[i], pair->gap))
             line++;
         if (line == kept)
             at[kept++] = at[i];
@@ -8745,7 +8741,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     if (status != KERN_OK)
         return status;
     if (kern_travels_of(&task->s, &c.path.q).nested) {
-        c.m.answer.known = known->fails > 0 ? known : NULL;
+        c.m.answer.known = kern_task_known(task);
         status = known->fails > 0 && margin >= known->fails
                  && kern_known_falls(&c.m, &c.path.q, known)
                  ? KERN_FALLS

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x2ec77399d5228406u },
-    { 1000, 0xb3a385d09a21246du },
-    { 5000, 0x2bb45ec6ecd92f77u },
+    { 200, 0x89466855e334d4a2u },
+    { 1000, 0xed2f66dfc2878692u },
+    { 5000, 0xebbc977911012f82u },
 #else
-    { 200, 0x93d5ca8517bdb272u },
-    { 1000, 0x72a034a01e1bf8e2u },
-    { 5000, 0x68290bfedfff81a5u },
+    { 200, 0x6f7d052303b4f2e9u },
+    { 1000, 0x797db0fc14986f41u },
+    { 5000, 0xdace8fc9285aec88u },
 #endif
 };
 

@@ -10267,7 +10267,7 @@ static void stays_law(void)
         for (k = 1; k <= n; k++) {
             /* cube k sinks by what those below it do */
             const double down = (k * n - k * (k - 1) / 2.0) / 1.2;
-            const double q = 5.55e7 * 0.014 * 0.014 * 0.014
+            const double q = 5.5e7 * 0.014 * 0.014 * 0.014
                            / (down < 1 ? 1 : down);
             const double chance = 0.05 + 0.95 * q * q / (1 + q * q);
             int i;

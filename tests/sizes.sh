@@ -14,11 +14,11 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9975
-lines of the engine|3500|4200
-text of the library|54000|59330
-text, kern_measure with contacts given|32000|33930
-text, kern_verdict with contacts given|22000|27410
+limits="lines of kern.h|8800|10000
+lines of the engine|3500|4218
+text of the library|54000|59400
+text, kern_measure with contacts given|32000|33690
+text, kern_verdict with contacts given|22000|27050
 deepest stack|2700|2700"
 allowed='sqrtf'  # symbols that the library may need
 

@@ -47,7 +47,7 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
 {
     kern_task task = kern_task_of(t->block, t->blocks, contact, 0, work);
     kern_margin m;
-    kern_raising near;
+    kern_raising shown;
     kern_real load[2], reserve, stays, sag = 0;
     kern_force force[POINTS];
     kern_motion *motion = malloc(sizeof *motion * (size_t)t->blocks);
@@ -78,7 +78,7 @@ static kern_real measure(struct text_file *t, struct found *f, kern_work *work)
             return -1;
     if (kern_stays(&task, t->blocks - 1, &stays) != KERN_STANDS) return -1;
     f->reserve = (double)reserve;
-    kern_raise_task(&task, 0, &near, &reserve, NULL, t->blocks - 1, &sag);
+    kern_raise_task(&task, 0, &shown, &reserve, NULL, t->blocks - 1, &sag);
     f->stays = (double)stays;
     f->odds = pow((double)(reserve + KERN_STAYS_ADD), 3) /
               (double)kern_max(sag, 1);
