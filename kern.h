@@ -1457,8 +1457,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* First place and step of a search [mean size], by the corpus' odd half. */
 #define KERN_CLIMB         KERN_R(0.1)
-/* Where a bracket without a prediction is divided (kern_bracket_adapt()). */
-#define KERN_NEAR          KERN_R(0.12)
+#define KERN_NEAR          KERN_R(0.12) /* division of a bracket, unpredicted */
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 
 /* ---- interior point ---- */
@@ -1490,8 +1489,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* How much stiffer contacts are along t than along n: what sticks then slides
    by 1/KERN_STIFF of its approach at the most. */
 #define KERN_STIFF         KERN_PICK(550, 10)
-/* How far loaded contacts may slide, in approaches of the one pressed most. */
-#define KERN_SLID          KERN_R(100)
+#define KERN_SLID          KERN_R(100) /* farthest slide, in approaches       */
 #define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
@@ -6795,10 +6793,11 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
     if (r->around >= 0) {
         r->tolerance *= KERN_STAYS_TOL / KERN_NOISE;
-        rounds = cold ? 10 : 3;
+        rounds = 3 + 7 * cold; /* ten from nothing */
     }
     r->rounds = r->gained = 0;
-    if (!kern_model_spend(r->m, 4 * r->m->budget.query_units))
+    if (!kern_model_spend(r->m, (r->around < 0 ? 4 : 1)
+                                * r->m->budget.query_units))
         return 0;
     while (r->rounds < rounds
            && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
@@ -6915,7 +6914,8 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         value[i] = KERN_R(1);
     for (; gone > 0; left -= gone)
         gone = kern_hang_pass(m->s, value);
-    if (left > 0 || r->around >= 0) {
+    if (left > 0 || (r->around >= 0
+                     && kern_model_spend(m, m->budget.query_units))) {
         status = kern_model_evaluate(m, r->p, q);
         if (m->whole)
             kern_model_group(m, q);
@@ -8741,7 +8741,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     if (status != KERN_OK)
         return status;
     if (kern_travels_of(&task->s, &c.path.q).nested) {
-        c.m.answer.known = kern_task_known(task);
+        c.m.answer.known = known->fails > 0 ? known : NULL;
         status = known->fails > 0 && margin >= known->fails
                  && kern_known_falls(&c.m, &c.path.q, known)
                  ? KERN_FALLS

@@ -561,5 +561,5 @@ without the stone: level 7, margin 0.100
 
 best of all 240 places, with an error of 0.04 to both sides:
   0.95   1.96     3.6     16  0.221
-there at least  0.221; it stays with a chance of 0.99
+there at least  0.221; it stays with a chance of 1.00
 */

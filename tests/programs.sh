@@ -224,13 +224,13 @@ undecided() { # by the limit of work: what is missing is named; of what is asked
     local tower=examples/structures/tower.kern axle kern
     kern=$(program kern examples/kern.c) && axle=$out/axle.kern &&
         { cat examples/structures/arch.kern; echo live v7 0 -9 -5 9; } >"$axle"
-    open raised raised --raised --limit 300 $tower &&
+    open raised raised --raised --limit 200 $tower &&
         open certain certain --measured .001 --limit 100 $tower &&
         open bears bears --error .01 --limit 1 $tower &&
         open least_friction least_friction --error .01 --limit 1 $tower &&
         open sequence margin --sequence --limit 1 $tower &&
-        open stays stays --stays stone9 --limit 100 $tower &&
-        open stays stays --stays all --limit 100 $tower &&
+        open stays stays --stays stone9 --limit 20 $tower &&
+        open stays stays --stays all --limit 20 $tower &&
         open sweep live --sweep 7 --limit 300 "$axle" || return 1
     "$kern" --stays all --sequence --limit 1 $tower >"$out/o"
     [ "$(grep -c undecided "$out/o")" -eq 22 ] && ! grep -w nan "$out/o" &&

