@@ -10257,20 +10257,22 @@ static double stays(const world *w, int i)
 }
 
 /* n cubes have a reserve of .1 and more; the bed of each has two points, of the
-   stiffness .1 + .5, so that the top one sinks by (1 + ... + n) / 1.2. */
+   stiffness .1 + .5, so that the top one sinks by (1 + ... + n) / 1.2. What is
+   more than four contacts away is held: it neither sinks nor weighs. */
 static void stays_law(void)
 {
     static world w;
     double last = 1, shift;
     int n, k;
-    for (n = 1; n <= 4; n++)
+    for (n = 1; n <= 8; n++)
         for (k = 1; k <= n; k++) {
-            /* cube k sinks by what those below it do */
-            const double down = (k * n - k * (k - 1) / 2.0) / 1.2;
-            const double q = 5.5e7 * 0.014 * 0.014 * 0.014
-                           / (down < 1 ? 1 : down);
-            const double chance = 0.05 + 0.95 * q * q / (1 + q * q);
+            const int top = k + 4 < n ? k + 4 : n;
+            double down = 0, q, chance;
             int i;
+            for (i = k > 4 ? k - 4 : 1; i <= k; i++) /* what bed i carries */
+                down += (top - i + 1) / 1.2;
+            q = 5.5e7 * 0.014 * 0.014 * 0.014 / (down < 1 ? 1 : down);
+            chance = 0.05 + 0.95 * q * q / (1 + q * q);
             world_reset(&w);
             world_box(&w, 0, -5, -1, 5, 0);
             for (i = 0; i < n; i++)
