@@ -64,10 +64,10 @@
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. With all
-   checks this is examples/copy/one_block.c; for a command line examples/kern.c.
-   "multiple definition of kern_...": KERN_IMPLEMENTATION is in more than one
-   file; "undefined reference": in none, or in one of the other precision.
+   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
+   count of contacts is a status, which the next call returns. With all checks
+   it is examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION is
+   in two files; "undefined reference": in none, or of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
@@ -354,8 +354,8 @@
              never collapsed below its load factor. kern_raised_load() has no
              dilatancy: on these, used for no choice, 0.985 of the simulator's
              in the median, 0.94 or more on 96 %, 1.01 at most on 99 %, 1.03 at
-             most. Use the lower one for what must hold. Bricks that hang in a
-             flat arch are not raised.
+             most. It answers for one path of loading. Use the lower one for
+             what must hold. Bricks that hang in a flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 400 rows of one to five wedges between cliffs, with
              nothing below, 181 fell in a simulator though forces exist; 179
