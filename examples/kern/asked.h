@@ -90,6 +90,7 @@ static inline void find_raised_loads(struct analysis *a)
         status = kern_raised_load(&a->task, shrinkage(a), side[k], pattern,
                                   &value, NULL);
         a->raised_load[k] = value_or_nan(status, value);
+        a->cut[k] = status == KERN_LIMIT;
     }
 }
 

@@ -469,9 +469,13 @@ static inline void report_raised(const struct analysis *a)
     printf("\n");
 }
 
-static inline const char *shown_text(double value, char out[32])
+/* Raised load k; where the limit did not end it, none that is raised exists or
+   none was found. */
+static inline const char *shown_text(const struct analysis *a, int k,
+                                     char out[32])
 {
-    return isnan(value) ? "not shown" : factor_text(value, 1, "", out);
+    return isnan(a->raised_load[k]) && !a->cut[k]
+           ? "not shown" : factor_text(a->raised_load[k], 1, "", out);
 }
 
 /* Beside the load factor: what Coulomb friction bears, from rest. */
@@ -482,11 +486,11 @@ static inline void report_raised_loads(const struct analysis *a)
     if (gravity_of(a) > 0)
         printf("  raised load %s left, %s right: where stones slide without "
                "parting, from rest\n",
-               shown_text(a->raised_load[LEFT], left),
-               shown_text(a->raised_load[RIGHT], right));
+               shown_text(a, LEFT, left),
+               shown_text(a, RIGHT, right));
     if (a->text.lives > 0)
         printf("  raised live %s: the same for the live load\n",
-               shown_text(a->raised_load[LIVE], left));
+               shown_text(a, LIVE, left));
 }
 
 static inline void report_error(const struct analysis *a)

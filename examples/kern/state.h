@@ -36,6 +36,7 @@ struct settings {           /* of the command line; numbers < 0: not given */
 struct swept {
     double x, y, live, raised;
     int block;              /* -1: beyond the structure */
+    int cut;                /* the limit of work ended `raised` */
 };
 
 /* All there is to say about one file. Numbers that do not exist are NAN. */
@@ -69,6 +70,7 @@ struct analysis {
     kern_critical critical; /* what limits the margin            */
     double deficit, bearing, load[2], tilt[2], live;
     double raised_load[3];  /* left, right, live; NAN: none is shown */
+    int cut[3];             /* of these: the limit of work ended it  */
     double *stress;         /* of a line contact at the margin; 0: none   */
 
     struct swept *swept;    /* the live load at each place       */
@@ -209,7 +211,8 @@ static inline const char *status_word(const struct analysis *a)
 static const char *const open_name[] = {
     "level", "margin", "deficit", "bearing", "load_left", "load_right",
     "tilt_left", "tilt_right", "profile", "live", "certain", "raised", "bears",
-    "least_friction", "sequence", "stays", "sweep"
+    "least_friction", "sequence", "stays", "sweep", "raised_load_left",
+    "raised_load_right", "raised_live"
 };
 enum { OPENS_MOST = (int)(sizeof open_name / sizeof *open_name) };
 
@@ -233,7 +236,7 @@ static inline int is_open_list(const struct analysis *a, const double *list,
 static inline int is_open_sweep(const struct analysis *a)
 {
     for (int k = 0; k < a->sweeps; k++)
-        if (isnan(a->swept[k].live)) return 1;
+        if (isnan(a->swept[k].live) || a->swept[k].cut) return 1;
     return 0;
 }
 
@@ -258,7 +261,7 @@ static inline unsigned open_questions(const struct analysis *a)
         is_open_certain(a),
         a->raised < 0, a->borne < 0, a->slid < 0,
         is_open_list(a, a->sequence, 0), is_open_list(a, a->stays, 1),
-        is_open_sweep(a)
+        is_open_sweep(a), a->cut[LEFT], a->cut[RIGHT], a->cut[LIVE]
     };
     unsigned bits = 0;
     for (int k = 0; k < OPENS_MOST; k++) bits |= open[k] ? 1u << k : 0;

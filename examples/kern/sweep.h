@@ -107,6 +107,7 @@ static inline void sweep_at(struct analysis *a, double x, kern_wrench *pattern,
     status = kern_raised_load(&a->task, shrinkage(a), KERN_SHRINK, pattern,
                               &value, NULL);
     at->raised = value_or_nan(status, value);
+    at->cut = status == KERN_LIMIT;
 }
 
 /* At places in the middle of equal parts of the way. */
