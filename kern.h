@@ -223,8 +223,8 @@
                saturated, where it stands throughout.
      deficit   Where it falls at d = 0: the least growth d with contact points
                at p - d u (relative: p - d l u) such that it stands; infinite
-               where a growth of 1000 times the longest side of the free
-               blocks' box (relative: over the smallest l) is not enough.
+               where a growth of 1e5 mean sizes (relative: over the smallest
+               l) is not enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
@@ -1401,8 +1401,10 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Steps of half a circle of tilt under loads that stay: a range of angles that
    falls, and is narrower than one (half a degree), may be missed. */
 #define KERN_TILTS         400
-/* Largest load factor; beyond, the load counts as held for ever. */
+/* Largest load factor; beyond, the load counts as held for ever. Largest growth
+   of kerns [mean block size]; beyond, none helps. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
+#define KERN_GROWN_MOST    KERN_R(1e5)
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
    minimum-norm forces, a bracket (four to eight suffice), the interior point
@@ -1614,26 +1616,6 @@ static kern_real kern_block_size(const kern_block *block)
 static kern_real kern_wrench_sum(const kern_wrench *w)
 { return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
 
-static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
-{
-    const kern_real size = kern_block_size(b);
-    const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
-        + kern_abs(b->load.torque) / size
-        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
-    if (b->vertices < 0)
-        return KERN_NO_BLOCK;
-    if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
-        return KERN_BAD_NUMBER;
-    if (b->fixed)
-        return KERN_OK;
-    if (!(size >= KERN_LEAST_SIZE))
-        return KERN_NO_AREA;
-    if (!(b->mass >= 1 / KERN_HEAVY) || b->mass > KERN_HEAVY)
-        return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
-    return acts <= KERN_HEAVY && (acts >= 1 / KERN_HEAVY || !(acts > 0))
-           ? KERN_OK : KERN_BAD_NUMBER;
-}
-
 /* v := s v, n numbers, also those of structs of numbers */
 KERN_SHARED static void kern_scale(void *v, int n, kern_real s)
 {
@@ -1712,24 +1694,6 @@ typedef struct kern_query {
                                    away; NULL: all are there                  */
     kern_real shortest;         /* a shorter contact carries nothing [m]      */
 } kern_query;
-
-static kern_query kern_query_of(const kern_structure *s, const kern_options *o,
-                                kern_real shrink)
-{
-    kern_query q;
-    q.shrink = shrink;
-    q.relative = o->relative;
-    q.narrow = o->narrow;
-    q.mean = kern_mean_size(s->block, s->blocks);
-    q.gravity = s->gravity;
-    q.pattern = NULL;
-    q.factor = KERN_R(0);
-    q.loads = KERN_R(1);
-    q.side = 0;
-    q.fallen = NULL;
-    q.shortest = KERN_R(0);
-    return q;
-}
 
 /* The tangent by which cones of friction are narrower. */
 KERN_SHARED static kern_real kern_reduction(const kern_query *q)
@@ -2151,20 +2115,40 @@ static kern_status kern_arrays_check(const kern_structure *s)
     return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
 }
 
+/* A block; *loaded becomes nonzero where it is free and something acts. */
+static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
+                                    int *loaded)
+{
+    const kern_real size = kern_block_size(b);
+    const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
+        + kern_abs(b->load.torque) / size
+        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
+    if (b->vertices < 0)
+        return KERN_NO_BLOCK;
+    if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
+        return KERN_BAD_NUMBER;
+    if (b->fixed)
+        return KERN_OK;
+    if (!(size >= KERN_LEAST_SIZE))
+        return KERN_NO_AREA;
+    if (!(b->mass >= 1 / KERN_HEAVY) || b->mass > KERN_HEAVY)
+        return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
+    *loaded |= acts > 0;
+    return acts <= KERN_HEAVY && (acts >= 1 / KERN_HEAVY || !(acts > 0))
+           ? KERN_OK : KERN_BAD_NUMBER;
+}
+
 /* Checks what the arrays of a structure hold. */
 static kern_status kern_structure_check(const kern_structure *s,
                                         kern_fault *fault)
 {
     kern_status status = KERN_OK;
-    int i, any = 0;
-    int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
+    int i, any = 0, loaded = 0;
     for (i = 0; i < s->blocks && status == KERN_OK; i++) {
-        const kern_block *b = s->block + i;
-        status = kern_block_check(b, s->gravity);
+        status = kern_block_check(s->block + i, s->gravity, &loaded);
         if (status != KERN_OK)
             fault->block = i;
-        any |= !b->fixed;
-        loaded |= !b->fixed && kern_wrench_sum(&b->load) > 0;
+        any |= !s->block[i].fixed;
     }
     if (status == KERN_OK && !any)
         return KERN_NO_FREE;
@@ -2204,16 +2188,24 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                                         : status;
 }
 
-/* Checks what the arrays of a task hold; in *q its query. */
+/* The query of a task, and checks what its arrays hold. */
 static kern_status kern_query_read(const kern_task *task, kern_real shrink,
                                    kern_query *q)
 {
-    const kern_status status = kern_structure_check(&task->s,
-                                                    &task->work->fault);
-    if (status != KERN_OK)
-        return status;
-    *q = kern_query_of(&task->s, &task->options, shrink);
-    return q->relative && shrink > 1 ? KERN_BAD_SHARE : KERN_OK;
+    kern_status status;
+    q->shrink = shrink;
+    q->relative = task->options.relative;
+    q->narrow = task->options.narrow;
+    q->mean = kern_mean_size(task->s.block, task->s.blocks);
+    q->gravity = task->s.gravity;
+    q->pattern = NULL;
+    q->factor = q->shortest = KERN_R(0);
+    q->loads = KERN_R(1);
+    q->side = 0;
+    q->fallen = NULL;
+    status = kern_structure_check(&task->s, &task->work->fault);
+    return status == KERN_OK && q->relative && shrink > 1 ? KERN_BAD_SHARE
+                                                          : status;
 }
 
 static kern_status kern_query_check(const kern_task *task, kern_real shrink,
@@ -2344,6 +2336,13 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 /* The speed of a block that rests is 0. */
 static kern_real kern_speed(const kern_motion *m)
 { return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
+
+/* The larger of a block's speed and that of its turning. */
+static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
+{
+    return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
+                    kern_abs(v->spin) * kern_block_size(b));
+}
 
 /* Of both blocks of a contact. */
 static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
@@ -2821,14 +2820,6 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
                                                   m->answer.sum));
 }
 
-static int kern_moves(const kern_model *m, int i)
-{
-    const kern_motion *v = m->answer.motion + i;
-    const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_REST || kern_abs(v->vy) > KERN_REST
-           || kern_abs(v->spin) * size > KERN_REST;
-}
-
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status)
@@ -3175,34 +3166,12 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* The extent: the longest side of the box around the free blocks. */
-static kern_real kern_extent(const kern_structure *s)
-{
-    kern_box whole;
-    kern_vec side;
-    int i;
-    kern_box_empty(&whole);
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        const kern_real half = kern_block_size(b) / 2;
-        const kern_vec way = kern_vec_make(half, half);
-        if (b->fixed)
-            continue;
-        kern_box_add(&whole, b->vertices ? b->box.low
-                                         : kern_vec_sub(b->centre, way));
-        kern_box_add(&whole, b->vertices ? b->box.high
-                                         : kern_vec_add(b->centre, way));
-    }
-    side = kern_vec_sub(whole.high, whole.low);
-    return kern_max(side.x, side.y);
-}
-
 /* Grows the kerns of what falls until it stands: the critical growth. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     const kern_travels travels = kern_travels_of(m->s, &path->q);
     const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
-    kern_real limit = 1000 * kern_extent(m->s), grown;
+    kern_real limit = KERN_GROWN_MOST * m->mean, grown;
     kern_status status;
     if (m->relative)
         limit = travels.least < KERN_INFINITY ? limit / travels.least
@@ -3423,7 +3392,9 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
 {
     int i;
     for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && (all || kern_moves(m, i))) {
+        if (kern_is_free(m, i)
+            && (all || kern_block_speed(m->s->block + i, m->answer.motion + i)
+                       > KERN_REST)) {
             fall->value[i] = at;
             fall->sum += at;
             if (fall->weak-- > 0)
@@ -3638,13 +3609,6 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
         }
     for (i = 0; i < s->contacts && out->limit && most > 0; i++)
         out->limit[i] /= most;
-}
-
-/* The larger of a block's speed and that of its turning. */
-static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
-{
-    return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
-                    kern_abs(v->spin) * kern_block_size(b));
 }
 
 /* Whether two blocks move as one rigid body. */
@@ -7869,9 +7833,8 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
             half.end = span->end;
         }
         span->steps = -1;
-        if (o->spans == KERN_SPANS) /* the oldest goes, but for the whole */
-            for (o->spans = 1; o->spans + 1 < KERN_SPANS; o->spans++)
-                o->span[o->spans] = o->span[o->spans + 1];
+        if (o->spans == KERN_SPANS) /* all but the whole are found anew */
+            o->spans = 1;
         o->span[o->spans++] = half;
     }
     if (span->steps)
@@ -9752,9 +9715,8 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
         const kern_real shift = kern_shift(c->travel, by, 0, &rate);
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
-        c->mu = turn > 0 ? kern_friction(c, turn)
-                          : (c->mu - turn)
-                            / kern_max(1 + c->mu * turn, KERN_CERTAIN_STEEP);
+        c->mu = kern_max(c->mu - turn, KERN_R(0))
+                / kern_max(1 + c->mu * turn, KERN_CERTAIN_STEEP);
     }
 }
 

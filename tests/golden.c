@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x89466855e334d4a2u },
-    { 1000, 0xed2f66dfc2878692u },
-    { 5000, 0xebbc977911012f82u },
+    { 200, 0xb5b316351b689bd8u },
+    { 1000, 0xe08129593e3ff921u },
+    { 5000, 0x8c5e779f1b1d1ea1u },
 #else
-    { 200, 0x6f7d052303b4f2e9u },
-    { 1000, 0x797db0fc14986f41u },
-    { 5000, 0xdace8fc9285aec88u },
+    { 200, 0xa8f19918fecc8651u },
+    { 1000, 0xebf7c27df19f3bd0u },
+    { 5000, 0x33876a75c83bec31u },
 #endif
 };
 
