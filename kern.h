@@ -755,8 +755,6 @@ typedef struct kern_lp {
 /* Infinity: outside of gcc and clang a product that overflows when compiled. */
 #if defined(__GNUC__)
 #define KERN_INFINITY ((kern_real)__builtin_inff())
-#elif defined(KERN_SINGLE)
-#define KERN_INFINITY ((kern_real)(1e38f * 1e38f))
 #else
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 #endif
@@ -2002,46 +2000,41 @@ static kern_status kern_level_scan(kern_model *m, const kern_path *path,
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
-/* Slices are handed out one after the other. Without arrays (real NULL) they
-   are only counted: one layout function says both what is needed and where it
-   lies, so the two cannot disagree. */
+/* What is left of the work memory. Slices are handed out one after the other.
+   Below 0 are left where one did not fit: it, and what follows, means nothing. */
 
 typedef struct kern_take {
     kern_real *real;
     int *index;
-    int reals, indices;         /* there are */
-    int used_reals, used_ints;  /* handed out */
+    int reals, indices;
 } kern_take;
 
 static void kern_take_open(kern_take *take, const kern_work *work)
 {
     take->real = work->real;
     take->index = work->index;
-    take->reals = work->real ? work->reals : 0;
-    take->indices = work->index ? work->indices : 0;
-    take->used_reals = take->used_ints = 0;
+    take->reals = work->reals;
+    take->indices = work->indices;
 }
 
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
-    const int at = take->used_reals;
-    take->used_reals += n;
-    return take->real && take->used_reals <= take->reals ? take->real + at
-                                                         : NULL;
+    kern_real *const at = take->real;
+    take->real += n <= take->reals ? n : 0;
+    take->reals = n <= take->reals ? take->reals - n : KERN_OUT;
+    return at;
 }
 
 static int *kern_take_ints(kern_take *take, int n)
 {
-    const int at = take->used_ints;
-    take->used_ints += n;
-    return take->index && take->used_ints <= take->indices ? take->index + at
-                                                           : NULL;
+    int *const at = take->index;
+    take->index += n <= take->indices ? n : 0;
+    take->indices = n <= take->indices ? take->indices - n : KERN_OUT;
+    return at;
 }
 
 static int kern_take_fits(const kern_take *take)
-{
-    return take->used_reals <= take->reals && take->used_ints <= take->indices;
-}
+{ return take->reals >= 0 && take->indices >= 0; }
 
 /* ---- what a call may spend ---- */
 
@@ -2820,6 +2813,11 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
                                                   m->answer.sum));
 }
 
+static int kern_moves(const kern_model *m, int i)
+{
+    return kern_block_speed(m->s->block + i, m->answer.motion + i) > KERN_REST;
+}
+
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
                            kern_status status)
@@ -3174,8 +3172,7 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     kern_real limit = KERN_GROWN_MOST * m->mean, grown;
     kern_status status;
     if (m->relative)
-        limit = travels.least < KERN_INFINITY ? limit / travels.least
-                                              : KERN_R(1);
+        limit /= travels.least;
     path->start = -limit;
     for (grown = path->unit.one * KERN_R(0.001); ;
          grown = kern_min(grown * growth, limit)) {
@@ -3392,9 +3389,7 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
 {
     int i;
     for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i)
-            && (all || kern_block_speed(m->s->block + i, m->answer.motion + i)
-                       > KERN_REST)) {
+        if (kern_is_free(m, i) && (all || kern_moves(m, i))) {
             fall->value[i] = at;
             fall->sum += at;
             if (fall->weak-- > 0)
@@ -3901,7 +3896,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_part_list(p);
-    p->rest.used_ints -= most - p->contacts; /* listed by both its ends */
+    p->rest.index -= most - p->contacts;
+    p->rest.indices += most - p->contacts; /* listed by both its ends */
     p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
@@ -6870,7 +6866,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     int i, left = m->s->blocks, gone = 1; /* the largest set that can hang */
     r->p = &c->part;
     m->rest.reals -= m->s->blocks; /* at the end of the work memory */
-    m->common.reals = m->rest.reals;
+    m->common.reals -= m->s->blocks;
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     value = m->rest.real + m->rest.reals;
