@@ -1606,9 +1606,7 @@ static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
 { return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x); }
 
 static kern_real kern_block_size(const kern_block *block)
-{
-    return KERN_SQRT(kern_abs(block->area));
-}
+{ return KERN_SQRT(kern_abs(block->area)); }
 
 /* Sum of magnitudes: 0 only for no wrench, finite only for a finite one. */
 static kern_real kern_wrench_sum(const kern_wrench *w)
@@ -1700,9 +1698,7 @@ KERN_SHARED static kern_real kern_reduction(const kern_query *q)
 /* Friction of a contact whose cone is narrower by an angle: the tangent of the
    difference of both angles. */
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
-{
-    return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu;
-}
+{ return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu; }
 
 /* Whether one of two blocks has been taken away. */
 static inline int kern_is_gone(const kern_query *q, int a, int b)
@@ -1710,15 +1706,11 @@ static inline int kern_is_gone(const kern_query *q, int a, int b)
 
 /* A travel too short to be one counts as none. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
-{
-    return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0) : c->travel;
-}
+{ return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0) : c->travel; }
 
 /* Length of its line, or about that of its points; 0: it is a lone point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
-{
-    return 2 * kern_abs(kern_travel(c, mean));
-}
+{ return 2 * kern_abs(kern_travel(c, mean)); }
 
 /* Whether a contact carries nothing: too short, or one of its blocks gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
@@ -1842,9 +1834,7 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
 
 /* Are they between the same blocks? */
 static int kern_same_blocks(const kern_contact *c, const kern_contact *d)
-{
-    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
-}
+{ return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a); }
 
 /* And is d a point? */
 static int kern_same_interface(const kern_contact *c, const kern_contact *d)
@@ -2097,17 +2087,6 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
-/* Checks the arrays of a structure, and gravity. */
-static kern_status kern_arrays_check(const kern_structure *s)
-{
-    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
-        || s->contacts > KERN_CONTACTS_MOST)
-        return KERN_BAD_COUNT;
-    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
-        return KERN_BAD_POINTER;
-    return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
-}
-
 /* A block; *loaded becomes nonzero where it is free and something acts. */
 static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
                                     int *loaded)
@@ -2157,6 +2136,17 @@ static kern_status kern_structure_check(const kern_structure *s,
             fault->index = i;
     }
     return status;
+}
+
+/* Checks the arrays of a structure, and gravity. */
+static kern_status kern_arrays_check(const kern_structure *s)
+{
+    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
+        || s->contacts > KERN_CONTACTS_MOST)
+        return KERN_BAD_COUNT;
+    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
+        return KERN_BAD_POINTER;
+    return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
 }
 
 /* What is handed in, but for what its arrays hold; `out` is where the answer
@@ -2814,9 +2804,7 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
 }
 
 static int kern_moves(const kern_model *m, int i)
-{
-    return kern_block_speed(m->s->block + i, m->answer.motion + i) > KERN_REST;
-}
+{ return kern_block_speed(m->s->block + i, m->answer.motion + i) > KERN_REST; }
 
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
@@ -2945,27 +2933,6 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
 
 /* ---- The measures --------------------------------------------- >>measure */
 
-/* Begins a path along which kerns shrink. */
-static void kern_path_begin(kern_path *path, kern_part *part,
-                            const kern_task *task, const kern_query *q)
-{
-    path->kind = KERN_PATH_SHRINK;
-    path->part = part;
-    path->proof = NULL;
-    path->q = *q;
-    path->warm.fails = KERN_R(0);
-    path->alone = 0;
-    path->ipm = NULL;
-    path->unit.one = task->options.relative ? 1 : path->q.mean;
-    path->unit.width = KERN_WIDTH * path->unit.one;
-    path->unit.aside = KERN_ASIDE * path->unit.width;
-    path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->critical = KERN_R(0);
-    path->proven.low = KERN_R(-1);
-    path->proven.high = path->exact = KERN_INFINITY;
-    path->never = 0;
-}
-
 /* Along the path a load grows or gravity turns instead. */
 KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
                                        const kern_wrench *pattern,
@@ -2991,18 +2958,31 @@ typedef struct kern_call {
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
-    kern_query q;
+    kern_path *const path = &c->path;
     kern_status status = kern_task_check(task, shrink, out);
     if (status == KERN_OK && !kern_spend(
             task->work, task->options.limit,
             1 + (task->s.blocks + task->s.contacts) / 5))
         status = KERN_LIMIT;
     if (status == KERN_OK)
-        status = kern_query_read(task, shrink, &q);
+        status = kern_query_read(task, shrink, &path->q);
     if (status != KERN_OK)
         return status;
-    kern_path_begin(&c->path, &c->part, task, &q);
-    return kern_model_open(&c->m, task, &q);
+    path->kind = KERN_PATH_SHRINK;
+    path->part = &c->part;
+    path->proof = NULL;
+    path->warm.fails = KERN_R(0);
+    path->alone = 0;
+    path->ipm = NULL;
+    path->unit.one = task->options.relative ? 1 : path->q.mean;
+    path->unit.width = KERN_WIDTH * path->unit.one;
+    path->unit.aside = KERN_ASIDE * path->unit.width;
+    path->start = path->end = KERN_R(0);
+    path->holds = path->fails = path->critical = KERN_R(0);
+    path->proven.low = KERN_R(-1);
+    path->proven.high = path->exact = KERN_INFINITY;
+    path->never = 0;
+    return kern_model_open(&c->m, task, &path->q);
 }
 
 /* The same of a call whose answer is a number: -1 where it ends unread. */
@@ -3561,28 +3541,13 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* How much a contact point limits, by the first of: the power f w that moving
-   inward with a force f costs while the blocks turn at w, unless its kern is
-   closed; the rate of a hinge; the speed of sliding. */
-static kern_real kern_limit_by(int by, const kern_contact *c, kern_vec u,
-                               kern_real spin, kern_meeting meeting,
-                               const kern_force *force, const kern_query *q)
-{
-    kern_real rate;
-    if (by == 1)
-        return meeting == KERN_HINGES ? kern_abs(spin) : KERN_R(0);
-    if (by == 2)
-        return meeting == KERN_SLIDES ? kern_vec_length(u) : KERN_R(0);
-    if (!force || meeting == KERN_OPENS)
-        return KERN_R(0);
-    kern_shift(c->travel, q->shrink, q->relative, &rate);
-    return kern_max(-spin * rate * force->normal, KERN_R(0));
-}
-
+/* How much a contact point limits is told by the first of these that any has:
+   the power f w that moving inward with a force f costs while the blocks turn
+   at w, unless its kern is closed; the rate of a hinge; the speed of sliding. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
-    kern_real most = KERN_R(0);
+    kern_real most = KERN_R(0), rate;
     int by, i;
     for (by = 0; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
@@ -3590,15 +3555,20 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
             const kern_real spin = kern_meeting_spin(c, proof->motion);
             const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
-            const kern_real limit = kern_limit_by(
-                by, c, u, spin, meeting,
-                proof->force ? proof->force + i : NULL, q);
+            kern_real limit[3] = {0, 0, 0};
+            kern_shift(c->travel, q->shrink, q->relative, &rate);
+            if (proof->force && meeting != KERN_OPENS)
+                limit[0] = kern_max(-spin * rate * proof->force[i].normal, 0);
+            if (meeting == KERN_HINGES)
+                limit[1] = kern_abs(spin);
+            if (meeting == KERN_SLIDES)
+                limit[2] = kern_vec_length(u);
             if (out->meeting)
                 out->meeting[i] = meeting;
             if (out->limit)
-                out->limit[i] = limit;
-            if (limit > most * (1 + KERN_REST)) {
-                most = limit;
+                out->limit[i] = limit[by];
+            if (limit[by] > most * (1 + KERN_REST)) {
+                most = limit[by];
                 out->contact = i;
             }
         }
@@ -8248,22 +8218,6 @@ typedef struct kern_search {
     kern_pair pair;
 } kern_search;
 
-/* Finds the contacts of the pair. */
-static kern_status kern_pair_touch(kern_pair *pair)
-{
-    int i;
-    pair->first = pair->count;
-    kern_pair_edges(pair);
-    if (pair->count > pair->room)
-        return KERN_NO_SPACE;
-    kern_pair_filter(pair);
-    for (i = pair->first; i < pair->count; i++)
-        kern_pair_face(pair, i);
-    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
-                       NULL);
-    return KERN_OK;
-}
-
 /* Half the diagonal of the block's box. */
 static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
@@ -8320,6 +8274,7 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair *pair = &s->pair;
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_overlap found;
+    int k;
     if ((a->fixed && b->fixed) || !kern_box_near(&a->box, &b->box, s->reach))
         return KERN_OK;
     s->fault->block = i;
@@ -8342,7 +8297,18 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     s->fault->block = -1;
     if (found.depth > 0 && pair->count++ < pair->room)
         s->overlap[pair->count - 1] = found;
-    return s->listing ? KERN_OK : kern_pair_touch(pair);
+    if (s->listing)
+        return KERN_OK;
+    pair->first = pair->count;
+    kern_pair_edges(pair);
+    if (pair->count > pair->room)
+        return KERN_NO_SPACE;
+    kern_pair_filter(pair);
+    for (k = pair->first; k < pair->count; k++)
+        kern_pair_face(pair, k);
+    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
+                       NULL);
+    return KERN_OK;
 }
 
 /* Gives every line the two places of its ends, from the last to the first.
@@ -9776,21 +9742,6 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
     return status;
 }
 
-/* The lower end of the interval; in *raised whether its forces are raised. */
-static kern_status kern_certain_low(kern_task *task, kern_interval *out,
-                                    kern_raising *raised)
-{
-    kern_margin m;
-    kern_status status = kern_measure(task, &m, NULL);
-    if (status == KERN_STANDS || status == KERN_LIMIT)
-        out->low = kern_max(m.holds, KERN_R(0));
-    status = kern_limit_less(task, status);
-    if (status != KERN_STANDS || !(out->low > 0))
-        return status;
-    return kern_limit_less(task, kern_raised(task, KERN_R(0), raised, NULL,
-                                             NULL));
-}
-
 /* The upper end, at least `least`, with every contact that may exist; `by` and
    `turn` are what kerns and cones gain. */
 static kern_status kern_certain_high(kern_task *task, kern_contact *contact,
@@ -9836,6 +9787,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   int room)
 {
     kern_task other;
+    kern_margin m;
     kern_raising raised = KERN_NOT_SHOWN;
     kern_real by, turn;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
@@ -9851,8 +9803,13 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     other.s.gravity = task->s.gravity;
     other.options = task->options;
     kern_contacts_err(contact, other.s.contacts, by, turn);
-    status = kern_certain_low(&other, out, &raised);
-    out->low = kern_min(out->low, margin);
+    status = kern_measure(&other, &m, NULL);
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        out->low = kern_min(kern_max(m.holds, KERN_R(0)), margin);
+    status = kern_limit_less(&other, status);
+    if (status == KERN_STANDS && out->low > 0)
+        status = kern_limit_less(&other, kern_raised(
+            &other, KERN_R(0), &raised, NULL, NULL));
     if (status < KERN_UNDECIDED)
         return status;
     status = kern_certain_high(
