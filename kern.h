@@ -37,9 +37,7 @@
 
    "Kern" is the paper's word for what is left of a shrunk contact; it is not
    the middle third of a section. The margin d* is the largest d at which
-   forces in equilibrium still exist; the level counts it in steps of size
-   epsilon. A structure that falls has a deficit: how much longer its contacts
-   would have to be.
+   forces in equilibrium still exist.
 
    HOW TO USE IT                                                        >>use
 
@@ -138,10 +136,10 @@
        f >= 0,  |r| <= mu f.
 
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
-   (5):  find x >= 0 with A x = -w  (A_eq of the paper; kern_part_set() writes
-   it). If there is none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0:
-   velocities and spins such that no contact closes and the weights do work.
-   That motion is the mechanism, and the proof of falling.
+   (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
+   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
+   such that no contact closes and the weights do work. That motion is the
+   mechanism, and the proof of falling.
 
    A verdict asks, in this order, until one gives a proof:
 
@@ -275,23 +273,18 @@
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
-   Its rank correlation with the level of collapse, out of sample: 0.82 [0.75,
-   0.86] on 188 structures shaken in another simulator, 0.71 [0.55, 0.82] on
-   the 63 of 18 stones and more, 0.72 [0.62, 0.79] on 150 walls of planners.
-   The mean of the weaker half, from the same contacts, has 0.81, 0.69 and
-   0.61; the load factor 0.49, 0.37, 0.62; the margin 0.21, 0.22, 0.24
-   (examples/shaking/study/STUDY.md). Where stones slide before they tip, as in
+   Its rank correlation with the level of collapse, out of sample, is 0.82 on
+   188 structures shaken in another simulator, that of the mean of the weaker
+   half 0.81, of the load factor 0.49, of the margin 0.21 (README;
+   examples/shaking/study/STUDY.md). Where stones slide before they tip, as in
    low walls, all load factors end at mu and rank less well. Near contacts are
    not for verdicts: a gap carries nothing yet.
 
    Whether a stone stays where it is let go. kern_stays() gives the chance: let
    go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
    times in another simulator (tests/truth.c): 630 stay, 205 move, 134 depend on
-   its noise and count as not staying. With the scale of the law fitted to the
-   walls of odd number, the 509 placements of the others, and the other way the
-   460, have an area under the ROC curve of 0.992 [0.985, 0.998] and 0.988
-   [0.974, 0.997]; where the wall below has a reserve of 0.0055, 0.994 [0.987,
-   0.999] and 0.989 [0.977, 0.997]; reserve alone 0.971 and 0.976.
+   its noise and count as not staying. Of each half of the walls, by the scale
+   of the law fitted to the other:
 
        chance    stays kept    moves rejected    unclear rejected
        0.3             0.96              0.94                0.75
@@ -299,8 +292,8 @@
        0.7             0.93              0.98                0.87
        0.9             0.85             0.995                0.95
 
-   In ten groups by the chance, mean and share that stays differ by 0.03 at
-   most, out of sample by 0.15 (0.07 at random). Both halves chose the form.
+   Both halves chose the form of the law. Areas under the ROC curve, and how well
+   the chance is calibrated: README.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -329,15 +322,13 @@
    settled structures fall without one support that is not its block's widest,
    and with that support half an error short they fall and look the same. With
    noise of 0.5 % (2 %) of the mean size on every pose and half of it on every
-   vertex, of 279 structures that stand and 226 that fall, 10 seeds each, 99.5
-   (98.2) % and 99.1 (89.2) % of the verdicts are right; 17 [12, 21] (16) % of
-   what stands and 95 [92, 97] (74) % of what falls is certain, at most 0.1 % of
-   that wrongly. The interval holds the exact margin in 96 [93, 97] (91 [88,94])
-   %, begins more than 1.5 times too high in 1.2 [0.3, 2.4] (5.6 [3.2, 7.9]) %,
-   its median width is 0.17 (0.38) mean sizes. The noise is out of sample, the
-   structures are those on which the rule was chosen. Near misses, which lack a
-   support by 0.5 to 10 errors, stand for certain in 0.7 % at most:
-   tests/noise.c.
+   vertex 99.5 (98.2) % of what stands and 99.1 (89.2) % of what falls has the
+   right verdict, 17 (16) and 95 (74) % for certain, at most 0.1 % of that
+   wrongly. The interval holds the exact margin in 96 (91) %, begins more than
+   1.5 times too high in 1.2 (5.6) %, its median width is 0.17 (0.38) mean
+   sizes. The noise is out of sample, the structures are those on which the rule
+   was chosen (README has intervals). Near misses, which lack a support by 0.5
+   to 10 errors, stand for certain in 0.7 % at most: tests/noise.c.
 
    LIMITS                                                            >>limits
 
@@ -352,8 +343,7 @@
              published brick walls with openings (tests/PUBLISHED.md), 6 % in
              the median on 234 random ones, once 2.5 times; settled rubble
              never collapsed below its load factor. kern_raised_load() has no
-             dilatancy: on these, used for no choice, 0.985 of the simulator's
-             in the median, 0.94 or more on 96 %, 1.01 at most on 99 %, 1.03 at
+             dilatancy: on these 0.985 of the simulator's in the median, 1.03 at
              most. It answers for one path of loading. Use the lower one for
              what must hold. Bricks that hang in a flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
@@ -567,9 +557,8 @@ typedef struct kern_contact {
     kern_vec p;           /* place [m]                                        */
     kern_vec n;           /* unit normal from a into b                        */
     kern_real mu;         /* coefficient of friction >= 0                     */
-    kern_real travel;     /* way along t to the closed kern, signed [m]: at
-                             shrinkage d the point acts at p + s t, s = travel
-                             cut to [-d, d]; relative: s = d travel, d <= 1   */
+    kern_real travel;     /* way along t to the closed kern, signed [m]: see
+                             Shrinkage in >>rules                             */
 } kern_contact;
 
 /* Two blocks that overlap deeper than the options allow. */
@@ -760,11 +749,10 @@ typedef struct kern_lp {
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions, for arrays: of contact points, and of work memory for
-   a structure of so many blocks (fixed ones included) and contact points or
-   for a linear program by itself. See >>memory. KERN_ROOM is for the factors of
-   so many columns with fill-in (>>lp), in groups of three entries: a wall has
-   KERN_LEAN_EXTRAS of these. KERN_LP_ROOM is the same for a dense program. */
+/* Constant expressions, for arrays: see >>memory. Blocks include fixed ones.
+   KERN_ROOM is for the factors of so many columns with fill-in (>>lp), in
+   groups of three entries: a wall has KERN_LEAN_EXTRAS of these. KERN_LP_ROOM
+   is the same for a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
@@ -1663,17 +1651,16 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5), which kern_part_set() writes: in the plane the cone of a force
-   f n + r t is spanned by its two edges,
+/* Eq. (5) of >>method, which kern_part_set() writes:
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0
          \ | /
        ---- p ----  t
 
-   so forces exist just if A x = -w has a solution x >= 0: three rows a free
-   block (force, torque about its centre), two columns a contact point. Lengths
-   are measured in the size of the block, forces in the weight of all. */
+   A has three rows a free block (force, torque about its centre), two columns a
+   contact point. Lengths are in the size of the block, forces in the weight of
+   all. */
 
 /* A query: the weights and loads to carry, and how far kerns shrink. */
 typedef struct kern_query {
@@ -1841,9 +1828,7 @@ static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 { return !d->line && kern_same_blocks(c, d); }
 
 /* ---- The kern -------------------------------------------------- >>kern */
-/* Every measure follows a path (>>method), one-parameter loading.
-
-   At a place that falls y gives the power -y.rhs > 0, which changes along the
+/* At a place that falls y gives the power -y.rhs > 0, which changes along the
    path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
    (Newton's method). It converges quadratically, from the side that falls. */
 
@@ -1991,7 +1976,7 @@ static kern_status kern_level_scan(kern_model *m, const kern_path *path,
 
 /* ---- Work arrays ------------------------------------------------- >>work */
 /* What is left of the work memory. Slices are handed out one after the other.
-   Below 0 are left where one did not fit: it, and what follows, means nothing. */
+   Below 0 are left where one did not fit: it and what follows mean nothing. */
 
 typedef struct kern_take {
     kern_real *real;
@@ -3543,7 +3528,7 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
 
 /* How much a contact point limits is told by the first of these that any has:
    the power f w that moving inward with a force f costs while the blocks turn
-   at w, unless its kern is closed; the rate of a hinge; the speed of sliding. */
+   at w, unless its kern is closed; the rate of a hinge; the speed of slides. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
