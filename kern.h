@@ -221,8 +221,7 @@
                saturated, where it stands throughout.
      deficit   Where it falls at d = 0: the least growth d with contact points
                at p - d u (relative: p - d l u) such that it stands; infinite
-               where a growth of 1e5 mean sizes (relative: over the smallest
-               l) is not enough.
+               where 1e5 mean sizes (relative: 1e5) are not enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
@@ -292,8 +291,8 @@
        0.7             0.93              0.98                0.87
        0.9             0.85             0.995                0.95
 
-   Both halves chose the form of the law. Areas under the ROC curve, and how well
-   the chance is calibrated: README.
+   Both halves chose the form of the law. Areas under the ROC curve, and how
+   well the chance fits: README.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -1388,7 +1387,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    falls, and is narrower than one (half a degree), may be missed. */
 #define KERN_TILTS         400
 /* Largest load factor; beyond, the load counts as held for ever. Largest growth
-   of kerns [mean block size]; beyond, none helps. */
+   of kerns [mean block size; relative: 1]; beyond, none helps. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 #define KERN_GROWN_MOST    KERN_R(1e5)
 
@@ -1869,11 +1868,11 @@ typedef struct kern_path {
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
-   line contacts are nested: what a smaller one can carry a larger one can.
-   Points that move toward each other along different tangents are not. */
+/* The longest travel, which is d_max. Kerns of line contacts are nested: what a
+   smaller one can carry a larger one can. Points that move toward each other
+   along different tangents are not. */
 typedef struct kern_travels {
-    kern_real least, most;
+    kern_real most;
     int nested;
 } kern_travels;
 
@@ -1882,7 +1881,6 @@ static kern_travels kern_travels_of(const kern_structure *s,
 {
     kern_travels t;
     int i;
-    t.least = KERN_INFINITY;
     t.most = KERN_R(0);
     t.nested = 1;
     for (i = 0; i < s->contacts; i++) {
@@ -1892,7 +1890,6 @@ static kern_travels kern_travels_of(const kern_structure *s,
             || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
                 && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
             continue;
-        t.least = kern_min(t.least, travel);
         t.most = kern_max(t.most, travel);
         t.nested &= c->line != 0;
     }
@@ -3132,12 +3129,11 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 /* Grows the kerns of what falls until it stands: the critical growth. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    const kern_travels travels = kern_travels_of(m->s, &path->q);
-    const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
-    kern_real limit = KERN_GROWN_MOST * m->mean, grown;
+    const kern_real growth = kern_travels_of(m->s, &path->q).nested
+                             ? KERN_R(4) : KERN_R(1.1);
+    const kern_real limit = KERN_GROWN_MOST * path->unit.one;
+    kern_real grown;
     kern_status status;
-    if (m->relative)
-        limit /= travels.least;
     path->start = -limit;
     for (grown = path->unit.one * KERN_R(0.001); ;
          grown = kern_min(grown * growth, limit)) {
@@ -7187,52 +7183,60 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
+typedef struct kern_span {
+    int start, end;         /* corners; equal: the whole outline         */
+    int steps;              /* nonzero: its chord stands for its edges;
+                               -1: it may be split                       */
+} kern_span;
+
 /* A block's outline as it is looked at, in runs of `each` vertices with a box
    around the edges from corner to corner that start there: what is far from the
    box is far from these. A short outline is one run. */
-typedef struct kern_parts {
+typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex;   /* are there such vertices?   */
-    int spike;              /* a vertex that turns back   */
-    int each;               /* vertices of a run          */
+    int straight, reflex;   /* are there such vertices?              */
+    int spike;              /* a vertex that turns back              */
+    int each;               /* vertices of a run                     */
     kern_box box[KERN_RUNS];
-} kern_parts;
+    kern_real step;         /* a corner is so far from its chord [m] */
+    kern_span span[KERN_SPANS]; /* each lies in the one before       */
+    int spans;              /* so many; 0: not known yet             */
+} kern_outline;
 
 /* The next corner. */
-static int kern_parts_corner(const kern_parts *parts, int i)
+static int kern_outline_corner(const kern_outline *o, int i)
 {
     const int start = i;
     do
-        i = kern_polygon_next(parts->block, i, 0);
-    while (parts->straight && i != start
-           && kern_polygon_turn(parts->block, i) == 0);
+        i = kern_polygon_next(o->block, i, 0);
+    while (o->straight && i != start && kern_polygon_turn(o->block, i) == 0);
     return i;
 }
 
-static void kern_parts_set(kern_parts *parts, const kern_block *block)
+static void kern_outline_set(kern_outline *o, const kern_block *block)
 {
     const int n = block->vertices;
     int i;
-    parts->block = block;
-    parts->straight = parts->reflex = 0;
-    parts->spike = -1;
+    o->block = block;
+    o->straight = o->reflex = 0;
+    o->spike = -1;
     for (i = n - 1; i >= 0; i--) {
         const int turn = kern_polygon_turn(block, i);
-        parts->straight |= turn == 0;
-        parts->reflex |= turn < 0;
+        o->straight |= turn == 0;
+        o->reflex |= turn < 0;
         if (turn == 2)
-            parts->spike = i;
+            o->spike = i;
     }
-    parts->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
-    parts->box[0] = block->box;
+    o->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
+    o->box[0] = block->box;
     for (i = 0; n > KERN_RUN && i < n; i++) {
-        kern_box *box = &parts->box[i / parts->each];
+        kern_box *box = &o->box[i / o->each];
         const int end = kern_polygon_next(block, i, 0);
-        if (i % parts->each == 0)
+        if (i % o->each == 0)
             box->low = box->high = block->vertex[i];
         kern_box_add(box, block->vertex[end]);
-        if (end % parts->each == 0)
-            kern_box_add(box, block->vertex[kern_parts_corner(parts, i)]);
+        if (end % o->each == 0)
+            kern_box_add(box, block->vertex[kern_outline_corner(o, i)]);
     }
 }
 
@@ -7268,17 +7272,17 @@ static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
 
 /* Goes to the first edge behind vertex e->at that is near the box, of all edges
    where that is -1; 0: none. */
-static int kern_edge_next(kern_edge *e, const kern_parts *parts,
+static int kern_edge_next(kern_edge *e, const kern_outline *o,
                           const kern_box *box, kern_real gap)
 {
-    const kern_block *block = parts->block;
+    const kern_block *block = o->block;
     int i, corner;
     for (i = e->at + 1; i < block->vertices; i++)
-        if (i % parts->each == 0
-            && !kern_box_near(&parts->box[i / parts->each], box, gap)) {
-            i += parts->each - 1;
-        } else if (!parts->straight || kern_polygon_turn(block, i) != 0) {
-            corner = kern_parts_corner(parts, i);
+        if (i % o->each == 0
+            && !kern_box_near(&o->box[i / o->each], box, gap)) {
+            i += o->each - 1;
+        } else if (!o->straight || kern_polygon_turn(block, i) != 0) {
+            corner = kern_outline_corner(o, i);
             e->box.low = e->box.high = block->vertex[i];
             kern_box_add(&e->box, block->vertex[corner]);
             if (kern_box_near(&e->box, box, gap)) {
@@ -7315,10 +7319,10 @@ static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
    at which the nearest edge starts. What *nearest is before is a guess, and
    saves time. A run that is farther away than the nearest edge so far crosses
    the level of p once or not, as its ends say, and all of it to one side. */
-static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
+static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
                                     int *nearest)
 {
-    const kern_block *block = parts->block;
+    const kern_block *block = o->block;
     const kern_vec *vertex = block->vertex;
     const int n = block->vertices;
     kern_vec u = kern_vec_sub(vertex[*nearest], p);
@@ -7327,9 +7331,9 @@ static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
     int i, start, end, inside = 0;
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
-        const kern_box *box = &parts->box[start / parts->each];
+        const kern_box *box = &o->box[start / o->each];
         const int skip = kern_box_beyond(box, p, least);
-        end = n - start > parts->each ? start + parts->each : n;
+        end = n - start > o->each ? start + o->each : n;
         for (i = skip ? end - 1 : start; i < end; i++) {
             const kern_vec v =
                 kern_vec_sub(vertex[kern_polygon_next(block, i, 0)], p);
@@ -7367,24 +7371,24 @@ static kern_status kern_polygon_simple(const kern_block *block,
                                        kern_fault *fault)
 {
     const kern_vec *v = block->vertex;
-    kern_parts parts;
+    kern_outline o;
     kern_edge e, f;
     int i, lowest = 0, up, rises = v[0].y > v[block->vertices - 1].y;
-    kern_parts_set(&parts, block);
-    fault->index = parts.spike;
-    if (parts.spike >= 0)
+    kern_outline_set(&o, block);
+    fault->index = o.spike;
+    if (o.spike >= 0)
         return KERN_CROSSING;
     for (i = 0; i < block->vertices; i++, rises = up) {
         up = v[kern_polygon_next(block, i, 0)].y > v[i].y;
         lowest += up && !rises;
     }
-    if (!parts.reflex && lowest < 2)
+    if (!o.reflex && lowest < 2)
         return KERN_OK;
-    parts.straight = 0; /* from vertex to vertex, which costs less */
+    o.straight = 0; /* from vertex to vertex, which costs less */
     e.at = -1;
-    while (kern_edge_next(&e, &parts, &block->box, 0)) {
+    while (kern_edge_next(&e, &o, &block->box, 0)) {
         f = e;
-        while (kern_edge_next(&f, &parts, &e.box, 0))
+        while (kern_edge_next(&f, &o, &e.box, 0))
             if (f.start != e.end && f.end != e.start
                 && !kern_one_side(&e, &f) && !kern_one_side(&f, &e)) {
                 fault->index = e.at;
@@ -7583,7 +7587,7 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
 /* Raises *deep to the depth in b of the boundary of a, but for a stride; beyond
    `enough` it goes no further. From some number on the steps along an edge
    double: a gap of a few roundings takes no end of them otherwise. */
-static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
+static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
     kern_edge e;
@@ -7611,7 +7615,7 @@ static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
    triangles of vertices, those far apart first: an outline that turns left at a
    vertex has its triangle inside. Where no boundary is deep, one point far
    inside a speaks for all around it. */
-static void kern_overlap_within(const kern_parts *a, const kern_parts *b,
+static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
                                 kern_real *deep)
 {
     const kern_vec *vertex = a->block->vertex;
@@ -7634,10 +7638,11 @@ static void kern_overlap_within(const kern_parts *a, const kern_parts *b,
 
 /* Depth of the overlap of a and b, but for a stride, or one beyond `enough`; 0:
    none deeper than the gap. Two blocks at one place have no deep boundary. */
-static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
-                                    kern_real gap, kern_real enough)
+static kern_real kern_overlap_depth(const kern_outline *a,
+                                    const kern_outline *b, kern_real gap,
+                                    kern_real enough)
 {
-    const kern_parts *const side[3] = {a, b, a};
+    const kern_outline *const side[3] = {a, b, a};
     kern_real deep = gap;
     int i, apart = !kern_box_near(&a->block->box, &b->block->box, -gap);
     for (i = 0; i < 2 && !apart; i++)
@@ -7654,19 +7659,6 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
    stored: the span of an edge is found from the whole outline, which is split
    until no corner is farther than a step from the chord. The nested spans on
    the way serve the next edge, which is a neighbour as a rule. */
-
-typedef struct kern_span {
-    int start, end;         /* corners; equal: the whole outline         */
-    int steps;              /* nonzero: its chord stands for its edges;
-                               -1: it may be split                       */
-} kern_span;
-
-typedef struct kern_outline {
-    kern_parts parts;
-    kern_real step;         /* a corner is so far from its chord [m] */
-    kern_span span[KERN_SPANS]; /* each lies in the one before       */
-    int spans;              /* so many; 0: not known yet             */
-} kern_outline;
 
 /* Does the edge that starts at corner i lie in the span? */
 static int kern_span_holds(const kern_block *block, const kern_span *span,
@@ -7685,16 +7677,15 @@ static kern_real kern_riser_length(const kern_block *block, int i, int k)
         block->vertex[k], block->vertex[i])) : KERN_HUGE;
 }
 
-/* Has the span a riser: of any length inside, of at most `most` at its ends? */
-static int kern_span_has_steps(const kern_parts *parts, const kern_span *span,
-                               kern_real most)
+/* Has the span a riser: of any length inside, of at most a step at its ends? */
+static int kern_span_has_steps(const kern_outline *o, const kern_span *span)
 {
     int i = span->start, k;
     do {
         const int inside = i != span->start;
-        k = kern_parts_corner(parts, i);
-        if (kern_riser_length(parts->block, i, k)
-            < (inside && k != span->end ? KERN_HUGE : most))
+        k = kern_outline_corner(o, i);
+        if (kern_riser_length(o->block, i, k)
+            < (inside && k != span->end ? KERN_HUGE : o->step))
             return 1;
         i = k;
     } while (i != span->end);
@@ -7703,14 +7694,14 @@ static int kern_span_has_steps(const kern_parts *parts, const kern_span *span,
 
 /* The corner of the span that is farthest from the way from p to q, by more
    than `most`; its end if there is none. */
-static int kern_span_split(const kern_parts *parts, const kern_span *span,
+static int kern_span_split(const kern_outline *o, const kern_span *span,
                            kern_vec p, kern_vec q, kern_real most)
 {
     const kern_vec d = kern_vec_sub(q, p);
     int i = span->start, at = span->end;
     most *= most;
-    while ((i = kern_parts_corner(parts, i)) != span->end) {
-        const kern_vec r = kern_vec_sub(p, parts->block->vertex[i]);
+    while ((i = kern_outline_corner(o, i)) != span->end) {
+        const kern_vec r = kern_vec_sub(p, o->block->vertex[i]);
         const kern_real square = kern_edge_square(r, kern_vec_add(r, d));
         if (square > most) {
             most = square;
@@ -7720,50 +7711,42 @@ static int kern_span_split(const kern_parts *parts, const kern_span *span,
     return at;
 }
 
-/* The highest riser up to `most`: at a reflex corner the shorter edge. */
-static kern_real kern_outline_riser(const kern_parts *parts, int start,
-                                    kern_real most)
+/* The whole outline is a span from the corner farthest from the centre. Stairs
+   of risers that are low take what they deviate from their chords: at a reflex
+   corner the riser is the shorter edge. */
+static void kern_outline_whole(kern_outline *o)
 {
+    const kern_block *block = o->block;
+    const kern_vec c = block->centre;
+    kern_span *whole = o->span;
     kern_real riser = KERN_R(0), before = KERN_HUGE;
-    int i = start;
+    int i = kern_outline_corner(o, block->vertices - 1);
+    whole->start = whole->end = i;
+    i = kern_span_split(o, whole, c, c,
+                        kern_vec_length(kern_vec_sub(block->vertex[i], c)));
+    whole->start = whole->end = i;
+    whole->steps = -1;
+    o->spans = 1;
     do {
-        const int k = kern_parts_corner(parts, i);
-        const kern_real after = kern_riser_length(parts->block, i, k);
+        const int k = kern_outline_corner(o, i);
+        const kern_real after = kern_riser_length(block, i, k);
         const kern_real high = kern_min(before, after);
-        if (high <= most && kern_polygon_turn(parts->block, i) < 0)
+        if (high <= KERN_RISER * o->step && kern_polygon_turn(block, i) < 0)
             riser = kern_max(riser, high);
         before = after;
         i = k;
-    } while (i != start);
-    return riser;
-}
-
-/* The whole outline is a span from the corner farthest from the centre. Stairs
-   of risers that are low take what they deviate from their chords. */
-static void kern_outline_whole(kern_outline *o)
-{
-    const kern_block *block = o->parts.block;
-    const kern_vec c = block->centre;
-    const int i = kern_parts_corner(&o->parts, block->vertices - 1);
-    kern_span *whole = o->span;
-    whole->start = whole->end = i;
-    whole->start = whole->end = kern_span_split(
-        &o->parts, whole, c, c,
-        kern_vec_length(kern_vec_sub(block->vertex[i], c)));
-    whole->steps = -1;
-    o->spans = 1;
-    o->step = kern_max(o->step, KERN_STAIRS * kern_outline_riser(
-        &o->parts, whole->start, KERN_RISER * o->step));
+    } while (i != whole->start);
+    o->step = kern_max(o->step, KERN_STAIRS * riser);
 }
 
 /* 1: the chord that stands for an edge; 0: itself, as in a convex outline. */
 static int kern_outline_chord(kern_outline *o, const kern_edge *e,
                               kern_edge *chord)
 {
-    const kern_block *block = o->parts.block;
+    const kern_block *block = o->block;
     kern_span *span, half;
     *chord = *e;
-    if (!o->parts.reflex)
+    if (!o->reflex)
         return 0;
     if (!o->spans)
         kern_outline_whole(o);
@@ -7771,11 +7754,10 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
         o->spans--;
     while ((span = &o->span[o->spans - 1])->steps < 0) {
         half = *span;
-        span->steps = kern_span_has_steps(&o->parts, span, o->step);
+        span->steps = kern_span_has_steps(o, span);
         if (span->steps)
             half.end = kern_span_split(
-                &o->parts, span, block->vertex[span->start],
-                block->vertex[span->end],
+                o, span, block->vertex[span->start], block->vertex[span->end],
                 span->start == span->end ? KERN_R(0) : o->step);
         if (half.end == span->end)
             break;
@@ -7871,7 +7853,7 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
                              const kern_outline *o, kern_vec *p)
 {
-    const kern_block *block = o->parts.block;
+    const kern_block *block = o->block;
     const int back = 2 * kern_edge_along(f, *p) <= f->length;
     const int corner = back ? f->start : f->end;
     const kern_vec chord = kern_vec_scale(f->d, back ? KERN_R(1) : KERN_R(-1));
@@ -7892,7 +7874,7 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
 static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
                            kern_edge *chord)
 {
-    const kern_block *block = o->parts.block;
+    const kern_block *block = o->block;
     const int out = block->area > 0;
     int last, steps = kern_outline_chord(o, edge, chord);
     if (steps || !corner)
@@ -7920,7 +7902,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(pair->of[0].parts.reflex || pair->of[1].parts.reflex)
+    if (!(pair->of[0].reflex || pair->of[1].reflex)
         || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
              | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
         kern_pair_put(pair, p, n, half);
@@ -7953,8 +7935,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
 /* The widest gap at p. Errors of angle count by the distance from centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
-    const kern_vec u = kern_vec_sub(p, pair->of[0].parts.block->centre);
-    const kern_vec v = kern_vec_sub(p, pair->of[1].parts.block->centre);
+    const kern_vec u = kern_vec_sub(p, pair->of[0].block->centre);
+    const kern_vec v = kern_vec_sub(p, pair->of[1].block->centre);
     if (!(pair->swing > 0))
         return pair->gap;
     return KERN_SQRT(pair->gap * pair->gap + pair->swing * pair->swing
@@ -8013,7 +7995,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_edge *e = &edge[on], *f = &edge[!on];
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
-    const kern_block *own = pair->of[!on].parts.block;
+    const kern_block *own = pair->of[!on].block;
     kern_vec back, p = f->p;
     if (high > wide || high < -kern_max(wide, pair->deep)
         || kern_vec_cross(f->d, e->d) < -pair->sine)
@@ -8022,8 +8004,8 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
         own, f->start, own->area > 0)], f->p));
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
-        || !kern_edge_bears(e, pair->of[on].parts.block, p,
-                            pair->foot - pair->over, wide))
+        || !kern_edge_bears(e, pair->of[on].block, p, pair->foot - pair->over,
+                            wide))
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
@@ -8034,7 +8016,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 /* Looks for lines and points at each two edges that are near each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
-    const kern_parts *a = &pair->of[0].parts, *b = &pair->of[1].parts;
+    const kern_outline *a = &pair->of[0], *b = &pair->of[1];
     kern_edge edge[2];
     edge[0].at = -1;
     while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)) {
@@ -8222,8 +8204,7 @@ KERN_SHARED static kern_real kern_search_gap(const kern_search *s,
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_options *o = s->options;
-    const kern_block *a = pair->of[0].parts.block;
-    const kern_block *b = pair->of[1].parts.block;
+    const kern_block *a = pair->of[0].block, *b = pair->of[1].block;
     const kern_real size = KERN_SQRT(
         kern_min(a->fixed ? KERN_HUGE : kern_abs(a->area),
                  b->fixed ? KERN_HUGE : kern_abs(b->area)));
@@ -8265,12 +8246,12 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     s->fault->block = i;
     if (i < s->from && kern_block_is_stale(a))
         return KERN_STALE;
-    kern_parts_set(&pair->of[0].parts, a);
+    kern_outline_set(&pair->of[0], a);
     kern_pair_tolerances(pair, s);
     pair->a = found.a = i;
     pair->b = found.b = j;
     found.allowed = pair->deep;
-    found.depth = kern_overlap_depth(&pair->of[0].parts, &pair->of[1].parts,
+    found.depth = kern_overlap_depth(&pair->of[0], &pair->of[1],
                                      pair->deep, s->listing ? KERN_INFINITY
                                                             : pair->deep);
     if (found.depth > 0 && !s->listing) {
@@ -8383,7 +8364,7 @@ static kern_status kern_search_pairs(kern_search *s)
         const kern_block *second = &s->block[b];
         if (!second->vertices)
             continue;
-        kern_parts_set(&s->pair.of[1].parts, second);
+        kern_outline_set(&s->pair.of[1], second);
         for (a = 0; a < b; a++) {
             const kern_block *first = &s->block[a];
             kern_status status;

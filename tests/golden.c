@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xb5b316351b689bd8u },
-    { 1000, 0xe08129593e3ff921u },
-    { 5000, 0x8c5e779f1b1d1ea1u },
+    { 200, 0xdd6709110c2a3cd8u },
+    { 1000, 0xc8d0246532445927u },
+    { 5000, 0xb693a6be70d67646u },
 #else
-    { 200, 0xa8f19918fecc8651u },
-    { 1000, 0xebf7c27df19f3bd0u },
-    { 5000, 0x33876a75c83bec31u },
+    { 200, 0x55a16664268b1c0eu },
+    { 1000, 0xe91d2e1472b7e2c3u },
+    { 5000, 0x3dab6905af54e2d2u },
 #endif
 };
 
