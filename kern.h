@@ -2895,11 +2895,11 @@ struct kern_part {
     int *group;                /* of the part; ascending but in >>norm        */
     int *contact;             /* of the part                                  */
     int *ends;                /* of a contact: groups of the part, or none    */
+    kern_real *x, *y;         /* two a contact: forces; three a group: motion */
+    kern_status found;        /* what the program said, proven or not         */
     kern_take rest;           /* work memory behind these                     */
     kern_dual dual;
     kern_equations eq;
-    kern_real *x, *y;         /* two a contact: forces; three a group: motion */
-    kern_status found;        /* what the program said, proven or not         */
 };
 
 /* The engine, in >>lp. */
@@ -7197,10 +7197,10 @@ typedef struct kern_outline {
     int straight, reflex;   /* are there such vertices?              */
     int spike;              /* a vertex that turns back              */
     int each;               /* vertices of a run                     */
-    kern_box box[KERN_RUNS];
     kern_real step;         /* a corner is so far from its chord [m] */
-    kern_span span[KERN_SPANS]; /* each lies in the one before       */
     int spans;              /* so many; 0: not known yet             */
+    kern_span span[KERN_SPANS]; /* each lies in the one before       */
+    kern_box box[KERN_RUNS];
 } kern_outline;
 
 /* The next corner. */
@@ -7782,7 +7782,6 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
    above 0. Of a point travel is 0. */
 typedef struct kern_pair {
     int a, b;               /* indices of the blocks, a before b           */
-    kern_outline of[2];     /* a and b                                     */
     kern_real gap;          /* widest [m], at the blocks' centres          */
     kern_real swing;        /* what its errors of angle add, per distance  */
     kern_real deep;         /* deepest overlap [m]                         */
@@ -7794,6 +7793,7 @@ typedef struct kern_pair {
     kern_contact *out;
     int room, count;        /* count may exceed the room: no more is stored */
     int first;              /* of the contacts of this pair                */
+    kern_outline of[2];     /* a and b                                     */
 } kern_pair;
 
 /* One end of a line: side is -1 or 1. */
