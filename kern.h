@@ -929,8 +929,7 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Two arrays to remember in, for task.known: as many motions as the structure
-   will have blocks, as many forces as it will have contact points. */
+/* Two arrays to remember in, for task.known, as long as the structure will be. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
@@ -1245,10 +1244,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #endif
 #endif
 
-#if defined(__FINITE_MATH_ONLY__)
-#if __FINITE_MATH_ONLY__ == 1
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ == 1
 #error "kern.h: do not compile the implementation with -ffast-math"
-#endif
 #endif
 
 /* The vectorisers of gcc make one fused operation of pairs of products such as
@@ -2096,28 +2093,30 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
 static kern_status kern_structure_check(const kern_structure *s,
                                         kern_fault *fault)
 {
-    kern_status status = KERN_OK;
+    kern_status status;
     int i, any = 0, loaded = 0;
-    for (i = 0; i < s->blocks && status == KERN_OK; i++) {
+    for (i = 0; i < s->blocks; i++) {
         status = kern_block_check(s->block + i, s->gravity, &loaded);
-        if (status != KERN_OK)
+        if (status != KERN_OK) {
             fault->block = i;
+            return status;
+        }
         any |= !s->block[i].fixed;
     }
-    if (status == KERN_OK && !any)
-        return KERN_NO_FREE;
-    if (status == KERN_OK && !loaded)
-        return KERN_NO_LOAD;
-    for (i = 0; i < s->contacts && status == KERN_OK; i++) {
+    if (!any || !loaded)
+        return any ? KERN_NO_LOAD : KERN_NO_FREE;
+    for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         status = kern_contact_check(c, s->blocks);
         if (status == KERN_OK && kern_abs(kern_vec_dot(c->n, c->n) - 1)
                                  > KERN_R(64) * KERN_EPS)
             status = KERN_BAD_NORMAL;
-        if (status != KERN_OK)
+        if (status != KERN_OK) {
             fault->index = i;
+            return status;
+        }
     }
-    return status;
+    return KERN_OK;
 }
 
 /* Checks the arrays of a structure, and gravity. */
@@ -2942,12 +2941,12 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
 {
     kern_path *const path = &c->path;
     kern_status status = kern_task_check(task, shrink, out);
-    if (status == KERN_OK && !kern_spend(
-            task->work, task->options.limit,
-            1 + (task->s.blocks + task->s.contacts) / 5))
-        status = KERN_LIMIT;
-    if (status == KERN_OK)
-        status = kern_query_read(task, shrink, &path->q);
+    if (status != KERN_OK)
+        return status;
+    if (!kern_spend(task->work, task->options.limit,
+                    1 + (task->s.blocks + task->s.contacts) / 5))
+        return KERN_LIMIT;
+    status = kern_query_read(task, shrink, &path->q);
     if (status != KERN_OK)
         return status;
     path->kind = KERN_PATH_SHRINK;
@@ -3603,15 +3602,15 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 {
     kern_query q;
     int i;
-    kern_status status = kern_query_check(
+    const kern_status status = kern_query_check(
         task, shrink, proof && proof->motion ? out : NULL, &q);
-    for (i = 0; status == KERN_OK && i < task->s.blocks; i++)
-        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
-            task->work->fault.block = i;
-            status = KERN_BAD_NUMBER;
-        }
     if (status != KERN_OK)
         return status;
+    for (i = 0; i < task->s.blocks; i++)
+        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
+            task->work->fault.block = i;
+            return KERN_BAD_NUMBER;
+        }
     out->contact = -1;
     out->groups = 0;
     kern_critical_contacts(&task->s, &q, proof, out);
@@ -8241,7 +8240,9 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_overlap found;
     int k;
-    if ((a->fixed && b->fixed) || !kern_box_near(&a->box, &b->box, s->reach))
+    if (!a->vertices || (a->fixed && b->fixed)
+        || (a->vertex != b->vertex /* else the first has lost its vertices */
+            && !kern_box_near(&a->box, &b->box, s->reach)))
         return KERN_OK;
     s->fault->block = i;
     if (i < s->from && kern_block_is_stale(a))
@@ -8355,30 +8356,18 @@ static kern_status kern_search_survey(kern_search *s)
     return KERN_OK;
 }
 
-/* Finds the contacts of all blocks from s->from on with those before them, of
-   each two whose boxes are near each other. */
+/* Finds the contacts of all blocks from s->from on with those before them. */
 static kern_status kern_search_pairs(kern_search *s)
 {
     int a, b;
     for (b = s->from; b < s->blocks; b++) {
-        const kern_block *second = &s->block[b];
-        if (!second->vertices)
+        if (!s->block[b].vertices)
             continue;
-        kern_outline_set(&s->pair.of[1], second);
+        kern_outline_set(&s->pair.of[1], &s->block[b]);
         for (a = 0; a < b; a++) {
-            const kern_block *first = &s->block[a];
-            kern_status status;
-            if (!first->vertices)
-                continue;
-            status = kern_search_pair(s, a, b);
+            const kern_status status = kern_search_pair(s, a, b);
             if (status != KERN_OK)
                 return status;
-            /* one buffer for two stones: the first has lost its vertices */
-            if (a < s->from && !first->fixed
-                && first->vertex == second->vertex) {
-                s->fault->block = a;
-                return KERN_STALE;
-            }
         }
     }
     return KERN_OK;
