@@ -929,7 +929,7 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Two arrays to remember in, for task.known, as long as the structure will be. */
+/* Two arrays to remember in (task.known), as long as the structure will be. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
@@ -3505,11 +3505,6 @@ static kern_vec kern_meeting_motion(const kern_structure *s,
                         kern_velocity(motion + c->a, arm[0]));
 }
 
-/* And its spin. */
-static kern_real kern_meeting_spin(const kern_contact *c,
-                                   const kern_motion *motion)
-{ return motion[c->b].spin - motion[c->a].spin; }
-
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
                                     kern_real turn)
 {
@@ -3533,7 +3528,8 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
-            const kern_real spin = kern_meeting_spin(c, proof->motion);
+            const kern_real spin = proof->motion[c->b].spin
+                                   - proof->motion[c->a].spin;
             const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
             kern_real limit[3] = {0, 0, 0};
             kern_shift(c->travel, q->shrink, q->relative, &rate);
@@ -3637,7 +3633,8 @@ static kern_real kern_contact_gain(const kern_structure *s,
     const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    const kern_real spin = kern_meeting_spin(c, proof->motion);
+    const kern_real spin = proof->motion[c->b].spin
+                           - proof->motion[c->a].spin;
     kern_real rate, shift;
     kern_vec u;
     kern_zero(out, 5);
@@ -7306,14 +7303,6 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
-/* Is the box farther from p than the square says, beyond all rounding? */
-static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
-{
-    const kern_real x = p.x - kern_min(kern_max(p.x, box->low.x), box->high.x);
-    const kern_real y = p.y - kern_min(kern_max(p.y, box->low.y), box->high.y);
-    return KERN_R(0.999) * (x * x + y * y) > square;
-}
-
 /* Distance of p from the boundary, below 0 where it is outside, and the vertex
    at which the nearest edge starts. What *nearest is before is a guess, and
    saves time. A run that is farther away than the nearest edge so far crosses
@@ -7331,7 +7320,11 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
         const kern_box *box = &o->box[start / o->each];
-        const int skip = kern_box_beyond(box, p, least);
+        const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
+        const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
+        const kern_vec way = kern_vec_sub(p, kern_vec_make(x, y));
+        const int skip = /* beyond all rounding */
+            KERN_R(0.999) * kern_vec_dot(way, way) > least;
         end = n - start > o->each ? start + o->each : n;
         for (i = skip ? end - 1 : start; i < end; i++) {
             const kern_vec v =
@@ -8139,27 +8132,21 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Is c alone in its interface, and does it carry a block? */
-static int kern_is_lone(const kern_contact *contact, int contacts,
-                        const kern_contact *c, kern_vec down)
-{
-    int k, found = 0;
-    for (k = 0; k < contacts; k++)
-        found += kern_same_interface(c, contact + k);
-    return found == 1 && kern_carried(c, down) != KERN_OUT;
-}
-
-/* Travels of all points, or where `down` is given of those that are lone: each
-   to the foot of the middle, mostly that of the point before; 0 is not -0. */
+/* Travels of all points, or where `down` is given of those that are alone in
+   their interface and carry a block: each to the foot of the middle, mostly
+   that of the point before; 0 is not -0. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down)
 {
     kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
     const kern_contact *of = NULL;
-    int i;
+    int i, k;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = contact + i;
-        if (c->line || (down && !kern_is_lone(contact, contacts, c, *down)))
+        int found = 0;
+        for (k = 0; down && k < contacts; k++)
+            found += kern_same_interface(c, contact + k);
+        if (c->line || (down && (found > 1 || kern_carried(c, *down) < 0)))
             continue;
         if (!of || !kern_together(of, c, down)) {
             of = c;
