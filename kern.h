@@ -37,9 +37,7 @@
 
    "Kern" is the paper's word for what is left of a shrunk contact; it is not
    the middle third of a section. The margin d* is the largest d at which
-   forces in equilibrium still exist; the level counts it in steps of size
-   epsilon. A structure that falls has a deficit: how much longer its contacts
-   would have to be.
+   forces in equilibrium still exist.
 
    HOW TO USE IT                                                        >>use
 
@@ -138,10 +136,10 @@
        f >= 0,  |r| <= mu f.
 
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
-   (5):  find x >= 0 with A x = -w  (A_eq of the paper; kern_part_set() writes
-   it). If there is none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0:
-   velocities and spins such that no contact closes and the weights do work.
-   That motion is the mechanism, and the proof of falling.
+   (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
+   none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
+   such that no contact closes and the weights do work. That motion is the
+   mechanism, and the proof of falling.
 
    A verdict asks, in this order, until one gives a proof:
 
@@ -223,8 +221,7 @@
                saturated, where it stands throughout.
      deficit   Where it falls at d = 0: the least growth d with contact points
                at p - d u (relative: p - d l u) such that it stands; infinite
-               where a growth of 1000 times the longest side of the free
-               blocks' box (relative: over the smallest l) is not enough.
+               where 1e5 mean sizes (relative: 1e5) are not enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
@@ -275,23 +272,18 @@
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
-   Its rank correlation with the level of collapse, out of sample: 0.82 [0.75,
-   0.86] on 188 structures shaken in another simulator, 0.71 [0.55, 0.82] on
-   the 63 of 18 stones and more, 0.72 [0.62, 0.79] on 150 walls of planners.
-   The mean of the weaker half, from the same contacts, has 0.81, 0.69 and
-   0.61; the load factor 0.49, 0.37, 0.62; the margin 0.21, 0.22, 0.24
-   (examples/shaking/study/STUDY.md). Where stones slide before they tip, as in
+   Its rank correlation with the level of collapse, out of sample, is 0.82 on
+   188 structures shaken in another simulator, that of the mean of the weaker
+   half 0.81, of the load factor 0.49, of the margin 0.21 (README;
+   examples/shaking/study/STUDY.md). Where stones slide before they tip, as in
    low walls, all load factors end at mu and rank less well. Near contacts are
    not for verdicts: a gap carries nothing yet.
 
    Whether a stone stays where it is let go. kern_stays() gives the chance: let
    go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
    times in another simulator (tests/truth.c): 630 stay, 205 move, 134 depend on
-   its noise and count as not staying. With the scale of the law fitted to the
-   walls of odd number, the 509 placements of the others, and the other way the
-   460, have an area under the ROC curve of 0.992 [0.985, 0.998] and 0.988
-   [0.974, 0.997]; where the wall below has a reserve of 0.0055, 0.994 [0.987,
-   0.999] and 0.989 [0.977, 0.997]; reserve alone 0.971 and 0.976.
+   its noise and count as not staying. Of each half of the walls, by the scale
+   of the law fitted to the other:
 
        chance    stays kept    moves rejected    unclear rejected
        0.3             0.96              0.94                0.75
@@ -299,8 +291,8 @@
        0.7             0.93              0.98                0.87
        0.9             0.85             0.995                0.95
 
-   In ten groups by the chance, mean and share that stays differ by 0.03 at
-   most, out of sample by 0.15 (0.07 at random). Both halves chose the form.
+   Both halves chose the form of the law. Areas under the ROC curve, and how
+   well the chance fits: README.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -329,15 +321,13 @@
    settled structures fall without one support that is not its block's widest,
    and with that support half an error short they fall and look the same. With
    noise of 0.5 % (2 %) of the mean size on every pose and half of it on every
-   vertex, of 279 structures that stand and 226 that fall, 10 seeds each, 99.5
-   (98.2) % and 99.1 (89.2) % of the verdicts are right; 17 [12, 21] (16) % of
-   what stands and 95 [92, 97] (74) % of what falls is certain, at most 0.1 % of
-   that wrongly. The interval holds the exact margin in 96 [93, 97] (91 [88,94])
-   %, begins more than 1.5 times too high in 1.2 [0.3, 2.4] (5.6 [3.2, 7.9]) %,
-   its median width is 0.17 (0.38) mean sizes. The noise is out of sample, the
-   structures are those on which the rule was chosen. Near misses, which lack a
-   support by 0.5 to 10 errors, stand for certain in 0.7 % at most:
-   tests/noise.c.
+   vertex 99.5 (98.2) % of what stands and 99.1 (89.2) % of what falls has the
+   right verdict, 17 (16) and 95 (74) % for certain, at most 0.1 % of that
+   wrongly. The interval holds the exact margin in 96 (91) %, begins more than
+   1.5 times too high in 1.2 (5.6) %, its median width is 0.17 (0.38) mean
+   sizes. The noise is out of sample, the structures are those on which the rule
+   was chosen (README has intervals). Near misses, which lack a support by 0.5
+   to 10 errors, stand for certain in 0.7 % at most: tests/noise.c.
 
    LIMITS                                                            >>limits
 
@@ -352,8 +342,7 @@
              published brick walls with openings (tests/PUBLISHED.md), 6 % in
              the median on 234 random ones, once 2.5 times; settled rubble
              never collapsed below its load factor. kern_raised_load() has no
-             dilatancy: on these, used for no choice, 0.985 of the simulator's
-             in the median, 0.94 or more on 96 %, 1.01 at most on 99 %, 1.03 at
+             dilatancy: on these 0.985 of the simulator's in the median, 1.03 at
              most. It answers for one path of loading. Use the lower one for
              what must hold. Bricks that hang in a flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
@@ -567,9 +556,8 @@ typedef struct kern_contact {
     kern_vec p;           /* place [m]                                        */
     kern_vec n;           /* unit normal from a into b                        */
     kern_real mu;         /* coefficient of friction >= 0                     */
-    kern_real travel;     /* way along t to the closed kern, signed [m]: at
-                             shrinkage d the point acts at p + s t, s = travel
-                             cut to [-d, d]; relative: s = d travel, d <= 1   */
+    kern_real travel;     /* way along t to the closed kern, signed [m]: see
+                             Shrinkage in >>rules                             */
 } kern_contact;
 
 /* Two blocks that overlap deeper than the options allow. */
@@ -755,18 +743,15 @@ typedef struct kern_lp {
 /* Infinity: outside of gcc and clang a product that overflows when compiled. */
 #if defined(__GNUC__)
 #define KERN_INFINITY ((kern_real)__builtin_inff())
-#elif defined(KERN_SINGLE)
-#define KERN_INFINITY ((kern_real)(1e38f * 1e38f))
 #else
 #define KERN_INFINITY ((kern_real)(1e300 * 1e300))
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions, for arrays: of contact points, and of work memory for
-   a structure of so many blocks (fixed ones included) and contact points or
-   for a linear program by itself. See >>memory. KERN_ROOM is for the factors of
-   so many columns with fill-in (>>lp), in groups of three entries: a wall has
-   KERN_LEAN_EXTRAS of these. KERN_LP_ROOM is the same for a dense program. */
+/* Constant expressions, for arrays: see >>memory. Blocks include fixed ones.
+   KERN_ROOM is for the factors of so many columns with fill-in (>>lp), in
+   groups of three entries: a wall has KERN_LEAN_EXTRAS of these. KERN_LP_ROOM
+   is the same for a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
@@ -944,8 +929,7 @@ KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
 
-/* Two arrays to remember in, for task.known: as many motions as the structure
-   will have blocks, as many forces as it will have contact points. */
+/* Two arrays to remember in (task.known), as long as the structure will be. */
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
@@ -1260,10 +1244,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 #endif
 #endif
 
-#if defined(__FINITE_MATH_ONLY__)
-#if __FINITE_MATH_ONLY__ == 1
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ == 1
 #error "kern.h: do not compile the implementation with -ffast-math"
-#endif
 #endif
 
 /* The vectorisers of gcc make one fused operation of pairs of products such as
@@ -1401,8 +1383,10 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Steps of half a circle of tilt under loads that stay: a range of angles that
    falls, and is narrower than one (half a degree), may be missed. */
 #define KERN_TILTS         400
-/* Largest load factor; beyond, the load counts as held for ever. */
+/* Largest load factor; beyond, the load counts as held for ever. Largest growth
+   of kerns [mean block size; relative: 1]; beyond, none helps. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
+#define KERN_GROWN_MOST    KERN_R(1e5)
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
    minimum-norm forces, a bracket (four to eight suffice), the interior point
@@ -1606,33 +1590,11 @@ static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
 { return kern_vec_make(v->vx - v->spin * arm.y, v->vy + v->spin * arm.x); }
 
 static kern_real kern_block_size(const kern_block *block)
-{
-    return KERN_SQRT(kern_abs(block->area));
-}
+{ return KERN_SQRT(kern_abs(block->area)); }
 
 /* Sum of magnitudes: 0 only for no wrench, finite only for a finite one. */
 static kern_real kern_wrench_sum(const kern_wrench *w)
 { return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
-
-static kern_status kern_block_check(const kern_block *b, kern_vec gravity)
-{
-    const kern_real size = kern_block_size(b);
-    const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
-        + kern_abs(b->load.torque) / size
-        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
-    if (b->vertices < 0)
-        return KERN_NO_BLOCK;
-    if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
-        return KERN_BAD_NUMBER;
-    if (b->fixed)
-        return KERN_OK;
-    if (!(size >= KERN_LEAST_SIZE))
-        return KERN_NO_AREA;
-    if (!(b->mass >= 1 / KERN_HEAVY) || b->mass > KERN_HEAVY)
-        return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
-    return acts <= KERN_HEAVY && (acts >= 1 / KERN_HEAVY || !(acts > 0))
-           ? KERN_OK : KERN_BAD_NUMBER;
-}
 
 /* v := s v, n numbers, also those of structs of numbers */
 KERN_SHARED static void kern_scale(void *v, int n, kern_real s)
@@ -1685,17 +1647,16 @@ static void kern_box_add(kern_box *box, kern_vec p)
 }
 
 /* ---- Statics -------------------------------------------------- >>statics */
-/* Eq. (5), which kern_part_set() writes: in the plane the cone of a force
-   f n + r t is spanned by its two edges,
+/* Eq. (5) of >>method, which kern_part_set() writes:
 
        \   n   /         f n + r t = x1 (n + mu t) + x2 (n - mu t),
         \  |  /              x1, x2 >= 0
          \ | /
        ---- p ----  t
 
-   so forces exist just if A x = -w has a solution x >= 0: three rows a free
-   block (force, torque about its centre), two columns a contact point. Lengths
-   are measured in the size of the block, forces in the weight of all. */
+   A has three rows a free block (force, torque about its centre), two columns a
+   contact point. Lengths are in the size of the block, forces in the weight of
+   all. */
 
 /* A query: the weights and loads to carry, and how far kerns shrink. */
 typedef struct kern_query {
@@ -1713,24 +1674,6 @@ typedef struct kern_query {
     kern_real shortest;         /* a shorter contact carries nothing [m]      */
 } kern_query;
 
-static kern_query kern_query_of(const kern_structure *s, const kern_options *o,
-                                kern_real shrink)
-{
-    kern_query q;
-    q.shrink = shrink;
-    q.relative = o->relative;
-    q.narrow = o->narrow;
-    q.mean = kern_mean_size(s->block, s->blocks);
-    q.gravity = s->gravity;
-    q.pattern = NULL;
-    q.factor = KERN_R(0);
-    q.loads = KERN_R(1);
-    q.side = 0;
-    q.fallen = NULL;
-    q.shortest = KERN_R(0);
-    return q;
-}
-
 /* The tangent by which cones of friction are narrower. */
 KERN_SHARED static kern_real kern_reduction(const kern_query *q)
 { return kern_max(q->narrow * q->shrink, KERN_R(0)); }
@@ -1738,9 +1681,7 @@ KERN_SHARED static kern_real kern_reduction(const kern_query *q)
 /* Friction of a contact whose cone is narrower by an angle: the tangent of the
    difference of both angles. */
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
-{
-    return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu;
-}
+{ return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu; }
 
 /* Whether one of two blocks has been taken away. */
 static inline int kern_is_gone(const kern_query *q, int a, int b)
@@ -1748,15 +1689,11 @@ static inline int kern_is_gone(const kern_query *q, int a, int b)
 
 /* A travel too short to be one counts as none. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
-{
-    return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0) : c->travel;
-}
+{ return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0) : c->travel; }
 
 /* Length of its line, or about that of its points; 0: it is a lone point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
-{
-    return 2 * kern_abs(kern_travel(c, mean));
-}
+{ return 2 * kern_abs(kern_travel(c, mean)); }
 
 /* Whether a contact carries nothing: too short, or one of its blocks gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
@@ -1880,18 +1817,14 @@ static int kern_line_begins(const kern_contact *contact, int contacts, int i)
 
 /* Are they between the same blocks? */
 static int kern_same_blocks(const kern_contact *c, const kern_contact *d)
-{
-    return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a);
-}
+{ return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a); }
 
 /* And is d a point? */
 static int kern_same_interface(const kern_contact *c, const kern_contact *d)
 { return !d->line && kern_same_blocks(c, d); }
 
 /* ---- The kern -------------------------------------------------- >>kern */
-/* Every measure follows a path (>>method), one-parameter loading.
-
-   At a place that falls y gives the power -y.rhs > 0, which changes along the
+/* At a place that falls y gives the power -y.rhs > 0, which changes along the
    path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
    (Newton's method). It converges quadratically, from the side that falls. */
 
@@ -1932,11 +1865,11 @@ typedef struct kern_path {
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
-   line contacts are nested: what a smaller one can carry a larger one can.
-   Points that move toward each other along different tangents are not. */
+/* The longest travel, which is d_max. Kerns of line contacts are nested: what a
+   smaller one can carry a larger one can. Points that move toward each other
+   along different tangents are not. */
 typedef struct kern_travels {
-    kern_real least, most;
+    kern_real most;
     int nested;
 } kern_travels;
 
@@ -1945,7 +1878,6 @@ static kern_travels kern_travels_of(const kern_structure *s,
 {
     kern_travels t;
     int i;
-    t.least = KERN_INFINITY;
     t.most = KERN_R(0);
     t.nested = 1;
     for (i = 0; i < s->contacts; i++) {
@@ -1955,7 +1887,6 @@ static kern_travels kern_travels_of(const kern_structure *s,
             || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
                 && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
             continue;
-        t.least = kern_min(t.least, travel);
         t.most = kern_max(t.most, travel);
         t.nested &= c->line != 0;
     }
@@ -2038,46 +1969,41 @@ static kern_status kern_level_scan(kern_model *m, const kern_path *path,
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
-/* Slices are handed out one after the other. Without arrays (real NULL) they
-   are only counted: one layout function says both what is needed and where it
-   lies, so the two cannot disagree. */
+/* What is left of the work memory. Slices are handed out one after the other.
+   Below 0 are left where one did not fit: it and what follows mean nothing. */
 
 typedef struct kern_take {
     kern_real *real;
     int *index;
-    int reals, indices;         /* there are */
-    int used_reals, used_ints;  /* handed out */
+    int reals, indices;
 } kern_take;
 
 static void kern_take_open(kern_take *take, const kern_work *work)
 {
     take->real = work->real;
     take->index = work->index;
-    take->reals = work->real ? work->reals : 0;
-    take->indices = work->index ? work->indices : 0;
-    take->used_reals = take->used_ints = 0;
+    take->reals = work->reals;
+    take->indices = work->indices;
 }
 
 static kern_real *kern_take_reals(kern_take *take, int n)
 {
-    const int at = take->used_reals;
-    take->used_reals += n;
-    return take->real && take->used_reals <= take->reals ? take->real + at
-                                                         : NULL;
+    kern_real *const at = take->real;
+    take->real += n <= take->reals ? n : 0;
+    take->reals = n <= take->reals ? take->reals - n : KERN_OUT;
+    return at;
 }
 
 static int *kern_take_ints(kern_take *take, int n)
 {
-    const int at = take->used_ints;
-    take->used_ints += n;
-    return take->index && take->used_ints <= take->indices ? take->index + at
-                                                           : NULL;
+    int *const at = take->index;
+    take->index += n <= take->indices ? n : 0;
+    take->indices = n <= take->indices ? take->indices - n : KERN_OUT;
+    return at;
 }
 
 static int kern_take_fits(const kern_take *take)
-{
-    return take->used_reals <= take->reals && take->used_ints <= take->indices;
-}
+{ return take->reals >= 0 && take->indices >= 0; }
 
 /* ---- what a call may spend ---- */
 
@@ -2140,6 +2066,59 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
 
+/* A block; *loaded becomes nonzero where it is free and something acts. */
+static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
+                                    int *loaded)
+{
+    const kern_real size = kern_block_size(b);
+    const kern_real acts = kern_abs(b->load.fx) + kern_abs(b->load.fy)
+        + kern_abs(b->load.torque) / size
+        + b->mass * (kern_abs(gravity.x) + kern_abs(gravity.y));
+    if (b->vertices < 0)
+        return KERN_NO_BLOCK;
+    if (!kern_vec_is_moderate(b->centre) || !(size <= KERN_FAR))
+        return KERN_BAD_NUMBER;
+    if (b->fixed)
+        return KERN_OK;
+    if (!(size >= KERN_LEAST_SIZE))
+        return KERN_NO_AREA;
+    if (!(b->mass >= 1 / KERN_HEAVY) || b->mass > KERN_HEAVY)
+        return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
+    *loaded |= acts > 0;
+    return acts <= KERN_HEAVY && (acts >= 1 / KERN_HEAVY || !(acts > 0))
+           ? KERN_OK : KERN_BAD_NUMBER;
+}
+
+/* Checks what the arrays of a structure hold. */
+static kern_status kern_structure_check(const kern_structure *s,
+                                        kern_fault *fault)
+{
+    kern_status status;
+    int i, any = 0, loaded = 0;
+    for (i = 0; i < s->blocks; i++) {
+        status = kern_block_check(s->block + i, s->gravity, &loaded);
+        if (status != KERN_OK) {
+            fault->block = i;
+            return status;
+        }
+        any |= !s->block[i].fixed;
+    }
+    if (!any || !loaded)
+        return any ? KERN_NO_LOAD : KERN_NO_FREE;
+    for (i = 0; i < s->contacts; i++) {
+        const kern_contact *c = s->contact + i;
+        status = kern_contact_check(c, s->blocks);
+        if (status == KERN_OK && kern_abs(kern_vec_dot(c->n, c->n) - 1)
+                                 > KERN_R(64) * KERN_EPS)
+            status = KERN_BAD_NORMAL;
+        if (status != KERN_OK) {
+            fault->index = i;
+            return status;
+        }
+    }
+    return KERN_OK;
+}
+
 /* Checks the arrays of a structure, and gravity. */
 static kern_status kern_arrays_check(const kern_structure *s)
 {
@@ -2149,37 +2128,6 @@ static kern_status kern_arrays_check(const kern_structure *s)
     if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
         return KERN_BAD_POINTER;
     return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
-}
-
-/* Checks what the arrays of a structure hold. */
-static kern_status kern_structure_check(const kern_structure *s,
-                                        kern_fault *fault)
-{
-    kern_status status = KERN_OK;
-    int i, any = 0;
-    int loaded = kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
-    for (i = 0; i < s->blocks && status == KERN_OK; i++) {
-        const kern_block *b = s->block + i;
-        status = kern_block_check(b, s->gravity);
-        if (status != KERN_OK)
-            fault->block = i;
-        any |= !b->fixed;
-        loaded |= !b->fixed && kern_wrench_sum(&b->load) > 0;
-    }
-    if (status == KERN_OK && !any)
-        return KERN_NO_FREE;
-    if (status == KERN_OK && !loaded)
-        return KERN_NO_LOAD;
-    for (i = 0; i < s->contacts && status == KERN_OK; i++) {
-        const kern_contact *c = s->contact + i;
-        status = kern_contact_check(c, s->blocks);
-        if (status == KERN_OK && kern_abs(kern_vec_dot(c->n, c->n) - 1)
-                                 > KERN_R(64) * KERN_EPS)
-            status = KERN_BAD_NORMAL;
-        if (status != KERN_OK)
-            fault->index = i;
-    }
-    return status;
 }
 
 /* What is handed in, but for what its arrays hold; `out` is where the answer
@@ -2204,16 +2152,24 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                                         : status;
 }
 
-/* Checks what the arrays of a task hold; in *q its query. */
+/* The query of a task, and checks what its arrays hold. */
 static kern_status kern_query_read(const kern_task *task, kern_real shrink,
                                    kern_query *q)
 {
-    const kern_status status = kern_structure_check(&task->s,
-                                                    &task->work->fault);
-    if (status != KERN_OK)
-        return status;
-    *q = kern_query_of(&task->s, &task->options, shrink);
-    return q->relative && shrink > 1 ? KERN_BAD_SHARE : KERN_OK;
+    kern_status status;
+    q->shrink = shrink;
+    q->relative = task->options.relative;
+    q->narrow = task->options.narrow;
+    q->mean = kern_mean_size(task->s.block, task->s.blocks);
+    q->gravity = task->s.gravity;
+    q->pattern = NULL;
+    q->factor = q->shortest = KERN_R(0);
+    q->loads = KERN_R(1);
+    q->side = 0;
+    q->fallen = NULL;
+    status = kern_structure_check(&task->s, &task->work->fault);
+    return status == KERN_OK && q->relative && shrink > 1 ? KERN_BAD_SHARE
+                                                          : status;
 }
 
 static kern_status kern_query_check(const kern_task *task, kern_real shrink,
@@ -2344,6 +2300,13 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 /* The speed of a block that rests is 0. */
 static kern_real kern_speed(const kern_motion *m)
 { return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
+
+/* The larger of a block's speed and that of its turning. */
+static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
+{
+    return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
+                    kern_abs(v->spin) * kern_block_size(b));
+}
 
 /* Of both blocks of a contact. */
 static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
@@ -2822,12 +2785,7 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
 }
 
 static int kern_moves(const kern_model *m, int i)
-{
-    const kern_motion *v = m->answer.motion + i;
-    const kern_real size = kern_block_size(m->s->block + i);
-    return kern_abs(v->vx) > KERN_REST || kern_abs(v->vy) > KERN_REST
-           || kern_abs(v->spin) * size > KERN_REST;
-}
+{ return kern_block_speed(m->s->block + i, m->answer.motion + i) > KERN_REST; }
 
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
@@ -2936,11 +2894,11 @@ struct kern_part {
     int *group;                /* of the part; ascending but in >>norm        */
     int *contact;             /* of the part                                  */
     int *ends;                /* of a contact: groups of the part, or none    */
+    kern_real *x, *y;         /* two a contact: forces; three a group: motion */
+    kern_status found;        /* what the program said, proven or not         */
     kern_take rest;           /* work memory behind these                     */
     kern_dual dual;
     kern_equations eq;
-    kern_real *x, *y;         /* two a contact: forces; three a group: motion */
-    kern_status found;        /* what the program said, proven or not         */
 };
 
 /* The engine, in >>lp. */
@@ -2955,27 +2913,6 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_work *work);
 
 /* ---- The measures --------------------------------------------- >>measure */
-
-/* Begins a path along which kerns shrink. */
-static void kern_path_begin(kern_path *path, kern_part *part,
-                            const kern_task *task, const kern_query *q)
-{
-    path->kind = KERN_PATH_SHRINK;
-    path->part = part;
-    path->proof = NULL;
-    path->q = *q;
-    path->warm.fails = KERN_R(0);
-    path->alone = 0;
-    path->ipm = NULL;
-    path->unit.one = task->options.relative ? 1 : path->q.mean;
-    path->unit.width = KERN_WIDTH * path->unit.one;
-    path->unit.aside = KERN_ASIDE * path->unit.width;
-    path->start = path->end = KERN_R(0);
-    path->holds = path->fails = path->critical = KERN_R(0);
-    path->proven.low = KERN_R(-1);
-    path->proven.high = path->exact = KERN_INFINITY;
-    path->never = 0;
-}
 
 /* Along the path a load grows or gravity turns instead. */
 KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
@@ -3002,18 +2939,31 @@ typedef struct kern_call {
 static kern_status kern_call_open(kern_call *c, const kern_task *task,
                                   kern_real shrink, const void *out)
 {
-    kern_query q;
+    kern_path *const path = &c->path;
     kern_status status = kern_task_check(task, shrink, out);
-    if (status == KERN_OK && !kern_spend(
-            task->work, task->options.limit,
-            1 + (task->s.blocks + task->s.contacts) / 5))
-        status = KERN_LIMIT;
-    if (status == KERN_OK)
-        status = kern_query_read(task, shrink, &q);
     if (status != KERN_OK)
         return status;
-    kern_path_begin(&c->path, &c->part, task, &q);
-    return kern_model_open(&c->m, task, &q);
+    if (!kern_spend(task->work, task->options.limit,
+                    1 + (task->s.blocks + task->s.contacts) / 5))
+        return KERN_LIMIT;
+    status = kern_query_read(task, shrink, &path->q);
+    if (status != KERN_OK)
+        return status;
+    path->kind = KERN_PATH_SHRINK;
+    path->part = &c->part;
+    path->proof = NULL;
+    path->warm.fails = KERN_R(0);
+    path->alone = 0;
+    path->ipm = NULL;
+    path->unit.one = task->options.relative ? 1 : path->q.mean;
+    path->unit.width = KERN_WIDTH * path->unit.one;
+    path->unit.aside = KERN_ASIDE * path->unit.width;
+    path->start = path->end = KERN_R(0);
+    path->holds = path->fails = path->critical = KERN_R(0);
+    path->proven.low = KERN_R(-1);
+    path->proven.high = path->exact = KERN_INFINITY;
+    path->never = 0;
+    return kern_model_open(&c->m, task, &path->q);
 }
 
 /* The same of a call whose answer is a number: -1 where it ends unread. */
@@ -3175,38 +3125,14 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* The extent: the longest side of the box around the free blocks. */
-static kern_real kern_extent(const kern_structure *s)
-{
-    kern_box whole;
-    kern_vec side;
-    int i;
-    kern_box_empty(&whole);
-    for (i = 0; i < s->blocks; i++) {
-        const kern_block *b = s->block + i;
-        const kern_real half = kern_block_size(b) / 2;
-        const kern_vec way = kern_vec_make(half, half);
-        if (b->fixed)
-            continue;
-        kern_box_add(&whole, b->vertices ? b->box.low
-                                         : kern_vec_sub(b->centre, way));
-        kern_box_add(&whole, b->vertices ? b->box.high
-                                         : kern_vec_add(b->centre, way));
-    }
-    side = kern_vec_sub(whole.high, whole.low);
-    return kern_max(side.x, side.y);
-}
-
 /* Grows the kerns of what falls until it stands: the critical growth. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    const kern_travels travels = kern_travels_of(m->s, &path->q);
-    const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
-    kern_real limit = 1000 * kern_extent(m->s), grown;
+    const kern_real growth = kern_travels_of(m->s, &path->q).nested
+                             ? KERN_R(4) : KERN_R(1.1);
+    const kern_real limit = KERN_GROWN_MOST * path->unit.one;
+    kern_real grown;
     kern_status status;
-    if (m->relative)
-        limit = travels.least < KERN_INFINITY ? limit / travels.least
-                                              : KERN_R(1);
     path->start = -limit;
     for (grown = path->unit.one * KERN_R(0.001); ;
          grown = kern_min(grown * growth, limit)) {
@@ -3579,11 +3505,6 @@ static kern_vec kern_meeting_motion(const kern_structure *s,
                         kern_velocity(motion + c->a, arm[0]));
 }
 
-/* And its spin. */
-static kern_real kern_meeting_spin(const kern_contact *c,
-                                   const kern_motion *motion)
-{ return motion[c->b].spin - motion[c->a].spin; }
-
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
                                     kern_real turn)
 {
@@ -3595,56 +3516,40 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
     return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
 }
 
-/* How much a contact point limits, by the first of: the power f w that moving
-   inward with a force f costs while the blocks turn at w, unless its kern is
-   closed; the rate of a hinge; the speed of sliding. */
-static kern_real kern_limit_by(int by, const kern_contact *c, kern_vec u,
-                               kern_real spin, kern_meeting meeting,
-                               const kern_force *force, const kern_query *q)
-{
-    kern_real rate;
-    if (by == 1)
-        return meeting == KERN_HINGES ? kern_abs(spin) : KERN_R(0);
-    if (by == 2)
-        return meeting == KERN_SLIDES ? kern_vec_length(u) : KERN_R(0);
-    if (!force || meeting == KERN_OPENS)
-        return KERN_R(0);
-    kern_shift(c->travel, q->shrink, q->relative, &rate);
-    return kern_max(-spin * rate * force->normal, KERN_R(0));
-}
-
+/* How much a contact point limits is told by the first of these that any has:
+   the power f w that moving inward with a force f costs while the blocks turn
+   at w, unless its kern is closed; the rate of a hinge; the speed of slides. */
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
-    kern_real most = KERN_R(0);
+    kern_real most = KERN_R(0), rate;
     int by, i;
     for (by = 0; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
-            const kern_real spin = kern_meeting_spin(c, proof->motion);
+            const kern_real spin = proof->motion[c->b].spin
+                                   - proof->motion[c->a].spin;
             const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
-            const kern_real limit = kern_limit_by(
-                by, c, u, spin, meeting,
-                proof->force ? proof->force + i : NULL, q);
+            kern_real limit[3] = {0, 0, 0};
+            kern_shift(c->travel, q->shrink, q->relative, &rate);
+            if (proof->force && meeting != KERN_OPENS)
+                limit[0] = kern_max(-spin * rate * proof->force[i].normal, 0);
+            if (meeting == KERN_HINGES)
+                limit[1] = kern_abs(spin);
+            if (meeting == KERN_SLIDES)
+                limit[2] = kern_vec_length(u);
             if (out->meeting)
                 out->meeting[i] = meeting;
             if (out->limit)
-                out->limit[i] = limit;
-            if (limit > most * (1 + KERN_REST)) {
-                most = limit;
+                out->limit[i] = limit[by];
+            if (limit[by] > most * (1 + KERN_REST)) {
+                most = limit[by];
                 out->contact = i;
             }
         }
     for (i = 0; i < s->contacts && out->limit && most > 0; i++)
         out->limit[i] /= most;
-}
-
-/* The larger of a block's speed and that of its turning. */
-static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
-{
-    return kern_max(kern_vec_length(kern_vec_make(v->vx, v->vy)),
-                    kern_abs(v->spin) * kern_block_size(b));
 }
 
 /* Whether two blocks move as one rigid body. */
@@ -3693,15 +3598,15 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 {
     kern_query q;
     int i;
-    kern_status status = kern_query_check(
+    const kern_status status = kern_query_check(
         task, shrink, proof && proof->motion ? out : NULL, &q);
-    for (i = 0; status == KERN_OK && i < task->s.blocks; i++)
-        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
-            task->work->fault.block = i;
-            status = KERN_BAD_NUMBER;
-        }
     if (status != KERN_OK)
         return status;
+    for (i = 0; i < task->s.blocks; i++)
+        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
+            task->work->fault.block = i;
+            return KERN_BAD_NUMBER;
+        }
     out->contact = -1;
     out->groups = 0;
     kern_critical_contacts(&task->s, &q, proof, out);
@@ -3728,7 +3633,8 @@ static kern_real kern_contact_gain(const kern_structure *s,
     const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    const kern_real spin = kern_meeting_spin(c, proof->motion);
+    const kern_real spin = proof->motion[c->b].spin
+                           - proof->motion[c->a].spin;
     kern_real rate, shift;
     kern_vec u;
     kern_zero(out, 5);
@@ -3937,7 +3843,8 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_part_list(p);
-    p->rest.used_ints -= most - p->contacts; /* listed by both its ends */
+    p->rest.index -= most - p->contacts;
+    p->rest.indices += most - p->contacts; /* listed by both its ends */
     p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
@@ -6906,7 +6813,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     int i, left = m->s->blocks, gone = 1; /* the largest set that can hang */
     r->p = &c->part;
     m->rest.reals -= m->s->blocks; /* at the end of the work memory */
-    m->common.reals = m->rest.reals;
+    m->common.reals -= m->s->blocks;
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     value = m->rest.real + m->rest.reals;
@@ -7272,52 +7179,60 @@ static kern_real kern_box_largest(const kern_box *box)
 
 /* ---- outlines ---- */
 
+typedef struct kern_span {
+    int start, end;         /* corners; equal: the whole outline         */
+    int steps;              /* nonzero: its chord stands for its edges;
+                               -1: it may be split                       */
+} kern_span;
+
 /* A block's outline as it is looked at, in runs of `each` vertices with a box
    around the edges from corner to corner that start there: what is far from the
    box is far from these. A short outline is one run. */
-typedef struct kern_parts {
+typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex;   /* are there such vertices?   */
-    int spike;              /* a vertex that turns back   */
-    int each;               /* vertices of a run          */
+    int straight, reflex;   /* are there such vertices?              */
+    int spike;              /* a vertex that turns back              */
+    int each;               /* vertices of a run                     */
+    kern_real step;         /* a corner is so far from its chord [m] */
+    int spans;              /* so many; 0: not known yet             */
+    kern_span span[KERN_SPANS]; /* each lies in the one before       */
     kern_box box[KERN_RUNS];
-} kern_parts;
+} kern_outline;
 
 /* The next corner. */
-static int kern_parts_corner(const kern_parts *parts, int i)
+static int kern_outline_corner(const kern_outline *o, int i)
 {
     const int start = i;
     do
-        i = kern_polygon_next(parts->block, i, 0);
-    while (parts->straight && i != start
-           && kern_polygon_turn(parts->block, i) == 0);
+        i = kern_polygon_next(o->block, i, 0);
+    while (o->straight && i != start && kern_polygon_turn(o->block, i) == 0);
     return i;
 }
 
-static void kern_parts_set(kern_parts *parts, const kern_block *block)
+static void kern_outline_set(kern_outline *o, const kern_block *block)
 {
     const int n = block->vertices;
     int i;
-    parts->block = block;
-    parts->straight = parts->reflex = 0;
-    parts->spike = -1;
+    o->block = block;
+    o->straight = o->reflex = 0;
+    o->spike = -1;
     for (i = n - 1; i >= 0; i--) {
         const int turn = kern_polygon_turn(block, i);
-        parts->straight |= turn == 0;
-        parts->reflex |= turn < 0;
+        o->straight |= turn == 0;
+        o->reflex |= turn < 0;
         if (turn == 2)
-            parts->spike = i;
+            o->spike = i;
     }
-    parts->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
-    parts->box[0] = block->box;
+    o->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
+    o->box[0] = block->box;
     for (i = 0; n > KERN_RUN && i < n; i++) {
-        kern_box *box = &parts->box[i / parts->each];
+        kern_box *box = &o->box[i / o->each];
         const int end = kern_polygon_next(block, i, 0);
-        if (i % parts->each == 0)
+        if (i % o->each == 0)
             box->low = box->high = block->vertex[i];
         kern_box_add(box, block->vertex[end]);
-        if (end % parts->each == 0)
-            kern_box_add(box, block->vertex[kern_parts_corner(parts, i)]);
+        if (end % o->each == 0)
+            kern_box_add(box, block->vertex[kern_outline_corner(o, i)]);
     }
 }
 
@@ -7353,17 +7268,17 @@ static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
 
 /* Goes to the first edge behind vertex e->at that is near the box, of all edges
    where that is -1; 0: none. */
-static int kern_edge_next(kern_edge *e, const kern_parts *parts,
+static int kern_edge_next(kern_edge *e, const kern_outline *o,
                           const kern_box *box, kern_real gap)
 {
-    const kern_block *block = parts->block;
+    const kern_block *block = o->block;
     int i, corner;
     for (i = e->at + 1; i < block->vertices; i++)
-        if (i % parts->each == 0
-            && !kern_box_near(&parts->box[i / parts->each], box, gap)) {
-            i += parts->each - 1;
-        } else if (!parts->straight || kern_polygon_turn(block, i) != 0) {
-            corner = kern_parts_corner(parts, i);
+        if (i % o->each == 0
+            && !kern_box_near(&o->box[i / o->each], box, gap)) {
+            i += o->each - 1;
+        } else if (!o->straight || kern_polygon_turn(block, i) != 0) {
+            corner = kern_outline_corner(o, i);
             e->box.low = e->box.high = block->vertex[i];
             kern_box_add(&e->box, block->vertex[corner]);
             if (kern_box_near(&e->box, box, gap)) {
@@ -7388,22 +7303,14 @@ static kern_real kern_edge_square(kern_vec u, kern_vec v)
     return kern_vec_dot(r, r);
 }
 
-/* Is the box farther from p than the square says, beyond all rounding? */
-static int kern_box_beyond(const kern_box *box, kern_vec p, kern_real square)
-{
-    const kern_real x = p.x - kern_min(kern_max(p.x, box->low.x), box->high.x);
-    const kern_real y = p.y - kern_min(kern_max(p.y, box->low.y), box->high.y);
-    return KERN_R(0.999) * (x * x + y * y) > square;
-}
-
 /* Distance of p from the boundary, below 0 where it is outside, and the vertex
    at which the nearest edge starts. What *nearest is before is a guess, and
    saves time. A run that is farther away than the nearest edge so far crosses
    the level of p once or not, as its ends say, and all of it to one side. */
-static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
+static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
                                     int *nearest)
 {
-    const kern_block *block = parts->block;
+    const kern_block *block = o->block;
     const kern_vec *vertex = block->vertex;
     const int n = block->vertices;
     kern_vec u = kern_vec_sub(vertex[*nearest], p);
@@ -7412,9 +7319,13 @@ static kern_real kern_polygon_depth(const kern_parts *parts, kern_vec p,
     int i, start, end, inside = 0;
     u = kern_vec_sub(vertex[0], p);
     for (start = 0; start < n; start = end) {
-        const kern_box *box = &parts->box[start / parts->each];
-        const int skip = kern_box_beyond(box, p, least);
-        end = n - start > parts->each ? start + parts->each : n;
+        const kern_box *box = &o->box[start / o->each];
+        const kern_real x = kern_min(kern_max(p.x, box->low.x), box->high.x);
+        const kern_real y = kern_min(kern_max(p.y, box->low.y), box->high.y);
+        const kern_vec way = kern_vec_sub(p, kern_vec_make(x, y));
+        const int skip = /* beyond all rounding */
+            KERN_R(0.999) * kern_vec_dot(way, way) > least;
+        end = n - start > o->each ? start + o->each : n;
         for (i = skip ? end - 1 : start; i < end; i++) {
             const kern_vec v =
                 kern_vec_sub(vertex[kern_polygon_next(block, i, 0)], p);
@@ -7452,24 +7363,24 @@ static kern_status kern_polygon_simple(const kern_block *block,
                                        kern_fault *fault)
 {
     const kern_vec *v = block->vertex;
-    kern_parts parts;
+    kern_outline o;
     kern_edge e, f;
     int i, lowest = 0, up, rises = v[0].y > v[block->vertices - 1].y;
-    kern_parts_set(&parts, block);
-    fault->index = parts.spike;
-    if (parts.spike >= 0)
+    kern_outline_set(&o, block);
+    fault->index = o.spike;
+    if (o.spike >= 0)
         return KERN_CROSSING;
     for (i = 0; i < block->vertices; i++, rises = up) {
         up = v[kern_polygon_next(block, i, 0)].y > v[i].y;
         lowest += up && !rises;
     }
-    if (!parts.reflex && lowest < 2)
+    if (!o.reflex && lowest < 2)
         return KERN_OK;
-    parts.straight = 0; /* from vertex to vertex, which costs less */
+    o.straight = 0; /* from vertex to vertex, which costs less */
     e.at = -1;
-    while (kern_edge_next(&e, &parts, &block->box, 0)) {
+    while (kern_edge_next(&e, &o, &block->box, 0)) {
         f = e;
-        while (kern_edge_next(&f, &parts, &e.box, 0))
+        while (kern_edge_next(&f, &o, &e.box, 0))
             if (f.start != e.end && f.end != e.start
                 && !kern_one_side(&e, &f) && !kern_one_side(&f, &e)) {
                 fault->index = e.at;
@@ -7668,7 +7579,7 @@ static kern_real kern_overlap_along(const kern_block *b, int i, kern_real gap,
 /* Raises *deep to the depth in b of the boundary of a, but for a stride; beyond
    `enough` it goes no further. From some number on the steps along an edge
    double: a gap of a few roundings takes no end of them otherwise. */
-static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
+static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
     kern_edge e;
@@ -7696,7 +7607,7 @@ static void kern_overlap_boundary(const kern_parts *a, const kern_parts *b,
    triangles of vertices, those far apart first: an outline that turns left at a
    vertex has its triangle inside. Where no boundary is deep, one point far
    inside a speaks for all around it. */
-static void kern_overlap_within(const kern_parts *a, const kern_parts *b,
+static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
                                 kern_real *deep)
 {
     const kern_vec *vertex = a->block->vertex;
@@ -7719,10 +7630,11 @@ static void kern_overlap_within(const kern_parts *a, const kern_parts *b,
 
 /* Depth of the overlap of a and b, but for a stride, or one beyond `enough`; 0:
    none deeper than the gap. Two blocks at one place have no deep boundary. */
-static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
-                                    kern_real gap, kern_real enough)
+static kern_real kern_overlap_depth(const kern_outline *a,
+                                    const kern_outline *b, kern_real gap,
+                                    kern_real enough)
 {
-    const kern_parts *const side[3] = {a, b, a};
+    const kern_outline *const side[3] = {a, b, a};
     kern_real deep = gap;
     int i, apart = !kern_box_near(&a->block->box, &b->block->box, -gap);
     for (i = 0; i < 2 && !apart; i++)
@@ -7739,19 +7651,6 @@ static kern_real kern_overlap_depth(const kern_parts *a, const kern_parts *b,
    stored: the span of an edge is found from the whole outline, which is split
    until no corner is farther than a step from the chord. The nested spans on
    the way serve the next edge, which is a neighbour as a rule. */
-
-typedef struct kern_span {
-    int start, end;         /* corners; equal: the whole outline         */
-    int steps;              /* nonzero: its chord stands for its edges;
-                               -1: it may be split                       */
-} kern_span;
-
-typedef struct kern_outline {
-    kern_parts parts;
-    kern_real step;         /* a corner is so far from its chord [m] */
-    kern_span span[KERN_SPANS]; /* each lies in the one before       */
-    int spans;              /* so many; 0: not known yet             */
-} kern_outline;
 
 /* Does the edge that starts at corner i lie in the span? */
 static int kern_span_holds(const kern_block *block, const kern_span *span,
@@ -7770,16 +7669,15 @@ static kern_real kern_riser_length(const kern_block *block, int i, int k)
         block->vertex[k], block->vertex[i])) : KERN_HUGE;
 }
 
-/* Has the span a riser: of any length inside, of at most `most` at its ends? */
-static int kern_span_has_steps(const kern_parts *parts, const kern_span *span,
-                               kern_real most)
+/* Has the span a riser: of any length inside, of at most a step at its ends? */
+static int kern_span_has_steps(const kern_outline *o, const kern_span *span)
 {
     int i = span->start, k;
     do {
         const int inside = i != span->start;
-        k = kern_parts_corner(parts, i);
-        if (kern_riser_length(parts->block, i, k)
-            < (inside && k != span->end ? KERN_HUGE : most))
+        k = kern_outline_corner(o, i);
+        if (kern_riser_length(o->block, i, k)
+            < (inside && k != span->end ? KERN_HUGE : o->step))
             return 1;
         i = k;
     } while (i != span->end);
@@ -7788,14 +7686,14 @@ static int kern_span_has_steps(const kern_parts *parts, const kern_span *span,
 
 /* The corner of the span that is farthest from the way from p to q, by more
    than `most`; its end if there is none. */
-static int kern_span_split(const kern_parts *parts, const kern_span *span,
+static int kern_span_split(const kern_outline *o, const kern_span *span,
                            kern_vec p, kern_vec q, kern_real most)
 {
     const kern_vec d = kern_vec_sub(q, p);
     int i = span->start, at = span->end;
     most *= most;
-    while ((i = kern_parts_corner(parts, i)) != span->end) {
-        const kern_vec r = kern_vec_sub(p, parts->block->vertex[i]);
+    while ((i = kern_outline_corner(o, i)) != span->end) {
+        const kern_vec r = kern_vec_sub(p, o->block->vertex[i]);
         const kern_real square = kern_edge_square(r, kern_vec_add(r, d));
         if (square > most) {
             most = square;
@@ -7805,50 +7703,42 @@ static int kern_span_split(const kern_parts *parts, const kern_span *span,
     return at;
 }
 
-/* The highest riser up to `most`: at a reflex corner the shorter edge. */
-static kern_real kern_outline_riser(const kern_parts *parts, int start,
-                                    kern_real most)
+/* The whole outline is a span from the corner farthest from the centre. Stairs
+   of risers that are low take what they deviate from their chords: at a reflex
+   corner the riser is the shorter edge. */
+static void kern_outline_whole(kern_outline *o)
 {
+    const kern_block *block = o->block;
+    const kern_vec c = block->centre;
+    kern_span *whole = o->span;
     kern_real riser = KERN_R(0), before = KERN_HUGE;
-    int i = start;
+    int i = kern_outline_corner(o, block->vertices - 1);
+    whole->start = whole->end = i;
+    i = kern_span_split(o, whole, c, c,
+                        kern_vec_length(kern_vec_sub(block->vertex[i], c)));
+    whole->start = whole->end = i;
+    whole->steps = -1;
+    o->spans = 1;
     do {
-        const int k = kern_parts_corner(parts, i);
-        const kern_real after = kern_riser_length(parts->block, i, k);
+        const int k = kern_outline_corner(o, i);
+        const kern_real after = kern_riser_length(block, i, k);
         const kern_real high = kern_min(before, after);
-        if (high <= most && kern_polygon_turn(parts->block, i) < 0)
+        if (high <= KERN_RISER * o->step && kern_polygon_turn(block, i) < 0)
             riser = kern_max(riser, high);
         before = after;
         i = k;
-    } while (i != start);
-    return riser;
-}
-
-/* The whole outline is a span from the corner farthest from the centre. Stairs
-   of risers that are low take what they deviate from their chords. */
-static void kern_outline_whole(kern_outline *o)
-{
-    const kern_block *block = o->parts.block;
-    const kern_vec c = block->centre;
-    const int i = kern_parts_corner(&o->parts, block->vertices - 1);
-    kern_span *whole = o->span;
-    whole->start = whole->end = i;
-    whole->start = whole->end = kern_span_split(
-        &o->parts, whole, c, c,
-        kern_vec_length(kern_vec_sub(block->vertex[i], c)));
-    whole->steps = -1;
-    o->spans = 1;
-    o->step = kern_max(o->step, KERN_STAIRS * kern_outline_riser(
-        &o->parts, whole->start, KERN_RISER * o->step));
+    } while (i != whole->start);
+    o->step = kern_max(o->step, KERN_STAIRS * riser);
 }
 
 /* 1: the chord that stands for an edge; 0: itself, as in a convex outline. */
 static int kern_outline_chord(kern_outline *o, const kern_edge *e,
                               kern_edge *chord)
 {
-    const kern_block *block = o->parts.block;
+    const kern_block *block = o->block;
     kern_span *span, half;
     *chord = *e;
-    if (!o->parts.reflex)
+    if (!o->reflex)
         return 0;
     if (!o->spans)
         kern_outline_whole(o);
@@ -7856,11 +7746,10 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
         o->spans--;
     while ((span = &o->span[o->spans - 1])->steps < 0) {
         half = *span;
-        span->steps = kern_span_has_steps(&o->parts, span, o->step);
+        span->steps = kern_span_has_steps(o, span);
         if (span->steps)
             half.end = kern_span_split(
-                &o->parts, span, block->vertex[span->start],
-                block->vertex[span->end],
+                o, span, block->vertex[span->start], block->vertex[span->end],
                 span->start == span->end ? KERN_R(0) : o->step);
         if (half.end == span->end)
             break;
@@ -7869,9 +7758,8 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
             half.end = span->end;
         }
         span->steps = -1;
-        if (o->spans == KERN_SPANS) /* the oldest goes, but for the whole */
-            for (o->spans = 1; o->spans + 1 < KERN_SPANS; o->spans++)
-                o->span[o->spans] = o->span[o->spans + 1];
+        if (o->spans == KERN_SPANS) /* all but the whole are found anew */
+            o->spans = 1;
         o->span[o->spans++] = half;
     }
     if (span->steps)
@@ -7886,7 +7774,6 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
    above 0. Of a point travel is 0. */
 typedef struct kern_pair {
     int a, b;               /* indices of the blocks, a before b           */
-    kern_outline of[2];     /* a and b                                     */
     kern_real gap;          /* widest [m], at the blocks' centres          */
     kern_real swing;        /* what its errors of angle add, per distance  */
     kern_real deep;         /* deepest overlap [m]                         */
@@ -7898,6 +7785,7 @@ typedef struct kern_pair {
     kern_contact *out;
     int room, count;        /* count may exceed the room: no more is stored */
     int first;              /* of the contacts of this pair                */
+    kern_outline of[2];     /* a and b                                     */
 } kern_pair;
 
 /* One end of a line: side is -1 or 1. */
@@ -7957,7 +7845,7 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
                              const kern_outline *o, kern_vec *p)
 {
-    const kern_block *block = o->parts.block;
+    const kern_block *block = o->block;
     const int back = 2 * kern_edge_along(f, *p) <= f->length;
     const int corner = back ? f->start : f->end;
     const kern_vec chord = kern_vec_scale(f->d, back ? KERN_R(1) : KERN_R(-1));
@@ -7978,7 +7866,7 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
 static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
                            kern_edge *chord)
 {
-    const kern_block *block = o->parts.block;
+    const kern_block *block = o->block;
     const int out = block->area > 0;
     int last, steps = kern_outline_chord(o, edge, chord);
     if (steps || !corner)
@@ -8006,7 +7894,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(pair->of[0].parts.reflex || pair->of[1].parts.reflex)
+    if (!(pair->of[0].reflex || pair->of[1].reflex)
         || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
              | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
         kern_pair_put(pair, p, n, half);
@@ -8039,8 +7927,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
 /* The widest gap at p. Errors of angle count by the distance from centres. */
 static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
-    const kern_vec u = kern_vec_sub(p, pair->of[0].parts.block->centre);
-    const kern_vec v = kern_vec_sub(p, pair->of[1].parts.block->centre);
+    const kern_vec u = kern_vec_sub(p, pair->of[0].block->centre);
+    const kern_vec v = kern_vec_sub(p, pair->of[1].block->centre);
     if (!(pair->swing > 0))
         return pair->gap;
     return KERN_SQRT(pair->gap * pair->gap + pair->swing * pair->swing
@@ -8099,7 +7987,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_edge *e = &edge[on], *f = &edge[!on];
     const kern_real wide = kern_pair_gap(pair, f->p);
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
-    const kern_block *own = pair->of[!on].parts.block;
+    const kern_block *own = pair->of[!on].block;
     kern_vec back, p = f->p;
     if (high > wide || high < -kern_max(wide, pair->deep)
         || kern_vec_cross(f->d, e->d) < -pair->sine)
@@ -8108,8 +7996,8 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
         own, f->start, own->area > 0)], f->p));
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
-        || !kern_edge_bears(e, pair->of[on].parts.block, p,
-                            pair->foot - pair->over, wide))
+        || !kern_edge_bears(e, pair->of[on].block, p, pair->foot - pair->over,
+                            wide))
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
@@ -8120,7 +8008,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 /* Looks for lines and points at each two edges that are near each other. */
 static void kern_pair_edges(kern_pair *pair)
 {
-    const kern_parts *a = &pair->of[0].parts, *b = &pair->of[1].parts;
+    const kern_outline *a = &pair->of[0], *b = &pair->of[1];
     kern_edge edge[2];
     edge[0].at = -1;
     while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)) {
@@ -8244,27 +8132,21 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Is c alone in its interface, and does it carry a block? */
-static int kern_is_lone(const kern_contact *contact, int contacts,
-                        const kern_contact *c, kern_vec down)
-{
-    int k, found = 0;
-    for (k = 0; k < contacts; k++)
-        found += kern_same_interface(c, contact + k);
-    return found == 1 && kern_carried(c, down) != KERN_OUT;
-}
-
-/* Travels of all points, or where `down` is given of those that are lone: each
-   to the foot of the middle, mostly that of the point before; 0 is not -0. */
+/* Travels of all points, or where `down` is given of those that are alone in
+   their interface and carry a block: each to the foot of the middle, mostly
+   that of the point before; 0 is not -0. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down)
 {
     kern_vec middle = kern_vec_make(KERN_R(0), KERN_R(0));
     const kern_contact *of = NULL;
-    int i;
+    int i, k;
     for (i = 0; i < contacts; i++) {
         kern_contact *c = contact + i;
-        if (c->line || (down && !kern_is_lone(contact, contacts, c, *down)))
+        int found = 0;
+        for (k = 0; down && k < contacts; k++)
+            found += kern_same_interface(c, contact + k);
+        if (c->line || (down && (found > 1 || kern_carried(c, *down) < 0)))
             continue;
         if (!of || !kern_together(of, c, down)) {
             of = c;
@@ -8289,22 +8171,6 @@ typedef struct kern_search {
     kern_pair pair;
 } kern_search;
 
-/* Finds the contacts of the pair. */
-static kern_status kern_pair_touch(kern_pair *pair)
-{
-    int i;
-    pair->first = pair->count;
-    kern_pair_edges(pair);
-    if (pair->count > pair->room)
-        return KERN_NO_SPACE;
-    kern_pair_filter(pair);
-    for (i = pair->first; i < pair->count; i++)
-        kern_pair_face(pair, i);
-    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
-                       NULL);
-    return KERN_OK;
-}
-
 /* Half the diagonal of the block's box. */
 static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
@@ -8324,8 +8190,7 @@ KERN_SHARED static kern_real kern_search_gap(const kern_search *s,
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
     const kern_options *o = s->options;
-    const kern_block *a = pair->of[0].parts.block;
-    const kern_block *b = pair->of[1].parts.block;
+    const kern_block *a = pair->of[0].block, *b = pair->of[1].block;
     const kern_real size = KERN_SQRT(
         kern_min(a->fixed ? KERN_HUGE : kern_abs(a->area),
                  b->fixed ? KERN_HUGE : kern_abs(b->area)));
@@ -8361,17 +8226,20 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair *pair = &s->pair;
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_overlap found;
-    if ((a->fixed && b->fixed) || !kern_box_near(&a->box, &b->box, s->reach))
+    int k;
+    if (!a->vertices || (a->fixed && b->fixed)
+        || (a->vertex != b->vertex /* else the first has lost its vertices */
+            && !kern_box_near(&a->box, &b->box, s->reach)))
         return KERN_OK;
     s->fault->block = i;
     if (i < s->from && kern_block_is_stale(a))
         return KERN_STALE;
-    kern_parts_set(&pair->of[0].parts, a);
+    kern_outline_set(&pair->of[0], a);
     kern_pair_tolerances(pair, s);
     pair->a = found.a = i;
     pair->b = found.b = j;
     found.allowed = pair->deep;
-    found.depth = kern_overlap_depth(&pair->of[0].parts, &pair->of[1].parts,
+    found.depth = kern_overlap_depth(&pair->of[0], &pair->of[1],
                                      pair->deep, s->listing ? KERN_INFINITY
                                                             : pair->deep);
     if (found.depth > 0 && !s->listing) {
@@ -8383,7 +8251,18 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     s->fault->block = -1;
     if (found.depth > 0 && pair->count++ < pair->room)
         s->overlap[pair->count - 1] = found;
-    return s->listing ? KERN_OK : kern_pair_touch(pair);
+    if (s->listing)
+        return KERN_OK;
+    pair->first = pair->count;
+    kern_pair_edges(pair);
+    if (pair->count > pair->room)
+        return KERN_NO_SPACE;
+    kern_pair_filter(pair);
+    for (k = pair->first; k < pair->count; k++)
+        kern_pair_face(pair, k);
+    kern_point_travels(pair->out + pair->first, pair->count - pair->first,
+                       NULL);
+    return KERN_OK;
 }
 
 /* Gives every line the two places of its ends, from the last to the first.
@@ -8464,30 +8343,18 @@ static kern_status kern_search_survey(kern_search *s)
     return KERN_OK;
 }
 
-/* Finds the contacts of all blocks from s->from on with those before them, of
-   each two whose boxes are near each other. */
+/* Finds the contacts of all blocks from s->from on with those before them. */
 static kern_status kern_search_pairs(kern_search *s)
 {
     int a, b;
     for (b = s->from; b < s->blocks; b++) {
-        const kern_block *second = &s->block[b];
-        if (!second->vertices)
+        if (!s->block[b].vertices)
             continue;
-        kern_parts_set(&s->pair.of[1].parts, second);
+        kern_outline_set(&s->pair.of[1], &s->block[b]);
         for (a = 0; a < b; a++) {
-            const kern_block *first = &s->block[a];
-            kern_status status;
-            if (!first->vertices)
-                continue;
-            status = kern_search_pair(s, a, b);
+            const kern_status status = kern_search_pair(s, a, b);
             if (status != KERN_OK)
                 return status;
-            /* one buffer for two stones: the first has lost its vertices */
-            if (a < s->from && !first->fixed
-                && first->vertex == second->vertex) {
-                s->fault->block = a;
-                return KERN_STALE;
-            }
         }
     }
     return KERN_OK;
@@ -9752,9 +9619,8 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
         const kern_real shift = kern_shift(c->travel, by, 0, &rate);
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
-        c->mu = turn > 0 ? kern_friction(c, turn)
-                          : (c->mu - turn)
-                            / kern_max(1 + c->mu * turn, KERN_CERTAIN_STEEP);
+        c->mu = kern_max(c->mu - turn, KERN_R(0))
+                / kern_max(1 + c->mu * turn, KERN_CERTAIN_STEEP);
     }
 }
 
@@ -9818,21 +9684,6 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
     return status;
 }
 
-/* The lower end of the interval; in *raised whether its forces are raised. */
-static kern_status kern_certain_low(kern_task *task, kern_interval *out,
-                                    kern_raising *raised)
-{
-    kern_margin m;
-    kern_status status = kern_measure(task, &m, NULL);
-    if (status == KERN_STANDS || status == KERN_LIMIT)
-        out->low = kern_max(m.holds, KERN_R(0));
-    status = kern_limit_less(task, status);
-    if (status != KERN_STANDS || !(out->low > 0))
-        return status;
-    return kern_limit_less(task, kern_raised(task, KERN_R(0), raised, NULL,
-                                             NULL));
-}
-
 /* The upper end, at least `least`, with every contact that may exist; `by` and
    `turn` are what kerns and cones gain. */
 static kern_status kern_certain_high(kern_task *task, kern_contact *contact,
@@ -9878,6 +9729,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   int room)
 {
     kern_task other;
+    kern_margin m;
     kern_raising raised = KERN_NOT_SHOWN;
     kern_real by, turn;
     kern_status status = kern_certain_check(task, margin, out, contact, room);
@@ -9893,8 +9745,13 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     other.s.gravity = task->s.gravity;
     other.options = task->options;
     kern_contacts_err(contact, other.s.contacts, by, turn);
-    status = kern_certain_low(&other, out, &raised);
-    out->low = kern_min(out->low, margin);
+    status = kern_measure(&other, &m, NULL);
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        out->low = kern_min(kern_max(m.holds, KERN_R(0)), margin);
+    status = kern_limit_less(&other, status);
+    if (status == KERN_STANDS && out->low > 0)
+        status = kern_limit_less(&other, kern_raised(
+            &other, KERN_R(0), &raised, NULL, NULL));
     if (status < KERN_UNDECIDED)
         return status;
     status = kern_certain_high(

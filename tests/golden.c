@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x89466855e334d4a2u },
-    { 1000, 0xed2f66dfc2878692u },
-    { 5000, 0xebbc977911012f82u },
+    { 200, 0xdd6709110c2a3cd8u },
+    { 1000, 0xc8d0246532445927u },
+    { 5000, 0xb693a6be70d67646u },
 #else
-    { 200, 0x6f7d052303b4f2e9u },
-    { 1000, 0x797db0fc14986f41u },
-    { 5000, 0xdace8fc9285aec88u },
+    { 200, 0x55a16664268b1c0eu },
+    { 1000, 0xe91d2e1472b7e2c3u },
+    { 5000, 0x3dab6905af54e2d2u },
 #endif
 };
 

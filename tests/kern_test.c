@@ -44,7 +44,7 @@
      stands       twin_ known_     falls        proof_
 
    Of the private parts of kern.h only these are called: kern_max, kern_closes;
-   the boxes of an outline (kern_parts_set, kern_polygon_depth); in >>engine what
+   the boxes of an outline (kern_outline_set, kern_polygon_depth); in >>engine what
    is listed there. */
 
 #include <float.h>
@@ -1951,13 +1951,13 @@ static void polygon_depth_of_vertices(void)
         const double from = random_share(random_bits(&seed));
         kern_vec v[CORNERS];
         kern_block b;
-        kern_parts parts;
+        kern_outline parts;
         for (i = 0; i < CORNERS; i++) {
             const double r = i % 2 ? 0.6 : 1, a = 2 * pi * i / CORNERS + from;
             v[i] = vec(r * cos(a), r * sin(a));
         }
         CHECK_INT(kern_block_init(&b, v, CORNERS, R(1), NULL), KERN_OK);
-        kern_parts_set(&parts, &b);
+        kern_outline_set(&parts, &b);
         for (i = 0; i < CORNERS; i++)
             for (guess = -1; guess < 2; guess++) {
                 int nearest = (i + guess + CORNERS) % CORNERS;
