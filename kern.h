@@ -3843,8 +3843,7 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_part_list(p);
-    p->rest.index -= most - p->contacts;
-    p->rest.indices += most - p->contacts; /* listed by both its ends */
+    kern_take_ints(&p->rest, p->contacts - most); /* listed by both its ends */
     p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;

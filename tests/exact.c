@@ -170,8 +170,10 @@ static void exact_force(mpq_t fx, mpq_t fy, int k, const mpq_t f,
 
 static double weight_of(int i)
 {
-    const kern_query q = kern_query_of(&s, &options, 0);
+    kern_work work = whole_work();
+    kern_query q;
     kern_wrench w;
+    kern_query_read(task_of(&work), 0, &q);
     return kern_wrench_on(&s, &q, i, &w);
 }
 
