@@ -1494,10 +1494,9 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 /* Rounds, beside as many as before, in which squared changes of prices fall by
-   no fifth: along a load; in a step over a gap; in one from rest, anew. */
+   no fifth: along a load; in a step over a gap, or from rest, anew. */
 #define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
 #define KERN_RAISE_JUMP    ((int)KERN_PICK(18, 25))
-#define KERN_RAISE_REST    45
 /* Steps of a load up to the load factor; once one has failed; over a gap below
    a share of the load factor. Share of its fall that a price makes a round. */
 #define KERN_LOAD_STEPS    9
@@ -6928,12 +6927,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     static const int nth[] = {KERN_LOAD_STEPS, KERN_LOAD_FINE, KERN_LOAD_JUMP};
     int pace = 0, good = 1;
     kern_raise_along(r, KERN_RAISE_JUMP);
-    if (!kern_raise_settle(r, q, 1, KERN_ROUNDS, proof)) {
-        kern_raise_along(r, 0);
-        if (!kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, proof))
-            return KERN_R(-1);
-        kern_raise_along(r, KERN_RAISE_JUMP);
-    }
+    if (!kern_raise_settle(r, q, 1, KERN_ROUNDS, proof))
+        return KERN_R(-1);
     kern_raise_copy(r, r->best, 1);
     while (stood < end && pace < 3) {
         const kern_real at = *share = kern_min(
@@ -6942,7 +6937,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         kern_raise_lead(r, good, (at - stood) / taken);
         good = kern_raise_settle(r, q, 0, KERN_ROUNDS, proof);
         if (!good && !(stood > 0)) { /* from rest nothing leads there */
-            r->along = KERN_RAISE_REST;
+            r->along = KERN_RAISE_JUMP;
             good = kern_raise_settle(r, q, 1, KERN_ROUNDS, proof);
         }
         if (good) {
