@@ -2944,7 +2944,7 @@ struct kern_part {
 
 /* The engine, in >>lp. */
 
-static int kern_proof_mend(kern_simplex *sx, kern_real *y, kern_real *x);
+static int kern_proof_mend(kern_simplex *sx, kern_real *y);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
 static kern_real kern_simplex_place(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
@@ -5096,24 +5096,21 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
     kern_model *m = p->m;
-    kern_simplex *sx = &p->eq.simplex;
     kern_real error = KERN_INFINITY;
     int again;
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
     for (again = 0; status == KERN_FALLS && !(error <= 1) && again < 2; again++)
-        if (!again || kern_proof_mend(sx, p->y, NULL)) {
+        if (!again || kern_proof_mend(&p->eq.simplex, p->y)) {
             kern_part_motion(p);
             error = kern_prove_motion(m->s, q, m->answer.motion);
         }
     /* forces may still do, within the tolerance */
-    for (again = 0; kern_part_is_whole(p) && !(error <= 1) && again < 2;
-         again++)
-        if (!again || kern_proof_mend(sx, p->y, p->x)) {
-            status = KERN_STANDS;
-            kern_part_forces(p);
-            error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
-        }
+    if (kern_part_is_whole(p) && !(error <= 1)) {
+        status = KERN_STANDS;
+        kern_part_forces(p);
+        error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
+    }
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
 
@@ -9200,39 +9197,27 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Mends a proof that rounding spoils; 0: there is no basis, since the backend
-   has answered. Without x lifts a certificate y off the columns that it
-   touches: rounding puts it a little below zero there as often as above; a few
-   roundings higher it costs of its power no more than all of x is worth, times
-   those roundings. With x spreads what that leaves out of balance over the rows
-   of y, in proportion: no x leaves less, in the sum of squares. The basis
-   leaves it to a few rows, where it may exceed the tolerance. */
-static int kern_proof_mend(kern_simplex *sx, kern_real *y, kern_real *x)
+/* Lifts a certificate y off the columns that it touches; 0: there is no basis,
+   since the backend has answered. Rounding puts it a little below zero there as
+   often as above; a few roundings higher it costs of its power no more than all
+   of x is worth, times those roundings. */
+static int kern_proof_mend(kern_simplex *sx, kern_real *y)
 {
     const kern_program *lp = sx->lp;
     const kern_real above = KERN_ABOVE * kern_largest(y, lp->rows);
-    const kern_real share = kern_dot(y, lp->rhs, lp->rows)
-                            / kern_dot(y, y, lp->rows);
     int p;
     if (sx->state == KERN_BASIS_NONE)
         return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
-        sx->alpha[p] = x ? -share * y[p]
-            : sx->slope[p] + (j > lp->cols ? y[j - lp->cols - 1]
-                              : kern_lp_dot(lp, j, y));
-        if (!x && j < lp->cols)
+        sx->alpha[p] = sx->slope[p]
+            + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y));
+        if (j < lp->cols)
             sx->alpha[p] -= above;
     }
-    if (x)
-        kern_basis_solve(sx, sx->alpha);
-    else
-        kern_basis_solve_t(sx, sx->alpha);
+    kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
-        if (!x)
-            y[p] -= sx->alpha[p];
-        else if (sx->base[p] < lp->cols)
-            x[sx->base[p]] += sx->alpha[p];
+        y[p] -= sx->alpha[p];
     return 1;
 }
 
