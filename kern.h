@@ -1394,13 +1394,11 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL         64
-/* Steps to the largest travel where kerns are not nested: a range of shrinkages
-   that falls, and is narrower than one, may be missed. A walk in these steps,
-   or a climb, takes no more than five times as many verdicts. */
+/* Steps to the largest travel where kerns are not nested, and of half a circle
+   of tilt under loads that stay: a range that falls, and is narrower than one,
+   may be missed. A walk in these steps, or a climb, takes no more than five
+   times as many verdicts. */
 #define KERN_SCAN          1001
-/* Steps of half a circle of tilt under loads that stay: a range of angles that
-   falls, and is narrower than one (half a degree), may be missed. */
-#define KERN_TILTS         400
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
@@ -1455,9 +1453,9 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* ---- search ---- */
 
-/* First place and step of a search [mean size], by the corpus' odd half. */
+/* First place and step of a search [mean size], by the corpus' odd half; where
+   a bracket in which nothing is predicted is divided. */
 #define KERN_CLIMB         KERN_R(0.1)
-#define KERN_NEAR          KERN_R(0.12) /* division of a bracket, unpredicted */
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 
 /* ---- interior point ---- */
@@ -3366,7 +3364,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
         kern_model_whole(&c->m, path->part, &path->q);
     status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_TILTS)
+        status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_SCAN)
                         : kern_path_search(&c->m, path, KERN_R(0.0125));
     status = kern_ended(task, status);
     if (status == KERN_LIMIT)
@@ -5493,7 +5491,7 @@ static void kern_bracket_adapt(kern_bracket *n, kern_status status,
     else if (status == KERN_STANDS && !inside)
         n->share = kern_min(2 * n->share, KERN_R(0.5));
     else
-        n->share = KERN_NEAR;
+        n->share = KERN_CLIMB;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
@@ -5506,7 +5504,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
     kern_bracket n;
     int round;
     n.aside = n.under = path->unit.aside;
-    n.share = KERN_NEAR;
+    n.share = KERN_CLIMB;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
         const kern_real at = kern_bracket_next(path, &n);
