@@ -365,7 +365,7 @@
              load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
    nested    searched in steps of d_max / 1001, tilts with loads in steps of
-             pi / 400: a fall narrower than that may be missed.
+             pi / 1001: a fall narrower than that may be missed.
    Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
              grow without bound toward critical, within 1e-7, rarely 1e-5; where
              one block weighs more than 1e4 times another, farther. A level is
@@ -6580,8 +6580,9 @@ typedef struct kern_raise {
     int rounds;               /* rounds of prices so far                      */
     int gained;               /* round of the last fall of their change       */
     kern_real least;          /* sum of squares of the change there           */
-    kern_real *begin, *best;  /* u and prices: without a push, with the largest
-                                 so far; the last two along a load            */
+    int size;                 /* numbers of u and prices, one after the other */
+    kern_real *begin, *best;  /* both: without a push, with the largest so far;
+                                 the last two along a load                    */
     int along;                /* a load: rounds without a gain, or 0; what
                                  parts is kept apart                          */
     int around;               /* the block asked about, or KERN_OUT           */
@@ -6633,13 +6634,14 @@ static int kern_raise_open(kern_raise *r)
     if (!kern_norm_open(p, r->m))
         return 0;
     p->dual.stiff = r->around < 0 ? KERN_STIFF : KERN_STAYS_STIFF;
-    p->dual.price = r->price = kern_take_reals(
-        &p->rest, 6 * p->groups + 8 * p->contacts);
+    r->size = 3 * p->groups + 3 + p->contacts;
+    p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 5 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
+    p->dual.price = r->price = p->dual.u + r->size - p->contacts;
     r->last = r->price + 2 * p->contacts;
     r->begin = r->last + 4 * p->contacts;
-    r->best = r->begin + 3 * p->groups + p->contacts;
+    r->best = r->begin + r->size;
     kern_zero(r->price, p->contacts);
     kern_raise_along(r, 0);
     return 1;
@@ -6775,14 +6777,6 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     return 0;
 }
 
-/* Writes u and prices to `state`, or reads them from there. */
-static void kern_raise_copy(const kern_raise *r, kern_real *state, int save)
-{
-    kern_real *const u = r->p->dual.u, *const price = state + 3 * r->p->groups;
-    kern_copy(save ? state : u, save ? u : state, 3 * r->p->groups);
-    kern_copy(save ? price : r->price, save ? r->price : price, r->p->contacts);
-}
-
 /* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
    share of the mean size: the worst that errors of places, and of angles over
    that size, do. Kerns that are not nested: raised without the second too. */
@@ -6812,23 +6806,23 @@ static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
     int most = (int)(sizeof share / sizeof share[0]) - 1;
     while (enough > 0 && KERN_R(share[most]) / 10000 > enough)
         most--;
-    kern_raise_copy(r, r->begin, 1);
+    kern_copy(r->begin, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         int low = 0, high = most + 1, at = most;
         if (q.side > 0 && !(enough > 0))
             at = high / 2;
-        kern_raise_copy(r, r->best, 1);
+        kern_copy(r->best, r->p->dual.u, r->size);
         for (; high - low > 1; at = (low + high) / 2) {
-            kern_raise_copy(r, r->best, 0);
+            kern_copy(r->p->dual.u, r->best, r->size);
             if (kern_raise_push(r, &q, asked->shrink,
                                 KERN_R(share[at]) / 10000)) {
                 low = at;
-                kern_raise_copy(r, r->best, 1);
+                kern_copy(r->best, r->p->dual.u, r->size);
             } else
                 high = at;
         }
         most = low;
-        kern_raise_copy(r, r->begin, 0);
+        kern_copy(r->p->dual.u, r->begin, r->size);
     }
     return KERN_R(share[most]) / 10000;
 }
@@ -6894,20 +6888,17 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
    direction: `ahead` is how far, in steps from the last but one. */
 static void kern_raise_lead(kern_raise *r, int keep, kern_real ahead)
 {
-    const int n = 3 * r->p->groups;
+    kern_real *const u = r->p->dual.u, *const before = r->begin;
     int i;
     if (keep) {
-        kern_real *const before = r->begin;
         r->begin = r->best;
         r->best = before;
-        kern_raise_copy(r, r->best, 1);
+        kern_copy(r->best, u, r->size);
     }
-    kern_raise_copy(r, r->best, 0);
-    for (i = 0; i < n; i++)
-        r->p->dual.u[i] += ahead * (r->best[i] - r->begin[i]);
+    for (i = 0; i < r->size; i++)
+        u[i] = r->best[i] + ahead * (r->best[i] - r->begin[i]);
     for (i = 0; i < r->p->contacts; i++)
-        r->price[i] = kern_max(r->price[i] + ahead * (r->best[n + i]
-                                                      - r->begin[n + i]), 0);
+        r->price[i] = kern_max(r->price[i], 0);
 }
 
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each
@@ -6924,7 +6915,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_raise_along(r, KERN_RAISE_JUMP);
     if (!kern_raise_settle(r, q, 1, KERN_ROUNDS, proof))
         return KERN_R(-1);
-    kern_raise_copy(r, r->best, 1);
+    kern_copy(r->best, r->p->dual.u, r->size);
     while (stood < end && pace < 3) {
         const kern_real at = *share = kern_min(
             stood + end / (kern_real)nth[pace], end);
@@ -6957,7 +6948,7 @@ static int kern_raise_grown(kern_raise *r, const kern_query *q)
     if (kern_model_loaded(r->m))
         last = kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL);
     if (last >= 0 && last < 1) {
-        kern_raise_copy(r, r->best, 0);
+        kern_copy(r->p->dual.u, r->best, r->size);
         kern_raise_along(r, 0); /* prices settle sooner than along the load */
         r->along = KERN_ROUNDS;
         last = (kern_real)(kern_raise_settle(r, q, 0, 2 * KERN_ROUNDS, NULL)
