@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x89466855e334d4a2u },
-    { 1000, 0xed2f66dfc2878692u },
-    { 5000, 0xebbc977911012f82u },
+    { 200, 0x0ead27f90879afdfu },
+    { 1000, 0x16f728bd4201274cu },
+    { 5000, 0xb4ccf47f94336a79u },
 #else
-    { 200, 0x6f7d052303b4f2e9u },
-    { 1000, 0x797db0fc14986f41u },
-    { 5000, 0xdace8fc9285aec88u },
+    { 200, 0xe0412bd5d69c7492u },
+    { 1000, 0xe431fb691cbd2e31u },
+    { 5000, 0xb0d130f9629f590bu },
 #endif
 };
 
