@@ -2936,7 +2936,8 @@ struct kern_part {
     kern_take rest;           /* work memory behind these                     */
     kern_dual dual;
     kern_equations eq;
-    kern_real *x, *y;         /* two a contact: forces; three a group: motion */
+    kern_real *x, *y;         /* two a contact: forces, and how far the place
+                                 grows; three a group: motion                 */
     kern_status found;        /* what the program said, proven or not         */
 };
 
@@ -2944,7 +2945,6 @@ struct kern_part {
 
 static int kern_proof_mend(kern_simplex *sx, kern_real *y);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
-static kern_real kern_simplex_place(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
@@ -5010,7 +5010,7 @@ static kern_status kern_part_lay(kern_part *p)
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
         p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
         p->eq.rate = kern_take_reals(&take, 3 * n);
-        p->x = kern_take_reals(&take, 2 * p->contacts);
+        p->x = kern_take_reals(&take, 2 * p->contacts + 1);
         p->y = kern_take_reals(&take, 3 * n + 3);
         kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
@@ -5155,7 +5155,7 @@ static int kern_part_follow(kern_part *p, kern_real *place)
     p->eq.lp.follow = 1;
     status = kern_program_solve(sx, 1, p->x, p->y, p->m->budget.work);
     p->eq.lp.follow = 0;
-    *place = kern_simplex_place(sx);
+    *place = p->x[p->eq.lp.cols];
     return status == KERN_LP_OPTIMAL;
 }
 
@@ -9417,13 +9417,6 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
         sx->state = to;
 }
 
-/* The place that the last program reached. */
-static kern_real kern_simplex_place(const kern_simplex *sx)
-{
-    const int p = sx->place[sx->lp->cols];
-    return p == KERN_OUT ? KERN_R(0) : sx->value[p];
-}
-
 #ifdef KERN_USE_GLPK
 #define KERN_LP_H_ALLOWED
 #include "kern_lp.h"
@@ -9458,7 +9451,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
-    const int costs = kern_lp_costs(lp);
+    const int costs = kern_lp_costs(lp), cols = lp->cols + lp->follow;
     kern_status status;
     int i, ray = KERN_OUT;
     work->solves++;
@@ -9474,10 +9467,10 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
         status = kern_simplex_run(sx, work, &ray);
     if (status < 0)
         return status;
-    for (i = 0; i < lp->cols; i++)
+    for (i = 0; i < cols; i++)
         x[i] = KERN_R(status == KERN_LP_UNBOUNDED && i == ray);
     for (i = 0; i < lp->rows; i++) {
-        if (sx->base[i] < lp->cols)
+        if (sx->base[i] < cols)
             x[sx->base[i]] = status == KERN_LP_UNBOUNDED ? -sx->alpha[i]
                                                          : sx->value[i];
         y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
