@@ -14,11 +14,11 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|10000
-lines of the engine|3500|4219
-text of the library|54000|59400
-text, kern_measure with contacts given|32000|33690
-text, kern_verdict with contacts given|22000|27050
+limits="lines of kern.h|8800|9909
+lines of the engine|3500|4132
+text of the library|54000|58651
+text, kern_measure with contacts given|32000|33128
+text, kern_verdict with contacts given|22000|26512
 deepest stack|2700|2700"
 allowed='sqrtf'  # symbols that the library may need
 
