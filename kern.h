@@ -1454,9 +1454,9 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* ---- search ---- */
 
-/* First place and step of a search [mean size], by the corpus' odd half; where
-   a bracket in which nothing is predicted is divided. */
+/* First place and step of a search [mean size], by the corpus' odd half. */
 #define KERN_CLIMB         KERN_R(0.1)
+#define KERN_NEAR          KERN_R(0.12) /* division of a bracket, unpredicted */
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 
 /* ---- interior point ---- */
@@ -1492,7 +1492,8 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 #define KERN_RAISE_ROUNDS  24      /* prices of contacts, from nothing        */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 /* Rounds, beside as many as before, in which squared changes of prices fall by
-   no fifth: along a load; in a step over a gap, or from rest, anew. */
+   no fifth: along a load; in a step over a gap, twice as many in one from rest,
+   anew. */
 #define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
 #define KERN_RAISE_JUMP    ((int)KERN_PICK(18, 25))
 /* Steps of a load up to the load factor; once one has failed; over a gap below
@@ -5491,7 +5492,7 @@ static void kern_bracket_adapt(kern_bracket *n, kern_status status,
     else if (status == KERN_STANDS && !inside)
         n->share = kern_min(2 * n->share, KERN_R(0.5));
     else
-        n->share = KERN_CLIMB;
+        n->share = KERN_NEAR;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
@@ -5504,7 +5505,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
     kern_bracket n;
     int round;
     n.aside = n.under = path->unit.aside;
-    n.share = KERN_CLIMB;
+    n.share = KERN_NEAR;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
         const kern_real at = kern_bracket_next(path, &n);
@@ -6923,7 +6924,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         kern_raise_lead(r, good, (at - stood) / taken);
         good = kern_raise_settle(r, q, 0, KERN_ROUNDS, proof);
         if (!good && !(stood > 0)) { /* from rest nothing leads there */
-            r->along = KERN_RAISE_JUMP;
+            r->along = 2 * KERN_RAISE_JUMP;
             good = kern_raise_settle(r, q, 1, KERN_ROUNDS, proof);
         }
         if (good) {

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x0ead27f90879afdfu },
-    { 1000, 0x16f728bd4201274cu },
-    { 5000, 0xb4ccf47f94336a79u },
+    { 200, 0x6e479da933a28a14u },
+    { 1000, 0x17070361915893c3u },
+    { 5000, 0x354654e06d971094u },
 #else
-    { 200, 0xe0412bd5d69c7492u },
-    { 1000, 0xe431fb691cbd2e31u },
-    { 5000, 0xb0d130f9629f590bu },
+    { 200, 0xf1e090a4974b8099u },
+    { 1000, 0xeb57a62ead477995u },
+    { 5000, 0xbac3dc567da85983u },
 #endif
 };
 
