@@ -354,7 +354,7 @@
              load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
    nested    searched in steps of d_max / 1001, tilts with loads in steps of
-             pi / 400: a fall narrower than that may be missed.
+             pi / 1001: a fall narrower than that may be missed.
    Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
              grow without bound toward critical, within 1e-7, rarely 1e-5; where
              one block weighs more than 1e4 times another, farther. A level is
@@ -1376,13 +1376,11 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL         64
-/* Steps to the largest travel where kerns are not nested: a range of shrinkages
-   that falls, and is narrower than one, may be missed. A walk in these steps,
-   or a climb, takes no more than five times as many verdicts. */
+/* Steps to the largest travel where kerns are not nested, and of half a circle
+   of tilt under loads that stay: a range that falls, and is narrower than one,
+   may be missed. A walk in these steps, or a climb, takes no more than five
+   times as many verdicts. */
 #define KERN_SCAN          1001
-/* Steps of half a circle of tilt under loads that stay: a range of angles that
-   falls, and is narrower than one (half a degree), may be missed. */
-#define KERN_TILTS         400
 /* Largest load factor; beyond, the load counts as held for ever. Largest growth
    of kerns [mean block size; relative: 1]; beyond, none helps. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
@@ -1393,8 +1391,9 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    (some twenty), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole is asked; steps without
-   gain, of the interior point (a tenth) and of a collapse. */
+   from bend to bend, parts that fall before the whole is asked; prices of
+   contacts from those of a smaller push; steps without gain, of the interior
+   point (a tenth) and of a collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1474,14 +1473,13 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    by 1/KERN_STIFF of its approach at the most. */
 #define KERN_STIFF         KERN_PICK(550, 10)
 #define KERN_SLID          KERN_R(100) /* farthest slide, in approaches       */
-#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
-#define KERN_RAISE_WARM    10      /* from those of a smaller push            */
+#define KERN_RAISE_ROUNDS  24      /* prices of contacts, from nothing        */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 /* Rounds, beside as many as before, in which squared changes of prices fall by
-   no fifth: along a load; in a step over a gap; in one from rest, anew. */
+   no fifth: along a load; in a step over a gap, twice as many in one from rest,
+   anew. */
 #define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
 #define KERN_RAISE_JUMP    ((int)KERN_PICK(18, 25))
-#define KERN_RAISE_REST    45
 /* Steps of a load up to the load factor; once one has failed; over a gap below
    a share of the load factor. Share of its fall that a price makes a round. */
 #define KERN_LOAD_STEPS    9
@@ -2894,7 +2892,8 @@ struct kern_part {
     int *group;                /* of the part; ascending but in >>norm        */
     int *contact;             /* of the part                                  */
     int *ends;                /* of a contact: groups of the part, or none    */
-    kern_real *x, *y;         /* two a contact: forces; three a group: motion */
+    kern_real *x, *y;         /* two a contact: forces, and how far the place
+                                 grows; three a group: motion                 */
     kern_status found;        /* what the program said, proven or not         */
     kern_take rest;           /* work memory behind these                     */
     kern_dual dual;
@@ -2903,9 +2902,8 @@ struct kern_part {
 
 /* The engine, in >>lp. */
 
-static int kern_proof_mend(kern_simplex *sx, kern_real *y, kern_real *x);
+static int kern_proof_mend(kern_simplex *sx, kern_real *y);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
-static kern_real kern_simplex_place(const kern_simplex *sx);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
@@ -3293,7 +3291,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
         kern_model_whole(&c->m, path->part, &path->q);
     status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_TILTS)
+        status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_SCAN)
                         : kern_path_search(&c->m, path, KERN_R(0.0125));
     status = kern_ended(task, status);
     if (status == KERN_LIMIT)
@@ -4341,44 +4339,29 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     return KERN_UNDECIDED;
 }
 
-/* Of how many contacts group g is an end. */
-KERN_SHARED static int kern_graph_degree(const kern_graph *graph, int g)
-{
-    int e = graph->touch[g], n = 0;
-    for (; e >= 0; e = graph->after[e])
-        n++;
-    return n;
-}
-
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   down: of each listed group the neighbours that are not yet, those of fewer
-   contacts first. Returns the place below the last. */
+   down: of each listed group the neighbours that are not yet. Returns the place
+   below the last. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
-    int at = n, from, e, k;
+    int at = n, e;
     graph->local[first] = 0;
     p->group[n--] = first;
-    for (; at > n; at--) {
-        from = n;
+    for (; at > n; at--)
         for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
             const int g = graph->ends[e ^ 1];
             if (g == p->groups || graph->local[g] != KERN_OUT)
                 continue;
             graph->local[g] = 0;
-            for (k = n--; k < from
-                          && kern_graph_degree(graph, g) < kern_graph_degree(
-                                 graph, p->group[k + 1]); k++)
-                p->group[k] = p->group[k + 1];
-            p->group[k] = g;
+            p->group[n--] = g;
         }
-    }
     return n;
 }
 
 /* Orders the groups that are not marked, which are the part then, for short
    rows of the factor: in layers around one of the last layer around another,
-   from the last place down (reverse Cuthill-McKee). */
+   from the last place down (Cuthill-McKee, reversed). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
@@ -4472,9 +4455,8 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    their forces, in three unknowns. A group that cannot do so alone forms a
    cluster with the groups that rest on it. A group whose load changes is
    balanced again. Forces that balance every group prove that the structure
-   stands. Where a cluster cannot be balanced, and its motion parts it from all
-   that rests on it, no forces from above could hold it: it is a part that
-   falls.
+   stands. Where a cluster cannot be balanced, and nothing rests on it, it is a
+   part that falls.
 
    The outcome of a cluster, or of the whole pass: KERN_STANDS, its groups are
    balanced; KERN_FALLS, a part that seems to fall is open; KERN_UNDECIDED, it
@@ -4755,26 +4737,9 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     }
 }
 
-/* Whether u, the motion of a part that cannot be balanced, parts it from all
-   that rests on it, and its loads do work: no force from above holds it. */
-static int kern_pass_parts(kern_part *p)
-{
-    const kern_real most = KERN_REST * kern_largest(p->dual.u, 3 * p->groups);
-    kern_real power = KERN_R(0);
-    int n, k;
-    for (n = 0; n < p->groups; n++)
-        power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
-    kern_norm_ways(p, p->dual.u, p->contacts, 2);
-    for (k = p->own; k < p->contacts; k++) {
-        const kern_real *w = p->dual.way + 4 * (size_t)k + 2;
-        if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > most)
-            return 0;
-    }
-    return power > 0;
-}
-
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
-   balance it. KERN_FALLS where no forces would, all else held. */
+   balance it. KERN_FALLS where no forces would and nothing rests on it: else
+   what is above may hold it. */
 static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
                                   int last)
 {
@@ -4799,7 +4764,7 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     m->cluster.budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
         kern_pass_keep(p, KERN_PASS_TOL * least);
-    if (status == KERN_FALLS && p->own < p->contacts && !kern_pass_parts(p))
+    if (status == KERN_FALLS && p->own < p->contacts)
         status = KERN_UNDECIDED;
     return status;
 }
@@ -4952,7 +4917,7 @@ static kern_status kern_part_lay(kern_part *p)
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
         p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
         p->eq.rate = kern_take_reals(&take, 3 * n);
-        p->x = kern_take_reals(&take, 2 * p->contacts);
+        p->x = kern_take_reals(&take, 2 * p->contacts + 1);
         p->y = kern_take_reals(&take, 3 * n + 3);
         kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
@@ -5036,24 +5001,21 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
     kern_model *m = p->m;
-    kern_simplex *sx = &p->eq.simplex;
     kern_real error = KERN_INFINITY;
     int again;
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
     for (again = 0; status == KERN_FALLS && !(error <= 1) && again < 2; again++)
-        if (!again || kern_proof_mend(sx, p->y, NULL)) {
+        if (!again || kern_proof_mend(&p->eq.simplex, p->y)) {
             kern_part_motion(p);
             error = kern_prove_motion(m->s, q, m->answer.motion);
         }
     /* forces may still do, within the tolerance */
-    for (again = 0; kern_part_is_whole(p) && !(error <= 1) && again < 2;
-         again++)
-        if (!again || kern_proof_mend(sx, p->y, p->x)) {
-            status = KERN_STANDS;
-            kern_part_forces(p);
-            error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
-        }
+    if (kern_part_is_whole(p) && !(error <= 1)) {
+        status = KERN_STANDS;
+        kern_part_forces(p);
+        error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
+    }
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
 
@@ -5100,7 +5062,7 @@ static int kern_part_follow(kern_part *p, kern_real *place)
     p->eq.lp.follow = 1;
     status = kern_program_solve(sx, 1, p->x, p->y, p->m->budget.work);
     p->eq.lp.follow = 0;
-    *place = kern_simplex_place(sx);
+    *place = p->x[p->eq.lp.cols];
     return status == KERN_LP_OPTIMAL;
 }
 
@@ -6525,8 +6487,9 @@ typedef struct kern_raise {
     int rounds;               /* rounds of prices so far                      */
     int gained;               /* round of the last fall of their change       */
     kern_real least;          /* sum of squares of the change there           */
-    kern_real *begin, *best;  /* u and prices: without a push, with the largest
-                                 so far; the last two along a load            */
+    int size;                 /* numbers of u and prices, one after the other */
+    kern_real *begin, *best;  /* both: without a push, with the largest so far;
+                                 the last two along a load                    */
     int along;                /* a load: rounds without a gain, or 0; what
                                  parts is kept apart                          */
     int around;               /* the block asked about, or KERN_OUT           */
@@ -6578,13 +6541,14 @@ static int kern_raise_open(kern_raise *r)
     if (!kern_norm_open(p, r->m))
         return 0;
     p->dual.stiff = r->around < 0 ? KERN_STIFF : KERN_STAYS_STIFF;
-    p->dual.price = r->price = kern_take_reals(
-        &p->rest, 6 * p->groups + 8 * p->contacts);
+    r->size = 3 * p->groups + 3 + p->contacts;
+    p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 5 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
+    p->dual.price = r->price = p->dual.u + r->size - p->contacts;
     r->last = r->price + 2 * p->contacts;
     r->begin = r->last + 4 * p->contacts;
-    r->best = r->begin + 3 * p->groups + p->contacts;
+    r->best = r->begin + r->size;
     kern_zero(r->price, p->contacts);
     kern_raise_along(r, 0);
     return 1;
@@ -6720,14 +6684,6 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
     return 0;
 }
 
-/* Writes u and prices to `state`, or reads them from there. */
-static void kern_raise_copy(const kern_raise *r, kern_real *state, int save)
-{
-    kern_real *const u = r->p->dual.u, *const price = state + 3 * r->p->groups;
-    kern_copy(save ? state : u, save ? u : state, 3 * r->p->groups);
-    kern_copy(save ? price : r->price, save ? r->price : price, r->p->contacts);
-}
-
 /* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
    share of the mean size: the worst that errors of places, and of angles over
    that size, do. Kerns that are not nested: raised without the second too. */
@@ -6740,7 +6696,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
         kern_model_arms(r->m, q);
-        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
+        raised = kern_raise_settle(r, q, 0, KERN_FEW_ROUNDS, NULL);
     }
     return raised;
 }
@@ -6757,23 +6713,23 @@ static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
     int most = (int)(sizeof share / sizeof share[0]) - 1;
     while (enough > 0 && KERN_R(share[most]) / 10000 > enough)
         most--;
-    kern_raise_copy(r, r->begin, 1);
+    kern_copy(r->begin, r->p->dual.u, r->size);
     for (q.side = 1; q.side >= -1; q.side -= 2) {
         int low = 0, high = most + 1, at = most;
         if (q.side > 0 && !(enough > 0))
             at = high / 2;
-        kern_raise_copy(r, r->best, 1);
+        kern_copy(r->best, r->p->dual.u, r->size);
         for (; high - low > 1; at = (low + high) / 2) {
-            kern_raise_copy(r, r->best, 0);
+            kern_copy(r->p->dual.u, r->best, r->size);
             if (kern_raise_push(r, &q, asked->shrink,
                                 KERN_R(share[at]) / 10000)) {
                 low = at;
-                kern_raise_copy(r, r->best, 1);
+                kern_copy(r->best, r->p->dual.u, r->size);
             } else
                 high = at;
         }
         most = low;
-        kern_raise_copy(r, r->begin, 0);
+        kern_copy(r->p->dual.u, r->begin, r->size);
     }
     return KERN_R(share[most]) / 10000;
 }
@@ -6839,20 +6795,17 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
    direction: `ahead` is how far, in steps from the last but one. */
 static void kern_raise_lead(kern_raise *r, int keep, kern_real ahead)
 {
-    const int n = 3 * r->p->groups;
+    kern_real *const u = r->p->dual.u, *const before = r->begin;
     int i;
     if (keep) {
-        kern_real *const before = r->begin;
         r->begin = r->best;
         r->best = before;
-        kern_raise_copy(r, r->best, 1);
+        kern_copy(r->best, u, r->size);
     }
-    kern_raise_copy(r, r->best, 0);
-    for (i = 0; i < n; i++)
-        r->p->dual.u[i] += ahead * (r->best[i] - r->begin[i]);
+    for (i = 0; i < r->size; i++)
+        u[i] = r->best[i] + ahead * (r->best[i] - r->begin[i]);
     for (i = 0; i < r->p->contacts; i++)
-        r->price[i] = kern_max(r->price[i] + ahead * (r->best[n + i]
-                                                      - r->begin[n + i]), 0);
+        r->price[i] = kern_max(r->price[i], 0);
 }
 
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each
@@ -6867,13 +6820,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     static const int nth[] = {KERN_LOAD_STEPS, KERN_LOAD_FINE, KERN_LOAD_JUMP};
     int pace = 0, good = 1;
     kern_raise_along(r, KERN_RAISE_JUMP);
-    if (!kern_raise_settle(r, q, 1, KERN_ROUNDS, proof)) {
-        kern_raise_along(r, 0);
-        if (!kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, proof))
-            return KERN_R(-1);
-        kern_raise_along(r, KERN_RAISE_JUMP);
-    }
-    kern_raise_copy(r, r->best, 1);
+    if (!kern_raise_settle(r, q, 1, KERN_ROUNDS, proof))
+        return KERN_R(-1);
+    kern_copy(r->best, r->p->dual.u, r->size);
     while (stood < end && pace < 3) {
         const kern_real at = *share = kern_min(
             stood + end / (kern_real)nth[pace], end);
@@ -6881,7 +6830,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
         kern_raise_lead(r, good, (at - stood) / taken);
         good = kern_raise_settle(r, q, 0, KERN_ROUNDS, proof);
         if (!good && !(stood > 0)) { /* from rest nothing leads there */
-            r->along = KERN_RAISE_REST;
+            r->along = 2 * KERN_RAISE_JUMP;
             good = kern_raise_settle(r, q, 1, KERN_ROUNDS, proof);
         }
         if (good) {
@@ -6906,7 +6855,7 @@ static int kern_raise_grown(kern_raise *r, const kern_query *q)
     if (kern_model_loaded(r->m))
         last = kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL);
     if (last >= 0 && last < 1) {
-        kern_raise_copy(r, r->best, 0);
+        kern_copy(r->p->dual.u, r->best, r->size);
         kern_raise_along(r, 0); /* prices settle sooner than along the load */
         r->along = KERN_ROUNDS;
         last = (kern_real)(kern_raise_settle(r, q, 0, 2 * KERN_ROUNDS, NULL)
@@ -9015,13 +8964,11 @@ static void kern_basis_add(kern_simplex *sx, kern_real share)
    and one solve may lose half of the digits. Returns 0 where it is not. */
 static int kern_basis_values(kern_simplex *sx)
 {
-    kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
+    kern_real left = kern_basis_residual(sx);
     int round;
-    for (round = 0; round < 4 && left > 4 * KERN_EPS
-                    && (left < last || round < 2); round++) {
+    for (round = 0; round < 2 && left > 4 * KERN_EPS; round++) {
         kern_basis_solve(sx, sx->alpha);
         kern_basis_add(sx, KERN_R(1));
-        last = left;
         left = kern_basis_residual(sx);
     }
     sx->refined = 1;
@@ -9104,39 +9051,27 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Mends a proof that rounding spoils; 0: there is no basis, since the backend
-   has answered. Without x lifts a certificate y off the columns that it
-   touches: rounding puts it a little below zero there as often as above; a few
-   roundings higher it costs of its power no more than all of x is worth, times
-   those roundings. With x spreads what that leaves out of balance over the rows
-   of y, in proportion: no x leaves less, in the sum of squares. The basis
-   leaves it to a few rows, where it may exceed the tolerance. */
-static int kern_proof_mend(kern_simplex *sx, kern_real *y, kern_real *x)
+/* Lifts a certificate y off the columns that it touches; 0: there is no basis,
+   since the backend has answered. Rounding puts it a little below zero there as
+   often as above; a few roundings higher it costs of its power no more than all
+   of x is worth, times those roundings. */
+static int kern_proof_mend(kern_simplex *sx, kern_real *y)
 {
     const kern_program *lp = sx->lp;
     const kern_real above = KERN_ABOVE * kern_largest(y, lp->rows);
-    const kern_real share = kern_dot(y, lp->rhs, lp->rows)
-                            / kern_dot(y, y, lp->rows);
     int p;
     if (sx->state == KERN_BASIS_NONE)
         return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
-        sx->alpha[p] = x ? -share * y[p]
-            : sx->slope[p] + (j > lp->cols ? y[j - lp->cols - 1]
-                              : kern_lp_dot(lp, j, y));
-        if (!x && j < lp->cols)
+        sx->alpha[p] = sx->slope[p]
+            + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y));
+        if (j < lp->cols)
             sx->alpha[p] -= above;
     }
-    if (x)
-        kern_basis_solve(sx, sx->alpha);
-    else
-        kern_basis_solve_t(sx, sx->alpha);
+    kern_basis_solve_t(sx, sx->alpha);
     for (p = 0; p < lp->rows; p++)
-        if (!x)
-            y[p] -= sx->alpha[p];
-        else if (sx->base[p] < lp->cols)
-            x[sx->base[p]] += sx->alpha[p];
+        y[p] -= sx->alpha[p];
     return 1;
 }
 
@@ -9163,8 +9098,8 @@ static kern_real kern_prices(kern_simplex *sx, kern_real sum)
 }
 
 /* The variable outside of the basis that lowers what the prices stand for
-   fastest, or the first that does: by sx->gain = y.A_j - cost_j. */
-static int kern_entering(kern_simplex *sx, kern_real sum, int first)
+   fastest: by sx->gain = y.A_j - cost_j. */
+static int kern_entering(kern_simplex *sx, kern_real sum)
 {
     const kern_program *lp = sx->lp;
     const int costs = !sx->violated, all = lp->cols + lp->follow;
@@ -9184,8 +9119,6 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
         if (d > sx->gain) {
             best = j;
             sx->gain = d;
-            if (first && d > least)
-                break;
         }
     }
     return sx->gain > least ? best : KERN_OUT;
@@ -9208,14 +9141,13 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 /* The row that the entering column takes, and how far it goes, from those whose
    variables reach zero on the way. The ratio test goes on past every one as
    long as the sum of violations still falls: a long step, which passes through
-   degenerate corners. With `first`, and for costs, it stops at the first: of
-   equals that of the least index (Bland), or of the largest pivot. */
-static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
-                        kern_work *work)
+   degenerate corners. For costs it stops at the first: of equals that of the
+   largest pivot. */
+static int kern_leaving(kern_simplex *sx, kern_real *step, kern_work *work)
 {
     const kern_real enough = sx->gain * KERN_R(64) * KERN_EPS;
     const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
-    const int once = first || !sx->violated;
+    const int once = !sx->violated;
     kern_real *at = sx->ratio, left = sx->gain;
     int *list = sx->list, i, n = 0, best = KERN_OUT, seen = 0;
     for (i = 0; i < sx->lp->rows; i++)
@@ -9231,9 +9163,8 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
                 || (once && at[i] <= at[next]
-                    && (first ? sx->base[list[i]] < sx->base[list[next]]
-                              : kern_abs(sx->alpha[list[i]])
-                                > kern_abs(sx->alpha[list[next]]))))
+                    && kern_abs(sx->alpha[list[i]])
+                       > kern_abs(sx->alpha[list[next]])))
                 next = i;
         best = list[next];
         left -= kern_break(sx, best, step);
@@ -9278,27 +9209,24 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero; when the budget is used up
-   the smallest indices are taken (Bland), which cannot cycle. The limit ends
-   what rounding might keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED
-   with the column *ray, KERN_LP_INFEASIBLE (prices are in sx->price), or
-   KERN_UNDECIDED. */
+   falls with every step that is not of length zero; the limit ends what steps
+   of length zero, or rounding, might keep going. Returns KERN_LP_OPTIMAL,
+   KERN_LP_UNBOUNDED with the column *ray, KERN_LP_INFEASIBLE (prices are in
+   sx->price), or KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
     const int limit = 200 + 20 * (lp->rows + lp->cols);
-    const int budget = 50 + 10 * lp->rows;
     int count;
     for (count = 0; count < limit; ) {
-        const int first = count > budget;
         const kern_real sum = kern_violations(sx);
-        const int q = kern_entering(sx, sum, first);
+        const int q = kern_entering(sx, sum);
         kern_real step = KERN_R(0);
         kern_status status;
         int p = KERN_OUT;
         if (q != KERN_OUT) {
             kern_basis_column(sx, q);
-            p = kern_leaving(sx, first, &step, work);
+            p = kern_leaving(sx, &step, work);
         }
         if (p == KERN_OUT && !sx->refined) {
             if (!kern_basis_values(sx))
@@ -9356,13 +9284,6 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
         sx->state = to;
 }
 
-/* The place that the last program reached. */
-static kern_real kern_simplex_place(const kern_simplex *sx)
-{
-    const int p = sx->place[sx->lp->cols];
-    return p == KERN_OUT ? KERN_R(0) : sx->value[p];
-}
-
 #ifdef KERN_USE_GLPK
 #define KERN_LP_H_ALLOWED
 #include "kern_lp.h"
@@ -9397,7 +9318,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
-    const int costs = kern_lp_costs(lp);
+    const int costs = kern_lp_costs(lp), cols = lp->cols + lp->follow;
     kern_status status;
     int i, ray = KERN_OUT;
     work->solves++;
@@ -9413,10 +9334,10 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
         status = kern_simplex_run(sx, work, &ray);
     if (status < 0)
         return status;
-    for (i = 0; i < lp->cols; i++)
+    for (i = 0; i < cols; i++)
         x[i] = KERN_R(status == KERN_LP_UNBOUNDED && i == ray);
     for (i = 0; i < lp->rows; i++) {
-        if (sx->base[i] < lp->cols)
+        if (sx->base[i] < cols)
             x[sx->base[i]] = status == KERN_LP_UNBOUNDED ? -sx->alpha[i]
                                                          : sx->value[i];
         y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
@@ -9425,11 +9346,12 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     return status;
 }
 
-/* Takes what is rounding out of the n numbers of a proof: those below a share
-   of the largest, and with `sign` what is negative. */
-static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
+/* Takes what is rounding out of the n numbers of a proof, and with `sign` what
+   is negative: where nothing else is in a row its last digits are all there
+   is. */
+static void kern_lp_clean(kern_real *v, int n, int sign)
 {
-    const kern_real least = share * kern_largest(v, n);
+    const kern_real least = KERN_ROUNDING * kern_largest(v, n);
     int i;
     for (i = 0; i < n; i++)
         if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
@@ -9494,19 +9416,6 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
            && kern_abs(gap) <= KERN_TOL * terms;
 }
 
-/* The same; where nothing else is in a row the last digits of x or y are all
-   there is: if need be they are taken out. */
-static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
-                          kern_status status)
-{
-    kern_lp_clean(x, lp->cols, KERN_R(0), 1);
-    if (kern_lp_holds(lp, x, y, status))
-        return 1;
-    kern_lp_clean(x, lp->cols, KERN_ROUNDING, 1);
-    kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
-    return kern_lp_holds(lp, x, y, status);
-}
-
 /* What is wrong with a program, if anything. */
 static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 {
@@ -9563,7 +9472,9 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
         return KERN_LIMIT;
     if (status < 0)
         return status;
-    return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
+    kern_lp_clean(x, p.cols, 1);
+    kern_lp_clean(y, p.rows, 0);
+    return kern_lp_holds(&p, x, y, status) ? status : KERN_UNDECIDED;
 }
 
 /* ---- Words and defaults ------------------------------------------ >>words */
@@ -9800,13 +9711,12 @@ KERN_API kern_options kern_near(const kern_options *options,
    method for classification, Optim. Methods Softw. 17 (2002), for the dual of
    piecewise constant curvature; S. Mehrotra, On the implementation of a
    primal-dual interior point method, SIAM J. Optim. 2 (1992), for predictor and
-   corrector. Simplex method: R. G. Bland, New finite pivoting rules for the
-   simplex method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A
-   simplex algorithm for piecewise-linear programming, Math. Programming 33
-   (1985), for long steps; G. B. Dantzig, W. Orchard-Hays, The product form for
-   the inverse in the simplex method, Math. Tables Aids Comput. 8 (1954); E.
-   Hellerman, D. Rarick, Reinversion with the preassigned pivot procedure, Math.
-   Programming 1 (1971), for the order of columns. Raised: V. Acary, F. Cadoux,
+   corrector. Simplex method: R. Fourer, A simplex algorithm for piecewise-linear
+   programming, Math. Programming 33 (1985), for long steps; G. B. Dantzig, W.
+   Orchard-Hays, The product form for the inverse in the simplex method, Math.
+   Tables Aids Comput. 8 (1954); E. Hellerman, D. Rarick, Reinversion with the
+   preassigned pivot procedure, Math. Programming 1 (1971), for the order of
+   columns. Raised: V. Acary, F. Cadoux,
    C. Lemarechal, J. Malick, A formulation of the linear discrete Coulomb
    friction problem via convex optimization, ZAMM 91 (2011), for prices as a
    fixed point of minimum-norm forces. Newton's method along a path: W.

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xdd6709110c2a3cd8u },
-    { 1000, 0xc8d0246532445927u },
-    { 5000, 0xb693a6be70d67646u },
+    { 200, 0x6e479da933a28a14u },
+    { 1000, 0x17070361915893c3u },
+    { 5000, 0x354654e06d971094u },
 #else
-    { 200, 0x55a16664268b1c0eu },
-    { 1000, 0xe91d2e1472b7e2c3u },
-    { 5000, 0x3dab6905af54e2d2u },
+    { 200, 0xf1e090a4974b8099u },
+    { 1000, 0xeb57a62ead477995u },
+    { 5000, 0xbac3dc567da85983u },
 #endif
 };
 
