@@ -2479,7 +2479,7 @@ struct kern_model {
     kern_real mean;           /* size of the free blocks                      */
     kern_real weight;         /* unit of force: all that acts on free blocks  */
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
-    kern_real *load;          /* three a group: what contacts must exert      */
+    kern_real *load;          /* three a group: what contacts must exert [N]  */
     kern_real *size;          /* of a group: magnitude of all that acts       */
     kern_arm arm;
     kern_cones cone;
@@ -2747,16 +2747,15 @@ static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 static inline kern_real kern_model_mu(const kern_model *m, int i)
 { return kern_friction(m->s->contact + i, m->cone.reduction); }
 
-/* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
+/* What contacts must exert on group g: Eq. (5)'s -w. */
 static void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
-    const kern_real one = 1 / m->weight;
     kern_real *load = m->load + 3 * (size_t)g;
     kern_wrench w;
-    m->size[g] = kern_wrench_on(m->s, q, m->graph.block[g], &w) * one;
-    load[0] = -w.fx * one;
-    load[1] = -w.fy * one;
-    load[2] = -w.torque * m->unit[g] * one;
+    m->size[g] = kern_wrench_on(m->s, q, m->graph.block[g], &w);
+    load[0] = -w.fx;
+    load[1] = -w.fy;
+    load[2] = -w.torque * m->unit[g];
 }
 
 /* The loads of all groups, and the unit of force. */
@@ -2774,8 +2773,6 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     }
     if (weight > 0)
         m->weight = weight;
-    kern_scale(m->size, m->graph.groups, 1 / m->weight);
-    kern_scale(m->load, 3 * m->graph.groups, 1 / m->weight);
 }
 
 /* All of the model for a query. */
@@ -3891,7 +3888,8 @@ static void kern_part_list(kern_part *p)
     }
 }
 
-/* Three loads of a query a group. Returns what equilibrium may miss. */
+/* Three loads of a query a group, in units of force, as all of a part's
+   program. Returns what equilibrium may miss. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -3904,7 +3902,8 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
         least = kern_min(least, m->size[g]);
         kern_copy(to + 3 * n, m->load + 3 * g, 3);
     }
-    return KERN_NOISE * least;
+    kern_scale(to, 3 * p->groups, 1 / m->weight);
+    return KERN_NOISE * least / m->weight;
 }
 
 /* Takes the lists of a part's groups; 0 if there is no room. */
@@ -4595,10 +4594,8 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
     *to = f;
 }
 
-/* The load of group g and of what rests on it from outside of its cluster; with
-   `all` of every contact: what is left to be balanced. */
-static inline void kern_pass_load(const kern_model *m, int g, int all,
-                                  kern_real *b)
+/* The load of group g and of what rests on it from outside of its cluster. */
+static inline void kern_pass_load(const kern_model *m, int g, kern_real *b)
 {
     const kern_real *load = m->load + 3 * (size_t)g;
     int e;
@@ -4607,7 +4604,7 @@ static inline void kern_pass_load(const kern_model *m, int g, int all,
         const kern_force *f = m->answer.force + (e >> 1);
         const kern_row row = kern_model_row(m, e);
         const int other = m->graph.ends[e ^ 1];
-        if (all || (other < g && m->cluster.last[other] != m->cluster.last[g]))
+        if (other < g && m->cluster.last[other] != m->cluster.last[g])
             kern_row_exert(&row, -f->normal, -f->tangential, b);
     }
 }
@@ -4748,7 +4745,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     int n = kern_pass_supports(m, g, c), k;
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
-    kern_pass_load(m, g, 0, b);
+    kern_pass_load(m, g, b);
     status = kern_pass_solve(c, n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real *w = c[k].way;
@@ -4884,7 +4881,7 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
-        kern_pass_load(m, p->group[n], 0, p->dual.b + 3 * n);
+        kern_pass_load(m, p->group[n], p->dual.b + 3 * n);
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
@@ -4927,20 +4924,6 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* No forces, and all groups open. A cluster may have a share of the groups. */
-static void kern_pass_begin(kern_model *m, int share)
-{
-    const int groups = m->graph.groups;
-    int g;
-    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
-                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
-    for (g = 0; g < groups; g++) {
-        m->cluster.last[g] = m->cluster.next[g] = g;
-        m->cluster.open[g] = 1;
-    }
-    kern_model_unload(m);
-}
-
 /* Replaces the forces of the line that begins with contact i, whose ends are
    where `from` puts them, by forces of the same wrench with the ends where
    `shrink` < `from` puts them. Returns whether contact i begins a line. */
@@ -4971,24 +4954,28 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
     return line;
 }
 
-/* Begins from the known forces: groups that they balance are not asked. */
-static void kern_pass_known(kern_model *m, kern_real shrink)
+/* Begins from no forces, all groups open, or from the known ones, which balance
+   all but the last block where kerns are no smaller. A cluster may have a share
+   of the groups. */
+static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
-    const kern_real one = 1 / m->weight;
-    int i, g;
-    for (i = 0; i < m->s->contacts; i++) {
-        m->answer.force[i].normal = known->force[i].normal * one;
-        m->answer.force[i].tangential = known->force[i].tangential * one;
+    const int groups = m->graph.groups, last = m->s->blocks - 1;
+    const int some = known && shrink <= known->holds;
+    int i;
+    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
+                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
+    for (i = 0; i < groups; i++) {
+        m->cluster.last[i] = m->cluster.next[i] = i;
+        m->cluster.open[i] = !some || m->graph.block[i] == last;
+        m->graph.local[i] = KERN_OUT; /* a part may have been open */
     }
-    for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
+    if (!known)
+        kern_model_unload(m);
+    else
+        kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
+    for (i = 0; some && shrink < known->holds && i < m->s->contacts; i++)
         i += kern_force_transfer(m, i, known->holds, shrink);
-    for (g = 0; g < m->graph.groups; g++) {
-        kern_real left[3];
-        kern_pass_load(m, g, 1, left);
-        m->cluster.open[g] = !(kern_largest(left, 3)
-                               <= KERN_TOL / 4 * m->size[g]);
-    }
 }
 
 /* Balances group `at`, by itself or with others in a cluster. */
@@ -5009,8 +4996,6 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     const int size = m->s->contacts + m->graph.groups;
     kern_status found = KERN_STANDS;
     int g;
-    for (g = 0; g < m->graph.groups; g++)
-        m->graph.local[g] = KERN_OUT; /* a part may have been open            */
     c->budget = KERN_PASS_BUDGET * size;
     for (c->at = 0; c->at < m->graph.groups && found == KERN_STANDS; ) {
         g = c->at++;
@@ -5230,18 +5215,19 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    if (!kern_model_spend(m, m->budget.query_units))
-        return KERN_LIMIT;
-    m->budget.work->solves++;
-    kern_pass_begin(m, share);
-    if (m->answer.known)
-        kern_pass_known(m, q->shrink);
-    found = kern_pass(m, p);
-    if (found == KERN_FALLS)
-        return found;
-    kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
-    return found == KERN_STANDS && kern_answer_holds(m, q) ? p->found = found
-                                                           : KERN_UNDECIDED;
+    for (;; m->answer.known = NULL) { /* known forces may be of other loads */
+        if (!kern_model_spend(m, m->budget.query_units))
+            return KERN_LIMIT;
+        m->budget.work->solves++;
+        kern_pass_begin(m, share, q->shrink);
+        found = kern_pass(m, p);
+        if (found == KERN_FALLS)
+            return found;
+        if (found == KERN_STANDS && kern_answer_holds(m, q))
+            return p->found = found;
+        if (found != KERN_STANDS || !m->answer.known)
+            return KERN_UNDECIDED;
+    }
 }
 
 /* From now on one linear program of all groups answers, from its last basis. It
