@@ -5914,6 +5914,8 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
+    if (status == KERN_FALLS && path->critical <= path->start)
+        status = kern_path_evaluate(m, path, s = path->start);
     if (status == KERN_FALLS && s > path->start)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                         : KERN_UNDECIDED;
@@ -6008,7 +6010,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             ? KERN_FEW_ROUNDS : 0; /* no cluster is as large */
     while (round < KERN_FEW_ROUNDS) {
         status = kern_path_pass(m, path, at);
-        if (status == KERN_FALLS && at > path->start) {
+        if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_max(path->critical - path->unit.aside, path->start);
             status = KERN_UNDECIDED;
             round++;
