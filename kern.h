@@ -4330,8 +4330,9 @@ static void kern_norm_matrix(kern_part *p, int all)
     kern_skyline_clear(a);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        kern_law s = kern_part_law(p, k, all ? KERN_R(1) : w[0],
-                                         all ? KERN_R(0) : w[1]);
+        kern_law s = kern_part_law(p, k, w[0], w[1]);
+        if (all && (p->dual.price || !(s.nn > 0)))
+            s = kern_part_law(p, k, KERN_R(1), KERN_R(0));
         if (all && p->dual.price) /* as stiff along t for every friction */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
