@@ -2134,8 +2134,8 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
         return KERN_BAD_BLOCK;
     if (c->a == c->b)
         return KERN_SAME_BLOCK;
-    if (!kern_vec_is_moderate(c->p) || !kern_vec_is_finite(c->n)
-        || !kern_is_finite(c->mu) || !(kern_abs(c->travel) <= KERN_FAR))
+    if (!kern_vec_is_moderate(c->p) || !(kern_abs(c->travel) <= KERN_FAR)
+        || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
@@ -2372,19 +2372,18 @@ static kern_real kern_prove_motion(const kern_structure *s,
         power += px + py + pt;
         terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
     }
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        kern_real speed;
-        if (!(kern_speeds(c, motion) > 0) || kern_is_out(q, c))
-            continue;
-        speed = kern_closing(s, c, q, motion);
-        if (!(speed <= KERN_HUGE))
-            return KERN_INFINITY;
-        closing = kern_max(closing, speed);
-    }
     weight *= KERN_BOUND;
     if (!(power > KERN_LEAST) || !(terms + weight <= KERN_HUGE))
         return KERN_INFINITY;
+    /* a stone laid last is the first that may stop it */
+    for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
+        const kern_contact *c = s->contact + i;
+        if (kern_speeds(c, motion) > 0 && !kern_is_out(q, c)) {
+            const kern_real speed = kern_closing(s, c, q, motion);
+            closing = speed <= KERN_HUGE ? kern_max(closing, speed)
+                                         : KERN_INFINITY;
+        }
+    }
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
@@ -8427,11 +8426,10 @@ static kern_status kern_search_check(const kern_search *s, int i)
 /* Looks at every block; what the tolerances of all pairs depend on. */
 static kern_status kern_search_survey(kern_search *s)
 {
-    kern_box all;
+    kern_real far = KERN_R(0);  /* largest coordinate                  */
     kern_real area = KERN_R(0); /* largest of a free block            */
     kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
     int i;
-    kern_box_empty(&all);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_status status = kern_search_check(s, i);
@@ -8441,13 +8439,12 @@ static kern_status kern_search_survey(kern_search *s)
         }
         if (!block->vertices)
             continue;
-        kern_box_add(&all, block->box.low);
-        kern_box_add(&all, block->box.high);
+        far = kern_max(far, kern_box_largest(&block->box));
         arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
-    s->floor = KERN_FLOOR * kern_box_largest(&all);
+    s->floor = KERN_FLOOR * far;
     s->reach = kern_search_gap(s, KERN_SQRT(area))
                + KERN_ERROR_SWING * s->options->pose_turn * arm;
     return KERN_OK;
