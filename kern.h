@@ -8426,7 +8426,7 @@ static kern_status kern_search_check(const kern_search *s, int i)
 /* Looks at every block; what the tolerances of all pairs depend on. */
 static kern_status kern_search_survey(kern_search *s)
 {
-    kern_real far = KERN_R(0);  /* largest coordinate                  */
+    kern_real most = KERN_R(0); /* largest coordinate                 */
     kern_real area = KERN_R(0); /* largest of a free block            */
     kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
     int i;
@@ -8439,12 +8439,12 @@ static kern_status kern_search_survey(kern_search *s)
         }
         if (!block->vertices)
             continue;
-        far = kern_max(far, kern_box_largest(&block->box));
+        most = kern_max(most, kern_box_largest(&block->box));
         arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
-    s->floor = KERN_FLOOR * far;
+    s->floor = KERN_FLOOR * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area))
                + KERN_ERROR_SWING * s->options->pose_turn * arm;
     return KERN_OK;
