@@ -2130,7 +2130,8 @@ static kern_status kern_options_check(const kern_options *o)
 /* A contact whose normal may have any length. */
 static kern_status kern_contact_check(const kern_contact *c, int blocks)
 {
-    if (c->a < 0 || c->a >= blocks || c->b < 0 || c->b >= blocks)
+    if ((unsigned)c->a >= (unsigned)blocks
+        || (unsigned)c->b >= (unsigned)blocks)
         return KERN_BAD_BLOCK;
     if (c->a == c->b)
         return KERN_SAME_BLOCK;
@@ -5706,8 +5707,10 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
+    if (!kern_model_proven(m, kern_prove_motion(m->s, q, known->motion)))
+        return 0;
     kern_copy(m->answer.motion, known->motion, 3 * m->s->blocks);
-    return kern_model_proven(m, kern_prove_motion(m->s, q, known->motion));
+    return 1;
 }
 
 /* Whether the known motion proves that the structure falls at the known place:
@@ -5953,7 +5956,7 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
             last = g;
         }
     }
-    return groups > 0 && kern_part_open(path->part, m, groups, last)
+    return groups > 1 && kern_part_open(path->part, m, groups, last)
            && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
