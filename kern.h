@@ -2054,12 +2054,13 @@ static kern_status kern_options_check(const kern_options *o)
 /* A contact whose normal may have any length. */
 static kern_status kern_contact_check(const kern_contact *c, int blocks)
 {
-    if (c->a < 0 || c->a >= blocks || c->b < 0 || c->b >= blocks)
+    if ((unsigned)c->a >= (unsigned)blocks
+        || (unsigned)c->b >= (unsigned)blocks)
         return KERN_BAD_BLOCK;
     if (c->a == c->b)
         return KERN_SAME_BLOCK;
-    if (!kern_vec_is_moderate(c->p) || !kern_vec_is_finite(c->n)
-        || !kern_is_finite(c->mu) || !(kern_abs(c->travel) <= KERN_FAR))
+    if (!kern_vec_is_moderate(c->p) || !(kern_abs(c->travel) <= KERN_FAR)
+        || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
 }
@@ -2333,19 +2334,18 @@ static kern_real kern_prove_motion(const kern_structure *s,
         power += px + py + pt;
         terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
     }
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        kern_real speed;
-        if (!(kern_speeds(c, motion) > 0) || kern_is_out(q, c))
-            continue;
-        speed = kern_closing(s, c, q, motion);
-        if (!(speed <= KERN_HUGE))
-            return KERN_INFINITY;
-        closing = kern_max(closing, speed);
-    }
     weight *= KERN_BOUND;
     if (!(power > KERN_LEAST) || !(terms + weight <= KERN_HUGE))
         return KERN_INFINITY;
+    /* a stone laid last is the first that may stop it */
+    for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
+        const kern_contact *c = s->contact + i;
+        if (kern_speeds(c, motion) > 0 && !kern_is_out(q, c)) {
+            const kern_real speed = kern_closing(s, c, q, motion);
+            closing = speed <= KERN_HUGE ? kern_max(closing, speed)
+                                         : KERN_INFINITY;
+        }
+    }
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
@@ -2440,7 +2440,7 @@ struct kern_model {
     kern_real mean;           /* size of the free blocks                      */
     kern_real weight;         /* unit of force: all that acts on free blocks  */
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
-    kern_real *load;          /* three a group: what contacts must exert      */
+    kern_real *load;          /* three a group: what contacts must exert [N]  */
     kern_real *size;          /* of a group: magnitude of all that acts       */
     kern_arm arm;
     kern_cones cone;
@@ -2708,16 +2708,15 @@ static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 static inline kern_real kern_model_mu(const kern_model *m, int i)
 { return kern_friction(m->s->contact + i, m->cone.reduction); }
 
-/* What contacts must exert on group g, in units of force: Eq. (5)'s -w. */
+/* What contacts must exert on group g: Eq. (5)'s -w. */
 static void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
-    const kern_real one = 1 / m->weight;
     kern_real *load = m->load + 3 * (size_t)g;
     kern_wrench w;
-    m->size[g] = kern_wrench_on(m->s, q, m->graph.block[g], &w) * one;
-    load[0] = -w.fx * one;
-    load[1] = -w.fy * one;
-    load[2] = -w.torque * m->unit[g] * one;
+    m->size[g] = kern_wrench_on(m->s, q, m->graph.block[g], &w);
+    load[0] = -w.fx;
+    load[1] = -w.fy;
+    load[2] = -w.torque * m->unit[g];
 }
 
 /* The loads of all groups, and the unit of force. */
@@ -2735,8 +2734,6 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     }
     if (weight > 0)
         m->weight = weight;
-    kern_scale(m->size, m->graph.groups, 1 / m->weight);
-    kern_scale(m->load, 3 * m->graph.groups, 1 / m->weight);
 }
 
 /* All of the model for a query. */
@@ -3795,7 +3792,8 @@ static void kern_part_list(kern_part *p)
     }
 }
 
-/* Three loads of a query a group. Returns what equilibrium may miss. */
+/* Three loads of a query a group, in units of force, as all of a part's
+   program. Returns what equilibrium may miss. */
 static kern_real kern_part_load(const kern_part *p, const kern_query *q,
                                 kern_real *to)
 {
@@ -3808,7 +3806,8 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
         least = kern_min(least, m->size[g]);
         kern_copy(to + 3 * n, m->load + 3 * g, 3);
     }
-    return KERN_NOISE * least;
+    kern_scale(to, 3 * p->groups, 1 / m->weight);
+    return KERN_NOISE * least / m->weight;
 }
 
 /* Takes the lists of a part's groups; 0 if there is no room. */
@@ -4235,8 +4234,9 @@ static void kern_norm_matrix(kern_part *p, int all)
     kern_skyline_clear(a);
     for (k = 0; k < p->own; k++) {
         const kern_real *w = p->dual.way + 4 * (size_t)k;
-        kern_law s = kern_part_law(p, k, all ? KERN_R(1) : w[0],
-                                         all ? KERN_R(0) : w[1]);
+        kern_law s = kern_part_law(p, k, w[0], w[1]);
+        if (all && (p->dual.price || !(s.nn > 0)))
+            s = kern_part_law(p, k, KERN_R(1), KERN_R(0));
         if (all && p->dual.price) /* as stiff along t for every friction */
             s.tt = p->dual.stiff * s.nn;
         if (s.nn > 0)
@@ -4483,10 +4483,8 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
     *to = f;
 }
 
-/* The load of group g and of what rests on it from outside of its cluster; with
-   `all` of every contact: what is left to be balanced. */
-static inline void kern_pass_load(const kern_model *m, int g, int all,
-                                  kern_real *b)
+/* The load of group g and of what rests on it from outside of its cluster. */
+static inline void kern_pass_load(const kern_model *m, int g, kern_real *b)
 {
     const kern_real *load = m->load + 3 * (size_t)g;
     int e;
@@ -4495,7 +4493,7 @@ static inline void kern_pass_load(const kern_model *m, int g, int all,
         const kern_force *f = m->answer.force + (e >> 1);
         const kern_row row = kern_model_row(m, e);
         const int other = m->graph.ends[e ^ 1];
-        if (all || (other < g && m->cluster.last[other] != m->cluster.last[g]))
+        if (other < g && m->cluster.last[other] != m->cluster.last[g])
             kern_row_exert(&row, -f->normal, -f->tangential, b);
     }
 }
@@ -4636,7 +4634,7 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     int n = kern_pass_supports(m, g, c), k;
     if (n > KERN_ROWS_MOST)
         return KERN_UNDECIDED;
-    kern_pass_load(m, g, 0, b);
+    kern_pass_load(m, g, b);
     status = kern_pass_solve(c, n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real *w = c[k].way;
@@ -4755,7 +4753,7 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
-        kern_pass_load(m, p->group[n], 0, p->dual.b + 3 * n);
+        kern_pass_load(m, p->group[n], p->dual.b + 3 * n);
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
@@ -4798,20 +4796,6 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* No forces, and all groups open. A cluster may have a share of the groups. */
-static void kern_pass_begin(kern_model *m, int share)
-{
-    const int groups = m->graph.groups;
-    int g;
-    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
-                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
-    for (g = 0; g < groups; g++) {
-        m->cluster.last[g] = m->cluster.next[g] = g;
-        m->cluster.open[g] = 1;
-    }
-    kern_model_unload(m);
-}
-
 /* Replaces the forces of the line that begins with contact i, whose ends are
    where `from` puts them, by forces of the same wrench with the ends where
    `shrink` < `from` puts them. Returns whether contact i begins a line. */
@@ -4842,24 +4826,28 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
     return line;
 }
 
-/* Begins from the known forces: groups that they balance are not asked. */
-static void kern_pass_known(kern_model *m, kern_real shrink)
+/* Begins from no forces, all groups open, or from the known ones, which balance
+   all but the last block where kerns are no smaller. A cluster may have a share
+   of the groups. */
+static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
-    const kern_real one = 1 / m->weight;
-    int i, g;
-    for (i = 0; i < m->s->contacts; i++) {
-        m->answer.force[i].normal = known->force[i].normal * one;
-        m->answer.force[i].tangential = known->force[i].tangential * one;
+    const int groups = m->graph.groups, last = m->s->blocks - 1;
+    const int some = known && shrink <= known->holds;
+    int i;
+    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
+                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
+    for (i = 0; i < groups; i++) {
+        m->cluster.last[i] = m->cluster.next[i] = i;
+        m->cluster.open[i] = !some || m->graph.block[i] == last;
+        m->graph.local[i] = KERN_OUT; /* a part may have been open */
     }
-    for (i = 0; i < m->s->contacts && shrink < known->holds; i++)
+    if (!known)
+        kern_model_unload(m);
+    else
+        kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
+    for (i = 0; some && shrink < known->holds && i < m->s->contacts; i++)
         i += kern_force_transfer(m, i, known->holds, shrink);
-    for (g = 0; g < m->graph.groups; g++) {
-        kern_real left[3];
-        kern_pass_load(m, g, 1, left);
-        m->cluster.open[g] = !(kern_largest(left, 3)
-                               <= KERN_TOL / 4 * m->size[g]);
-    }
 }
 
 /* Balances group `at`, by itself or with others in a cluster. */
@@ -4880,8 +4868,6 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     const int size = m->s->contacts + m->graph.groups;
     kern_status found = KERN_STANDS;
     int g;
-    for (g = 0; g < m->graph.groups; g++)
-        m->graph.local[g] = KERN_OUT; /* a part may have been open            */
     c->budget = KERN_PASS_BUDGET * size;
     for (c->at = 0; c->at < m->graph.groups && found == KERN_STANDS; ) {
         g = c->at++;
@@ -5098,18 +5084,19 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
                                    const kern_query *q, int share)
 {
     kern_status found;
-    if (!kern_model_spend(m, m->budget.query_units))
-        return KERN_LIMIT;
-    m->budget.work->solves++;
-    kern_pass_begin(m, share);
-    if (m->answer.known)
-        kern_pass_known(m, q->shrink);
-    found = kern_pass(m, p);
-    if (found == KERN_FALLS)
-        return found;
-    kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
-    return found == KERN_STANDS && kern_answer_holds(m, q) ? p->found = found
-                                                           : KERN_UNDECIDED;
+    for (;; m->answer.known = NULL) { /* known forces may be of other loads */
+        if (!kern_model_spend(m, m->budget.query_units))
+            return KERN_LIMIT;
+        m->budget.work->solves++;
+        kern_pass_begin(m, share, q->shrink);
+        found = kern_pass(m, p);
+        if (found == KERN_FALLS)
+            return found;
+        if (found == KERN_STANDS && kern_answer_holds(m, q))
+            return p->found = found;
+        if (found != KERN_STANDS || !m->answer.known)
+            return KERN_UNDECIDED;
+    }
 }
 
 /* From now on one linear program of all groups answers, from its last basis. It
@@ -5588,8 +5575,10 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
 {
+    if (!kern_model_proven(m, kern_prove_motion(m->s, q, known->motion)))
+        return 0;
     kern_copy(m->answer.motion, known->motion, 3 * m->s->blocks);
-    return kern_model_proven(m, kern_prove_motion(m->s, q, known->motion));
+    return 1;
 }
 
 /* Whether the known motion proves that the structure falls at the known place:
@@ -5796,6 +5785,8 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
+    if (status == KERN_FALLS && path->critical <= path->start)
+        status = kern_path_evaluate(m, path, s = path->start);
     if (status == KERN_FALLS && s > path->start)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                         : KERN_UNDECIDED;
@@ -5833,7 +5824,7 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
             last = g;
         }
     }
-    return groups > 0 && kern_part_open(path->part, m, groups, last)
+    return groups > 1 && kern_part_open(path->part, m, groups, last)
            && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
@@ -5890,7 +5881,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             ? KERN_FEW_ROUNDS : 0; /* no cluster is as large */
     while (round < KERN_FEW_ROUNDS) {
         status = kern_path_pass(m, path, at);
-        if (status == KERN_FALLS && at > path->start) {
+        if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_max(path->critical - path->unit.aside, path->start);
             status = KERN_UNDECIDED;
             round++;
@@ -8265,11 +8256,10 @@ static kern_status kern_search_check(const kern_search *s, int i)
 /* Looks at every block; what the tolerances of all pairs depend on. */
 static kern_status kern_search_survey(kern_search *s)
 {
-    kern_box all;
+    kern_real most = KERN_R(0); /* largest coordinate                 */
     kern_real area = KERN_R(0); /* largest of a free block            */
     kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
     int i;
-    kern_box_empty(&all);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_status status = kern_search_check(s, i);
@@ -8279,13 +8269,12 @@ static kern_status kern_search_survey(kern_search *s)
         }
         if (!block->vertices)
             continue;
-        kern_box_add(&all, block->box.low);
-        kern_box_add(&all, block->box.high);
+        most = kern_max(most, kern_box_largest(&block->box));
         arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
-    s->floor = KERN_FLOOR * kern_box_largest(&all);
+    s->floor = KERN_FLOOR * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area))
                + KERN_ERROR_SWING * s->options->pose_turn * arm;
     return KERN_OK;
