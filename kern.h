@@ -221,7 +221,8 @@
                saturated, where it stands throughout.
      deficit   Where it falls at d = 0: the least growth d with contact points
                at p - d u (relative: p - d l u) such that it stands; infinite
-               where 1e5 mean sizes (relative: 1e5) are not enough.
+               where a growth of 1000 times the longest side of the free
+               blocks' box (relative: over the smallest l) is not enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
@@ -1381,10 +1382,8 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    may be missed. A walk in these steps, or a climb, takes no more than five
    times as many verdicts. */
 #define KERN_SCAN          1001
-/* Largest load factor; beyond, the load counts as held for ever. Largest growth
-   of kerns [mean block size; relative: 1]; beyond, none helps. */
+/* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
-#define KERN_GROWN_MOST    KERN_R(1e5)
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
    minimum-norm forces, a bracket (four to eight suffice), the interior point
@@ -1863,11 +1862,11 @@ typedef struct kern_path {
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* The longest travel, which is d_max. Kerns of line contacts are nested: what a
-   smaller one can carry a larger one can. Points that move toward each other
-   along different tangents are not. */
+/* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
+   line contacts are nested: what a smaller one can carry a larger one can.
+   Points that move toward each other along different tangents are not. */
 typedef struct kern_travels {
-    kern_real most;
+    kern_real least, most;
     int nested;
 } kern_travels;
 
@@ -1876,6 +1875,7 @@ static kern_travels kern_travels_of(const kern_structure *s,
 {
     kern_travels t;
     int i;
+    t.least = KERN_INFINITY;
     t.most = KERN_R(0);
     t.nested = 1;
     for (i = 0; i < s->contacts; i++) {
@@ -1885,6 +1885,7 @@ static kern_travels kern_travels_of(const kern_structure *s,
             || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
                 && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
             continue;
+        t.least = kern_min(t.least, travel);
         t.most = kern_max(t.most, travel);
         t.nested &= c->line != 0;
     }
@@ -3120,14 +3121,38 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
+/* The extent: the longest side of the box around the free blocks. */
+static kern_real kern_extent(const kern_structure *s)
+{
+    kern_box whole;
+    kern_vec side;
+    int i;
+    kern_box_empty(&whole);
+    for (i = 0; i < s->blocks; i++) {
+        const kern_block *b = s->block + i;
+        const kern_real half = kern_block_size(b) / 2;
+        const kern_vec way = kern_vec_make(half, half);
+        if (b->fixed)
+            continue;
+        kern_box_add(&whole, b->vertices ? b->box.low
+                                         : kern_vec_sub(b->centre, way));
+        kern_box_add(&whole, b->vertices ? b->box.high
+                                         : kern_vec_add(b->centre, way));
+    }
+    side = kern_vec_sub(whole.high, whole.low);
+    return kern_max(side.x, side.y);
+}
+
 /* Grows the kerns of what falls until it stands: the critical growth. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    const kern_real growth = kern_travels_of(m->s, &path->q).nested
-                             ? KERN_R(4) : KERN_R(1.1);
-    const kern_real limit = KERN_GROWN_MOST * path->unit.one;
-    kern_real grown;
+    const kern_travels travels = kern_travels_of(m->s, &path->q);
+    const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
+    kern_real limit = 1000 * kern_extent(m->s), grown;
     kern_status status;
+    if (m->relative)
+        limit = travels.least < KERN_INFINITY ? limit / travels.least
+                                              : KERN_R(1);
     path->start = -limit;
     for (grown = path->unit.one * KERN_R(0.001); ;
          grown = kern_min(grown * growth, limit)) {
