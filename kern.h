@@ -9112,8 +9112,8 @@ static kern_real kern_prices(kern_simplex *sx, kern_real sum)
 }
 
 /* The variable outside of the basis that lowers what the prices stand for
-   fastest: by sx->gain = y.A_j - cost_j. */
-static int kern_entering(kern_simplex *sx, kern_real sum)
+   fastest, or the first that does: by sx->gain = y.A_j - cost_j. */
+static int kern_entering(kern_simplex *sx, kern_real sum, int first)
 {
     const kern_program *lp = sx->lp;
     const int costs = !sx->violated, all = lp->cols + lp->follow;
@@ -9133,6 +9133,8 @@ static int kern_entering(kern_simplex *sx, kern_real sum)
         if (d > sx->gain) {
             best = j;
             sx->gain = d;
+            if (first && d > least)
+                break;
         }
     }
     return sx->gain > least ? best : KERN_OUT;
@@ -9155,13 +9157,14 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 /* The row that the entering column takes, and how far it goes, from those whose
    variables reach zero on the way. The ratio test goes on past every one as
    long as the sum of violations still falls: a long step, which passes through
-   degenerate corners. For costs it stops at the first: of equals that of the
-   largest pivot. */
-static int kern_leaving(kern_simplex *sx, kern_real *step, kern_work *work)
+   degenerate corners. With `first`, and for costs, it stops at the first: of
+   equals that of the least index (Bland), or of the largest pivot. */
+static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
+                        kern_work *work)
 {
     const kern_real enough = sx->gain * KERN_R(64) * KERN_EPS;
     const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
-    const int once = !sx->violated;
+    const int once = first || !sx->violated;
     kern_real *at = sx->ratio, left = sx->gain;
     int *list = sx->list, i, n = 0, best = KERN_OUT, seen = 0;
     for (i = 0; i < sx->lp->rows; i++)
@@ -9177,8 +9180,9 @@ static int kern_leaving(kern_simplex *sx, kern_real *step, kern_work *work)
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
                 || (once && at[i] <= at[next]
-                    && kern_abs(sx->alpha[list[i]])
-                       > kern_abs(sx->alpha[list[next]])))
+                    && (first ? sx->base[list[i]] < sx->base[list[next]]
+                              : kern_abs(sx->alpha[list[i]])
+                                > kern_abs(sx->alpha[list[next]]))))
                 next = i;
         best = list[next];
         left -= kern_break(sx, best, step);
@@ -9223,24 +9227,27 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero; the limit ends what steps
-   of length zero, or rounding, might keep going. Returns KERN_LP_OPTIMAL,
-   KERN_LP_UNBOUNDED with the column *ray, KERN_LP_INFEASIBLE (prices are in
-   sx->price), or KERN_UNDECIDED. */
+   falls with every step that is not of length zero; when the budget is used up
+   the smallest indices are taken (Bland), which cannot cycle. The limit ends
+   what rounding might keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED
+   with the column *ray, KERN_LP_INFEASIBLE (prices are in sx->price), or
+   KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
     const int limit = 200 + 20 * (lp->rows + lp->cols);
+    const int budget = 50 + 10 * lp->rows;
     int count;
     for (count = 0; count < limit; ) {
+        const int first = count > budget;
         const kern_real sum = kern_violations(sx);
-        const int q = kern_entering(sx, sum);
+        const int q = kern_entering(sx, sum, first);
         kern_real step = KERN_R(0);
         kern_status status;
         int p = KERN_OUT;
         if (q != KERN_OUT) {
             kern_basis_column(sx, q);
-            p = kern_leaving(sx, &step, work);
+            p = kern_leaving(sx, first, &step, work);
         }
         if (p == KERN_OUT && !sx->refined) {
             if (!kern_basis_values(sx))
@@ -9725,12 +9732,13 @@ KERN_API kern_options kern_near(const kern_options *options,
    method for classification, Optim. Methods Softw. 17 (2002), for the dual of
    piecewise constant curvature; S. Mehrotra, On the implementation of a
    primal-dual interior point method, SIAM J. Optim. 2 (1992), for predictor and
-   corrector. Simplex method: R. Fourer, A simplex algorithm for piecewise-linear
-   programming, Math. Programming 33 (1985), for long steps; G. B. Dantzig, W.
-   Orchard-Hays, The product form for the inverse in the simplex method, Math.
-   Tables Aids Comput. 8 (1954); E. Hellerman, D. Rarick, Reinversion with the
-   preassigned pivot procedure, Math. Programming 1 (1971), for the order of
-   columns. Raised: V. Acary, F. Cadoux,
+   corrector. Simplex method: R. G. Bland, New finite pivoting rules for the
+   simplex method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A
+   simplex algorithm for piecewise-linear programming, Math. Programming 33
+   (1985), for long steps; G. B. Dantzig, W. Orchard-Hays, The product form for
+   the inverse in the simplex method, Math. Tables Aids Comput. 8 (1954); E.
+   Hellerman, D. Rarick, Reinversion with the preassigned pivot procedure, Math.
+   Programming 1 (1971), for the order of columns. Raised: V. Acary, F. Cadoux,
    C. Lemarechal, J. Malick, A formulation of the linear discrete Coulomb
    friction problem via convex optimization, ZAMM 91 (2011), for prices as a
    fixed point of minimum-norm forces. Newton's method along a path: W.
