@@ -4364,29 +4364,44 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     return KERN_UNDECIDED;
 }
 
+/* Of how many contacts group g is an end. */
+KERN_SHARED static int kern_graph_degree(const kern_graph *graph, int g)
+{
+    int e = graph->touch[g], n = 0;
+    for (; e >= 0; e = graph->after[e])
+        n++;
+    return n;
+}
+
 /* Lists the groups that contacts connect to `first`, from place n of the part
-   down: of each listed group the neighbours that are not yet. Returns the place
-   below the last. */
+   down: of each listed group the neighbours that are not yet, those of fewer
+   contacts first. Returns the place below the last. */
 static int kern_norm_layers(kern_part *p, int first, int n)
 {
     const kern_graph *graph = &p->m->graph;
-    int at = n, e;
+    int at = n, from, e, k;
     graph->local[first] = 0;
     p->group[n--] = first;
-    for (; at > n; at--)
+    for (; at > n; at--) {
+        from = n;
         for (e = graph->touch[p->group[at]]; e >= 0; e = graph->after[e]) {
             const int g = graph->ends[e ^ 1];
             if (g == p->groups || graph->local[g] != KERN_OUT)
                 continue;
             graph->local[g] = 0;
-            p->group[n--] = g;
+            for (k = n--; k < from
+                          && kern_graph_degree(graph, g) < kern_graph_degree(
+                                 graph, p->group[k + 1]); k++)
+                p->group[k] = p->group[k + 1];
+            p->group[k] = g;
         }
+    }
     return n;
 }
 
 /* Orders the groups that are not marked, which are the part then, for short
    rows of the factor: in layers around one of the last layer around another,
-   from the last place down (Cuthill-McKee, reversed). */
+   from the last place down (reverse Cuthill-McKee). */
 static void kern_norm_order(kern_part *p)
 {
     int *local = p->m->graph.local;
