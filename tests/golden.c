@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x6e479da933a28a14u },
-    { 1000, 0x17070361915893c3u },
-    { 5000, 0x354654e06d971094u },
+    { 200, 0xf095fb23a8241fabu },
+    { 1000, 0x2ffabff4ea9b7dbbu },
+    { 5000, 0x329dad74f60492c9u },
 #else
-    { 200, 0xf1e090a4974b8099u },
-    { 1000, 0xeb57a62ead477995u },
-    { 5000, 0xbac3dc567da85983u },
+    { 200, 0xb6743870bab8b87eu },
+    { 1000, 0x2dd35044efd4303bu },
+    { 5000, 0xc689314e78172fa4u },
 #endif
 };
 

@@ -14,11 +14,11 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9910
-lines of the engine|3500|4132
-text of the library|54000|58651
-text, kern_measure with contacts given|32000|33128
-text, kern_verdict with contacts given|22000|26512
+limits="lines of kern.h|8800|9803
+lines of the engine|3500|4148
+text of the library|54000|58275
+text, kern_measure with contacts given|32000|33012
+text, kern_verdict with contacts given|22000|26372
 deepest stack|2700|2700"
 allowed='sqrtf'  # symbols that the library may need
 
