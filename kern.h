@@ -8993,11 +8993,13 @@ static void kern_basis_add(kern_simplex *sx, kern_real share)
    and one solve may lose half of the digits. Returns 0 where it is not. */
 static int kern_basis_values(kern_simplex *sx)
 {
-    kern_real left = kern_basis_residual(sx);
+    kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
     int round;
-    for (round = 0; round < 2 && left > 4 * KERN_EPS; round++) {
+    for (round = 0; round < 4 && left > 4 * KERN_EPS
+                    && (left < last || round < 2); round++) {
         kern_basis_solve(sx, sx->alpha);
         kern_basis_add(sx, KERN_R(1));
+        last = left;
         left = kern_basis_residual(sx);
     }
     sx->refined = 1;
