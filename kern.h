@@ -2061,6 +2061,7 @@ static kern_status kern_contact_check(const kern_contact *c, int blocks)
     if (c->a == c->b)
         return KERN_SAME_BLOCK;
     if (!kern_vec_is_moderate(c->p) || !(kern_abs(c->travel) <= KERN_FAR)
+        /* 0 times what is not finite is not a number */
         || !kern_is_finite(0 * c->n.x + 0 * c->n.y + 0 * c->mu))
         return KERN_BAD_NUMBER;
     return c->mu < 0 ? KERN_BAD_FRICTION : KERN_OK;
@@ -9384,12 +9385,11 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     return status;
 }
 
-/* Takes what is rounding out of the n numbers of a proof, and with `sign` what
-   is negative: where nothing else is in a row its last digits are all there
-   is. */
-static void kern_lp_clean(kern_real *v, int n, int sign)
+/* Takes what is rounding out of the n numbers of a proof: those below a share
+   of the largest, and with `sign` what is negative. */
+static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 {
-    const kern_real least = KERN_ROUNDING * kern_largest(v, n);
+    const kern_real least = share * kern_largest(v, n);
     int i;
     for (i = 0; i < n; i++)
         if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
@@ -9454,6 +9454,19 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
            && kern_abs(gap) <= KERN_TOL * terms;
 }
 
+/* The same; where nothing else is in a row the last digits of x or y are all
+   there is: if need be they are taken out. */
+static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
+                          kern_status status)
+{
+    kern_lp_clean(x, lp->cols, KERN_R(0), 1);
+    if (kern_lp_holds(lp, x, y, status))
+        return 1;
+    kern_lp_clean(x, lp->cols, KERN_ROUNDING, 1);
+    kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
+    return kern_lp_holds(lp, x, y, status);
+}
+
 /* What is wrong with a program, if anything. */
 static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 {
@@ -9510,9 +9523,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
         return KERN_LIMIT;
     if (status < 0)
         return status;
-    kern_lp_clean(x, p.cols, 1);
-    kern_lp_clean(y, p.rows, 0);
-    return kern_lp_holds(&p, x, y, status) ? status : KERN_UNDECIDED;
+    return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
 }
 
 /* ---- Words and defaults ------------------------------------------ >>words */

@@ -4959,6 +4959,18 @@ static void lp_scaled(void)
     CHECK(answers > 20);
 }
 
+/* A variable that is rounding beside another is kept where a row needs it. */
+static void lp_small_beside_large(void)
+{
+    const double unit = SINGLE ? 1e2 : 1e6;
+    const double rows[] = {1 / unit, 0, 1e3, 0, unit, 1};
+    program p;
+    program_set(&p, 2, 2, rows, NULL);
+    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
+    CHECK_NEAR(p.x[0], 1e3 * unit, 1e3 * unit * 8 * EPS);
+    CHECK_NEAR(p.x[1], 1 / unit, 8 * EPS / unit);
+}
+
 /* Rows that differ by 1e-10 have no common solution; a ray along which the
    cost falls is found. */
 static void lp_small_rows_and_rays(void)
@@ -11266,6 +11278,7 @@ static const test tests[] = {
     TEST(lp_kinds),
     TEST(lp_random),
     TEST(lp_scaled),
+    TEST(lp_small_beside_large),
     TEST(lp_small_rows_and_rays),
     TEST(lp_bad_input),
     TEST(lp_every_size),
