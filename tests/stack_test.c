@@ -646,7 +646,7 @@ static void test_endured_level(void)
     double low, high;
     if (two_boxes(&w, &stock)) return;
     low = stack_endured_level(&w, 0);
-    put(&w, 3.2, 0, 3.4, 2.4);
+    put(&w, 3, 0, 3.5, 2.4);
     high = stack_endured_level(&w, 0);
     check(low > 2 * high, "boxes endure more than a post", low, 2 * high);
     check(high > stack_endured_low, "a post endures something", high,

@@ -470,7 +470,7 @@ static double stack_fault(const struct stack_wall *w, const struct stone *s,
                           const struct stack_candidate *c)
 {
     const double fault = 0.5, bond = 0.15;
-    const double column = 3;
+    const double column = 1;
     return fault * ((c->bed < masonry_point) + (c->upright != 0) +
                     (c->feature[STACK_BOND] < bond)) +
            column * stack_column_of(w, s, c->alone);
@@ -618,7 +618,7 @@ static double stack_value_of_load(struct stack_wall *w)
    stones on two others and a few more, and no column at either end. */
 static double stack_value_of_masonry(const struct stack_wall *w)
 {
-    const double half = 0.51, runs = 0.7;
+    const double half = 0.51, runs = 0.5;
     struct masonry m;
     double bond;
     if (masonry_of(&w->plan.task.s, w->stock->size, &m)) return 0;

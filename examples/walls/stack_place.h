@@ -548,10 +548,11 @@ STACK_API int stack_moves(const struct stack_wall *w, int stones)
     return moves;
 }
 
-/* The least and the most that stack_endured_level() tells apart, levels; the table
-   stops after so many seconds, in full motion. */
-static const double stack_endured_low = 1, stack_endured_high = 30,
-                    stack_endured_ends = 5;
+/* Between what levels stack_endured_level() looks, and by what factor it goes up;
+   the table stops after so many seconds, in full motion: what falls late is not
+   seen in fewer. */
+static const double stack_endured_low = 2, stack_endured_high = 21,
+                    stack_endured_step = 1.12, stack_endured_ends = 7.5;
 
 /* Do the stones keep their places, within a quarter of a size in the mean, when
    the ground runs along the figure of eight of table.h at some level? It begins
@@ -593,19 +594,16 @@ static int stack_endures_twice(struct stack_wall *w, double level)
     return stack_endures(w, level, 1) && stack_endures(w, level, 2);
 }
 
-/* The highest level of shaking, to 19 per cent, that the wall endures twice; 0
-   where that is below `least`. */
+/* The level of shaking up to which the wall endures every one twice, from `least`
+   on; 0 where it does not endure that. */
 STACK_API double stack_endured_level(struct stack_wall *w, double least)
 {
-    double level = fmax(least, stack_endured_low), step = 2;
+    double level = fmax(least, stack_endured_low);
     if (!stack_endures_twice(w, level))
         return least > stack_endured_low ? 0 : stack_endured_low;
-    while (step > 1.12) {
-        const double next = level * step;
-        if (next <= stack_endured_high && stack_endures_twice(w, next))
-            level = next;
-        else step = sqrt(step);
-    }
+    while (level < stack_endured_high &&
+           stack_endures_twice(w, level * stack_endured_step))
+        level *= stack_endured_step;
     return level;
 }
 
