@@ -14,9 +14,9 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9805
-lines of the engine|3500|4150
-text of the library|54000|58290
+limits="lines of kern.h|8800|9816
+lines of the engine|3500|4160
+text of the library|54000|58360
 text, kern_measure with contacts given|32000|33030
 text, kern_verdict with contacts given|22000|26390
 deepest stack|2700|2700"
