@@ -1390,9 +1390,8 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    (some twenty), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole is asked; prices of
-   contacts from those of a smaller push; steps without gain, of the interior
-   point (a tenth) and of a collapse. */
+   from bend to bend, parts that fall before the whole is asked; steps without
+   gain, of the interior point (a tenth) and of a collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1472,7 +1471,8 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
    by 1/KERN_STIFF of its approach at the most. */
 #define KERN_STIFF         KERN_PICK(550, 10)
 #define KERN_SLID          KERN_R(100) /* farthest slide, in approaches       */
-#define KERN_RAISE_ROUNDS  24      /* prices of contacts, from nothing        */
+#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
+#define KERN_RAISE_WARM    10      /* from those of a smaller push            */
 #define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
 /* Rounds, beside as many as before, in which squared changes of prices fall by
    no fifth: along a load; in a step over a gap, twice as many in one from rest,
@@ -6728,7 +6728,7 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
     for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
         kern_model_arms(r->m, q);
-        raised = kern_raise_settle(r, q, 0, KERN_FEW_ROUNDS, NULL);
+        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
     }
     return raised;
 }
