@@ -39,12 +39,12 @@ static const struct {
 } golden[] = {
 #ifdef KERN_SINGLE
     { 200, 0xf095fb23a8241fabu },
-    { 1000, 0x2ffabff4ea9b7dbbu },
-    { 5000, 0x329dad74f60492c9u },
+    { 1000, 0xbc658f737aac3c6fu },
+    { 5000, 0x068c3e35305f2d7fu },
 #else
     { 200, 0xb6743870bab8b87eu },
-    { 1000, 0x2dd35044efd4303bu },
-    { 5000, 0xc689314e78172fa4u },
+    { 1000, 0xfbe0d77e50b31397u },
+    { 5000, 0x9aa783231128d59au },
 #endif
 };
 
