@@ -4496,8 +4496,9 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    their forces, in three unknowns. A group that cannot do so alone forms a
    cluster with the groups that rest on it. A group whose load changes is
    balanced again. Forces that balance every group prove that the structure
-   stands. Where a cluster cannot be balanced, and nothing rests on it, it is a
-   part that falls.
+   stands. Where a cluster cannot be balanced, and its motion parts it from all
+   that rests on it, no forces from above could hold it: it is a part that
+   falls.
 
    The outcome of a cluster, or of the whole pass: KERN_STANDS, its groups are
    balanced; KERN_FALLS, a part that seems to fall is open; KERN_UNDECIDED, it
@@ -4776,9 +4777,26 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     }
 }
 
+/* Whether u, the motion of a part that cannot be balanced, parts it from all
+   that rests on it, and its loads do work: no force from above holds it. */
+static int kern_pass_parts(kern_part *p)
+{
+    const kern_real most = KERN_REST * kern_largest(p->dual.u, 3 * p->groups);
+    kern_real power = KERN_R(0);
+    int n, k;
+    for (n = 0; n < p->groups; n++)
+        power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
+    kern_norm_ways(p, p->dual.u, p->contacts, 2);
+    for (k = p->own; k < p->contacts; k++) {
+        const kern_real *w = p->dual.way + 4 * (size_t)k + 2;
+        if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > most)
+            return 0;
+    }
+    return power > 0;
+}
+
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
-   balance it. KERN_FALLS where no forces would and nothing rests on it: else
-   what is above may hold it. */
+   balance it. KERN_FALLS where no forces would, all else held. */
 static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
                                   int last)
 {
@@ -4803,7 +4821,7 @@ static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
     m->cluster.budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
         kern_pass_keep(p, KERN_PASS_TOL * least);
-    if (status == KERN_FALLS && p->own < p->contacts)
+    if (status == KERN_FALLS && p->own < p->contacts && !kern_pass_parts(p))
         status = KERN_UNDECIDED;
     return status;
 }
@@ -8124,7 +8142,7 @@ static void kern_point_travels(kern_contact *contact, int contacts,
     for (i = 0; i < contacts; i++) {
         kern_contact *c = contact + i;
         int found = 0;
-        for (k = 0; down && k < contacts; k++)
+        for (k = 0; down && !c->line && k < contacts; k++)
             found += kern_same_interface(c, contact + k);
         if (c->line || (down && (found > 1 || kern_carried(c, *down) < 0)))
             continue;
