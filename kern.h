@@ -1280,31 +1280,6 @@ extern "C" {
 #define KERN_SHARED
 #endif
 
-/* Without its sign, also where it is -0: on most processors one instruction,
-   which compilers do not find by themselves. */
-static kern_real kern_abs(kern_real a)
-{
-#if !defined(__GNUC__)
-    return a > 0 ? a : 0 - a;
-#elif defined(KERN_SINGLE)
-    return __builtin_fabsf(a);
-#else
-    return __builtin_fabs(a);
-#endif
-}
-
-KERN_SHARED static kern_real kern_max(kern_real a, kern_real b)
-{ return a > b ? a : b; }
-
-KERN_SHARED static kern_real kern_min(kern_real a, kern_real b)
-{ return a < b ? a : b; }
-
-KERN_SHARED static void kern_fault_clear(kern_fault *fault)
-{
-    fault->block = fault->other = fault->index = -1;
-    fault->value = fault->allowed = KERN_R(0);
-}
-
 /* ---- Constants -------------------------------------------------- >>tune */
 /* All of Parts III, IV and VI; those of the geometry are in >>tol. Lengths are
    in units of a block's size, forces in units of the weight of all, so where no
@@ -1500,11 +1475,26 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
-static int kern_is_finite(kern_real a)
+/* Without its sign, also where it is -0: on most processors one instruction,
+   which compilers do not find by themselves. */
+static kern_real kern_abs(kern_real a)
 {
-    const kern_real zero = a - a; /* not a number where a is not finite */
-    return zero >= 0 && zero <= 0;
+#ifdef __GNUC__
+    return KERN_PICK(__builtin_fabs(a), __builtin_fabsf(a));
+#else
+    return a > 0 ? a : 0 - a;
+#endif
 }
+
+KERN_SHARED static kern_real kern_max(kern_real a, kern_real b)
+{ return a > b ? a : b; }
+
+KERN_SHARED static kern_real kern_min(kern_real a, kern_real b)
+{ return a < b ? a : b; }
+
+/* Where it is not, a - a is not a number. */
+static int kern_is_finite(kern_real a)
+{ return a - a <= 0; }
 
 static kern_vec kern_vec_make(kern_real x, kern_real y)
 {
@@ -1545,9 +1535,6 @@ static kern_vec kern_vec_unit(kern_vec a)
 
 static kern_vec kern_vec_mid(kern_vec a, kern_vec b)
 { return kern_vec_step(a, KERN_R(0.5), kern_vec_sub(b, a)); }
-
-static int kern_vec_is_finite(kern_vec a)
-{ return kern_is_finite(a.x) && kern_is_finite(a.y); }
 
 /* The larger coordinate, without its sign. */
 KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
@@ -1761,18 +1748,11 @@ static kern_real kern_wrench_on(const kern_structure *s,
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
-    const kern_real sign = travel > 0 ? KERN_R(1) : travel < 0 ? KERN_R(-1)
-                                                               : KERN_R(0);
-    if (relative) {
-        *rate = travel;
-        return kern_min(shrink, KERN_R(1)) * travel;
-    }
-    if (shrink >= kern_abs(travel)) {
-        *rate = KERN_R(0);
-        return travel;
-    }
-    *rate = sign;
-    return shrink * sign;
+    const kern_real sign = KERN_R((travel > 0) - (travel < 0));
+    const int closed = !relative && shrink >= kern_abs(travel);
+    *rate = relative ? travel : closed ? KERN_R(0) : sign;
+    return relative ? kern_min(shrink, KERN_R(1)) * travel
+                    : closed ? travel : shrink * sign;
 }
 
 KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
@@ -2009,6 +1989,12 @@ static int kern_take_fits(const kern_take *take)
 KERN_SHARED static int kern_limit_of(int limit)
 { return limit > 0 ? limit : KERN_WORK_MOST; }
 
+KERN_SHARED static void kern_fault_clear(kern_fault *fault)
+{
+    fault->block = fault->other = fault->index = -1;
+    fault->value = fault->allowed = KERN_R(0);
+}
+
 KERN_SHARED static void kern_work_begin(kern_work *work)
 {
     kern_fault_clear(&work->fault);
@@ -2128,7 +2114,8 @@ static kern_status kern_arrays_check(const kern_structure *s)
         return KERN_BAD_COUNT;
     if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
         return KERN_BAD_POINTER;
-    return kern_vec_is_finite(s->gravity) ? KERN_OK : KERN_BAD_NUMBER;
+    return kern_is_finite(s->gravity.x + s->gravity.y) ? KERN_OK
+                                                       : KERN_BAD_NUMBER;
 }
 
 /* What is handed in, but for what its arrays hold; `out` is where the answer
@@ -3078,21 +3065,17 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     return status;
 }
 
-/* The same of a task that is not open yet. Once the input is accepted, `forget`
-   (or NULL) holds nothing any longer: the proof may overwrite what it had. */
+/* The same of a task that is not open yet. */
 static kern_status kern_measure_anew(const kern_task *task,
-                                     const kern_known *known,
-                                     kern_known *forget, kern_margin *out,
+                                     const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
 {
     kern_call c;
     const kern_status status = kern_call_open(&c, task, KERN_R(0), out);
-    if (status != KERN_OK && status != KERN_LIMIT)
-        return status;
-    if (forget)
-        forget->fails = KERN_R(0);
     if (status == KERN_OK)
         return kern_measure_task(&c, task, known, out, proof);
+    if (status != KERN_LIMIT)
+        return status;
     out->margin = out->holds = KERN_R(-1);
     out->fails = out->most = out->epsilon = KERN_INFINITY;
     out->level = -1;
@@ -3110,13 +3093,13 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         return KERN_BAD_POINTER;
     known = task->known;
     if (!known.motion || !known.force)
-        return kern_measure_anew(task, NULL, NULL, out, proof);
+        return kern_measure_anew(task, NULL, out, proof);
     kept.force = known.force;
     kept.motion = known.motion;
-    known.force = NULL;
-    status = kern_measure_anew(task, &known, &task->known, out, &kept);
-    if (status == KERN_BAD_STEP)
-        task->known.fails = known.fails;
+    known.force = NULL; /* what was remembered is overwritten on the way */
+    status = kern_measure_anew(task, &known, out, &kept);
+    if (status >= KERN_NO_SPACE || status == KERN_LIMIT)
+        task->known.fails = KERN_R(0);
     if (status >= 0)
         kern_known_set(task, status, out, proof);
     return status;
@@ -8588,7 +8571,7 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
     const int found = kern_plan_add(plan, block);
     return found < 0 ? (kern_status)found : kern_plan_back(
         plan, block, found, kern_measure_anew(
-            &plan->task, &plan->task.known, NULL, out, proof));
+            &plan->task, &plan->task.known, out, proof));
 }
 
 /* Whether it stands at that margin; by its measure if kerns are not nested. */
