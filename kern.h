@@ -1028,7 +1028,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
    error the structure bears; a measure, not a bound. Where k is so large that
    kerns hardly shrink, this mu at the margin is the least that it stands with.
    Warm start: from task->known, where the result is remembered; after
-   KERN_UNDECIDED, KERN_LIMIT and KERN_NO_SPACE nothing is known any longer. */
+   KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
                                   const kern_proof *proof);
 
@@ -1328,12 +1328,16 @@ extern "C" {
 #define KERN_HUGE          KERN_PICK(DBL_MAX, FLT_MAX)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL        KERN_R(1e-9)
+/* Share of the size: the default gap, the length of the shortest line, and how
+   far off a corner ends a contact; of an area, by how much it may differ, by
+   rounding at large coordinates, from what the block says. */
+#define KERN_GAP           KERN_R(1e-3)
 /* Angle [rad] from which an option for the angle is refused: it would take a
    corner for a face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST    KERN_R(0.5)
 /* Counts whose work memory, and products in it, are still an int. */
 #define KERN_BLOCKS_MOST   20000
-#define KERN_CONTACTS_MOST 1000000
+#define KERN_POINTS_MOST   1000000 /* contact points, vertices; levels      */
 #define KERN_COUNT_MOST    100000000
 #define KERN_WORK_MOST     2000000000 /* units of one call                    */
 
@@ -1362,11 +1366,13 @@ extern "C" {
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
    minimum-norm forces, a bracket (four to eight suffice), the interior point
-   (some twenty), prices of contacts along a load. */
+   (some twenty), prices of contacts along a load, strides along an edge; and
+   triangles of a size that are tried for an inner point. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole is asked; steps without
-   gain, of the interior point (a tenth) and of a collapse. */
+   from bend to bend, parts that fall before the whole is asked, strides a
+   vertex; steps without gain, of the interior point (a tenth) and of a collapse.
+   */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1405,7 +1411,7 @@ extern "C" {
 #define KERN_CLUSTER_MOST  20
 #define KERN_CLUSTER_SHARE 32
 /* Products of a pass for each group and contact: of KERN_BLOCKS_MOST and
-   KERN_CONTACTS_MOST still an int. With 5000 measures of bricks take 1.4 times
+   KERN_POINTS_MOST still an int. With 5000 measures of bricks take 1.4 times
    as long. */
 #define KERN_PASS_BUDGET   1500
 
@@ -2110,7 +2116,7 @@ static kern_status kern_structure_check(const kern_structure *s,
 static kern_status kern_arrays_check(const kern_structure *s)
 {
     if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
-        || s->contacts > KERN_CONTACTS_MOST)
+        || s->contacts > KERN_POINTS_MOST)
         return KERN_BAD_COUNT;
     if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
         return KERN_BAD_POINTER;
@@ -2473,7 +2479,7 @@ static void kern_model_lay(kern_model *m, int blocks, int groups, int contacts)
 KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
 {
     const int fit = blocks >= 0 && blocks <= KERN_BLOCKS_MOST
-                    && contacts >= 0 && contacts <= KERN_CONTACTS_MOST;
+                    && contacts >= 0 && contacts <= KERN_POINTS_MOST;
     *reals = fit ? KERN_REALS(blocks, contacts) : 0;
     *indices = fit ? KERN_INTS(blocks, contacts) : 0;
 }
@@ -3048,7 +3054,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     r.margin = r.holds = r.fails = KERN_R(0);
     r.level = r.saturated = 0;
     steps = r.most / r.epsilon;
-    if (!(steps <= KERN_R(1000000)))
+    if (!(steps <= KERN_POINTS_MOST))
         return KERN_BAD_STEP;
     last = (int)steps;
     last += KERN_R(last) < steps; /* until every kern is closed */
@@ -3098,7 +3104,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     kept.motion = known.motion;
     known.force = NULL; /* what was remembered is overwritten on the way */
     status = kern_measure_anew(task, &known, out, &kept);
-    if (status >= KERN_NO_SPACE || status == KERN_LIMIT)
+    if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         task->known.fails = KERN_R(0);
     if (status >= 0)
         kern_known_set(task, status, out, proof);
@@ -3673,7 +3679,7 @@ static void kern_block_gain(const kern_structure *s, int i,
 static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
                                  kern_real gap)
 {
-    const kern_real high = KERN_R(1e-3) * kern_block_size(b) + gap;
+    const kern_real high = KERN_GAP * kern_block_size(b) + gap;
     kern_real least = KERN_HUGE;
     int i;
     for (i = 0; i < b->vertices; i++) {
@@ -3709,7 +3715,7 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         const kern_vec r = kern_vec_sub(c->p, b->centre);
         const kern_real size = kern_block_size(b);
-        const kern_real owns = KERN_R(off[end] <= KERN_R(1e-3) * size
+        const kern_real owns = KERN_R(off[end] <= KERN_GAP * size
                                       && off[end] <= off[!end]
                                                      + KERN_TRAVEL * size);
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
@@ -7049,18 +7055,17 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the largest coordinate below which places are the same: no gap is
    less. Smaller, and cubes that were turned and moved would not touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
-/* An outline of more vertices than KERN_RUN has boxes for runs of its edges:
-   more of them take more stack, shorter runs more time than they save. */
-#define KERN_RUN        16
-#define KERN_RUNS       24
+/* Vertices of an outline above which it has boxes for runs of its edges, and no
+   more runs than that; nested spans of it that are kept. More take more stack,
+   shorter runs more time than they save. */
+#define KERN_RUNS       20
 /* Turn [rad] below which a vertex is no corner, and within which of a half
-   turn it is a spike. Much larger, and round stones would lose their shape. */
-#define KERN_TURN       KERN_R(1e-6)
-/* Most vertices of a polygon: its mean turn is then well above KERN_TURN. */
-#define KERN_VERTICES_MOST 1000000
-/* Share of the size: the default gap, and the length of the shortest line. */
-#define KERN_GAP        KERN_R(1e-3)
-/* The default angle [rad]. */
+   turn it is a spike: much larger, and round stones would lose their shape. And
+   share of the size by which a foot must lie inside its edge, so that rounding
+   makes no contacts between diagonal neighbours. */
+#define KERN_SLIGHT     KERN_R(1e-6)
+/* The default angle [rad]; a cone does not become wider than to that of the
+   contact's line. */
 #define KERN_ANGLE      KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
@@ -7072,18 +7077,14 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    their places, 3/8 e^2 for their vertices and theta^2 r^2 for each; the angle
    of two edges, 0.7 sizes long, by 2 theta^2, and as much for their ends. */
 #define KERN_ERROR_GAP     KERN_R(5.25)
-#define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre */
+#define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre;
+                                           twice that, with the ends: angles  */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_ANGLE   KERN_R(6.8)
 #define KERN_ERROR_FOOT    KERN_R(3.0)  /* beyond the end of an edge          */
 /* Where a verdict is to be certain, in errors: */
 #define KERN_CERTAIN_SHIFT  KERN_R(3.5)  /* of place, by which kerns change   */
 #define KERN_CERTAIN_TURN   KERN_R(3.0)  /* of angle, by which cones turn     */
 #define KERN_CERTAIN_WIDE   KERN_R(2.0)  /* times that gaps and angles allow  */
-#define KERN_CERTAIN_STEEP  KERN_R(0.01) /* least cosine of a wider cone      */
-/* Share of the size of the smaller free block: higher steps are not simplified
-   away, however wide the gap. */
-#define KERN_STEP_MOST  KERN_R(0.1)
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
    an image of 900 a stone must not hold. At 2 a kerb of two gaps would be
    lost. */
@@ -7091,28 +7092,20 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Deviation of stairs from a chord between two of their corners, in risers: the
    square root of 2 where treads are as long. */
 #define KERN_STAIRS     KERN_R(1.4142135623730951)
-/* Nested spans of an outline that are kept: fewer cost time, more stack. */
-#define KERN_SPANS      16
-/* Length in steps of a way whose direction steps hardly change, and the sine of
-   10 degrees: by so much they still do. */
+/* Length in steps of a way whose direction steps hardly change. */
 #define KERN_STEP_WAY   KERN_R(8.0)
-#define KERN_STEP_SINE  KERN_R(0.17364817766693036)
+/* Share of the size of the smaller free block: higher steps are not simplified
+   away, however wide the gap. */
+#define KERN_STEP_MOST  KERN_R(0.1)
+/* Sine of 10 degrees: by so much they still do; and a vertex at a line contact
+   belongs to it if their normals differ by less; across a real corner they
+   differ by more. */
+#define KERN_SAME_FACE  KERN_R(0.17364817766693036)
 /* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
 #define KERN_GOES_ON    KERN_R(0.5)
-/* Share of the size by which a foot must lie inside its edge, so that rounding
-   makes no contacts between diagonal neighbours. */
-#define KERN_FOOT       KERN_R(1e-6)
 /* Share of the gap by which overlap may be deeper unseen: less takes more steps
-   along an edge. KERN_STRIDES of them, and 8 a vertex, before they double; and
-   most triangles of a size for an inner point. */
+   along an edge. */
 #define KERN_STRIDE     KERN_R(0.0625)
-#define KERN_STRIDES    64
-/* Cosine of 10 degrees: a vertex at a line contact belongs to it if their
-   normals differ by less; across a real corner they differ by more. */
-#define KERN_SAME_FACE  KERN_R(0.98480775301220806)
-/* Share by which the area of a polygon may differ from what the block says,
-   by rounding at large coordinates. */
-#define KERN_STALE_AREA KERN_R(1e-3)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* Vertices are counted as written, which may be clockwise: the area is below 0
@@ -7137,7 +7130,7 @@ static int kern_polygon_turn(const kern_block *block, int i)
     const kern_vec out = kern_vec_sub(
         block->vertex[kern_polygon_next(block, i, 0)], p);
     const kern_real turn = kern_vec_cross(in, out);
-    const kern_real least = KERN_TURN * kern_vec_dot(in, out);
+    const kern_real least = KERN_SLIGHT * kern_vec_dot(in, out);
     if (kern_abs(turn) < least)
         return 0;
     if (kern_abs(turn) <= -least)
@@ -7176,7 +7169,7 @@ typedef struct kern_outline {
     int each;               /* vertices of a run                     */
     kern_real step;         /* a corner is so far from its chord [m] */
     int spans;              /* so many; 0: not known yet             */
-    kern_span span[KERN_SPANS]; /* each lies in the one before       */
+    kern_span span[KERN_RUNS]; /* each lies in the one before       */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -7204,9 +7197,9 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
         if (turn == 2)
             o->spike = i;
     }
-    o->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
+    o->each = n > KERN_RUNS ? n / KERN_RUNS + KERN_RUNS / 2 : n;
     o->box[0] = block->box;
-    for (i = 0; n > KERN_RUN && i < n; i++) {
+    for (i = 0; n > KERN_RUNS && i < n; i++) {
         kern_box *box = &o->box[i / o->each];
         const int end = kern_polygon_next(block, i, 0);
         if (i % o->each == 0)
@@ -7422,7 +7415,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *vertex,
                                                    int vertices)
 {
-    if (vertices < 0 || vertices > KERN_VERTICES_MOST)
+    if (vertices < 0 || vertices > KERN_POINTS_MOST)
         return KERN_BAD_COUNT;
     if (vertices < 3)
         return KERN_FEW_VERTICES;
@@ -7568,7 +7561,7 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
         kern_real s, step, stride = *deep * KERN_STRIDE;
-        int left = KERN_STRIDES + 8 * b->block->vertices;
+        int left = KERN_ROUNDS + KERN_FEW_ROUNDS * b->block->vertices;
         for (s = 0; s < e.length; s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
@@ -7595,7 +7588,7 @@ static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
     const int n = a->block->vertices;
     int step, i, near_a = 0, near_b = 0;
     for (step = n / 3; step > 0; step /= 2)
-        for (i = 0; i < n; i += 1 + n / KERN_STRIDES) {
+        for (i = 0; i < n; i += 1 + n / KERN_ROUNDS) {
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(vertex[i], vertex[(i + step) % n]),
                 vertex[(i + 2 * step) % n]);
@@ -7739,7 +7732,7 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
             half.end = span->end;
         }
         span->steps = -1;
-        if (o->spans == KERN_SPANS) /* all but the whole are found anew */
+        if (o->spans == KERN_RUNS) /* all but the whole are found anew */
             o->spans = 1;
         o->span[o->spans++] = half;
     }
@@ -7837,9 +7830,9 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
         i = kern_polygon_next(block, i, back == (block->area > 0));
         way = kern_vec_sub(block->vertex[i], *p);
     } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * o->step);
-    return kern_vec_cross(chord, e->d) >= -KERN_STEP_SINE
+    return kern_vec_cross(chord, e->d) >= -KERN_SAME_FACE
            && kern_vec_cross(way, e->d)
-              >= -KERN_STEP_SINE * kern_vec_length(way);
+              >= -KERN_SAME_FACE * kern_vec_length(way);
 }
 
 /* The chord of an edge. At a corner where it starts it may be that of the edge
@@ -8015,7 +8008,8 @@ static int kern_line_passes(const kern_contact *line, const kern_contact *point,
     const kern_real off = kern_vec_dot(r, line->n);
     const kern_real beyond = kern_max(
         kern_abs(kern_vec_cross(line->n, r)) - line->travel, KERN_R(0));
-    return line->line && kern_vec_dot(line->n, point->n) > KERN_SAME_FACE
+    return line->line && kern_vec_dot(line->n, point->n) > 0
+           && kern_abs(kern_vec_cross(line->n, point->n)) < KERN_SAME_FACE
            && off * off + beyond * beyond <= gap * gap;
 }
 
@@ -8181,7 +8175,7 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
                  + pair->swing * (kern_box_half(a) + kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
-    pair->foot = kern_max(KERN_FOOT * size, s->floor);
+    pair->foot = kern_max(KERN_SLIGHT * size, s->floor);
     pair->over = KERN_ERROR_FOOT * o->pose_error;
     pair->sine = kern_sine(o->angle);
     pair->of[0].step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
@@ -8197,7 +8191,7 @@ static int kern_block_is_stale(const kern_block *block)
     return kern_vec_largest(kern_vec_sub(now.box.low, block->box.low)) > 0
            || kern_vec_largest(kern_vec_sub(now.box.high, block->box.high)) > 0
            || !(kern_abs(now.area - block->area)
-                <= KERN_STALE_AREA * kern_abs(block->area));
+                <= KERN_GAP * kern_abs(block->area));
 }
 
 /* Finds the contacts of blocks i and j, which must not overlap, or lists that
@@ -9562,7 +9556,7 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
     o.pose_turn = theta;
     o.gap = KERN_ERROR_GAP * e;
-    o.angle = kern_max(KERN_ANGLE, KERN_ERROR_ANGLE * theta);
+    o.angle = kern_max(KERN_ANGLE, 2 * KERN_ERROR_SWING * theta);
     o.angle = kern_min(o.angle, KERN_R(0.99) * KERN_ANGLE_MOST);
     o.overlap = kern_max(o.overlap, KERN_ERROR_OVERLAP * e);
     return o;
@@ -9580,7 +9574,7 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
         c->p = kern_vec_step(c->p, shift, kern_vec_turn(c->n));
         c->travel -= shift;
         c->mu = kern_max(c->mu - turn, KERN_R(0))
-                / kern_max(1 + c->mu * turn, KERN_CERTAIN_STEEP);
+                / kern_max(1 + c->mu * turn, KERN_ANGLE);
     }
 }
 
