@@ -2030,9 +2030,9 @@ static kern_status kern_ended(const kern_task *task, kern_status status)
 
 static kern_status kern_options_check(const kern_options *o)
 {
-    if (!kern_is_finite(o->mu + o->gap + o->angle + o->epsilon + o->overlap
-                        + o->pose_error + o->pose_turn + o->narrow + o->reserve)
-        || !kern_vec_is_moderate(o->lone))
+    if (!(kern_abs(o->mu + o->gap + o->angle + o->epsilon + o->overlap
+                   + o->pose_error + o->pose_turn + o->narrow + o->reserve)
+          <= KERN_FAR) || !kern_vec_is_moderate(o->lone))
         return KERN_BAD_NUMBER;
     if (o->mu < 0)
         return KERN_BAD_FRICTION;
@@ -3664,13 +3664,12 @@ static kern_real kern_contact_gain(const kern_structure *s,
 static void kern_block_gain(const kern_structure *s, int i,
                             const kern_motion *motion, kern_block_rate *out)
 {
-    const kern_block *b = s->block + i;
-    kern_wrench w;
-    kern_weigh(s->gravity, b->fixed ? KERN_R(0) : b->mass, &w);
+    const kern_real mass = s->block[i].fixed ? KERN_R(0) : s->block[i].mass;
+    const kern_vec g = s->gravity;
     kern_copy(&out->load, motion + i, 3);
-    out->place = out->centre = kern_vec_make(out->load.torque * w.fy,
-                                             -out->load.torque * w.fx);
-    out->mass = s->gravity.x * out->load.fx + s->gravity.y * out->load.fy;
+    out->place = out->centre = kern_vec_make(
+        out->load.torque * (g.y * mass), -out->load.torque * (g.x * mass));
+    out->mass = g.x * out->load.fx + g.y * out->load.fy;
     out->turn = KERN_R(0);
 }
 
@@ -7422,34 +7421,25 @@ KERN_SHARED static kern_status kern_vertices_check(const kern_vec *vertex,
     return vertex ? KERN_OK : KERN_BAD_POINTER;
 }
 
-/* Fills a block from a polygon, or leaves one that every call refuses. The
-   density of ground is not read. */
-static kern_status kern_block_fill(kern_block *block, const kern_vec *vertex,
-                                   int vertices, kern_real density, int fixed,
-                                   kern_fault *fault)
+/* Leaves a block that every call refuses where the polygon is none. */
+KERN_API kern_status kern_ground_init(kern_block *block,
+                                      const kern_vec *vertex, int vertices,
+                                      kern_fault *fault)
 {
     kern_fault ignored;
     kern_block made;
     kern_status status = kern_vertices_check(vertex, vertices);
-    kern_fault_clear(fault ? fault : &ignored);
+    fault = fault ? fault : &ignored;
+    kern_fault_clear(fault);
     made.vertex = vertex;
     made.vertices = vertices;
-    made.fixed = fixed;
+    made.fixed = 1;
     made.area = made.mass = KERN_R(0);
     made.centre = kern_vec_make(KERN_R(0), KERN_R(0));
     made.load.fx = made.load.fy = made.load.torque = KERN_R(0);
     kern_box_empty(&made.box);
-    if (status == KERN_OK && !block)
-        status = KERN_BAD_POINTER;
-    if (status == KERN_OK && !fixed && !(density > 0))
-        status = KERN_BAD_MASS;
     if (status == KERN_OK)
-        status = kern_polygon_measure(&made, fault ? fault : &ignored);
-    if (status == KERN_OK && !fixed) {
-        made.mass = density * kern_abs(made.area);
-        if (!(made.mass >= 1 / KERN_HEAVY) || made.mass > KERN_HEAVY)
-            status = KERN_BAD_MASS;
-    }
+        status = block ? kern_polygon_measure(&made, fault) : KERN_BAD_POINTER;
     if (status != KERN_OK)
         made.vertices = -1;
     if (block)
@@ -7460,12 +7450,18 @@ static kern_status kern_block_fill(kern_block *block, const kern_vec *vertex,
 KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
                                      int vertices, kern_real density,
                                      kern_fault *fault)
-{ return kern_block_fill(block, vertex, vertices, density, 0, fault); }
-
-KERN_API kern_status kern_ground_init(kern_block *block,
-                                      const kern_vec *vertex, int vertices,
-                                      kern_fault *fault)
-{ return kern_block_fill(block, vertex, vertices, KERN_R(0), 1, fault); }
+{
+    kern_status status = kern_ground_init(block, vertex, vertices, fault);
+    if (status != KERN_OK)
+        return status;
+    block->mass = density * kern_abs(block->area);
+    if (!(block->mass >= 1 / KERN_HEAVY) || block->mass > KERN_HEAVY) {
+        block->vertices = -1;
+        return KERN_BAD_MASS;
+    }
+    block->fixed = 0;
+    return KERN_OK;
+}
 
 KERN_API void kern_block_load(kern_block *block, kern_vec force, kern_vec at,
                               kern_real torque)
@@ -8342,9 +8338,6 @@ static kern_status kern_search_asked(const kern_block *block, int blocks,
                                        : KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
-    if (options->gap + options->overlap + options->pose_error
-        + options->pose_turn > KERN_FAR)
-        return KERN_BAD_OPTION;
     if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
     return (blocks > 0 && !block) || (room > 0 && !out) ? KERN_BAD_POINTER
@@ -9628,9 +9621,8 @@ static int kern_beds_keep(const kern_structure *s, kern_contact *out,
    status, or KERN_LIMIT where nothing is left. */
 static kern_status kern_limit_less(kern_task *task, kern_status status)
 {
-    if (task->options.limit == 0)
-        return status;
-    task->options.limit -= task->work->units;
+    task->options.limit = kern_limit_of(task->options.limit)
+                          - task->work->units;
     if (task->options.limit < 1) {
         task->options.limit = 1;
         return status < KERN_UNDECIDED ? status : KERN_LIMIT;
