@@ -3,8 +3,7 @@
    A header-only C library for robots that build with found stones and no
    mortar. It finds the contacts between polygons, contact forces that hold
    every stone, and how far every contact can shrink until no such forces
-   exist: a measure of stability. Each verdict comes with a proof that was
-   checked before it is returned.
+   exist: a measure of stability. Each verdict has a proof, which was checked.
 
    SPDX-License-Identifier: MIT (text at the end of the file)
 
@@ -85,8 +84,7 @@
    time, by kern_work_need(). Contacts are counted as contact points: a running
    bond has seven a block, twelve with joints between neighbours.
    KERN_CONTACTS(blocks) has room for these; stones with many short edges may
-   need twice as many (KERN_NO_SPACE). Bytes of work memory, double (float
-   takes about half):
+   need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,372    22,080    69,640   391,520
@@ -193,9 +191,9 @@
                length. The longest contact begins a face, points come last.
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
-   A larger gap removes no support. Contacts that the caller gives are taken as
-   they are: normals are made unit; the two points of a line lie along t within
-   `angle`, or it is refused.
+   A larger gap removes no support. Contacts that are given are taken as they
+   are: normals are made unit; a line is refused that is off t by more than
+   `angle`.
 
    Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
      line      The two ends go to each other; l is half the length.
@@ -292,8 +290,7 @@
        0.7             0.93              0.98                0.87
        0.9             0.85             0.995                0.95
 
-   Both halves chose the form of the law. Areas under the ROC curve, and how
-   well the chance fits: README.
+   Both halves chose the form of the law. ROC curve, and fit of chances: README.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -369,13 +366,12 @@
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (constants: >>tune), a deficit is exact to 3e-6
              sizes, and near to critical more is undecided; where wedges jam a
-             margin may be off by a third of a size; coordinates should not be
-             far from the origin.
+             margin may be off by a third of a size; stay near the origin.
 
    DETERMINISM                                                  >>determinism
 
-   The same input gives the same bits on every machine with IEEE arithmetic,
-   if the compiler keeps to it:
+   The same input gives the same bits on every machine whose compiler keeps to
+   IEEE arithmetic:
 
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
                              PowerPC, s390x, x86 with -mfma); gcc contracts by
@@ -389,8 +385,7 @@
                              program is linked: they flush small numbers to 0
 
    Only + - * / and square root are used, and KERN_SQRT must round as IEEE
-   asks. tests/golden.c compares a hash of all results, and notices wrong
-   flags. */
+   asks. tests/golden.c compares a hash of all results: it sees wrong flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -649,8 +644,7 @@ typedef enum kern_raising {
     KERN_HANGS            /* some blocks rest on nothing, others stand alone  */
 } kern_raising;
 
-/* A profile in four numbers: of the values of all free blocks [m], or of their
-   load factors. */
+/* A profile in four numbers: of margins [m] or load factors of free blocks. */
 typedef struct kern_collapse {
     kern_real least;      /* the weakest block's: the margin, the load factor */
     kern_real mean;       /* progressive margin, or progressive load factor   */
@@ -831,8 +825,7 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
 KERN_API kern_work kern_work_of(kern_real *real, int reals,
                                 int *index, int indices);
 
-/* KERN_REALS and KERN_INTS of numbers known at run time; zero in both where
-   these are out of range. */
+/* KERN_REALS and KERN_INTS at run time; 0 where a count is out of range. */
 KERN_API void kern_work_need(int blocks, int contacts,
                              int *reals, int *indices);
 
@@ -884,8 +877,7 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
                            kern_contact *out, int room, kern_work *work);
 
 /* Lists all pairs of blocks that overlap too deeply for a contact. Returns how
-   many there are, of which no more than room are written, or below 0 what
-   kern_contacts() returns. */
+   many there are, also above room, or what kern_contacts() does below 0. */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
@@ -911,8 +903,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
 
 /* Sets the travel of every contact point (>>rules), a point's from the others
    of its interface: the same two blocks, in either order. NULL: no effect.
-   Time: O(C) for each interface, and O(C) for each of its points where these
-   are neighbours in the array. */
+   Time: O(C) for each interface, and for each of its points beside another. */
 KERN_API void kern_contact_travels(kern_contact *contact, int contacts);
 
 /* Where a contact point acts at a shrinkage, or where it is negative a growth;
@@ -935,8 +926,7 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 
 /* Whether the structure stands: KERN_STANDS, KERN_FALLS or KERN_UNDECIDED.
    Time: O(B + C) where forces can be passed on from the top down, as in most
-   walls; else for each pivot C and the entries of its factors (>>lp), B^2 at
-   the most. */
+   walls; else C and the entries of factors (>>lp), at most B^2, for a pivot. */
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
@@ -978,8 +968,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
    share above options.reserve is asked for; KERN_BAD_OPTION: a reserve without
    gravity.
    KERN_NO_SPACE also where a structure is much wider than a wall of squares.
-   Time: 3 times that of the margin in the mean of 969 walls; with the
-   reserve 5 times. */
+   Time: 3 margins in the mean of 969 walls; with the reserve 5. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  kern_raising *out, kern_real *reserve,
                                  const kern_proof *proof);
@@ -1002,8 +991,7 @@ KERN_API kern_status kern_stays(const kern_task *task, int i,
    least sum of f^2 + (r / mu)^2 over the contact points. KERN_STANDS:
    force[0..contacts), checked like those of a proof. KERN_UNDECIDED: there are
    none, as kern_verdict() tells, or none so exact, as where jams are critical
-   or sizes differ by 1e4. KERN_NO_SPACE as in kern_raised(). Time: a third of
-   that of the margin. */
+   or sizes differ by 1e4. KERN_NO_SPACE as kern_raised(). Time: 1/3 margin. */
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force);
 
@@ -1059,8 +1047,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
    where it needs no contact that has a length; proof->force holds the structure
    by those contacts, proof->motion moves it without the shortest of them (0
    where that is undecided: it counts as needed). KERN_FALLS: it falls with all
-   contacts. Time: a verdict for each halving of the lengths, on a logarithmic
-   scale. */
+   contacts. Time: a verdict for each halving of the logarithms of lengths. */
 KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
                                   const kern_proof *proof);
 
@@ -1092,9 +1079,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; *factor is as it was. Time: 8 times that of the
-   load factor in the median of settled stones, 13 on walls that slide (9.5 of
-   40 to 60 blocks). */
+   own weight raises the forces; *factor is as it was. Time: 8 load factors in
+   the median of settled stones, 13 on walls that slide, 9.5 of 40 blocks on. */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1102,8 +1088,7 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof);
 
 /* The first angle [rad] at which it falls when gravity turns toward a side.
-   KERN_STANDS: *angle; proof as in kern_load_factor(). KERN_FALLS: it falls at
-   0. KERN_BAD_OPTION as there. */
+   KERN_STANDS: *angle; proof and all else as in kern_load_factor(). */
 KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
                                kern_side side, kern_real *angle,
                                const kern_proof *proof);
@@ -1138,9 +1123,8 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    and their proof is of the structure with the block: one motion more, and the
    forces of the block's contacts, which lie behind the plan's, last. */
 
-/* An empty plan: arrays for so many blocks and contact points, kern_known_of()
-   arrays as long as these, and work memory for a structure of that size.
-   Gravity is (0, -9.81). */
+/* An empty plan under gravity (0, -9.81): arrays for so many blocks and contact
+   points, kern_known_of() arrays as long, and work memory for so many. */
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work);
@@ -1172,8 +1156,7 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
 
-/* kern_stays() and kern_raised() with a block added; for NULL of the plan as it
-   is, and of its last block. */
+/* kern_stays() and kern_raised() with a block added; NULL: the last one is. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1187,8 +1170,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    a number. Allowed is: for forces, 1e-9 (float: 1e-4) of what acts on a block
    in each of its equilibrium equations; for a motion, that forces up to 1e6
    (1e3) times the weight could not stop it, whatever rounding does to the sums
-   of the check. Time: O(B + C), work memory: 4 B reals for forces, none for a
-   motion. */
+   of the check. Time: O(B + C). Work memory: for forces 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
@@ -1215,9 +1197,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
                          where units differ by more than 1e4
      KERN_LIMIT          lp->limit was reached
    Each is checked against A, every row and column by its own terms, so that
-   units do not matter. Below 0 x and y mean nothing. Work memory:
-   KERN_LP_REALS(rows, cols), KERN_LP_INTS(...). Time: rows^2 + rows cols for a
-   pivot. */
+   units do not matter. Below 0 x and y mean nothing. Work memory: KERN_LP_REALS
+   and _INTS(rows, cols). Time: rows^2 + rows cols for a pivot. */
 KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
                                    kern_real *y, kern_work *work);
 
@@ -1347,8 +1328,7 @@ extern "C" {
    a quarter of the angle]. Narrower, fewer verdicts near critical have a
    proof; wider, the bracket is no longer within the 2e-6 that are promised. */
 #define KERN_WIDTH         KERN_PICK(1.4e-6, 2e-3)
-/* How many times wider it may get where no nearer verdict has a proof; beyond,
-   the answer is KERN_UNDECIDED. */
+/* How many times wider it may get where no nearer verdict has a proof. */
 #define KERN_WIDEST        KERN_R(20)
 /* From the critical value to either end of its bracket, as a share of
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
@@ -1382,8 +1362,7 @@ extern "C" {
    to 0.1 rank as well), and the least height that counts [mean block size]. */
 #define KERN_DROP_LOAD     KERN_R(0.07)
 #define KERN_DROP_HEIGHT   KERN_R(0.3)
-/* Share of the fastest block's speed below which a block rests, or two do not
-   approach. */
+/* Share of the highest speed below which a block rests, or two do not meet. */
 #define KERN_REST          KERN_R(1e-4)
 
 /* ---- minimum-norm forces, top-down pass ---- */
@@ -1668,8 +1647,7 @@ typedef struct kern_query {
 KERN_SHARED static kern_real kern_reduction(const kern_query *q)
 { return kern_max(q->narrow * q->shrink, KERN_R(0)); }
 
-/* Friction of a contact whose cone is narrower by an angle: the tangent of the
-   difference of both angles. */
+/* Friction of a contact whose cone is narrower by the angle of a tangent. */
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
 { return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu; }
 
@@ -2124,8 +2102,7 @@ static kern_status kern_arrays_check(const kern_structure *s)
                                                        : KERN_BAD_NUMBER;
 }
 
-/* What is handed in, but for what its arrays hold; `out` is where the answer
-   goes. */
+/* What is handed in, but for what its arrays hold; the answer goes to `out`. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
@@ -2218,8 +2195,7 @@ static kern_real kern_prove_rows(const kern_structure *s,
     return error <= 1 ? error : kern_max(error, KERN_R(2));
 }
 
-/* Adds a force of contact c to the sums of its blocks. Returns whether it is in
-   its cone. */
+/* Adds a force of contact c to the sums of its blocks. Is it in its cone? */
 static inline int kern_prove_contact(const kern_structure *s,
                                      const kern_query *q, const kern_contact *c,
                                      const kern_force *force, kern_real by,
@@ -2370,8 +2346,7 @@ KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
 /* Free blocks become groups of three rows, numbered from top to bottom as
    gravity sees them, so that what a group carries has a smaller number. What
    is fixed, or has been taken away, is the ground, and has the number after
-   the last. A contact belongs to the upper one of its two groups: it carries
-   that group. */
+   the last. A contact belongs to the upper group, which it carries. */
 
 /* Groups and the contacts between them. */
 typedef struct kern_graph {
@@ -2403,8 +2378,7 @@ typedef struct kern_budget {
                                  its proof goes over the whole                */
 } kern_budget;
 
-/* Disjoint sets of groups that are balanced together, and a list of those that
-   are to be: see >>pass. */
+/* Disjoint sets of groups that are balanced together, and which are to be. */
 typedef struct kern_clusters {
     int *last;                /* of a group: the last group of its cluster    */
     int *next;                /* of a group: the next of its cluster, cyclic  */
@@ -2647,8 +2621,7 @@ static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
     b[2] += f * c->n[2] + r * c->turn;
 }
 
-/* The rows of contact i for a query: of block b, and of block a. Only torques
-   depend on the shrinkage. */
+/* The rows of contact i: of block b, and of a. Torques depend on the query. */
 static inline void kern_model_rows(const kern_model *m, const kern_query *q,
                                    int i, kern_row row[2])
 {
@@ -2691,8 +2664,7 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
     }
 }
 
-/* The unit of a group's torques is the size of its block, or where kerns have
-   grown beyond it, how far. */
+/* The unit of a group's torques: its block's size, and how far kerns grew. */
 static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
@@ -2748,8 +2720,7 @@ static void kern_model_unload(kern_model *m)
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->budget.work, m->budget.limit, units); }
 
-/* Whether one linear program of all groups is solved: of few, with all of its
-   work memory. */
+/* Is one linear program of all groups solved: of few, with all the memory? */
 static int kern_model_is_small(const kern_model *m)
 {
     const kern_work *work = m->budget.work;
@@ -3279,8 +3250,7 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
-/* Runs a path on which a load grows or gravity turns: a verdict at the start,
-   search, proofs. */
+/* Runs a path on which a load grows or gravity turns. */
 static kern_status kern_run(kern_call *c, const kern_task *task,
                             kern_real shrink, kern_path_kind kind,
                             const kern_wrench *pattern, kern_side side,
@@ -3344,8 +3314,7 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 
 /* ---- The profile --------------------------------------------- >>profile */
 /* Progressive collapse: the path goes on past its critical value, without what
-   moves there. A model of fewer blocks is the same model with fewer groups: it
-   needs no memory of its own. */
+   moves there. A model of fewer blocks is the same one with fewer groups. */
 
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
@@ -3382,8 +3351,7 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 }
 
 /* To the next critical value, in the steps that its measure takes by itself,
-   and to the proven mechanism there: the search for it may have ended with
-   another verdict. */
+   and to the mechanism there: the last verdict of the search may be another. */
 static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
@@ -3398,9 +3366,8 @@ static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                                  : status;
 }
 
-/* The whole collapse along a path, from one critical value to the next. Where
-   both proofs hold at one place, a round may take nothing away: the number of
-   such rounds is bounded. */
+/* The whole collapse along a path, from one critical value to the next. Rounds
+   that take nothing away, where both proofs hold at one place, are bounded. */
 static kern_status kern_fall_follow(kern_model *m, kern_path *path,
                                     kern_fall *fall)
 {
@@ -3630,8 +3597,7 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the
    forces and the motion of the margin's proof. */
 
-/* G_q of contact i, and its share of G_d: 0 where no force acts or no block
-   moves. */
+/* G_q of contact i, and its share of G_d: 0 without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s,
                                    const kern_query *q, int i,
                                    const kern_proof *proof,
@@ -7085,8 +7051,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_CERTAIN_TURN   KERN_R(3.0)  /* of angle, by which cones turn     */
 #define KERN_CERTAIN_WIDE   KERN_R(2.0)  /* times that gaps and angles allow  */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
-   an image of 900 a stone must not hold. At 2 a kerb of two gaps would be
-   lost. */
+   an image of 900 a stone must not hold. At 2, no kerb of two gaps would. */
 #define KERN_RISER      KERN_R(1.6)
 /* Deviation of stairs from a chord between two of their corners, in risers: the
    square root of 2 where treads are as long. */
@@ -7096,9 +7061,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the size of the smaller free block: higher steps are not simplified
    away, however wide the gap. */
 #define KERN_STEP_MOST  KERN_R(0.1)
-/* Sine of 10 degrees: by so much they still do; and a vertex at a line contact
-   belongs to it if their normals differ by less; across a real corner they
-   differ by more. */
+/* Sine of 10 degrees: by so much they still do; and by less do the normals of a
+   line contact and of a vertex that belongs to it, by more at a corner. */
 #define KERN_SAME_FACE  KERN_R(0.17364817766693036)
 /* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
 #define KERN_GOES_ON    KERN_R(0.5)
@@ -7119,8 +7083,7 @@ static int kern_polygon_next(const kern_block *block, int i, int back)
 }
 
 /* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
-   (reflex), 0 hardly at all, and 2 if it turns back: a spike, or a vertex that
-   is repeated. */
+   (reflex), 0 hardly at all, 2 back: a spike, or a vertex that is repeated. */
 static int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec p = block->vertex[i];
@@ -7239,8 +7202,7 @@ static kern_real kern_edge_along(const kern_edge *e, kern_vec p)
 static kern_vec kern_edge_foot(const kern_edge *e, kern_vec p)
 { return kern_vec_step(e->p, kern_edge_along(e, p), e->d); }
 
-/* Goes to the first edge behind vertex e->at that is near the box, of all edges
-   where that is -1; 0: none. */
+/* Goes to the next edge near the box, behind vertex e->at or -1; 0: none. */
 static int kern_edge_next(kern_edge *e, const kern_outline *o,
                           const kern_box *box, kern_real gap)
 {
@@ -7329,9 +7291,8 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 /* ---- what a polygon must be ---- */
 
 /* A polygon that turns one way only and has one lowest place is convex. In any
-   other no edge may touch another, but for its neighbours, which do so by right
-   unless they turn back. Edges whose boxes meet touch, unless one lies on one
-   side of the other. */
+   other no edge may touch another but its neighbours, which may not turn back.
+   Edges whose boxes meet touch, unless one lies on one side of the other. */
 static kern_status kern_polygon_simple(const kern_block *block,
                                        kern_fault *fault)
 {
@@ -7363,9 +7324,8 @@ static kern_status kern_polygon_simple(const kern_block *block,
     return KERN_OK;
 }
 
-/* Fills in area, centre and box. The area is added up from the triangles
-   between vertex 0 and the edges, against round-off far from the origin;
-   returns the sum without signs. */
+/* Fills in area, centre and box, by the triangles between vertex 0 and the
+   edges, against round-off far from the origin. Returns their unsigned sum. */
 static kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
@@ -7508,8 +7468,7 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
    by no more than the way, so each depth gives a step that is safe. */
 
 /* Does the line of an edge of a separate the two, with b right of it and a left
-   of it, but for half a gap? A convex pair that does not overlap has such an
-   edge, as a rule. */
+   of it, but for half a gap? As a rule one of a convex pair does. */
 static int kern_overlap_parted(const kern_block *a, const kern_block *b,
                                kern_real gap)
 {
@@ -7804,14 +7763,12 @@ static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
 
 /* ---- steps ---- */
 /* Contacts are found at the edges as they are, so that no support is lost by
-   the simplification. A contact at a step then goes to the chord, and is
-   dropped where its normal is far from that of the chord: it is that of the
-   step's own edge. */
+   the simplification. A contact at a step then goes to the chord, unless its
+   normal is far from that of the chord: it is that of the step's own edge. */
 
 /* A point at *p on chord e is the nearer end of chord f of the block. 0: that
-   end does not stand there, since one of the ways from it leads to the inner
-   side, as between two stones whose corners meet: by more than a chord of some
-   steps may be off. */
+   end does not stand there, since one of the ways from it leads inside by more
+   than a chord of steps may be off, as between stones whose corners meet. */
 static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
                              const kern_outline *o, kern_vec *p)
 {
@@ -7855,8 +7812,7 @@ static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
 
 /* Adds a contact of two edges, on their chords: midway between two that run
    against each other, else on the one inside of whose ends it lies farther. A
-   point is a corner of a (0) or of b (1), which has no normal at the end of its
-   own chord. */
+   point is a corner of a (0) or b (1): its own chord's end has no normal. */
 static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
                           kern_vec n, kern_real half, int corner)
 {
@@ -7906,9 +7862,8 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 }
 
 /* Edge e of a and edge f of b run against each other. In the frame of their
-   mean tangent t and mean normal n both are heights over s, e rises as f falls,
-   and the gap between them opens at twice that slope: the line contact is where
-   it is small enough, midway. */
+   mean tangent t and normal n both are heights over s, e rises as f falls, and
+   the gap opens at twice that slope: a contact where it is small, midway. */
 static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
 {
     const kern_edge *e = edge, *f = edge + 1;
@@ -7950,8 +7905,7 @@ static int kern_edge_bears(const kern_edge *e, const kern_block *block,
 }
 
 /* The corner where edge f starts stands on edge e, of a (on 0) or of b (1): it
-   is convex and within the gap, e bears it, and both its own edges lead to the
-   outer side. */
+   is convex and within the gap, e bears it, and both its edges lead outward. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -8073,8 +8027,7 @@ KERN_SHARED static int kern_carried(const kern_contact *c, kern_vec down)
     return push < 0 ? c->b : push > 0 ? c->a : KERN_OUT;
 }
 
-/* Do c and d belong together: to one interface, or where `down` is given, to
-   what carries one block? */
+/* Are c and d of one interface, or with `down` of what carries one block? */
 static int kern_together(const kern_contact *c, const kern_contact *d,
                          const kern_vec *down)
 {
@@ -8146,8 +8099,7 @@ typedef struct kern_search {
 static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
 
-/* The widest gap of blocks of that size. What was measured may have had the gap
-   of an exact contact before. */
+/* The widest gap of blocks of that size; measured ones add it to the exact. */
 KERN_SHARED static kern_real kern_search_gap(const kern_search *s,
                                              kern_real size)
 {
@@ -9555,9 +9507,8 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     return o;
 }
 
-/* Moves the points of n contacts along their ways by `by`, apart where that is
-   below 0, and turns the edges of their cones by an angle of tangent `turn`,
-   inward where that is above 0. */
+/* Moves the points of n contacts along their ways by `by`, and turns the edges
+   of their cones inward by an angle of tangent `turn`; or, below 0, back. */
 static void kern_contacts_err(kern_contact *c, int n, kern_real by,
                               kern_real turn)
 {
@@ -9571,9 +9522,8 @@ static void kern_contacts_err(kern_contact *c, int n, kern_real by,
     }
 }
 
-/* The contacts from i on of one pair of blocks end before the one returned; in
-   *held the block of the two that they carry, in *wide their bed, as gravity
-   sees it. */
+/* The end of the contacts from i on of one pair of blocks, the block of these
+   that they carry, and how wide that bed is, as gravity sees it. */
 static int kern_bed_end(const kern_structure *s, int i, int *held,
                         kern_real *wide)
 {
