@@ -753,24 +753,18 @@ typedef struct kern_lp {
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_ROOM(extras) (((extras) * (extras) + 5 * (extras)) / 3)
-#define KERN_REALS_OF(blocks, contacts, extras) \
-    ((extras) * (extras) + 5 * (extras) + 54 * (blocks) + 12 * (contacts) \
-     + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
-#define KERN_INTS_OF(blocks, contacts, extras) \
-    (KERN_ROOM(extras) + 39 * (blocks) + 9 * (contacts) + 40)
 #define KERN_REALS(blocks, contacts) \
-    KERN_REALS_OF(blocks, contacts, KERN_EXTRAS(blocks))
+    (KERN_EXTRAS(blocks) * (KERN_EXTRAS(blocks) + 5) + 54 * (blocks) \
+     + 12 * (contacts) + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS(blocks, contacts) \
-    KERN_INTS_OF(blocks, contacts, KERN_EXTRAS(blocks))
+    (KERN_ROOM(KERN_EXTRAS(blocks)) + 39 * (blocks) + 9 * (contacts) + 40)
 #define KERN_LEAN_PART(blocks) ((blocks) / 40 + 3)
 #define KERN_LEAN_REALS(blocks, contacts) \
     (12 * (blocks) + 6 * (contacts) \
-     + KERN_REALS_OF(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks), \
-                     KERN_EXTRAS(KERN_LEAN_PART(blocks))))
+     + KERN_REALS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
 #define KERN_LEAN_INTS(blocks, contacts) \
     (10 * (blocks) + 4 * (contacts) \
-     + KERN_INTS_OF(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks), \
-                    KERN_EXTRAS(KERN_LEAN_PART(blocks))))
+     + KERN_INTS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
 #define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
 #define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 5 * (rows) + 16)
 #define KERN_LP_INTS(rows, cols) \
@@ -7127,7 +7121,6 @@ typedef struct kern_span {
 typedef struct kern_outline {
     const kern_block *block;
     int straight, reflex;   /* are there such vertices?              */
-    int spike;              /* a vertex that turns back              */
     int each;               /* vertices of a run                     */
     kern_real step;         /* a corner is so far from its chord [m] */
     int spans;              /* so many; 0: not known yet             */
@@ -7151,13 +7144,10 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
     int i;
     o->block = block;
     o->straight = o->reflex = 0;
-    o->spike = -1;
-    for (i = n - 1; i >= 0; i--) {
+    for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
         o->straight |= turn == 0;
         o->reflex |= turn < 0;
-        if (turn == 2)
-            o->spike = i;
     }
     o->each = n > KERN_RUNS ? n / KERN_RUNS + KERN_RUNS / 2 : n;
     o->box[0] = block->box;
@@ -7300,14 +7290,14 @@ static kern_status kern_polygon_simple(const kern_block *block,
     kern_outline o;
     kern_edge e, f;
     int i, lowest = 0, up, rises = v[0].y > v[block->vertices - 1].y;
-    kern_outline_set(&o, block);
-    fault->index = o.spike;
-    if (o.spike >= 0)
-        return KERN_CROSSING;
     for (i = 0; i < block->vertices; i++, rises = up) {
         up = v[kern_polygon_next(block, i, 0)].y > v[i].y;
         lowest += up && !rises;
+        fault->index = i;
+        if (kern_polygon_turn(block, i) == 2)
+            return KERN_CROSSING;
     }
+    kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
         return KERN_OK;
     o.straight = 0; /* from vertex to vertex, which costs less */
@@ -7954,13 +7944,11 @@ static void kern_pair_edges(kern_pair *pair)
 static int kern_line_passes(const kern_contact *line, const kern_contact *point,
                             kern_real gap)
 {
-    const kern_vec r = kern_vec_sub(point->p, line->p);
-    const kern_real off = kern_vec_dot(r, line->n);
-    const kern_real beyond = kern_max(
-        kern_abs(kern_vec_cross(line->n, r)) - line->travel, KERN_R(0));
+    const kern_vec p = kern_vec_sub(kern_line_end(line, -1), point->p);
+    const kern_vec q = kern_vec_sub(kern_line_end(line, 1), point->p);
     return line->line && kern_vec_dot(line->n, point->n) > 0
            && kern_abs(kern_vec_cross(line->n, point->n)) < KERN_SAME_FACE
-           && off * off + beyond * beyond <= gap * gap;
+           && kern_edge_square(p, q) <= gap * gap;
 }
 
 /* Leaves out the points that belong to a line: lines come first. */
