@@ -531,8 +531,7 @@ typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 /* A stone, or a piece of ground. kern_block_init() fills it; mass, centre and
    load may be changed afterwards. */
 typedef struct kern_block {
-    const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none,
-                               for a block whose contacts are given           */
+    const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
     int vertices;           /* >= 3; 0 with vertex NULL; -1: it was refused   */
     int fixed;              /* nonzero: ground, exerts whatever is needed     */
     kern_real area;         /* [m^2], < 0 if the polygon runs clockwise; the
@@ -575,8 +574,7 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real mu;         /* friction of contacts found from polygons; 0.4    */
     kern_real gap;        /* widest gap that is a contact [m]; 0: 1e-3 of the
                              size of the pair's smaller free block            */
-    kern_real angle;      /* widest angle between touching edges [rad], < 0.5;
-                             0.0174533                                        */
+    kern_real angle;      /* widest of touching edges [rad], < 0.5; 0.0174533 */
     kern_real epsilon;    /* step of Algorithm 1 [m]; 0: 0.02 mean block size;
                              relative: a share, 0: 0.05                       */
     int relative;         /* nonzero: shrinkage is a share of each travel     */
@@ -587,11 +585,9 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
     kern_real narrow;     /* rate at which cones of friction narrow as kerns
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
-    kern_real reserve;    /* largest reserve that kern_raised() asks for, from 0
-                             to 0.1; 0: 0.1                                   */
-    kern_vec lone;        /* direction of gravity, of any length: contacts that
-                             are found have lone points that travel (>>rules);
-                             (0, 0): these stay                               */
+    kern_real reserve;    /* largest that kern_raised() asks for; 0: 0.1, most*/
+    kern_vec lone;        /* gravity, of any length: lone points that are found
+                             travel (>>rules); (0, 0): they stay              */
 } kern_options;
 
 /* Of a contact point [N], and of a block: velocity of its centre and spin. */
@@ -686,8 +682,7 @@ typedef struct kern_work {
     int solves;           /* top-down passes and linear programs              */
     int units;            /* work of the last call but searches for contacts;
                              limit + 1 with KERN_LIMIT, else within the limit */
-    kern_real error;      /* largest error of a proof, as a share of what is
-                             allowed: <= 1                                    */
+    kern_real error;      /* largest of a proof, in what is allowed: <= 1     */
     kern_fault fault;     /* of the last call that returned less than 0       */
 } kern_work;
 
@@ -1472,7 +1467,7 @@ KERN_SHARED static kern_real kern_min(kern_real a, kern_real b)
 { return a < b ? a : b; }
 
 /* Where it is not, a - a is not a number. */
-static int kern_is_finite(kern_real a)
+KERN_SHARED static int kern_is_finite(kern_real a)
 { return a - a <= 0; }
 
 static kern_vec kern_vec_make(kern_real x, kern_real y)
@@ -1721,8 +1716,7 @@ static kern_real kern_wrench_on(const kern_structure *s,
     return size;
 }
 
-/* How far along t a contact point has moved at a shrinkage, and in `rate` how
-   fast it moves when the shrinkage grows. */
+/* How far along t a contact point moves with a shrinkage, and how fast. */
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
@@ -1935,7 +1929,7 @@ typedef struct kern_take {
     int reals, indices;
 } kern_take;
 
-static void kern_take_open(kern_take *take, const kern_work *work)
+KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 {
     take->real = work->real;
     take->index = work->index;
@@ -2515,8 +2509,7 @@ static void kern_model_order(const kern_model *m)
         }
 }
 
-/* Gives every block that is free and has not been taken away a group, and lists
-   the contacts of every group, in their order. */
+/* Gives every block that is free and there a group, and lists its contacts. */
 static void kern_model_group(kern_model *m, const kern_query *q)
 {
     const kern_structure *s = m->s;
@@ -2976,8 +2969,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
 static const kern_known *kern_task_known(const kern_task *task)
 { return task->known.fails > 0 && task->known.force ? &task->known : NULL; }
 
-/* Remembers a measure, whose proof is in the arrays of what is known, and
-   copies the proof to where it is wanted. */
+/* Remembers a measure; its proof, which is there, is copied to the caller. */
 static void kern_known_set(kern_task *task, kern_status status,
                            const kern_margin *out, const kern_proof *proof)
 {
@@ -2995,8 +2987,7 @@ static void kern_known_set(kern_task *task, kern_status status,
     }
 }
 
-/* The measure of a task that has been opened: with what is known of a structure
-   like it, and forces that held that, or NULL. */
+/* The measure of an open task, with what is known of one like it or NULL. */
 static kern_status kern_measure_task(kern_call *c, const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
@@ -3142,8 +3133,7 @@ KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
     return status;
 }
 
-/* A length between lo and hi that a contact has, near the middle of all these
-   on a logarithmic scale; 0: there is none. */
+/* A contact's length between lo and hi, near their logarithmic middle, or 0. */
 static kern_real kern_length_between(const kern_structure *s, kern_real mean,
                                      kern_real lo, kern_real hi)
 {
@@ -3217,8 +3207,7 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Whether what grows along a path can be reckoned with: a pattern of loads; or,
-   where that is NULL, a horizontal load, or the tilt, to a side. */
+/* Can what grows be reckoned with: a pattern, or, for NULL, what has a side? */
 static kern_status kern_growth_check(const kern_model *m,
                                      const kern_wrench *pattern, kern_side side)
 {
@@ -3330,8 +3319,7 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
         }
 }
 
-/* Evaluates where the structure fell last, and a little farther as long as
-   that is too near to critical to tell. */
+/* Evaluates where it fell last, and farther on while that is undecided. */
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
@@ -3633,8 +3621,7 @@ static void kern_block_gain(const kern_structure *s, int i,
     out->turn = KERN_R(0);
 }
 
-/* How far along the contact the block's nearest corner lies from its point, of
-   those not farther across it than the gap. */
+/* How far along the contact its point is from the block's nearest corner. */
 static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
                                  kern_real gap)
 {
@@ -7579,8 +7566,7 @@ static int kern_span_holds(const kern_block *block, const kern_span *span,
     return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n;
 }
 
-/* Length of the edge from corner i to k if it turns one way at one end and the
-   other way at the other, as a riser does. */
+/* Length of the edge from corner i to k if it turns to both sides: a riser. */
 static kern_real kern_riser_length(const kern_block *block, int i, int k)
 {
     const int turns = kern_polygon_turn(block, i) * kern_polygon_turn(block, k);
@@ -7603,8 +7589,7 @@ static int kern_span_has_steps(const kern_outline *o, const kern_span *span)
     return 0;
 }
 
-/* The corner of the span that is farthest from the way from p to q, by more
-   than `most`; its end if there is none. */
+/* The span's corner farthest from pq, by more than `most`; else its end. */
 static int kern_span_split(const kern_outline *o, const kern_span *span,
                            kern_vec p, kern_vec q, kern_real most)
 {
@@ -7739,10 +7724,6 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
     kern_line_set(&at[i], p, n, half);
 }
 
-/* The outer normal of a way in direction d. */
-static kern_vec kern_vec_outward(kern_vec d)
-{ return kern_vec_make(d.y, -d.x); }
-
 /* Do the ways run against each other, within the angle? */
 static int kern_pair_opposed(const kern_pair *pair, const kern_edge *e,
                              const kern_edge *f)
@@ -7833,7 +7814,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     } else {
         return;
     }
-    t = kern_vec_outward(t);
+    t = kern_vec_scale(kern_vec_turn(t), -1); /* the outer normal */
     if (kern_vec_dot(t, n) > KERN_GOES_ON)
         kern_pair_put(pair, q, t, half * kern_vec_dot(t, n));
 }
@@ -7863,7 +7844,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     if (!kern_pair_opposed(pair, e, f))
         return;
     t = kern_vec_unit(kern_vec_sub(e->d, f->d));
-    n = kern_vec_outward(t);
+    n = kern_vec_scale(kern_vec_turn(t), -1); /* outward */
     cosine = kern_vec_dot(e->d, t); /* and of f the opposite */
     slope = kern_vec_dot(e->d, n) / cosine;
     at = kern_vec_dot(r, t);
@@ -7879,8 +7860,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     kern_pair_add(pair, edge, p, n, (high - low) / 2, 0);
 }
 
-/* Does edge e of the block bear p: is the foot of p inside, or does e end
-   within the gap of p in a reflex corner? */
+/* Is the foot of p inside edge e, or does e end at p in a reflex corner? */
 static int kern_edge_bears(const kern_edge *e, const kern_block *block,
                            kern_vec p, kern_real inside, kern_real gap)
 {
@@ -7916,7 +7896,7 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
     kern_pair_add(pair, edge, p,
-                  on ? kern_vec_turn(e->d) : kern_vec_outward(e->d), 0, !on);
+                  kern_vec_scale(kern_vec_turn(e->d), on ? 1 : -1), 0, !on);
 }
 
 /* Looks for lines and points at each two edges that are near each other. */
@@ -8130,8 +8110,7 @@ static int kern_block_is_stale(const kern_block *block)
                 <= KERN_GAP * kern_abs(block->area));
 }
 
-/* Finds the contacts of blocks i and j, which must not overlap, or lists that
-   they do: none where both are fixed, or apart. */
+/* Finds contacts of blocks i and j that are not both fixed, or an overlap. */
 static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
@@ -8176,8 +8155,7 @@ static kern_status kern_search_pair(kern_search *s, int i, int j)
     return KERN_OK;
 }
 
-/* Gives every line the two places of its ends, from the last to the first.
-   Returns how many contact points there are. */
+/* Makes two points of every line, from the last on. Returns how many points. */
 static int kern_search_close(const kern_search *s)
 {
     kern_contact *out = s->pair.out;
@@ -8204,8 +8182,7 @@ static int kern_search_close(const kern_search *s)
 
 /* ---- input ---- */
 
-/* Checks what the search reads of block i. The vertices of blocks before
-   s->from are looked at when a pair reads them. */
+/* Checks what the search reads of block i, before s->from but its vertices. */
 static kern_status kern_search_check(const kern_search *s, int i)
 {
     const kern_block *block = &s->block[i];
@@ -9555,8 +9532,7 @@ static int kern_beds_keep(const kern_structure *s, kern_contact *out,
     return n;
 }
 
-/* Takes the work of the last of several calls off the limit. Returns its
-   status, or KERN_LIMIT where nothing is left. */
+/* Takes the work of a call off the limit: its status, or KERN_LIMIT. */
 static kern_status kern_limit_less(kern_task *task, kern_status status)
 {
     task->options.limit = kern_limit_of(task->options.limit)
