@@ -1243,7 +1243,7 @@ extern "C" {
 
 #define KERN_OUT (-1)
 
-/* Functions with many callers: firmware has no room for inlined copies. */
+/* Inlined, these take more room in firmware, by their callers or registers. */
 #if defined(__GNUC__) && defined(__OPTIMIZE_SIZE__)
 #define KERN_SHARED __attribute__((noinline))
 #else
@@ -2969,24 +2969,6 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
 static const kern_known *kern_task_known(const kern_task *task)
 { return task->known.fails > 0 && task->known.force ? &task->known : NULL; }
 
-/* Remembers a measure; its proof, which is there, is copied to the caller. */
-static void kern_known_set(kern_task *task, kern_status status,
-                           const kern_margin *out, const kern_proof *proof)
-{
-    kern_known *known = &task->known;
-    if (proof && proof->force)
-        kern_copy(proof->force, known->force, 2 * task->s.contacts);
-    if (status == KERN_STANDS && out->saturated)
-        kern_zero(known->motion, 3 * task->s.blocks);
-    else if (proof && proof->motion)
-        kern_copy(proof->motion, known->motion, 3 * task->s.blocks);
-    if (status == KERN_STANDS) {
-        known->holds = out->holds;
-        known->margin = out->margin;
-        known->fails = out->fails;
-    }
-}
-
 /* The measure of an open task, with what is known of one like it or NULL. */
 static kern_status kern_measure_task(kern_call *c, const kern_task *task,
                                      const kern_known *known, kern_margin *out,
@@ -3062,8 +3044,17 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     status = kern_measure_anew(task, &known, out, &kept);
     if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
         task->known.fails = KERN_R(0);
-    if (status >= 0)
-        kern_known_set(task, status, out, proof);
+    if (status >= 0 && proof && proof->force)
+        kern_copy(proof->force, kept.force, 2 * task->s.contacts);
+    if (status == KERN_STANDS && out->saturated)
+        kern_zero(kept.motion, 3 * task->s.blocks);
+    else if (status >= 0 && proof && proof->motion)
+        kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
+    if (status == KERN_STANDS) {
+        task->known.holds = out->holds;
+        task->known.margin = out->margin;
+        task->known.fails = out->fails;
+    }
     return status;
 }
 
@@ -3516,11 +3507,12 @@ static int kern_as_one(const kern_structure *s, const kern_motion *motion,
                        int i, int j)
 {
     const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
-    const kern_motion v = motion[i], w = motion[j];
-    const kern_vec apart = kern_vec_sub(kern_velocity(&v, r),
-                                        kern_vec_make(w.vx, w.vy));
-    const kern_real turn = (v.spin - w.spin) * kern_vec_length(r);
-    return kern_vec_length(apart) < KERN_REST && kern_abs(turn) < KERN_REST;
+    const kern_vec v = kern_velocity(motion + i, r);
+    kern_motion apart = motion[j];
+    apart.vx -= v.x;
+    apart.vy -= v.y;
+    apart.spin -= motion[i].spin;
+    return kern_block_speed(s->block + j, &apart) < KERN_REST;
 }
 
 /* Groups around the fastest block that is in none. */
@@ -3609,18 +3601,6 @@ static kern_real kern_contact_gain(const kern_structure *s,
     return -rate * spin * f;
 }
 
-static void kern_block_gain(const kern_structure *s, int i,
-                            const kern_motion *motion, kern_block_rate *out)
-{
-    const kern_real mass = s->block[i].fixed ? KERN_R(0) : s->block[i].mass;
-    const kern_vec g = s->gravity;
-    kern_copy(&out->load, motion + i, 3);
-    out->place = out->centre = kern_vec_make(
-        out->load.torque * (g.y * mass), -out->load.torque * (g.x * mass));
-    out->mass = g.x * out->load.fx + g.y * out->load.fy;
-    out->turn = KERN_R(0);
-}
-
 /* How far along the contact its point is from the block's nearest corner. */
 static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
                                  kern_real gap)
@@ -3699,8 +3679,17 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
     }
     if (margin->saturated || !(kern_abs(gain) > KERN_NOISE * most))
         return KERN_UNDECIDED;
-    for (i = 0; i < task->s.blocks; i++)
-        kern_block_gain(&task->s, i, proof->motion, block + i);
+    for (i = 0; i < task->s.blocks; i++) {
+        const kern_block *b = task->s.block + i;
+        const kern_real mass = b->fixed ? KERN_R(0) : b->mass;
+        const kern_vec g = task->s.gravity;
+        const kern_motion *v = proof->motion + i;
+        kern_zero(block + i, 9);
+        kern_copy(&block[i].load, v, 3);
+        block[i].place = block[i].centre = kern_vec_make(
+            v->spin * (g.y * mass), -v->spin * (g.x * mass));
+        block[i].mass = g.x * v->vx + g.y * v->vy;
+    }
     for (i = 0; i < task->s.contacts; i++) {
         const int line = kern_line_begins(task->s.contact, task->s.contacts, i);
         kern_pose_gain(task, contact, i, i + line, block);
@@ -7536,9 +7525,9 @@ static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
 
 /* Depth of the overlap of a and b, but for a stride, or one beyond `enough`; 0:
    none deeper than the gap. Two blocks at one place have no deep boundary. */
-static kern_real kern_overlap_depth(const kern_outline *a,
-                                    const kern_outline *b, kern_real gap,
-                                    kern_real enough)
+KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
+                                                const kern_outline *b,
+                                                kern_real gap, kern_real enough)
 {
     const kern_outline *const side[3] = {a, b, a};
     kern_real deep = gap;
@@ -8111,7 +8100,7 @@ static int kern_block_is_stale(const kern_block *block)
 }
 
 /* Finds contacts of blocks i and j that are not both fixed, or an overlap. */
-static kern_status kern_search_pair(kern_search *s, int i, int j)
+KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
     const kern_block *a = &s->block[i], *b = &s->block[j];
@@ -8229,23 +8218,6 @@ static kern_status kern_search_survey(kern_search *s)
     return KERN_OK;
 }
 
-/* Finds the contacts of all blocks from s->from on with those before them. */
-static kern_status kern_search_pairs(kern_search *s)
-{
-    int a, b;
-    for (b = s->from; b < s->blocks; b++) {
-        if (!s->block[b].vertices)
-            continue;
-        kern_outline_set(&s->pair.of[1], &s->block[b]);
-        for (a = 0; a < b; a++) {
-            const kern_status status = kern_search_pair(s, a, b);
-            if (status != KERN_OK)
-                return status;
-        }
-    }
-    return KERN_OK;
-}
-
 /* What the search was handed, but for the blocks themselves. */
 static kern_status kern_search_asked(const kern_block *block, int blocks,
                                      const kern_options *options,
@@ -8268,6 +8240,7 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
 {
     kern_search s;
     kern_status status;
+    int a, b;
     if (!work)
         return (int)KERN_BAD_POINTER;
     kern_fault_clear(&work->fault);
@@ -8285,8 +8258,11 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
     s.pair.room = room;
     s.pair.count = 0;
     status = kern_search_survey(&s);
-    if (status == KERN_OK)
-        status = kern_search_pairs(&s);
+    for (b = s.from; b < blocks && status == KERN_OK; b++) {
+        kern_outline_set(&s.pair.of[1], &block[b]);
+        for (a = 0; a < b && block[b].vertices && status == KERN_OK; a++)
+            status = kern_search_pair(&s, a, b);
+    }
     if (status != KERN_OK)
         return (int)status;
     if (listing)
@@ -9544,30 +9520,6 @@ static kern_status kern_limit_less(kern_task *task, kern_status status)
     return status;
 }
 
-/* The upper end, at least `least`, with every contact that may exist; `by` and
-   `turn` are what kerns and cones gain. */
-static kern_status kern_certain_high(kern_task *task, kern_contact *contact,
-                                     int room, kern_real by, kern_real turn,
-                                     kern_real least, kern_interval *out)
-{
-    kern_margin m;
-    kern_status status;
-    task->options = kern_measured_options(
-        &task->options, KERN_CERTAIN_WIDE * task->options.pose_error,
-        KERN_CERTAIN_WIDE * task->options.pose_turn);
-    task->s.contacts = kern_contacts(task->s.block, task->s.blocks,
-                                     &task->options, contact, room, task->work);
-    if (task->s.contacts < 0)
-        return (kern_status)task->s.contacts;
-    kern_contacts_err(contact, task->s.contacts, -by, -turn);
-    status = kern_measure(task, &m, NULL);
-    if (status == KERN_FALLS)
-        out->high = KERN_R(0);
-    else if (status == KERN_STANDS || status == KERN_LIMIT)
-        out->high = kern_max(m.fails, least);
-    return status;
-}
-
 static kern_status kern_certain_check(const kern_task *task, kern_real margin,
                                       const kern_interval *out,
                                       const kern_contact *contact, int room)
@@ -9614,10 +9566,18 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
             &other, KERN_R(0), &raised, NULL, NULL));
     if (status < KERN_UNDECIDED)
         return status;
-    status = kern_certain_high(
-        &other, contact, room, by, turn,
-        !(margin > 0) ? KERN_R(0)
-        : task->options.relative ? margin : margin + by, out);
+    other.options = kern_measured_options(
+        &other.options, KERN_CERTAIN_WIDE * task->options.pose_error,
+        KERN_CERTAIN_WIDE * task->options.pose_turn);
+    other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
+                                     &other.options, contact, room, task->work);
+    kern_contacts_err(contact, other.s.contacts, -by, -turn);
+    status = kern_measure(&other, &m, NULL);
+    if (status == KERN_FALLS)
+        out->high = KERN_R(0);
+    else if (status == KERN_STANDS || status == KERN_LIMIT)
+        out->high = kern_max(m.fails, margin > 0 && !task->options.relative
+                                      ? margin + by : margin);
     if (status < KERN_UNDECIDED || status == KERN_FALLS)
         return status;
     return out->low > 0 && raised == KERN_RAISED ? KERN_STANDS : KERN_OK;
