@@ -34,9 +34,8 @@
                                     d*             |====|      the middle is
                                                                the kern
 
-   "Kern" is the paper's word for what is left of a shrunk contact; it is not
-   the middle third of a section. The margin d* is the largest d at which
-   forces in equilibrium still exist.
+   "Kern" is the paper's word for what is left of a shrunk contact, not for the
+   middle third of a section. Beyond the margin d* no forces are in equilibrium.
 
    HOW TO USE IT                                                        >>use
 
@@ -122,8 +121,7 @@
    KERN_GLPK_ROWS       rows above which they do (three a free block); 96
 
    Without a C library, -Os -fno-tree-loop-distribute-patterns keep gcc from
-   calling memcpy and memset; -fno-math-errno makes the square root an
-   instruction where there is one.
+   memcpy and memset; -fno-math-errno makes the square root an instruction.
 
    METHOD                                                            >>method
 
@@ -136,8 +134,7 @@
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
    (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
    none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
-   such that no contact closes and the weights do work. That motion is the
-   mechanism, and the proof of falling.
+   such that no contact closes and the weights do work: the mechanism, a proof.
 
    A verdict asks, in this order, until one gives a proof:
 
@@ -192,8 +189,7 @@
      overlap   A point of one outline deeper than the gap inside the other
                block, or a block inside another: KERN_OVERLAP.
    A larger gap removes no support. Contacts that are given are taken as they
-   are: normals are made unit; a line is refused that is off t by more than
-   `angle`.
+   are, with unit normals; a line off t by more than `angle` is refused.
 
    Shrinkage. A contact point has a direction u = t or -t, a travel l >= 0:
      line      The two ends go to each other; l is half the length.
@@ -259,8 +255,7 @@
    Kerns shrink to a point, and a point still carries: a stone one end of which
    rests on 2 micrometres has the margin of the other end. The bearing length
    sees the sliver; a robot that places stones less exactly than that cannot
-   count on it. A saturated margin is half the longest contact and says nothing
-   about safety: do not compare it.
+   count on it. A saturated margin, half the longest contact, tells no safety.
 
    Collapse under shaking. All but the profile tell when the first stone falls,
    not when half of a wall does. A stone that rocks soon meets the next one, so
@@ -281,8 +276,7 @@
    Whether a stone stays where it is let go. kern_stays() gives the chance: let
    go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
    times in another simulator (tests/truth.c): 630 stay, 205 move, 134 depend on
-   its noise and count as not staying. Of each half of the walls, by the scale
-   of the law fitted to the other:
+   its noise and count as not staying. Each half, by the scale of the other:
 
        chance    stays kept    moves rejected    unclear rejected
        0.3             0.96              0.94                0.75
@@ -310,8 +304,7 @@
    (pixel, simplification and registration together, as squares) and theta of
    its angle. The margin of a stone of 40, 200 or 1000 vertices is then the same
    within 2 %; else the discretisation decides it. Overlaps beyond the error are
-   modelling errors: kern_overlaps() lists them. Measure the stones again, or
-   accept the overlaps: options.overlap.
+   modelling errors (kern_overlaps()): measure again, or set options.overlap.
 
    Certainty. kern_certain() tells whether the verdict is certain within the
    error, and between what the margin lies. A gap below the error may be open,
@@ -776,11 +769,10 @@ typedef struct kern_lp {
    -1 it is the status of kern_contacts(), returned with its fault. A measure
    with KERN_LIMIT is the largest proven to stand by then, below 0 if none is.
    Numbers that cannot be squared or multiplied safely are refused, with the
-   block in the fault: a centre, place or travel above 1e100 m
-   (KERN_BAD_NUMBER), a mass or area out of the range of kern_block_init()
-   (KERN_BAD_MASS, KERN_NO_AREA; above 1e200 m^2 KERN_BAD_NUMBER), weight and
-   load of a free block together above 1e100 N, or below 1e-100 N and not 0
-   (KERN_BAD_NUMBER; float: 1e15, 1e-15). */
+   block in the fault: a mass or area out of the range of kern_block_init()
+   (KERN_BAD_MASS, KERN_NO_AREA); as KERN_BAD_NUMBER a centre, place or travel
+   above 1e100 m, an area above 1e200 m^2, weight and load of a free block
+   together above 1e100 N, or below 1e-100 N and not 0 (float: 1e15, 1e-15). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -788,9 +780,8 @@ KERN_API const char *kern_status_text(kern_status status);
 /* The defaults that stand beside each field of kern_options. */
 KERN_API kern_options kern_defaults(void);
 
-/* Options that also find the contacts which a little rocking would close
-   (>>measures): *options (NULL: the defaults) with a gap of at least 4 % of the
-   mean size [m] and an angle of at least 0.15 rad. */
+/* *options (NULL: the defaults) that also find contacts which a little rocking
+   closes: gap at least 4 % of the mean size [m], angle at least 0.15 rad. */
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size);
 
@@ -858,9 +849,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
    vertices have moved, or their array was used for another block). Work
-   memory: none but for the fault. Time: a test of boxes for each two blocks;
-   where they meet a few products for each two edges that are near, some tens
-   where no edge of either parts them. */
+   memory: the fault alone. Time: a test of boxes for two blocks; where they
+   meet a few products for two near edges, tens where no edge parts them. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
@@ -904,8 +894,7 @@ KERN_API kern_vec kern_contact_at(const kern_contact *contact,
 /* `shrink` [m] (relative: a share, at most 1): kerns are shrunk by so much, and
    grown where it is negative. proof may be NULL. */
 
-/* A task: the structure of so many blocks and contact points under gravity
-   (0, -9.81), kern_defaults(), nothing known. */
+/* A structure under gravity (0, -9.81), kern_defaults(), nothing known. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work);
@@ -1043,14 +1032,12 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 /* The largest factor of a horizontal load to a side on top of weights and
    loads. KERN_STANDS: *factor, KERN_INFINITY where it stands at 1,000,000;
    proof as in kern_measure(), for the loads at the factor. KERN_FALLS: it
-   falls at 0. KERN_BAD_OPTION: no gravity, or neither KERN_LEFT nor
-   KERN_RIGHT. */
+   falls at 0. KERN_BAD_OPTION: no gravity, or no such side. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
 
-/* The same for any load: pattern[0..blocks), a wrench about the centre of each
-   block; those of fixed blocks are not read. */
+/* The same for pattern[0..blocks): a wrench about each free block's centre. */
 KERN_API kern_status kern_load_factor_of(const kern_task *task,
                                          kern_real shrink,
                                          const kern_wrench *pattern,
@@ -1119,11 +1106,10 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_known known, kern_work *work);
 
 /* Adds a block behind the others and finds its contacts. Returns how many
-   contact points it has, or what kern_touch() returns below 0, KERN_NO_SPACE
-   also where there is no room for it, KERN_BAD_POINTER also where the plan has
-   no known forces or motions; the plan is then as it was. The block is
-   copied, its vertices are NOT: they must outlive the plan. Options that change
-   later, friction too, leave its contacts as they are. Time: O(B). */
+   contact points it has, or what kern_touch() does below 0, KERN_NO_SPACE also
+   without room for it, KERN_BAD_POINTER also without known forces or motions;
+   the plan is then as it was. The block is copied, its vertices are NOT: they
+   must outlive the plan. Options, friction too, count as of now. Time: O(B). */
 KERN_API int kern_plan_add(kern_plan *plan, const kern_block *block);
 
 /* Takes block i away; those behind it move up, in contacts too. KERN_OK: done.
@@ -1339,9 +1325,8 @@ extern "C" {
    triangles of a size that are tried for an inner point. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole is asked, strides a
-   vertex; steps without gain, of the interior point (a tenth) and of a collapse.
-   */
+   from bend to bend, parts that fall before the whole, strides a vertex; steps
+   without gain, of the interior point (a tenth) and of a collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1613,8 +1598,7 @@ static void kern_box_add(kern_box *box, kern_vec p)
        ---- p ----  t
 
    A has three rows a free block (force, torque about its centre), two columns a
-   contact point. Lengths are in the size of the block, forces in the weight of
-   all. */
+   contact point. Units are the size of the block and the weight of all. */
 
 /* A query: the weights and loads to carry, and how far kerns shrink. */
 typedef struct kern_query {
@@ -1990,9 +1974,8 @@ static kern_status kern_ended(const kern_task *task, kern_status status)
 }
 
 /* ---- What is handed in ------------------------------------------ >>check */
-/* Everything that the statics reads is looked at once, before any memory is
-   used: numbers are finite and within bounds that the statics can reckon
-   with, indices exist, normals have length 1. */
+/* All that the statics reads is looked at once, before any memory is used:
+   numbers are within bounds, indices exist, normals have length 1. */
 
 static kern_status kern_options_check(const kern_options *o)
 {
@@ -6999,8 +6982,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    share of the size by which a foot must lie inside its edge, so that rounding
    makes no contacts between diagonal neighbours. */
 #define KERN_SLIGHT     KERN_R(1e-6)
-/* The default angle [rad]; a cone does not become wider than to that of the
-   contact's line. */
+/* The default angle [rad]; and from a contact's line to the widest cone. */
 #define KERN_ANGLE      KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
@@ -7036,8 +7018,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_SAME_FACE  KERN_R(0.17364817766693036)
 /* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
 #define KERN_GOES_ON    KERN_R(0.5)
-/* Share of the gap by which overlap may be deeper unseen: less takes more steps
-   along an edge. */
+/* Share of the gap that overlap may be deeper unseen: less takes more steps. */
 #define KERN_STRIDE     KERN_R(0.0625)
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
