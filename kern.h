@@ -2543,10 +2543,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->budget.query_units = 3 + (s->blocks + s->contacts) / 10;
     m->relative = task->options.relative;
     m->mean = q->mean;
-    m->weight = KERN_R(1);
     m->answer.known = NULL;
     m->cone.narrow = q->narrow;
-    m->cone.reduction = KERN_R(0);
     kern_model_group(m, q);
     return KERN_OK;
 }
@@ -3045,7 +3043,6 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 static kern_real kern_extent(const kern_structure *s)
 {
     kern_box whole;
-    kern_vec side;
     int i;
     kern_box_empty(&whole);
     for (i = 0; i < s->blocks; i++) {
@@ -3059,8 +3056,7 @@ static kern_real kern_extent(const kern_structure *s)
         kern_box_add(&whole, b->vertices ? b->box.high
                                          : kern_vec_add(b->centre, way));
     }
-    side = kern_vec_sub(whole.high, whole.low);
-    return kern_max(side.x, side.y);
+    return kern_vec_largest(kern_vec_sub(whole.high, whole.low));
 }
 
 /* Grows the kerns of what falls until it stands: the critical growth. */
@@ -3601,10 +3597,9 @@ static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
 }
 
 /* What the blocks of contact i move of it, as the search would find it; pair is
-   the other end of its line, or i. Line:
-   corners take ends along; ends stay midway between the two edges, the normal
-   is the mean of both. Point: a corner takes it along, an edge turns the
-   normal. The middle of a line moves by half of what an end does. */
+   the other end of its line, or i. Line: corners take ends along, which stay
+   midway between the edges; normal and middle take half of what an end does.
+   Point: a corner takes it along, an edge turns the normal. */
 static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
                            int i, int pair, kern_block_rate *out)
 {
@@ -7737,7 +7732,7 @@ static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
     const kern_block *block = o->block;
     const int out = block->area > 0;
     int last, steps = kern_outline_chord(o, edge, chord);
-    if (steps || !corner)
+    if (steps || !corner || !o->reflex)
         return steps;
     last = kern_polygon_next(block, edge->start, out);
     if (kern_vec_length(kern_vec_sub(block->vertex[last], edge->p))
@@ -7761,9 +7756,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(pair->of[0].reflex || pair->of[1].reflex)
-        || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
-             | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
+    if (!(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
+          | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
