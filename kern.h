@@ -236,20 +236,16 @@
                stone is from the edge of what carries it, in metres, so that
                large stones weigh more; relative: a share. level: the paper's
    load factor the largest sideways acceleration, in units of gravity
-   tilt        the angle to which the ground may turn: without loads the
-               arctangent of the load factor
+   tilt        how far the ground may turn: without loads atan(load factor)
    raised load the load factor without dilatant sliding: see >>limits
    deficit     how much is missing, where it falls
    bearing     the length of the shortest contact that it needs
    mechanism   which stones go first, and how
-   profile     how much worse it gets after that: every stone's own margin or
-               load factor, their mean, the mean of the weaker half, and the
-               expected drop
-   raised      whether the load raises the forces that hold it, and with what
-               reserve against a push to either side
+   profile     how much worse it gets then: every stone's margin or load factor,
+               their mean, that of the weaker half, and the expected drop
+   raised      whether its load raises its forces, with what reserve for a push
    stays       the chance that a stone stays where it is let go
-   sensitivity which way a stone should move or turn, and how exactly it must
-               lie (examples/nudge.c)
+   sensitivity how a stone should move, and how exactly lie (examples/nudge.c)
    push        the load factor of a force on one stone (examples/push.c)
 
    Kerns shrink to a point, and a point still carries: a stone one end of which
@@ -370,9 +366,8 @@
                              PowerPC, s390x, x86 with -mfma); gcc contracts by
                              default in GNU modes, clang from version 14 on
        -fno-tree-vectorize   with gcc as well, where it has vectors of those:
-                             it fuses pairs of products although it was told
-                             not to. On x86 this file sees to that for itself;
-                             a program's own code needs the flag
+                             it fuses pairs of products all the same. On x86
+                             this file sees to that, for itself alone
        -msse2 -mfpmath=sse   on 32-bit x86
        never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
                              program is linked: they flush small numbers to 0
@@ -544,8 +539,7 @@ typedef struct kern_contact {
     kern_vec p;           /* place [m]                                        */
     kern_vec n;           /* unit normal from a into b                        */
     kern_real mu;         /* coefficient of friction >= 0                     */
-    kern_real travel;     /* way along t to the closed kern, signed [m]: see
-                             Shrinkage in >>rules                             */
+    kern_real travel;     /* along t to the closed kern, signed [m]: >>rules  */
 } kern_contact;
 
 /* Two blocks that overlap deeper than the options allow. */
@@ -610,9 +604,8 @@ typedef struct kern_interval {
     kern_real high;       /* 0: it falls; KERN_INFINITY: not known            */
 } kern_interval;
 
-/* By how much the margin grows when a datum of a contact point grows by 1, all
-   others as they are: its place, its normal turned [1/rad], its friction, and
-   the travel of a kern that is closed there. */
+/* By how much the margin grows when one datum of a contact point does by 1: its
+   place, normal turned [1/rad], friction, travel of a kern closed there. */
 typedef struct kern_contact_rate {
     kern_vec p;
     kern_real turn, mu, travel;
@@ -707,8 +700,7 @@ typedef struct kern_plan {
     int contact_room;
 } kern_plan;
 
-/* Directions of a horizontal load and of a tilt: right is +x where gravity is
-   (0, -9.81). kern_profile() takes all three. */
+/* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
     KERN_SHRINK = 0,      /* no load: kerns shrink                            */
@@ -732,9 +724,8 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions, for arrays: see >>memory. Blocks include fixed ones.
-   KERN_ROOM is for the factors of so many columns with fill-in (>>lp), in
-   groups of three entries: a wall has KERN_LEAN_EXTRAS of these. KERN_LP_ROOM
-   is the same for a dense program. */
+   KERN_ROOM is for factors of so many columns with fill-in (>>lp), in threes: a
+   wall has KERN_LEAN_EXTRAS of these; KERN_LP_ROOM, of a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) \
     ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
@@ -1321,8 +1312,7 @@ extern "C" {
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
    minimum-norm forces, a bracket (four to eight suffice), the interior point
-   (some twenty), prices of contacts along a load, strides along an edge; and
-   triangles of a size that are tried for an inner point. */
+   (some twenty), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
    from bend to bend, parts that fall before the whole, strides a vertex; steps
@@ -1611,8 +1601,7 @@ typedef struct kern_query {
     kern_real factor;           /* of the pattern                             */
     kern_real loads;            /* share of the blocks' loads                 */
     int side;
-    const kern_real *fallen;    /* a block with a value >= 0 has been taken
-                                   away; NULL: all are there                  */
+    const kern_real *fallen;    /* of a block, >= 0: it is gone; NULL: none   */
     kern_real shortest;         /* a shorter contact carries nothing [m]      */
 } kern_query;
 
@@ -1704,7 +1693,8 @@ static kern_real kern_wrench_on(const kern_structure *s,
 static kern_real kern_shift(kern_real travel, kern_real shrink, int relative,
                             kern_real *rate)
 {
-    const kern_real sign = KERN_R((travel > 0) - (travel < 0));
+    const kern_real sign = travel > 0 ? KERN_R(1) : travel < 0 ? KERN_R(-1)
+                                                               : KERN_R(0);
     const int closed = !relative && shrink >= kern_abs(travel);
     *rate = relative ? travel : closed ? KERN_R(0) : sign;
     return relative ? kern_min(shrink, KERN_R(1)) * travel
@@ -1723,8 +1713,7 @@ KERN_API kern_vec kern_contact_at(const kern_contact *c, kern_real shrink,
 
 /* From the centres of its blocks, a and b, to where contact c acts. The centre
    is taken off first, since far from the origin a place has fewer digits than
-   an arm. Returns how far the point has moved along t. Inline where speed
-   counts: a tenth of the time of most evaluations is spent here. */
+   an arm. Returns how far along t it moved. A tenth of the time goes here. */
 static inline kern_real kern_arms(const kern_structure *s,
                                   const kern_contact *c,
                                   const kern_query *q, kern_vec arm[2])
@@ -2345,8 +2334,7 @@ typedef struct kern_answer {
 typedef struct kern_budget {
     kern_work *work;
     int limit;                /* of its units                                 */
-    int query_units;          /* units of one query, however small the part:
-                                 its proof goes over the whole                */
+    int query_units;          /* of a query, however small: proofs are of all */
 } kern_budget;
 
 /* Disjoint sets of groups that are balanced together, and which are to be. */
@@ -2660,15 +2648,13 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
     kern_real weight = KERN_R(0);
     int g;
     m->cone.reduction = kern_reduction(q);
-    m->weight = KERN_R(1);
     m->unit[m->graph.groups] = KERN_R(0);
     for (g = 0; g < m->graph.groups; g++) {
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
         weight += m->size[g];
     }
-    if (weight > 0)
-        m->weight = weight;
+    m->weight = weight > 0 ? weight : KERN_R(1);
 }
 
 /* All of the model for a query. */
@@ -2920,8 +2906,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 }
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
-   the margin tell the level; where they are not the literal scan comes first,
-   and the margin is looked for before the place where it ends. */
+   the margin tell the level; else a literal scan first, which bounds it. */
 static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
@@ -6992,10 +6977,10 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre;
                                            twice that, with the ends: angles  */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_FOOT    KERN_R(3.0)  /* beyond the end of an edge          */
+#define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; and, of angle, by
+                                           which those of cones may turn      */
 /* Where a verdict is to be certain, in errors: */
 #define KERN_CERTAIN_SHIFT  KERN_R(3.5)  /* of place, by which kerns change   */
-#define KERN_CERTAIN_TURN   KERN_R(3.0)  /* of angle, by which cones turn     */
 #define KERN_CERTAIN_WIDE   KERN_R(2.0)  /* times that gaps and angles allow  */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
    an image of 900 a stone must not hold. At 2, no kerb of two gaps would. */
@@ -7015,6 +7000,9 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_GOES_ON    KERN_R(0.5)
 /* Share of the gap that overlap may be deeper unseen: less takes more steps. */
 #define KERN_STRIDE     KERN_R(0.0625)
+/* Of these, beside some a vertex, before they double: more take time; and most
+   triangles of a size that are tried for an inner point. */
+#define KERN_STRIDES    64
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* Vertices are counted as written, which may be clockwise: the area is below 0
@@ -7271,8 +7259,7 @@ static kern_status kern_polygon_simple(const kern_block *block,
 static kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
-    /* of the area about vertex 0 */
-    kern_vec moment = kern_vec_make(KERN_R(0), KERN_R(0));
+    kern_vec moment = kern_vec_make(KERN_R(0), KERN_R(0)); /* about vertex 0 */
     kern_real spread = KERN_R(0);
     int i;
     block->area = KERN_R(0);
@@ -7380,10 +7367,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
     int i, sized = 0;
     for (i = 0; block && i < blocks; i++) {
         const kern_real size = block[i].fixed ? 0 : kern_block_size(&block[i]);
-        if (size > 0) { /* blocks without a polygon have no size */
-            sum += size;
-            sized++;
-        }
+        sum += size;
+        sized += size > 0; /* blocks without a polygon have no size */
     }
     return sized ? sum / KERN_R(sized) : KERN_R(0);
 }
@@ -7458,7 +7443,7 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
         kern_real s, step, stride = *deep * KERN_STRIDE;
-        int left = KERN_ROUNDS + KERN_FEW_ROUNDS * b->block->vertices;
+        int left = KERN_STRIDES + KERN_FEW_ROUNDS * b->block->vertices;
         for (s = 0; s < e.length; s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
@@ -7474,10 +7459,9 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     }
 }
 
-/* Raises *deep to the depth in b of inner points of a. These are the middles of
-   triangles of vertices, those far apart first: an outline that turns left at a
-   vertex has its triangle inside. Where no boundary is deep, one point far
-   inside a speaks for all around it. */
+/* Raises *deep to the depth in b of inner points of a: middles of triangles of
+   vertices, which lie inside where the outline turns left, those far apart
+   first. Where no boundary is deep, one speaks for all that is around it. */
 static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
                                 kern_real *deep)
 {
@@ -7485,7 +7469,7 @@ static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
     const int n = a->block->vertices;
     int step, i, near_a = 0, near_b = 0;
     for (step = n / 3; step > 0; step /= 2)
-        for (i = 0; i < n; i += 1 + n / KERN_ROUNDS) {
+        for (i = 0; i < n; i += 1 + n / KERN_STRIDES) {
             const kern_vec sum = kern_vec_add(
                 kern_vec_add(vertex[i], vertex[(i + step) % n]),
                 vertex[(i + 2 * step) % n]);
@@ -7732,7 +7716,7 @@ static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
     const kern_block *block = o->block;
     const int out = block->area > 0;
     int last, steps = kern_outline_chord(o, edge, chord);
-    if (steps || !corner || !o->reflex)
+    if (steps || !corner)
         return steps;
     last = kern_polygon_next(block, edge->start, out);
     if (kern_vec_length(kern_vec_sub(block->vertex[last], edge->p))
@@ -7756,8 +7740,9 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
-          | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
+    if (!(pair->of[0].reflex || pair->of[1].reflex)
+        || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
+             | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
@@ -7881,18 +7866,19 @@ static void kern_pair_edges(kern_pair *pair)
 
 /* ---- faces ---- */
 /* The longest contact leads a face; all others with its normal and on its line
-   join it. The face takes its place in the array and the rest moves up in
-   order, so that the first of the rest leads the next face. */
+   join it. The rest moves up in order, and its first leads the next face. */
 
 /* Is it a line that passes within the gap of the point, about as inclined? */
 static int kern_line_passes(const kern_contact *line, const kern_contact *point,
                             kern_real gap)
 {
-    const kern_vec p = kern_vec_sub(kern_line_end(line, -1), point->p);
-    const kern_vec q = kern_vec_sub(kern_line_end(line, 1), point->p);
+    const kern_vec r = kern_vec_sub(point->p, line->p);
+    const kern_real off = kern_vec_dot(r, line->n);
+    const kern_real beyond = kern_max(
+        kern_abs(kern_vec_cross(line->n, r)) - line->travel, KERN_R(0));
     return line->line && kern_vec_dot(line->n, point->n) > 0
            && kern_abs(kern_vec_cross(line->n, point->n)) < KERN_SAME_FACE
-           && kern_edge_square(p, q) <= gap * gap;
+           && off * off + beyond * beyond <= gap * gap;
 }
 
 /* Leaves out the points that belong to a line: lines come first. */
@@ -7988,9 +7974,8 @@ static kern_vec kern_middle(const kern_contact *contact, int contacts,
     return middle;
 }
 
-/* Travels of all points, or where `down` is given of those that are alone in
-   their interface and carry a block: each to the foot of the middle, mostly
-   that of the point before; 0 is not -0. */
+/* Travels of all points, or with `down` of those that are alone in an interface
+   and carry a block, to the foot of a middle, mostly the last; 0 is not -0. */
 static void kern_point_travels(kern_contact *contact, int contacts,
                                const kern_vec *down)
 {
@@ -8056,7 +8041,7 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_SLIGHT * size, s->floor);
-    pair->over = KERN_ERROR_FOOT * o->pose_error;
+    pair->over = KERN_ERROR_EDGE * o->pose_error;
     pair->sine = kern_sine(o->angle);
     pair->of[0].step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
     pair->of[1].step = pair->of[0].step;
@@ -8195,14 +8180,14 @@ static kern_status kern_search_survey(kern_search *s)
 
 /* What the search was handed, but for the blocks themselves. */
 static kern_status kern_search_asked(const kern_block *block, int blocks,
-                                     const kern_options *options,
+                                     int least, const kern_options *options,
                                      const void *out, int room)
 {
     const kern_status status = options ? kern_options_check(options)
                                        : KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
-    if (blocks < 0 || blocks > KERN_COUNT_MOST || room < 0)
+    if (blocks < least || blocks > KERN_COUNT_MOST || room < 0)
         return KERN_BAD_COUNT;
     return (blocks > 0 && !block) || (room > 0 && !out) ? KERN_BAD_POINTER
                                                         : KERN_OK;
@@ -8219,7 +8204,7 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
     if (!work)
         return (int)KERN_BAD_POINTER;
     kern_fault_clear(&work->fault);
-    status = kern_search_asked(block, blocks, options, out, room);
+    status = kern_search_asked(block, blocks, last, options, out, room);
     if (status != KERN_OK)
         return (int)status;
     s.block = block;
@@ -8235,7 +8220,7 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
     status = kern_search_survey(&s);
     for (b = s.from; b < blocks && status == KERN_OK; b++) {
         kern_outline_set(&s.pair.of[1], &block[b]);
-        for (a = 0; a < b && block[b].vertices && status == KERN_OK; a++)
+        for (a = block[b].vertices ? 0 : b; a < b && status == KERN_OK; a++)
             status = kern_search_pair(&s, a, b);
     }
     if (status != KERN_OK)
@@ -8256,10 +8241,7 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work)
-{
-    return b < 0 ? (int)KERN_BAD_COUNT
-        : kern_search_run(block, b + 1, 1, 0, options, out, room, work);
-}
+{ return kern_search_run(block, b + 1, 1, 0, options, out, room, work); }
 
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
@@ -9523,7 +9505,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     if (status != KERN_OK)
         return status;
     by = KERN_CERTAIN_SHIFT * task->options.pose_error;
-    turn = KERN_CERTAIN_TURN * task->options.pose_turn;
+    turn = KERN_ERROR_EDGE * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = KERN_INFINITY;
     other = kern_task_of(task->s.block, task->s.blocks, contact,
