@@ -473,29 +473,29 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost")                \
     X(KERN_LP_INFEASIBLE, 4, "infeasible: no solution exists")                \
     X(KERN_LP_UNBOUNDED, 5, "unbounded: the cost falls without end")          \
-    X(KERN_UNDECIDED, -1, "undecided: neither proof could be completed")      \
-    X(KERN_NO_SPACE, -2, "an array is too short for the result or the work")  \
+    X(KERN_UNDECIDED, -1, "undecided: neither proof was completed")           \
+    X(KERN_NO_SPACE, -2, "an array is too short for result or work")          \
     X(KERN_BAD_POINTER, -3, "a pointer is null")                              \
-    X(KERN_BAD_NUMBER, -4, "not a number, or infinite, or out of bounds")     \
-    X(KERN_BAD_COUNT, -5, "a count is negative or above its limit")           \
+    X(KERN_BAD_NUMBER, -4, "a number is not finite or out of bounds")         \
+    X(KERN_BAD_COUNT, -5, "a count is out of bounds")                         \
     X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
     X(KERN_NO_AREA, -7, "a polygon has no area")                              \
     X(KERN_CROSSING, -8, "a polygon crosses itself or passes a point twice")  \
-    X(KERN_BAD_MASS, -9, "a mass or density is not positive or out of range") \
-    X(KERN_BAD_FRICTION, -10, "a coefficient of friction is negative")        \
-    X(KERN_BAD_OPTION, -11, "an option or a side is out of its range")        \
-    X(KERN_BAD_BLOCK, -12, "there is no block of that index")                 \
-    X(KERN_SAME_BLOCK, -13, "a contact names the same block twice")           \
+    X(KERN_BAD_MASS, -9, "a mass or density is out of range")                 \
+    X(KERN_BAD_FRICTION, -10, "friction is negative")                         \
+    X(KERN_BAD_OPTION, -11, "an option or a side is out of range")            \
+    X(KERN_BAD_BLOCK, -12, "no block has that index")                         \
+    X(KERN_SAME_BLOCK, -13, "a contact names one block twice")                \
     X(KERN_BAD_NORMAL, -14, "a contact has no normal of length 1")            \
-    X(KERN_BAD_LINE, -15, "a line contact does not lie along its tangent")    \
+    X(KERN_BAD_LINE, -15, "a line contact is off its tangent")                \
     X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
     X(KERN_NO_FREE, -17, "no block is free")                                  \
-    X(KERN_BAD_STEP, -18, "the step needs more than 1,000,000 levels")        \
+    X(KERN_BAD_STEP, -18, "a step needs over 1,000,000 levels")               \
     X(KERN_LIMIT, -19, "the limit of work was reached")                       \
     X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
     X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")   \
-    X(KERN_BAD_SHARE, -22, "relative: kerns cannot shrink by a share above 1")\
-    X(KERN_NO_BLOCK, -23, "kern_block_init() or _ground_init() refused a block")
+    X(KERN_BAD_SHARE, -22, "relative: a shrinkage is above 1")                \
+    X(KERN_NO_BLOCK, -23, "a block was refused when it was made")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
