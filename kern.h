@@ -847,7 +847,7 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
                            kern_contact *out, int room, kern_work *work);
 
 /* Lists all pairs of blocks that overlap too deeply for a contact. Returns how
-   many there are, also above room, or what kern_contacts() does below 0. */
+   many, of which room are written at most, or below 0 as kern_contacts(). */
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work);
@@ -1046,8 +1046,8 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
-   own weight raises the forces; *factor is as it was. Time: 8 load factors in
-   the median of settled stones, 13 on walls that slide, 9.5 of 40 blocks on. */
+   own weight raises the forces; *factor stays. Time: 8 load factors in the
+   median of settled stones, 13 on walls that slide (9.5 of 40 to 60 blocks). */
 KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                       kern_side side,
                                       const kern_wrench *pattern,
@@ -1122,7 +1122,8 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
 
-/* kern_stays() and kern_raised() with a block added; NULL: the last one is. */
+/* kern_stays() and kern_raised() with a block added; for NULL of the plan as it
+   is, and of its last block. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1326,7 +1327,7 @@ extern "C" {
    to 0.1 rank as well), and the least height that counts [mean block size]. */
 #define KERN_DROP_LOAD     KERN_R(0.07)
 #define KERN_DROP_HEIGHT   KERN_R(0.3)
-/* Share of the highest speed below which a block rests, or two do not meet. */
+/* Share of the highest speed below which blocks rest, or do not approach. */
 #define KERN_REST          KERN_R(1e-4)
 
 /* ---- minimum-norm forces, top-down pass ---- */
@@ -1609,7 +1610,7 @@ typedef struct kern_query {
 KERN_SHARED static kern_real kern_reduction(const kern_query *q)
 { return kern_max(q->narrow * q->shrink, KERN_R(0)); }
 
-/* Friction of a contact whose cone is narrower by the angle of a tangent. */
+/* Friction of a contact whose cone is narrower by the angle of that tangent. */
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
 { return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu; }
 
@@ -6977,8 +6978,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre;
                                            twice that, with the ends: angles  */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
-#define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; and, of angle, by
-                                           which those of cones may turn      */
+#define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; of angle: of cones */
 /* Where a verdict is to be certain, in errors: */
 #define KERN_CERTAIN_SHIFT  KERN_R(3.5)  /* of place, by which kerns change   */
 #define KERN_CERTAIN_WIDE   KERN_R(2.0)  /* times that gaps and angles allow  */
@@ -7000,8 +7000,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_GOES_ON    KERN_R(0.5)
 /* Share of the gap that overlap may be deeper unseen: less takes more steps. */
 #define KERN_STRIDE     KERN_R(0.0625)
-/* Of these, beside some a vertex, before they double: more take time; and most
-   triangles of a size that are tried for an inner point. */
+/* Of these, beside some a vertex, before they double: at 100 a search takes 1 %
+   more; and most triangles of a size that are tried for an inner point. */
 #define KERN_STRIDES    64
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
