@@ -6954,10 +6954,11 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the largest coordinate below which places are the same: no gap is
    less. Smaller, and cubes that were turned and moved would not touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
-/* Vertices of an outline above which it has boxes for runs of its edges, and no
-   more runs than that; nested spans of it that are kept. More take more stack,
-   shorter runs more time than they save. */
-#define KERN_RUNS       20
+/* An outline of more vertices than KERN_RUN, the most nested spans of it that
+   are kept, has boxes for KERN_RUNS runs of its edges at the most. More of them
+   take more stack, shorter runs more time than they save. */
+#define KERN_RUN        16
+#define KERN_RUNS       24
 /* Turn [rad] below which a vertex is no corner, and within which of a half
    turn it is a spike: much larger, and round stones would lose their shape. And
    share of the size by which a foot must lie inside its edge, so that rounding
@@ -7060,11 +7061,11 @@ typedef struct kern_span {
    box is far from these. A short outline is one run. */
 typedef struct kern_outline {
     const kern_block *block;
-    int straight, reflex;   /* are there such vertices?              */
+    int straight, reflex;   /* are there such vertices, or spikes?   */
     int each;               /* vertices of a run                     */
     kern_real step;         /* a corner is so far from its chord [m] */
     int spans;              /* so many; 0: not known yet             */
-    kern_span span[KERN_RUNS]; /* each lies in the one before       */
+    kern_span span[KERN_RUN]; /* each lies in the one before        */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -7087,11 +7088,11 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
     for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
         o->straight |= turn == 0;
-        o->reflex |= turn < 0;
+        o->reflex |= turn < 0 || turn == 2;
     }
-    o->each = n > KERN_RUNS ? n / KERN_RUNS + KERN_RUNS / 2 : n;
+    o->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
     o->box[0] = block->box;
-    for (i = 0; n > KERN_RUNS && i < n; i++) {
+    for (i = 0; n > KERN_RUN && i < n; i++) {
         kern_box *box = &o->box[i / o->each];
         const int end = kern_polygon_next(block, i, 0);
         if (i % o->each == 0)
@@ -7233,9 +7234,6 @@ static kern_status kern_polygon_simple(const kern_block *block,
     for (i = 0; i < block->vertices; i++, rises = up) {
         up = v[kern_polygon_next(block, i, 0)].y > v[i].y;
         lowest += up && !rises;
-        fault->index = i;
-        if (kern_polygon_turn(block, i) == 2)
-            return KERN_CROSSING;
     }
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
@@ -7243,13 +7241,14 @@ static kern_status kern_polygon_simple(const kern_block *block,
     o.straight = 0; /* from vertex to vertex, which costs less */
     e.at = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
+        fault->index = e.at;
+        if (kern_polygon_turn(block, e.at) == 2)
+            return KERN_CROSSING;
         f = e;
         while (kern_edge_next(&f, &o, &e.box, 0))
             if (f.start != e.end && f.end != e.start
-                && !kern_one_side(&e, &f) && !kern_one_side(&f, &e)) {
-                fault->index = e.at;
+                && !kern_one_side(&e, &f) && !kern_one_side(&f, &e))
                 return KERN_CROSSING;
-            }
     }
     return KERN_OK;
 }
@@ -7611,7 +7610,7 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
             half.end = span->end;
         }
         span->steps = -1;
-        if (o->spans == KERN_RUNS) /* all but the whole are found anew */
+        if (o->spans == KERN_RUN) /* all but the whole are found anew */
             o->spans = 1;
         o->span[o->spans++] = half;
     }
