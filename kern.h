@@ -16,8 +16,8 @@
                             >>kern (Algorithm 1) >>work >>check >>proof >>model
                             >>engine >>measure >>profile >>critical
                             >>sensitivity
-     IV   Forces, motions   >>part >>skyline >>norm >>pass >>verdict
-                            >>search >>ipm >>raised
+     IV   Forces, motions   >>part >>skyline >>norm >>pass >>ipm >>verdict
+                            >>search >>raised
      V    Geometry          >>tol (tolerances) >>polygon >>contact, and >>plan
      VI   Linear programs   >>lp, and >>words
      VII  Sources           >>references >>changes, and the licence
@@ -134,7 +134,8 @@
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
    (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
    none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
-   such that no contact closes and the weights do work: the mechanism, a proof.
+   such that no contact closes and the weights do work: a mechanism. It proves
+   that the structure falls.
 
    A verdict asks, in this order, until one gives a proof:
 
@@ -1255,8 +1256,8 @@ extern "C" {
    chases rounding, a search does not end. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms; and what
-   is added to the diagonal of the matrix of >>norm, as a share of its mean:
-   without it a group that no ray presses has no pivot. */
+   is added to the diagonal of a matrix of >>norm, and the first of >>ipm, as a
+   share of its mean: without it a group that no ray presses has no pivot. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1317,7 +1318,7 @@ extern "C" {
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
    from bend to bend, parts that fall before the whole, strides a vertex; steps
-   without gain, of the interior point (a tenth) and of a collapse. */
+   without gain, of a collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1361,20 +1362,18 @@ extern "C" {
 
 /* ---- search ---- */
 
-/* First place and step of a search [mean size], by the corpus' odd half. */
+/* First step of a search [mean size; load factor, tangent of a quarter of the
+   angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
 #define KERN_CLIMB         KERN_R(0.1)
+#define KERN_CLIMB_PUSH    KERN_R(0.5)
 #define KERN_NEAR          KERN_R(0.12) /* division of a bracket, unpredicted */
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 
 /* ---- interior point ---- */
 
-/* What is added to a diagonal without pivots, as a share of its mean: at
-   KERN_ROUNDING loads on walls of 100 to 200 blocks take 7 % more. */
-#define KERN_IPM_SHIFT     KERN_PICK(1e-13, 1e-6)
 #define KERN_IPM_SHARE     KERN_R(0.9995) /* of the way to x, z = 0 in a step */
-#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means              */
-#define KERN_IPM_SHARP     KERN_R(1e-4)   /* gap, as a share of what s lacks of
-                                             the place, to predict by y       */
+/* Least gap, and s below 0, with which a query begins where another ended. */
+#define KERN_IPM_AGAIN     KERN_R(3e-3)
 
 /* ---- simplex method ---- */
 
@@ -1768,6 +1767,7 @@ typedef struct kern_lengths {
     kern_real one;            /* a block's size, or 1                         */
     kern_real width;          /* of a bracket, as it is wanted                */
     kern_real aside;          /* from the critical value to its ends          */
+    kern_real step;           /* the first of a search                        */
 } kern_lengths;
 
 typedef struct kern_path {
@@ -1821,7 +1821,7 @@ static kern_travels kern_travels_of(const kern_structure *s,
 }
 
 /* ---- what finds forces and motions ---- */
-/* Defined and told behind the argument: >>verdict, >>search, >>ipm. */
+/* Defined and told behind the argument: >>verdict, >>search. */
 
 static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
                                        const kern_query *q);
@@ -1832,23 +1832,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static kern_status kern_path_critical(kern_model *m, kern_path *path);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step);
-static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real step);
-#ifndef KERN_NO_INTERIOR
-static kern_status kern_ipm_evaluate(struct kern_ipm *in, kern_real place,
-                                     kern_real *crit);
-#if defined(__GNUC__) /* its frame is not to lie below all other verdicts */
-__attribute__((noinline))
-#endif
-static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
-                                    const kern_query *q);
-static kern_status kern_ipm_search(kern_model *m, kern_path *path);
-#else /* it decides nothing */
-#define kern_ipm_evaluate(in, place, crit) KERN_UNDECIDED
-#define kern_ipm_verdict(m, p, q)          KERN_UNDECIDED
-#define kern_ipm_search(m, path)           KERN_UNDECIDED
-#endif
-
+static kern_status kern_path_search(kern_model *m, kern_path *path);
 /* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
    through half a circle by arithmetic alone. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
@@ -2841,6 +2825,7 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->unit.one = KERN_R(1);
     path->unit.width = KERN_WIDTH;
     path->unit.aside = KERN_ASIDE * KERN_WIDTH;
+    path->unit.step = KERN_CLIMB_PUSH;
 }
 
 /* What a call works on. */
@@ -2874,6 +2859,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->unit.one = task->options.relative ? 1 : path->q.mean;
     path->unit.width = KERN_WIDTH * path->unit.one;
     path->unit.aside = KERN_ASIDE * path->unit.width;
+    path->unit.step = KERN_CLIMB * path->unit.one;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->critical = KERN_R(0);
     path->proven.low = KERN_R(-1);
@@ -2912,7 +2898,7 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
     kern_status status = nested
-        ? kern_path_search(m, path, path->unit.one * KERN_CLIMB)
+        ? kern_path_search(m, path)
         : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
         status = kern_level_scan(m, path, 0, last, out);
@@ -3213,7 +3199,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
         status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_SCAN)
-                        : kern_path_search(&c->m, path, KERN_R(0.0125));
+                        : kern_path_search(&c->m, path);
     status = kern_ended(task, status);
     if (status == KERN_LIMIT)
         path->critical = path->proven.low;
@@ -3293,11 +3279,9 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
-    const int shrinks = path->kind == KERN_PATH_SHRINK;
-    const kern_real step = shrinks ? path->unit.one * KERN_CLIMB : KERN_R(0.05);
-    const kern_status status =
-        !shrinks || kern_travels_of(m->s, &path->q).nested
-        ? kern_path_search(m, path, step)
+    const kern_status status = path->kind != KERN_PATH_SHRINK
+        || kern_travels_of(m->s, &path->q).nested
+        ? kern_path_search(m, path)
         : kern_path_walk(m, path, path->end / KERN_SCAN);
     *at = path->critical;
     return status == KERN_STANDS && !path->never ? kern_fall_beyond(m, path)
@@ -3761,6 +3745,41 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     kern_part_ends(p);
     KERN_AUDIT(part, p);
     return 1;
+}
+
+/* y as a motion of the part, its fastest block at speed 1. */
+static void kern_part_motion(kern_part *p)
+{
+    kern_model *m = p->m;
+    kern_real *part = (kern_real *)(void *)m->answer.motion, most = KERN_R(0);
+    int i, n;
+    kern_zero(part, 3 * m->s->blocks);
+    for (n = 0; n < p->groups; n++) {
+        const int b = m->graph.block[p->group[n]];
+        kern_motion *v = m->answer.motion + b;
+        v->vx = p->y[3 * n];
+        v->vy = p->y[3 * n + 1];
+        v->spin = p->y[3 * n + 2] * m->unit[p->group[n]];
+        most = kern_max(most, kern_block_speed(m->s->block + b, v));
+    }
+    for (i = 0; i < 3 * m->s->blocks && most > 0; i++)
+        part[i] /= most;
+}
+
+/* The forces of a program of all groups; 0 where rounding made them less. */
+static void kern_part_forces(kern_part *p)
+{
+    kern_model *m = p->m;
+    int k;
+    kern_model_unload(m);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
+        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
+        const int i = p->contact[k];
+        m->answer.force[i].normal = (x1 + x2) * m->weight;
+        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2)
+                                        * m->weight;
+    }
 }
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
@@ -4829,6 +4848,367 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     return found;
 }
 
+/* ---- Interior point ---------------------------------------------- >>ipm */
+/* The verdict on all groups at once, in some ten factorisations: with g what the
+   first forces, x > 0, miss of equilibrium, how much of that is made up,
+
+       max s,  A x + s g = b,  x >= 0,  s <= 0,
+
+   from s = -1. It stands if s gets to 0. The maximum is where
+
+       A x = b - s g,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
+
+   y is the mechanism by which it falls. A primal-dual method follows x z = mu >
+   0 to mu = 0. A step is Newton's,
+
+       M dy - g ds = A x~ + s g - b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
+
+   with x~ the forces that mu demands, solved twice with one factor (Mehrotra):
+   the predictor, with mu = 0, tells how small mu may be, and what the corrector
+   has to take into account. Along a path x, y and s begin as those of the last
+   place. */
+
+typedef struct kern_ipm {
+    kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
+    kern_real s;
+    kern_real gap;            /* sum of x z: s is so near to the maximum      */
+    kern_real *z;             /* of a ray: its closing speed                  */
+    kern_real *dx, *dz;       /* of a ray: the step                           */
+    kern_real *d;             /* of a ray: D                                  */
+    kern_real *over;          /* of a row: A x - b + s g                      */
+    kern_real *g;             /* of a row                                     */
+    kern_real *gain;          /* of a row: M^-1 g                             */
+} kern_ipm;
+
+#ifndef KERN_NO_INTERIOR
+/* out := A'v, two rays a contact */
+static void kern_ipm_ways(const kern_part *p, const kern_real *v,
+                          kern_real *out)
+{
+    int k;
+    for (k = 0; k < p->contacts; k++, out += 2) {
+        kern_real w[2] = {0, 0};
+        kern_part_speed(p, k, v, w);
+        w[1] *= kern_model_mu(p->m, p->contact[k]);
+        out[0] = w[0] + w[1];
+        out[1] = w[0] - w[1];
+    }
+}
+
+/* out += A x */
+static void kern_ipm_carry(const kern_part *p, const kern_real *x,
+                           kern_real *out)
+{
+    int k;
+    for (k = 0; k < p->contacts; k++, x += 2)
+        kern_part_exert(p, k, x[0] + x[1], kern_model_mu(p->m, p->contact[k])
+                                           * (x[0] - x[1]), out);
+}
+
+/* A x - b + s g, and the gap */
+static void kern_ipm_over(kern_ipm *in)
+{
+    const kern_part *p = in->p;
+    int i;
+    for (i = 0; i < 3 * p->groups; i++)
+        in->over[i] = in->s * in->g[i] - p->eq.rhs[i];
+    kern_ipm_carry(p, p->x, in->over);
+    in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
+}
+
+/* out := M^-1 b: factors M for in->d, with a share of its mean diagonal more on
+   that. */
+static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
+                            kern_real *out)
+{
+    kern_part *p = in->p;
+    int k;
+    kern_skyline_clear(&p->dual.matrix);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_law s = kern_law_rays(
+            in->d[2 * k], in->d[2 * k + 1],
+            kern_model_mu(p->m, p->contact[k]));
+        kern_part_add(p, k, &s);
+    }
+    if (shift > 0)
+        kern_skyline_shift(&p->dual.matrix, shift);
+    kern_skyline_factor(&p->dual.matrix);
+    kern_skyline_solve(&p->dual.matrix, b, out);
+    p->m->budget.work->pivots++;
+}
+
+/* How much of a step keeps v above 0; at most all of it. */
+static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
+                                int n)
+{
+    kern_real share = KERN_R(1);
+    int i;
+    for (i = 0; i < n; i++)
+        if (v[i] < -share * step[i])
+            share = v[i] / -step[i];
+    return share;
+}
+
+/* One solution of Newton's equations: dx, which has x~ - x without what dy
+   makes of it, dy = dual.step and dz; returns ds. */
+static kern_real kern_ipm_solve(kern_ipm *in)
+{
+    kern_part *p = in->p;
+    const kern_real *way = p->dual.way;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real *turn = p->dual.way + rays, ds;
+    int i;
+    for (i = 0; i < n; i++)
+        p->dual.grad[i] += in->over[i];
+    kern_ipm_carry(p, in->dx, p->dual.grad);
+    kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
+    ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
+         / kern_dot(in->g, in->gain, n);
+    ds = kern_min(ds, -in->s);
+    for (i = 0; i < n; i++)
+        p->dual.step[i] += ds * in->gain[i];
+    kern_ipm_ways(p, p->dual.step, turn);
+    for (i = 0; i < rays; i++) {
+        in->dx[i] -= in->d[i] * turn[i];
+        in->dz[i] = way[i] + turn[i] - in->z[i];
+    }
+    return ds;
+}
+
+/* The predictor: leaves in dx and dual.grad what the corrector begins with. */
+static void kern_ipm_predict(kern_ipm *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real of_x, of_z, left = KERN_R(0), mu;
+    int i;
+    kern_ipm_ways(p, p->y, p->dual.way);
+    kern_zero(p->dual.grad, n);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = -in->d[i] * p->dual.way[i];
+    kern_ipm_solve(in);
+    of_x = kern_ipm_share(p->x, in->dx, rays);
+    of_z = kern_ipm_share(in->z, in->dz, rays);
+    for (i = 0; i < rays; i++)
+        left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
+    left = in->s < 0 ? kern_max(left / in->gap, 1 - of_x)
+                            : KERN_R(1); /* nothing is left to maximise */
+    mu = in->gap * left * left * left / KERN_R(rays);
+    kern_zero(p->dual.grad, n);
+    for (i = 0; i < rays; i++)
+        in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
+                    - in->d[i] * p->dual.way[i];
+}
+
+/* One step of the method; 0: the limit or the digits do not reach for one. */
+static int kern_ipm_step(kern_ipm *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real of_x, of_z, ds;
+    int i;
+    if (!(in->gap <= KERN_BOUND) || !kern_norm_spend(p))
+        return 0;
+    for (i = 0; i < rays; i++)
+        in->d[i] = p->x[i] / in->z[i];
+    kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
+    kern_ipm_predict(in);
+    ds = kern_ipm_solve(in);
+    of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
+    of_z = KERN_IPM_SHARE * kern_ipm_share(in->z, in->dz, rays);
+    if (in->s + ds >= 0 && of_x >= KERN_IPM_SHARE)
+        of_x = KERN_R(1);
+    in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
+    for (i = 0; i < rays; i++) {
+        p->x[i] = kern_max(p->x[i] + of_x * in->dx[i], p->x[i] * KERN_EPS);
+        in->z[i] += of_z * in->dz[i];
+    }
+    for (i = 0; i < n; i++)
+        p->y[i] += of_z * p->dual.step[i];
+    kern_ipm_over(in);
+    KERN_AUDIT(ipm, in);
+    return in->gap < KERN_HUGE;
+}
+
+/* Takes A x - b from the forces, of each as a share of what it is: so M is far
+   from singular where D = x / z has entries of all sizes. */
+static void kern_ipm_balance(kern_ipm *in)
+{
+    kern_part *p = in->p;
+    const int rays = 2 * p->contacts;
+    kern_real *turn = p->dual.way + rays;
+    int i;
+    for (i = 0; i < rays; i++)
+        in->d[i] = p->x[i];
+    kern_ipm_factor(in, KERN_R(0), in->over, p->dual.step);
+    kern_ipm_ways(p, p->dual.step, turn);
+    for (i = 0; i < rays; i++)
+        p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
+    kern_ipm_over(in);
+}
+
+/* v += what lifts its least entry to half of what it is below 0, and a little
+   of the largest */
+static void kern_ipm_lift(kern_real *v, int n)
+{
+    kern_real lift = KERN_R(0);
+    int i;
+    for (i = 0; i < n; i++)
+        lift = kern_max(lift, KERN_R(-1.5) * v[i]);
+    lift += KERN_R(1e-3) * kern_largest(v, n);
+    for (i = 0; i < n; i++)
+        v[i] += lift;
+}
+
+/* Begins with minimum-norm forces of both signs, and such motions, lifted above
+   0 (Mehrotra). Returns 0 where they miss nothing, or no work is left. */
+static int kern_ipm_begin(kern_ipm *in)
+{
+    kern_part *p = in->p;
+    const int n = 3 * p->groups, rays = 2 * p->contacts;
+    kern_real power;
+    int i;
+    if (!kern_norm_spend(p))
+        return 0;
+    in->s = KERN_R(-1);
+    for (i = 0; i < rays; i++) {
+        p->x[i] = in->z[i] = KERN_R(0);
+        in->d[i] = KERN_R(1);
+    }
+    kern_zero(in->g, n);
+    kern_ipm_factor(in, KERN_ROUNDING, p->eq.rhs, p->y);
+    kern_ipm_ways(p, p->y, p->x);
+    kern_ipm_lift(p->x, rays);
+    kern_ipm_over(in);
+    kern_copy(in->g, in->over, n);
+    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
+    power = kern_dot(in->g, in->gain, n);
+    if (!(power > 0))
+        return 0;
+    for (i = 0; i < n; i++)
+        p->y[i] = in->gain[i] / power;
+    kern_ipm_ways(p, p->y, in->z);
+    kern_ipm_lift(in->z, rays);
+    kern_ipm_over(in);
+    return 1;
+}
+
+/* Begins from what was found for the query before: s is less than 0, and no
+   product x z less than the mean of some gap. */
+static void kern_ipm_again(kern_ipm *in)
+{
+    const int rays = 2 * in->p->contacts;
+    const kern_real mean = kern_max(in->gap, KERN_IPM_AGAIN) / KERN_R(rays);
+    kern_real *x = in->p->x, *z = in->z;
+    int i;
+    in->s = kern_min(in->s, -KERN_IPM_AGAIN);
+    for (i = 0; i < rays; i++)
+        if (x[i] * z[i] < mean)
+            *(x[i] > z[i] ? &z[i] : &x[i]) = mean / kern_max(x[i], z[i]);
+    kern_ipm_over(in);
+}
+
+/* Opens all groups for queries like q; 0 if there is no room. */
+static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
+                         const kern_query *q)
+{
+    int rays, n, i;
+    if (m->whole)
+        kern_model_group(m, q);
+    kern_model_set(m, q);
+    if (!kern_norm_open(p, m) || p->contacts == 0)
+        return 0;
+    rays = 2 * p->contacts;
+    n = 3 * p->groups;
+    in->p = p;
+    in->gap = KERN_INFINITY; /* of no question so far */
+    p->found = KERN_UNDECIDED;
+    p->eq.simplex.state = KERN_BASIS_NONE;
+    p->x = kern_take_reals(&p->rest, rays);
+    p->y = kern_take_reals(&p->rest, n + 3);
+    p->eq.rhs = kern_take_reals(&p->rest, n);
+    in->z = kern_take_reals(&p->rest, rays);
+    in->dx = kern_take_reals(&p->rest, rays);
+    in->dz = kern_take_reals(&p->rest, rays);
+    in->d = kern_take_reals(&p->rest, rays);
+    in->over = kern_take_reals(&p->rest, n + 3);
+    in->g = kern_take_reals(&p->rest, n + 3);
+    in->gain = kern_take_reals(&p->rest, n + 3);
+    if (!kern_take_fits(&p->rest))
+        return 0;
+    for (i = n; i < n + 3; i++) /* what is held rests */
+        p->y[i] = p->dual.step[i] = in->gain[i] = KERN_R(0);
+    return 1;
+}
+
+/* What is proven: by forces where s is 0, or by a motion. */
+static kern_status kern_ipm_prove(kern_ipm *in, const kern_query *q)
+{
+    kern_part *p = in->p;
+    kern_model *m = p->m;
+    if (in->s >= 0) {
+        kern_ipm_balance(in);
+        kern_part_forces(p);
+        if (kern_answer_holds(m, q))
+            return KERN_STANDS;
+    }
+    if (!(kern_dot(p->y, p->eq.rhs, 3 * p->groups) < 0))
+        return KERN_UNDECIDED;
+    kern_part_motion(p);
+    return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion))
+           ? KERN_FALLS : KERN_UNDECIDED;
+}
+
+/* Steps until a proof, or until rounding is all that is left. */
+static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q)
+{
+    kern_status status = KERN_UNDECIDED;
+    int round;
+    for (round = 0; round < KERN_ROUNDS && status == KERN_UNDECIDED
+                    && !(in->gap <= KERN_NOISE * KERN_EPS)
+                    && kern_ipm_step(in); round++)
+        status = kern_ipm_prove(in, q);
+    return status;
+}
+
+/* The verdict for a query: from what was found for the last, else from the
+   start. */
+static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
+{
+    kern_part *p = in->p;
+    kern_model *m = p->m;
+    kern_status status = KERN_UNDECIDED;
+    if (!kern_model_spend(m, m->budget.query_units))
+        return KERN_LIMIT;
+    m->budget.work->solves++;
+    kern_model_arms(m, q);
+    kern_part_load(p, q, p->eq.rhs);
+    if (in->gap <= KERN_BOUND) {
+        kern_ipm_again(in);
+        status = kern_ipm_run(in, q);
+    }
+    if (status == KERN_UNDECIDED && kern_ipm_begin(in))
+        status = kern_ipm_run(in, q);
+    return p->found = status;
+}
+
+/* The verdict on all groups for a query. */
+#if defined(__GNUC__) /* its frame is not to lie below all other verdicts */
+__attribute__((noinline))
+#endif
+static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
+                                    const kern_query *q)
+{
+    kern_ipm in;
+    return p->found = kern_ipm_open(&in, m, p, q)
+        ? kern_ipm_evaluate(&in, q) : KERN_UNDECIDED;
+}
+#else /* it decides nothing */
+#define kern_ipm_open(in, m, p, q) 0
+#define kern_ipm_evaluate(in, q)   KERN_UNDECIDED
+#define kern_ipm_verdict(m, p, q)  KERN_UNDECIDED
+#endif
+
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
 /* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
@@ -4889,44 +5269,9 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     }
 }
 
-/* y as a motion of the part, its fastest block at speed 1. */
-static void kern_part_motion(kern_part *p)
-{
-    kern_model *m = p->m;
-    kern_real *part = (kern_real *)(void *)m->answer.motion, most = KERN_R(0);
-    int i, n;
-    kern_zero(part, 3 * m->s->blocks);
-    for (n = 0; n < p->groups; n++) {
-        const int b = m->graph.block[p->group[n]];
-        kern_motion *v = m->answer.motion + b;
-        v->vx = p->y[3 * n];
-        v->vy = p->y[3 * n + 1];
-        v->spin = p->y[3 * n + 2] * m->unit[p->group[n]];
-        most = kern_max(most, kern_block_speed(m->s->block + b, v));
-    }
-    for (i = 0; i < 3 * m->s->blocks && most > 0; i++)
-        part[i] /= most;
-}
-
 /* Whether the part is all there is: then forces on it prove that it stands. */
 static int kern_part_is_whole(const kern_part *p)
 { return p->groups == p->m->graph.groups; }
-
-/* The forces of a program of all groups; 0 where rounding made them less. */
-static void kern_part_forces(kern_part *p)
-{
-    kern_model *m = p->m;
-    int k;
-    kern_model_unload(m);
-    for (k = 0; k < p->contacts; k++) {
-        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
-        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
-        const int i = p->contact[k];
-        m->answer.force[i].normal = (x1 + x2) * m->weight;
-        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2)
-                                        * m->weight;
-    }
-}
 
 /* The proof of a verdict, and the verdict itself only if the proof holds. That
    a part stands is no verdict, and needs no proof. */
@@ -5241,10 +5586,10 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
     const kern_status status = path->ipm
-        ? kern_ipm_evaluate(path->ipm, s, &path->critical)
+        ? kern_ipm_evaluate(path->ipm, &q)
         : path->alone ? kern_part_evaluate(p, &q)
                       : kern_model_evaluate(m, p, &q);
-    if (!path->ipm && status != KERN_STANDS && p->found == KERN_FALLS)
+    if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
     return status;
 }
@@ -5304,7 +5649,7 @@ typedef struct kern_bracket {
 static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
-    if (!path->alone && !path->ipm && path->proven.low < lo
+    if (!path->alone && path->proven.low < lo
         && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
@@ -5692,34 +6037,47 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
                                       : KERN_UNDECIDED;
 }
 
+/* The critical value in the known bracket, or where there is none, or none that
+   can be narrowed, by a climb. */
+static kern_status kern_path_narrow(kern_model *m, kern_path *path,
+                                    kern_real first, kern_real step)
+{
+    const kern_status status = path->fails < KERN_INFINITY
+        ? kern_path_critical(m, path) : KERN_UNDECIDED;
+    if (status != KERN_UNDECIDED)
+        return status;
+    path->holds = kern_max(path->start, path->proven.low);
+    return kern_path_climb(m, path, first, step);
+}
+
 /* The critical value of the whole beyond path->holds: of many groups by the
-   interior point; of few, or where that finds none, by their linear program:
-   in the known bracket, or where there is none, or none that can be narrowed,
-   by a climb. */
+   interior point; of few, or where that finds none, by their linear program. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
     const kern_real fails = path->fails, crit = path->critical;
     const kern_query q = kern_path_at(path, path->holds);
+    kern_ipm in;
     kern_status status = KERN_UNDECIDED;
-    if (!m->whole && !kern_model_is_small(m))
-        status = kern_ipm_search(m, path);
+    if (!m->whole && m->graph.groups > KERN_SMALL
+        && kern_ipm_open(&in, m, path->part, &q)) {
+        path->ipm = &in;
+        status = kern_path_narrow(m, path, first, step);
+        path->ipm = NULL;
+        if (status != KERN_UNDECIDED)
+            return status;
+        path->fails = fails;
+        path->critical = crit; /* that of the interior point may not be exact */
+    }
     if (status == KERN_UNDECIDED && !m->whole) {
         status = kern_model_whole(m, path->part, &q);
         if (status == KERN_OK)
             status = KERN_UNDECIDED;
-        path->fails = fails;
-        path->critical = crit; /* that of the interior point may not be exact */
     }
     if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
-    if (status == KERN_UNDECIDED && fails < KERN_INFINITY)
-        status = kern_path_critical(m, path);
-    if (status == KERN_UNDECIDED) {
-        path->holds = kern_max(path->start, path->proven.low);
-        status = kern_path_climb(m, path, first, step);
-    }
-    return status;
+    return status == KERN_UNDECIDED ? kern_path_narrow(m, path, first, step)
+                                    : status;
 }
 
 /* The verdict on the open part alone at s, and after KERN_FALLS in
@@ -5813,11 +6171,10 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 /* The critical value of a path on which the verdict changes but once: the pass
    is asked just before the value of the part that fell last, until nothing
    falls there or the pass ends without a verdict. */
-static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real step)
+static kern_status kern_path_search(kern_model *m, kern_path *path)
 {
     kern_status status = KERN_UNDECIDED;
-    kern_real at;
+    kern_real at, step = path->unit.step;
     int round;
     path->start = path->holds;
     path->fails = path->exact = KERN_INFINITY;
@@ -5844,503 +6201,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     return status != KERN_UNDECIDED ? status
            : kern_path_whole(m, path, at - path->holds, step);
 }
-
-/* ---- Interior point ---------------------------------------------- >>ipm */
-/* All groups at once, in some twenty factorisations: the farthest place s on a
-   path up to which forces exist,
-
-       max s,  A(s) x = b(s),  x >= 0,  s <= most.
-
-   Held at a place, A and b are those of that place, and s is how much of what
-   the first forces miss there is made up: it stands if s gets there. Free, A
-   and b change with s. With g the derivative of A x - b in s, the maximum is
-   where
-
-       A x = b,   A'y = z >= 0,   g.y = 1,   x z = 0 for every ray:
-
-   y is the mechanism, and b.y the place where it falls, less s. A primal-dual
-   method follows x z = mu > 0 to mu = 0. A step is Newton's,
-
-       M dy - g ds = A x~ - A x + b,  g.dy = 1 - g.y,  M = A D A',  D = x / z,
-
-   with x~ the forces that mu demands, solved twice with one factor (Mehrotra):
-   the predictor, with mu = 0, tells how small mu may be, and what the corrector
-   has to take into account. */
-
-#ifndef KERN_NO_INTERIOR
-typedef struct kern_ipm {
-    kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
-    const kern_path *path;
-    int held;                 /* nonzero: A, b and g stay                     */
-    kern_real s;
-    kern_real at;             /* place of A, b and g                          */
-    kern_real most;           /* s goes no farther                            */
-    kern_real gap;            /* sum of x z: s is so near to the maximum      */
-    kern_real least;          /* gap that is small enough                     */
-    kern_real *z;             /* of a ray: its closing speed                  */
-    kern_real *dx, *dz;       /* of a ray: the step                           */
-    kern_real *d;             /* of a ray: D                                  */
-    kern_real *over;          /* of a row: A x - b, at s                      */
-    kern_real *g;             /* of a row                                     */
-    kern_real *gain;          /* of a row: M^-1 g                             */
-} kern_ipm;
-
-/* out := A'v, two rays a contact */
-static void kern_ipm_ways(const kern_part *p, const kern_real *v,
-                          kern_real *out)
-{
-    int k;
-    for (k = 0; k < p->contacts; k++, out += 2) {
-        kern_real w[2] = {0, 0};
-        kern_part_speed(p, k, v, w);
-        w[1] *= kern_model_mu(p->m, p->contact[k]);
-        out[0] = w[0] + w[1];
-        out[1] = w[0] - w[1];
-    }
-}
-
-/* out += A x */
-static void kern_ipm_carry(const kern_part *p, const kern_real *x,
-                           kern_real *out)
-{
-    int k;
-    for (k = 0; k < p->contacts; k++, x += 2)
-        kern_part_exert(p, k, x[0] + x[1], kern_model_mu(p->m, p->contact[k])
-                                           * (x[0] - x[1]), out);
-}
-
-/* out += share times what the shrinking of kerns makes of forces x: a point
-   moves along t, and t x (f n + r t) = -f */
-static void kern_ipm_shrink(const kern_ipm *in, const kern_real *x,
-                            kern_real share, kern_real *out)
-{
-    const kern_part *p = in->p;
-    const kern_model *m = p->m;
-    int k;
-    for (k = 0; k < p->contacts; k++) {
-        const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
-        kern_real f = share * (x[2 * k] + x[2 * k + 1]), rate;
-        kern_shift(kern_travel(m->s->contact + i, m->mean), in->at,
-                   m->relative, &rate);
-        f *= rate;
-        out[3 * p->ends[2 * k] + 2] -= f * m->unit[ends[0]];
-        out[3 * p->ends[2 * k + 1] + 2] += f * m->unit[ends[1]];
-    }
-}
-
-/* A, b and g at a place of the path. */
-static void kern_ipm_place(kern_ipm *in, kern_real place)
-{
-    const kern_query q = kern_path_at(in->path, place);
-    const int shrinks = in->path->kind == KERN_PATH_SHRINK;
-    kern_part *p = in->p;
-    kern_model *m = p->m;
-    int k;
-    in->at = place;
-    m->cone.reduction = kern_reduction(&q);
-    kern_part_load(p, &q, p->eq.rhs);
-    for (k = 0; k < p->groups && !shrinks; k++)
-        kern_group_rate(in->path, m, &q, place, p->group[k], in->g + 3 * k);
-    if (!shrinks)
-        return;
-    kern_zero(in->g, 3 * p->groups);
-    kern_model_arms(m, &q);
-    kern_ipm_shrink(in, p->x, KERN_R(1), in->g);
-}
-
-/* A x - b at s, and the gap */
-static void kern_ipm_over(kern_ipm *in)
-{
-    const kern_part *p = in->p;
-    int i;
-    for (i = 0; i < 3 * p->groups; i++)
-        in->over[i] = (in->s - in->at) * in->g[i] - p->eq.rhs[i];
-    kern_ipm_carry(p, p->x, in->over);
-    in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
-}
-
-/* out := M^-1 b: factors M for in->d, with a share of its mean diagonal more on
-   that. */
-static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
-                            kern_real *out)
-{
-    kern_part *p = in->p;
-    int k;
-    kern_skyline_clear(&p->dual.matrix);
-    for (k = 0; k < p->contacts; k++) {
-        const kern_law s = kern_law_rays(
-            in->d[2 * k], in->d[2 * k + 1],
-            kern_model_mu(p->m, p->contact[k]));
-        kern_part_add(p, k, &s);
-    }
-    if (shift > 0)
-        kern_skyline_shift(&p->dual.matrix, shift);
-    kern_skyline_factor(&p->dual.matrix);
-    kern_skyline_solve(&p->dual.matrix, b, out);
-    p->m->budget.work->pivots++;
-}
-
-/* How much of a step keeps v above 0; at most all of it. */
-static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
-                                int n)
-{
-    kern_real share = KERN_R(1);
-    int i;
-    for (i = 0; i < n; i++)
-        if (v[i] < -share * step[i])
-            share = v[i] / -step[i];
-    return share;
-}
-
-/* Lifts products x z that are near to 0 to the mean of a gap. */
-static void kern_ipm_centre(kern_ipm *in, kern_real gap)
-{
-    const int rays = 2 * in->p->contacts;
-    const kern_real mean = gap / KERN_R(rays);
-    kern_real *x = in->p->x, *z = in->z;
-    int i;
-    for (i = 0; i < rays; i++)
-        if (x[i] * z[i] < mean) {
-            if (x[i] > z[i])
-                z[i] = mean / x[i];
-            else
-                x[i] = mean / z[i];
-        }
-    kern_ipm_over(in);
-}
-
-/* One solution of Newton's equations: dx, which has x~ - x without what dy
-   makes of it, dy = dual.step and dz; returns ds. */
-static kern_real kern_ipm_solve(kern_ipm *in)
-{
-    kern_part *p = in->p;
-    const kern_real *way = p->dual.way;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real *turn = p->dual.way + rays, ds;
-    int i;
-    for (i = 0; i < n; i++)
-        p->dual.grad[i] += in->over[i];
-    kern_ipm_carry(p, in->dx, p->dual.grad);
-    kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
-    ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
-         / kern_dot(in->g, in->gain, n);
-    ds = kern_min(ds, in->most - in->s);
-    for (i = 0; i < n; i++)
-        p->dual.step[i] += ds * in->gain[i];
-    kern_ipm_ways(p, p->dual.step, turn);
-    for (i = 0; i < rays; i++) {
-        in->dx[i] -= in->d[i] * turn[i];
-        in->dz[i] = way[i] + turn[i] - in->z[i];
-    }
-    return ds;
-}
-
-/* The predictor: leaves in dx and dual.grad what the corrector begins with. */
-static void kern_ipm_predict(kern_ipm *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x, of_z, ds, left = KERN_R(0), mu;
-    int i;
-    kern_ipm_ways(p, p->y, p->dual.way);
-    kern_zero(p->dual.grad, n);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = -in->d[i] * p->dual.way[i];
-    ds = kern_ipm_solve(in);
-    of_x = kern_ipm_share(p->x, in->dx, rays);
-    of_z = kern_ipm_share(in->z, in->dz, rays);
-    for (i = 0; i < rays; i++)
-        left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
-    left = in->s < in->most ? kern_max(left / in->gap, 1 - of_x)
-                            : KERN_R(1); /* nothing is left to maximise */
-    mu = kern_max(in->gap * left * left * left, in->least / 8) / KERN_R(rays);
-    kern_zero(p->dual.grad, n);
-    if (!in->held && in->path->kind == KERN_PATH_SHRINK)
-        kern_ipm_shrink(in, in->dx, of_x * of_x * ds, p->dual.grad);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
-                    - in->d[i] * p->dual.way[i];
-}
-
-/* One step of the method; 0: the limit or the digits do not reach for one. */
-static int kern_ipm_step(kern_ipm *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x, of_z, ds;
-    int i;
-    if (!(in->gap <= KERN_BOUND) || !kern_norm_spend(p))
-        return 0;
-    for (i = 0; i < rays; i++)
-        in->d[i] = p->x[i] / in->z[i];
-    kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
-    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE))
-        kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
-    kern_ipm_predict(in);
-    ds = kern_ipm_solve(in);
-    of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
-    of_z = KERN_IPM_SHARE * kern_ipm_share(in->z, in->dz, rays);
-    if (in->s + ds >= in->most && of_x >= KERN_IPM_SHARE)
-        of_x = KERN_R(1);
-    in->s = kern_min(in->s + of_x * ds, in->most); /* a sum that is rounded */
-    for (i = 0; i < rays; i++) {
-        p->x[i] = kern_max(p->x[i] + of_x * in->dx[i], p->x[i] * KERN_EPS);
-        in->z[i] += of_z * in->dz[i];
-    }
-    for (i = 0; i < n; i++)
-        p->y[i] += of_z * p->dual.step[i];
-    if (!in->held)
-        kern_ipm_place(in, in->s);
-    kern_ipm_over(in);
-    kern_ipm_centre(in, KERN_IPM_APART * in->gap);
-    KERN_AUDIT(ipm, in);
-    return in->gap < KERN_HUGE;
-}
-
-/* Takes A x - b from the forces, of each as a share of what it is: so M is far
-   from singular where D = x / z has entries of all sizes. */
-static void kern_ipm_balance(kern_ipm *in)
-{
-    kern_part *p = in->p;
-    const int rays = 2 * p->contacts;
-    kern_real *turn = p->dual.way + rays;
-    int i;
-    for (i = 0; i < rays; i++)
-        in->d[i] = p->x[i];
-    kern_ipm_factor(in, KERN_R(0), in->over, p->dual.step);
-    kern_ipm_ways(p, p->dual.step, turn);
-    for (i = 0; i < rays; i++)
-        p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
-    kern_ipm_over(in);
-}
-
-/* v += what lifts its least entry to half of what it is below 0, and a little
-   of the largest */
-static void kern_ipm_lift(kern_real *v, int n)
-{
-    kern_real lift = KERN_R(0);
-    int i;
-    for (i = 0; i < n; i++)
-        lift = kern_max(lift, KERN_R(-1.5) * v[i]);
-    lift += KERN_R(1e-3) * kern_largest(v, n);
-    for (i = 0; i < n; i++)
-        v[i] += lift;
-}
-
-/* Begins at a place, held or free: with minimum-norm forces of both signs, and
-   such motions, lifted above 0 (Mehrotra). Held, g is what these forces miss.
-   Returns 0 where nothing depends on s, or no work is left. */
-static int kern_ipm_begin(kern_ipm *in, kern_real place, int held)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real power, x = KERN_R(0), z = KERN_R(0);
-    int i;
-    if (!kern_norm_spend(p))
-        return 0;
-    in->held = held;
-    in->s = place;
-    in->most = held ? place : in->path->end;
-    for (i = 0; i < rays; i++) {
-        p->x[i] = in->z[i] = KERN_R(0);
-        in->d[i] = KERN_R(1);
-    }
-    kern_ipm_place(in, place);
-    kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
-    kern_ipm_ways(p, p->y, p->x);
-    kern_ipm_lift(p->x, rays);
-    kern_ipm_place(in, place);
-    kern_ipm_over(in);
-    if (held) {
-        kern_copy(in->g, in->over, n);
-        in->s = place - 1;
-    }
-    kern_skyline_solve(&p->dual.matrix, in->g, in->gain);
-    power = kern_dot(in->g, in->gain, n);
-    if (!(power > 0))
-        return 0;
-    for (i = 0; i < n; i++)
-        p->y[i] = in->gain[i] / power;
-    kern_ipm_ways(p, p->y, in->z);
-    kern_ipm_lift(in->z, rays);
-    in->gap = kern_dot(p->x, in->z, rays);
-    for (i = 0; i < rays; i++) {
-        x += p->x[i];
-        z += in->z[i];
-    }
-    for (i = 0; i < rays; i++) {
-        p->x[i] += in->gap / z / 2;
-        in->z[i] += in->gap / x / 2;
-    }
-    kern_ipm_over(in);
-    return 1;
-}
-
-/* Opens all groups for questions about a path; 0 if there is no room. */
-static int kern_ipm_open(kern_ipm *in, kern_model *m, const kern_path *path)
-{
-    const kern_query q = kern_path_at(path, path->holds);
-    kern_part *p = path->part;
-    int rays, n, i;
-    if (m->whole)
-        kern_model_group(m, &q);
-    kern_model_set(m, &q);
-    if (!kern_norm_open(p, m) || p->contacts == 0)
-        return 0;
-    rays = 2 * p->contacts;
-    n = 3 * p->groups;
-    in->p = p;
-    in->path = path;
-    in->gap = KERN_INFINITY; /* of no question so far */
-    p->found = KERN_UNDECIDED;
-    p->eq.simplex.state = KERN_BASIS_NONE;
-    p->x = kern_take_reals(&p->rest, rays);
-    p->y = kern_take_reals(&p->rest, n + 3);
-    p->eq.rhs = kern_take_reals(&p->rest, n);
-    in->z = kern_take_reals(&p->rest, rays);
-    in->dx = kern_take_reals(&p->rest, rays);
-    in->dz = kern_take_reals(&p->rest, rays);
-    in->d = kern_take_reals(&p->rest, rays);
-    in->over = kern_take_reals(&p->rest, n + 3);
-    in->g = kern_take_reals(&p->rest, n + 3);
-    in->gain = kern_take_reals(&p->rest, n + 3);
-    if (!kern_take_fits(&p->rest))
-        return 0;
-    for (i = n; i < n + 3; i++) /* what is held rests */
-        p->y[i] = p->dual.step[i] = in->gain[i] = KERN_R(0);
-    return 1;
-}
-
-/* What is proven at the place where the path is held: by forces where s is
-   there, by a motion, or what was before. */
-static kern_status kern_ipm_prove(kern_ipm *in, kern_status before)
-{
-    kern_part *p = in->p;
-    kern_model *m = p->m;
-    const kern_query q = kern_path_at(in->path, in->at);
-    if (in->s >= in->most) {
-        kern_ipm_balance(in);
-        kern_part_forces(p);
-        if (kern_answer_holds(m, &q))
-            return KERN_STANDS;
-    }
-    if (before == KERN_FALLS || !(kern_dot(p->y, p->eq.rhs, 3 * p->groups) < 0))
-        return before;
-    kern_part_motion(p);
-    return kern_model_proven(m, kern_prove_motion(m->s, &q, m->answer.motion))
-           ? KERN_FALLS : before;
-}
-
-/* Steps until the path's end, as far as the gap and A x - b tell it, or held
-   until a proof: with `sharp` one that is sharp enough for Newton's method. */
-static kern_status kern_ipm_run(kern_ipm *in, int sharp)
-{
-    kern_status status = KERN_UNDECIDED;
-    const int n = 3 * in->p->groups;
-    int round, stalled = 0;
-    for (round = 0; round < KERN_ROUNDS && stalled < KERN_FEW_ROUNDS; round++) {
-        const kern_real before = in->gap;
-        if (!kern_ipm_step(in))
-            return status;
-        if (in->held) {
-            status = kern_ipm_prove(in, status);
-            if (status == KERN_STANDS
-                || (status == KERN_FALLS
-                    && (!sharp
-                        || in->gap <= KERN_IPM_SHARP * (in->at - in->s))))
-                return status;
-        } else if (in->s >= in->most
-                   || (in->gap <= in->least && kern_largest(in->over, n)
-                                 <= in->least * kern_largest(in->g, n)))
-            return KERN_STANDS;
-        stalled = in->gap < before * KERN_R(0.9) ? 0 : stalled + 1;
-    }
-    return status;
-}
-
-/* The verdict at a place: from what was found before, else from the start. */
-static kern_status kern_ipm_evaluate(kern_ipm *in, kern_real place,
-                                     kern_real *crit)
-{
-    const kern_query q = kern_path_at(in->path, place);
-    const int sharp = crit && in->p->groups <= KERN_SMALL; /* exact to 1e-9 */
-    kern_status status = KERN_UNDECIDED;
-    if (!kern_model_spend(in->p->m, in->p->m->budget.query_units))
-        return KERN_LIMIT;
-    in->p->m->budget.work->solves++;
-    in->least = KERN_R(0);
-    if (in->gap <= KERN_BOUND) {
-        const kern_real away = kern_abs(place - in->s) / in->path->unit.one;
-        in->held = 1;
-        in->most = place;
-        kern_ipm_place(in, place);
-        in->s = kern_min(in->s, place);
-        kern_ipm_over(in);
-        kern_ipm_centre(in, kern_max(in->gap, away));
-        status = kern_ipm_run(in, sharp);
-    }
-    if (status == KERN_UNDECIDED && kern_ipm_begin(in, place, 1))
-        status = kern_ipm_run(in, sharp);
-    if (status == KERN_FALLS && crit)
-        *crit = kern_path_newton(in->path, &q, place);
-    return status;
-}
-
-/* The verdict on all groups for a query. */
-static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
-                                    const kern_query *q)
-{
-    kern_path path;
-    kern_ipm in;
-    path.kind = KERN_PATH_SHRINK;
-    path.q = *q;
-    path.part = p;
-    path.unit.one = m->relative ? KERN_R(1) : m->mean;
-    path.holds = path.end = q->shrink;
-    p->found = kern_ipm_open(&in, m, &path)
-               ? kern_ipm_evaluate(&in, q->shrink, NULL) : KERN_UNDECIDED;
-    return p->found;
-}
-
-/* The critical value of the whole, with both proofs; or KERN_UNDECIDED. */
-static kern_status kern_ipm_search(kern_model *m, kern_path *path)
-{
-    kern_ipm in;
-    kern_status status = KERN_STANDS;
-    if (m->cone.narrow > 0 || !kern_ipm_open(&in, m, path))
-        return KERN_UNDECIDED;
-    path->ipm = &in;
-    path->fails = path->end;
-    m->budget.work->solves++;
-    in.least = path->unit.width / 8;
-    path->critical = KERN_INFINITY;
-    if (kern_ipm_begin(&in, path->holds, 0)
-        && kern_ipm_run(&in, 0) == KERN_STANDS)
-        path->critical = in.s;
-    else {
-        in.gap = KERN_INFINITY; /* nothing to go on from */
-        status = kern_path_evaluate(m, path, path->holds);
-    }
-    if (status == KERN_STANDS)
-        status = kern_path_evaluate(
-            m, path, kern_min(path->critical + path->unit.aside, path->end));
-    if (status == KERN_STANDS && path->holds < path->end)
-        status = kern_path_evaluate(m, path, path->end);
-    if (status == KERN_STANDS)
-        status = kern_path_saturate(path);
-    else if (status == KERN_FALLS || status == KERN_UNDECIDED) {
-        status = kern_path_critical(m, path);
-        if (path->proven.high > path->fails
-            || path->fails - path->holds > path->unit.width)
-            status = KERN_UNDECIDED;
-    }
-    path->ipm = NULL;
-    if (path->proven.high <= path->start)
-        return KERN_FALLS;
-    return status == KERN_STANDS && path->proven.low >= path->holds
-           ? status : KERN_UNDECIDED;
-}
-#endif /* KERN_NO_INTERIOR */
 
 /* ---- Raised ----------------------------------------------------- >>raised */
 /* Forces that a load puts on unstressed contacts of some stiffness. They are

@@ -73,7 +73,7 @@ static void audit_simplex(kern_simplex *sx)
 }
 
 /* A factor has a positive diagonal, and is finite up to where it overflows: the
-   interior point factors a singular matrix again. */
+   interior point ends there. */
 static void audit_factor(const kern_skyline *a)
 {
     int g, i, k;
@@ -112,7 +112,7 @@ static void audit_ipm(const kern_ipm *in)
     int i;
     if (!(in->gap < KERN_HUGE))
         return;
-    assert(in->gap > 0 && in->s <= in->most);
+    assert(in->gap > 0 && in->s <= 0);
     for (i = 0; i < 2 * in->p->contacts; i++)
         assert(in->p->x[i] > 0 && in->z[i] > 0 && in->d[i] > 0);
 }
