@@ -14,11 +14,14 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9834
-lines of the engine|3500|4178
-text of the library|54000|58520
-text, kern_measure with contacts given|32000|33200
-text, kern_verdict with contacts given|22000|26560
+limits="lines of kern.h|8800|9494
+lines of the engine|3500|4056
+text of the library|54000|56700
+text, kern_measure with contacts given|32000|31540
+text, kern_verdict with contacts given|22000|24210
+text of the library, KERN_NO_INTERIOR|54000|54000
+text, kern_measure, KERN_NO_INTERIOR|32000|32000
+text, kern_verdict, KERN_NO_INTERIOR|22000|22000
 deepest stack|2700|2700"
 allowed='sqrtf'  # symbols that the library may need
 
@@ -113,6 +116,8 @@ linked() { # linked FUNCTION...: makes $out/kern.elf
         --unresolved-symbols=ignore-all -o "$out/kern.elf" "$out/kern.o" ||
         exit 1
 }
+
+text_of() { arm-none-eabi-size "$out/$1" | awk 'NR == 2 { print $1 }'; }
 
 mode=${1:-}
 given="measure contact_make"
@@ -221,7 +226,7 @@ echo '|---|---|'
 compile -Os -DKERN_SINGLE $m4f $in_sections || exit 1
 while read -r -a functions; do
     linked "${functions[@]}"
-    size=$(arm-none-eabi-size "$out/kern.elf" | awk 'NR == 2 { print $1 }')
+    size=$(text_of kern.elf)
     name=kern_${functions[0]}
     case ${functions[*]} in
     *contact_make) name="$name, contacts given" ;;
@@ -242,6 +247,14 @@ held "lines of the engine" "$(engine_lines)"
 held "text of the library" "$whole"
 held "text, kern_measure with contacts given" "$size_given"
 held "text, kern_verdict with contacts given" "$size_verdict"
+# shellcheck disable=SC2086
+compile -Os -DKERN_SINGLE $m4f $in_sections -DKERN_NO_INTERIOR || exit 1
+held "text of the library, KERN_NO_INTERIOR" "$(text_of kern.o)"
+# shellcheck disable=SC2086
+linked $given
+held "text, kern_measure, KERN_NO_INTERIOR" "$(text_of kern.elf)"
+linked verdict contact_make
+held "text, kern_verdict, KERN_NO_INTERIOR" "$(text_of kern.elf)"
 held "deepest stack" "$whole_stack"
 
 [ ! -s "$out/failed" ] || { cat "$out/failed"; exit 1; }
