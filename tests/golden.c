@@ -39,12 +39,12 @@ static const struct {
 } golden[] = {
 #ifdef KERN_SINGLE
     { 200, 0xb23e5f440a9d0237u },
-    { 1000, 0xaa97c7dd4a99776eu },
-    { 5000, 0x7b6ceceb1fa8eabau },
+    { 1000, 0x3e4a6144674c6272u },
+    { 5000, 0xfc6ca7e51fd43b4bu },
 #else
     { 200, 0xf20aae661b498eefu },
-    { 1000, 0x7e2a602b378b14cau },
-    { 5000, 0x9415fd6e7feaf84du },
+    { 1000, 0x6a8556a70a0c2889u },
+    { 5000, 0x7950fd5101a760ffu },
 #endif
 };
 
