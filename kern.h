@@ -1350,10 +1350,10 @@ extern "C" {
                                       are tried for the crash basis           */
 /* Groups of a cluster: a share of few groups, in a verdict and in a search; of
    many this, and one more for so many. At 5 verdicts take 7 % more, at 4
-   measures 6 %; with 20 measures of 54 to 400 irregular stones take 8 %. */
+   measures 6 %. */
 #define KERN_CLUSTER_ONCE  4
 #define KERN_CLUSTER_AGAIN 5
-#define KERN_CLUSTER_MOST  12
+#define KERN_CLUSTER_MOST  20
 #define KERN_CLUSTER_SHARE 32
 /* Products of a pass for each group and contact: of KERN_BLOCKS_MOST and
    KERN_POINTS_MOST still an int. With 5000 measures of bricks take 1.4 times
