@@ -351,7 +351,7 @@
              with mu up to 100, with mu 1000 2 of 96.
    Brackets  At most 2e-6 mean sizes wide; in jams of 4 to 15 blocks up to 2e-5
              in one of a thousand; above 256 blocks of which many move at once
-             up to 3e-5. Above 64 such blocks the margin may lie anywhere in it.
+             up to 3e-5. Above 64 such blocks a value may lie anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (constants: >>tune), a deficit is exact to 3e-6
@@ -573,7 +573,7 @@ typedef struct kern_options { /* always start from kern_defaults()            */
     kern_real pose_turn;  /* angles [rad]: kern_measured_options(); 0: exact  */
     kern_real narrow;     /* rate at which cones of friction narrow as kerns
                              shrink [1/m; relative: 1]; 0, see kern_measure() */
-    kern_real reserve;    /* largest that kern_raised() asks for; 0: 0.1, most*/
+    kern_real reserve;    /* most that kern_raised() asks for, <= 0.1; 0: 0.1 */
     kern_vec lone;        /* gravity, of any length: lone points that are found
                              travel (>>rules); (0, 0): they stay              */
 } kern_options;
@@ -704,7 +704,7 @@ typedef struct kern_plan {
 /* Sides of a horizontal load or tilt: right is +x for gravity (0, -9.81). */
 typedef enum kern_side {
     KERN_LEFT = -1,
-    KERN_SHRINK = 0,      /* no load: kerns shrink                            */
+    KERN_SHRINK = 0,      /* no load, kerns shrink: for kern_profile() alone  */
     KERN_RIGHT = 1
 } kern_side;
 
@@ -841,8 +841,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks);
    pair), KERN_BAD_POINTER, _COUNT, _NUMBER, _FRICTION, _OPTION,
    KERN_FEW_VERTICES, KERN_NO_AREA, KERN_NO_BLOCK, KERN_STALE (the block's
    vertices have moved, or their array was used for another block). Work
-   memory: the fault alone. Time: a test of boxes for two blocks; where they
-   meet a few products for two near edges, tens where no edge parts them. */
+   memory: the fault alone. Time: a test of boxes for each two blocks; where
+   they meet a few products for near edges, tens where no edge parts them. */
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options,
                            kern_contact *out, int room, kern_work *work);
@@ -1024,7 +1024,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 /* The largest factor of a horizontal load to a side on top of weights and
    loads. KERN_STANDS: *factor, KERN_INFINITY where it stands at 1,000,000;
    proof as in kern_measure(), for the loads at the factor. KERN_FALLS: it
-   falls at 0. KERN_BAD_OPTION: no gravity, or no such side. */
+   falls at 0. KERN_BAD_OPTION: no gravity, or no side to the left or right. */
 KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       kern_side side, kern_real *factor,
                                       const kern_proof *proof);
@@ -1256,8 +1256,8 @@ extern "C" {
    chases rounding, a search does not end. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms; and what
-   is added to the diagonal of a matrix of >>norm, and the first of >>ipm, as a
-   share of its mean: without it a group that no ray presses has no pivot. */
+   is added to the diagonal of the matrix of >>norm, as a share of its mean:
+   without it a group that no ray presses has no pivot. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1296,7 +1296,7 @@ extern "C" {
    a quarter of the angle]. Narrower, fewer verdicts near critical have a
    proof; wider, the bracket is no longer within the 2e-6 that are promised. */
 #define KERN_WIDTH         KERN_PICK(1.4e-6, 2e-3)
-/* How many times wider it may get where no nearer verdict has a proof. */
+/* How many times wider it may get near what has no proof; wider: undecided. */
 #define KERN_WIDEST        KERN_R(20)
 /* From the critical value to either end of its bracket, as a share of
    KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
@@ -1314,7 +1314,7 @@ extern "C" {
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
    minimum-norm forces, a bracket (four to eight suffice), the interior point
-   (some twenty), prices of contacts along a load. */
+   (some ten), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
    from bend to bend, parts that fall before the whole, strides a vertex; steps
@@ -1371,7 +1371,11 @@ extern "C" {
 
 /* ---- interior point ---- */
 
+/* What is added to a diagonal without pivots, as a share of its mean. */
+#define KERN_IPM_SHIFT     KERN_PICK(1e-13, 1e-6)
 #define KERN_IPM_SHARE     KERN_R(0.9995) /* of the way to x, z = 0 in a step */
+#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means: without it,
+                                             float decides fewer verdicts     */
 /* Least gap, and s below 0, with which a query begins where another ended. */
 #define KERN_IPM_AGAIN     KERN_R(3e-3)
 
@@ -2605,7 +2609,7 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
     }
 }
 
-/* The unit of a group's torques: its block's size, and how far kerns grew. */
+/* The unit of a group's torques: its block's size plus how far kerns grew. */
 static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
@@ -4849,8 +4853,8 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
-/* The verdict on all groups at once, in some ten factorisations: with g what the
-   first forces, x > 0, miss of equilibrium, how much of that is made up,
+/* The verdict on all groups at once, in some ten factorisations. With g what
+   the first forces, x > 0, miss of equilibrium, how much of it is made up:
 
        max s,  A x + s g = b,  x >= 0,  s <= 0,
 
@@ -4865,14 +4869,14 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
    with x~ the forces that mu demands, solved twice with one factor (Mehrotra):
    the predictor, with mu = 0, tells how small mu may be, and what the corrector
-   has to take into account. Along a path x, y and s begin as those of the last
-   place. */
+   has to take into account. Along a path x, y, z and s begin as those of the
+   last place. */
 
 typedef struct kern_ipm {
     kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
     kern_real s;
     kern_real gap;            /* sum of x z: s is so near to the maximum      */
-    kern_real *z;             /* of a ray: its closing speed                  */
+    kern_real *z;             /* of a ray: its opening speed                  */
     kern_real *dx, *dz;       /* of a ray: the step                           */
     kern_real *d;             /* of a ray: D                                  */
     kern_real *over;          /* of a row: A x - b + s g                      */
@@ -4949,6 +4953,19 @@ static kern_real kern_ipm_share(const kern_real *v, const kern_real *step,
     return share;
 }
 
+/* Lifts products x z that are near to 0 to the mean of a gap. */
+static void kern_ipm_centre(kern_ipm *in, kern_real gap)
+{
+    const int rays = 2 * in->p->contacts;
+    const kern_real mean = gap / KERN_R(rays);
+    kern_real *x = in->p->x, *z = in->z;
+    int i;
+    for (i = 0; i < rays; i++)
+        if (x[i] * z[i] < mean)
+            *(x[i] > z[i] ? &z[i] : &x[i]) = mean / kern_max(x[i], z[i]);
+    kern_ipm_over(in);
+}
+
 /* One solution of Newton's equations: dx, which has x~ - x without what dy
    makes of it, dy = dual.step and dz; returns ds. */
 static kern_real kern_ipm_solve(kern_ipm *in)
@@ -5012,6 +5029,8 @@ static int kern_ipm_step(kern_ipm *in)
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i] / in->z[i];
     kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
+    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE))
+        kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_predict(in);
     ds = kern_ipm_solve(in);
     of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
@@ -5026,6 +5045,7 @@ static int kern_ipm_step(kern_ipm *in)
     for (i = 0; i < n; i++)
         p->y[i] += of_z * p->dual.step[i];
     kern_ipm_over(in);
+    kern_ipm_centre(in, KERN_IPM_APART * in->gap);
     KERN_AUDIT(ipm, in);
     return in->gap < KERN_HUGE;
 }
@@ -5076,7 +5096,7 @@ static int kern_ipm_begin(kern_ipm *in)
         in->d[i] = KERN_R(1);
     }
     kern_zero(in->g, n);
-    kern_ipm_factor(in, KERN_ROUNDING, p->eq.rhs, p->y);
+    kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
     kern_ipm_over(in);
@@ -5091,21 +5111,6 @@ static int kern_ipm_begin(kern_ipm *in)
     kern_ipm_lift(in->z, rays);
     kern_ipm_over(in);
     return 1;
-}
-
-/* Begins from what was found for the query before: s is less than 0, and no
-   product x z less than the mean of some gap. */
-static void kern_ipm_again(kern_ipm *in)
-{
-    const int rays = 2 * in->p->contacts;
-    const kern_real mean = kern_max(in->gap, KERN_IPM_AGAIN) / KERN_R(rays);
-    kern_real *x = in->p->x, *z = in->z;
-    int i;
-    in->s = kern_min(in->s, -KERN_IPM_AGAIN);
-    for (i = 0; i < rays; i++)
-        if (x[i] * z[i] < mean)
-            *(x[i] > z[i] ? &z[i] : &x[i]) = mean / kern_max(x[i], z[i]);
-    kern_ipm_over(in);
 }
 
 /* Opens all groups for queries like q; 0 if there is no room. */
@@ -5184,7 +5189,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
     if (in->gap <= KERN_BOUND) {
-        kern_ipm_again(in);
+        in->s = kern_min(in->s, -KERN_IPM_AGAIN);
+        kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_AGAIN));
         status = kern_ipm_run(in, q);
     }
     if (status == KERN_UNDECIDED && kern_ipm_begin(in))
@@ -6844,24 +6850,24 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_CERTAIN_SHIFT  KERN_R(3.5)  /* of place, by which kerns change   */
 #define KERN_CERTAIN_WIDE   KERN_R(2.0)  /* times that gaps and angles allow  */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
-   an image of 900 a stone must not hold. At 2, no kerb of two gaps would. */
+   an image of 900 a stone must not hold. At 2 a kerb of two gaps would go. */
 #define KERN_RISER      KERN_R(1.6)
 /* Deviation of stairs from a chord between two of their corners, in risers: the
    square root of 2 where treads are as long. */
 #define KERN_STAIRS     KERN_R(1.4142135623730951)
 /* Length in steps of a way whose direction steps hardly change. */
 #define KERN_STEP_WAY   KERN_R(8.0)
-/* Share of the size of the smaller free block: higher steps are not simplified
-   away, however wide the gap. */
-#define KERN_STEP_MOST  KERN_R(0.1)
 /* Sine of 10 degrees: by so much they still do; and by less do the normals of a
    line contact and of a vertex that belongs to it, by more at a corner. */
 #define KERN_SAME_FACE  KERN_R(0.17364817766693036)
+/* Share of the size of the smaller free block: higher steps are not simplified
+   away, however wide the gap. */
+#define KERN_STEP_MOST  KERN_R(0.1)
 /* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
 #define KERN_GOES_ON    KERN_R(0.5)
 /* Share of the gap that overlap may be deeper unseen: less takes more steps. */
 #define KERN_STRIDE     KERN_R(0.0625)
-/* Of these, beside some a vertex, before they double: at 100 a search takes 1 %
+/* Of these, beside 8 a vertex, before they double: at 100 a search takes 1 %
    more; and most triangles of a size that are tried for an inner point. */
 #define KERN_STRIDES    64
 
@@ -7875,7 +7881,7 @@ typedef struct kern_search {
 static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
 
-/* The widest gap of blocks of that size; measured ones add it to the exact. */
+/* The widest gap of blocks of that size; the error's is added to the exact. */
 KERN_SHARED static kern_real kern_search_gap(const kern_search *s,
                                              kern_real size)
 {
@@ -7990,7 +7996,7 @@ static int kern_search_close(const kern_search *s)
 
 /* ---- input ---- */
 
-/* Checks what the search reads of block i, before s->from but its vertices. */
+/* Checks what is read of block i; vertices before s->from when a pair does. */
 static kern_status kern_search_check(const kern_search *s, int i)
 {
     const kern_block *block = &s->block[i];

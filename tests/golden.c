@@ -42,9 +42,9 @@ static const struct {
     { 1000, 0x3e4a6144674c6272u },
     { 5000, 0xfc6ca7e51fd43b4bu },
 #else
-    { 200, 0xf20aae661b498eefu },
-    { 1000, 0x6a8556a70a0c2889u },
-    { 5000, 0x7950fd5101a760ffu },
+    { 200, 0x1dd52869193c4664u },
+    { 1000, 0x09bbc19a84b7fb1fu },
+    { 5000, 0x619a5997ae939e7eu },
 #endif
 };
 

