@@ -5009,7 +5009,7 @@ static void kern_ipm_predict(kern_ipm *in)
     for (i = 0; i < rays; i++)
         left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
     left = in->s < 0 ? kern_max(left / in->gap, 1 - of_x)
-                            : KERN_R(1); /* nothing is left to maximise */
+                     : KERN_R(1); /* nothing is left to maximise */
     mu = in->gap * left * left * left / KERN_R(rays);
     kern_zero(p->dual.grad, n);
     for (i = 0; i < rays; i++)
