@@ -355,8 +355,9 @@
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (constants: >>tune), a deficit is exact to 3e-6
-             sizes, and near to critical more is undecided; where wedges jam a
-             margin may be off by a third of a size; stay near the origin.
+             sizes, above 64 blocks values to 0.05; near to critical more is
+             undecided; where wedges jam a margin may be off by a third of a
+             size; stay near the origin.
 
    DETERMINISM                                                  >>determinism
 
