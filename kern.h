@@ -5171,7 +5171,7 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q)
     kern_status status = KERN_UNDECIDED;
     int round;
     for (round = 0; round < KERN_ROUNDS && status == KERN_UNDECIDED
-                    && !(in->gap <= KERN_NOISE * KERN_EPS)
+                    && !(in->gap <= KERN_NOISE * KERN_NOISE)
                     && kern_ipm_step(in); round++)
         status = kern_ipm_prove(in, q);
     return status;
