@@ -763,9 +763,10 @@ typedef struct kern_lp {
    with KERN_LIMIT is the largest proven to stand by then, below 0 if none is.
    Numbers that cannot be squared or multiplied safely are refused, with the
    block in the fault: a mass or area out of the range of kern_block_init()
-   (KERN_BAD_MASS, KERN_NO_AREA); as KERN_BAD_NUMBER a centre, place or travel
-   above 1e100 m, an area above 1e200 m^2, weight and load of a free block
-   together above 1e100 N, or below 1e-100 N and not 0 (float: 1e15, 1e-15). */
+   (KERN_BAD_MASS, KERN_NO_AREA); as KERN_BAD_NUMBER an option, centre, place or
+   travel above 1e100 m, an area above 1e200 m^2, weight and load of a free
+   block together above 1e100 N, or below 1e-100 N and not 0 (float: 1e10 m,
+   1e15 N, 1e-15 N). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -1318,8 +1319,8 @@ extern "C" {
    (some ten), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole, strides a vertex; steps
-   without gain, of a collapse. */
+   from bend to bend, parts that fall before the whole is asked; steps without
+   gain, of a collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1838,6 +1839,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real step);
 static kern_status kern_path_search(kern_model *m, kern_path *path);
+
 /* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
    through half a circle by arithmetic alone. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
@@ -2145,7 +2147,7 @@ static kern_real kern_prove_rows(const kern_structure *s,
     return error <= 1 ? error : kern_max(error, KERN_R(2));
 }
 
-/* Adds a force of contact c to the sums of its blocks. Is it in its cone? */
+/* Adds a force of contact c to its blocks' sums; 0: it is not in its cone. */
 static inline int kern_prove_contact(const kern_structure *s,
                                      const kern_query *q, const kern_contact *c,
                                      const kern_force *force, kern_real by,
@@ -2470,7 +2472,7 @@ static void kern_model_order(const kern_model *m)
         }
 }
 
-/* Gives every block that is free and there a group, and lists its contacts. */
+/* Gives every free block that is not gone a group, and lists its contacts. */
 static void kern_model_group(kern_model *m, const kern_query *q)
 {
     const kern_structure *s = m->s;
@@ -2664,7 +2666,7 @@ static void kern_model_unload(kern_model *m)
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->budget.work, m->budget.limit, units); }
 
-/* Is one linear program of all groups solved: of few, with all the memory? */
+/* Whether one linear program answers: few groups, all of the work memory. */
 static int kern_model_is_small(const kern_model *m)
 {
     const kern_work *work = m->budget.work;
@@ -3154,7 +3156,7 @@ static kern_real kern_angle_of(kern_real s)
     return 8 * s * sum;
 }
 
-/* Can what grows be reckoned with: a pattern, or, for NULL, what has a side? */
+/* Checks what grows: a pattern, or a load or tilt that has a side (NULL). */
 static kern_status kern_growth_check(const kern_model *m,
                                      const kern_wrench *pattern, kern_side side)
 {
@@ -4935,8 +4937,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
             kern_model_mu(p->m, p->contact[k]));
         kern_part_add(p, k, &s);
     }
-    if (shift > 0)
-        kern_skyline_shift(&p->dual.matrix, shift);
+    kern_skyline_shift(&p->dual.matrix, shift);
     kern_skyline_factor(&p->dual.matrix);
     kern_skyline_solve(&p->dual.matrix, b, out);
     p->m->budget.work->pivots++;
@@ -5045,8 +5046,7 @@ static int kern_ipm_step(kern_ipm *in)
     }
     for (i = 0; i < n; i++)
         p->y[i] += of_z * p->dual.step[i];
-    kern_ipm_over(in);
-    kern_ipm_centre(in, KERN_IPM_APART * in->gap);
+    kern_ipm_centre(in, KERN_IPM_APART * kern_dot(p->x, in->z, rays));
     KERN_AUDIT(ipm, in);
     return in->gap < KERN_HUGE;
 }
@@ -5093,7 +5093,7 @@ static int kern_ipm_begin(kern_ipm *in)
         return 0;
     in->s = KERN_R(-1);
     for (i = 0; i < rays; i++) {
-        p->x[i] = in->z[i] = KERN_R(0);
+        in->z[i] = KERN_R(0);
         in->d[i] = KERN_R(1);
     }
     kern_zero(in->g, n);
@@ -5129,7 +5129,6 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     in->p = p;
     in->gap = KERN_INFINITY; /* of no question so far */
     p->found = KERN_UNDECIDED;
-    p->eq.simplex.state = KERN_BASIS_NONE;
     p->x = kern_take_reals(&p->rest, rays);
     p->y = kern_take_reals(&p->rest, n + 3);
     p->eq.rhs = kern_take_reals(&p->rest, n);
@@ -6065,7 +6064,7 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     const kern_real fails = path->fails, crit = path->critical;
     const kern_query q = kern_path_at(path, path->holds);
     kern_ipm in;
-    kern_status status = KERN_UNDECIDED;
+    kern_status status;
     if (!m->whole && m->graph.groups > KERN_SMALL
         && kern_ipm_open(&in, m, path->part, &q)) {
         path->ipm = &in;
@@ -6076,15 +6075,11 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
         path->fails = fails;
         path->critical = crit; /* that of the interior point may not be exact */
     }
-    if (status == KERN_UNDECIDED && !m->whole) {
-        status = kern_model_whole(m, path->part, &q);
-        if (status == KERN_OK)
-            status = KERN_UNDECIDED;
-    }
-    if (status == KERN_UNDECIDED && path->kind != KERN_PATH_SHRINK)
+    status = m->whole ? KERN_OK : kern_model_whole(m, path->part, &q);
+    if (status == KERN_OK && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
-    return status == KERN_UNDECIDED ? kern_path_narrow(m, path, first, step)
-                                    : status;
+    return status == KERN_OK || status == KERN_UNDECIDED
+           ? kern_path_narrow(m, path, first, step) : status;
 }
 
 /* The verdict on the open part alone at s, and after KERN_FALLS in
@@ -6821,11 +6816,11 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the largest coordinate below which places are the same: no gap is
    less. Smaller, and cubes that were turned and moved would not touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
-/* An outline of more vertices than KERN_RUN, the most nested spans of it that
-   are kept, has boxes for KERN_RUNS runs of its edges at the most. More of them
-   take more stack, shorter runs more time than they save. */
+/* An outline of more vertices than KERN_RUN has boxes for KERN_RUNS runs of its
+   edges at the most. More of them take more stack, shorter runs more time. */
 #define KERN_RUN        16
 #define KERN_RUNS       24
+#define KERN_SPANS      16 /* nested, of an outline, that are kept            */
 /* Turn [rad] below which a vertex is no corner, and within which of a half
    turn it is a spike: much larger, and round stones would lose their shape. And
    share of the size by which a foot must lie inside its edge, so that rounding
@@ -6932,7 +6927,7 @@ typedef struct kern_outline {
     int each;               /* vertices of a run                     */
     kern_real step;         /* a corner is so far from its chord [m] */
     int spans;              /* so many; 0: not known yet             */
-    kern_span span[KERN_RUN]; /* each lies in the one before        */
+    kern_span span[KERN_SPANS]; /* each lies in the one before       */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -7309,7 +7304,7 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
         kern_real s, step, stride = *deep * KERN_STRIDE;
-        int left = KERN_STRIDES + KERN_FEW_ROUNDS * b->block->vertices;
+        int left = KERN_STRIDES * (8 + b->block->vertices) / 8;
         for (s = 0; s < e.length; s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
@@ -7477,7 +7472,7 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
             half.end = span->end;
         }
         span->steps = -1;
-        if (o->spans == KERN_RUN) /* all but the whole are found anew */
+        if (o->spans == KERN_SPANS) /* all but the whole are found anew */
             o->spans = 1;
         o->span[o->spans++] = half;
     }

@@ -14,11 +14,11 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9500
-lines of the engine|3500|4056
-text of the library|54000|56780
-text, kern_measure with contacts given|32000|31620
-text, kern_verdict with contacts given|22000|24300
+limits="lines of kern.h|8800|9495
+lines of the engine|3500|4049
+text of the library|54000|56732
+text, kern_measure with contacts given|32000|31576
+text, kern_verdict with contacts given|22000|24252
 text of the library, KERN_NO_INTERIOR|54000|54000
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
