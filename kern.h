@@ -1275,8 +1275,6 @@ extern "C" {
 #define KERN_LEAST         KERN_PICK(1e-290, 1e-35)
 /* Largest coordinate and gap [m]: the moment of a polygon is still a number. */
 #define KERN_FAR           KERN_PICK(1e100, 1e10)
-/* Larger than any length or area: where a search for the least begins. */
-#define KERN_HUGE          KERN_PICK(DBL_MAX, FLT_MAX)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL        KERN_R(1e-9)
 /* Share of the size: the default gap, the length of the shortest line, and how
@@ -1573,8 +1571,8 @@ static kern_real kern_largest(const kern_real *v, int n)
 /* Makes the box empty: each corner lies beyond every place. */
 KERN_SHARED static void kern_box_empty(kern_box *box)
 {
-    box->low.x = box->low.y = KERN_HUGE;
-    box->high.x = box->high.y = -KERN_HUGE;
+    box->low.x = box->low.y = KERN_INFINITY;
+    box->high.x = box->high.y = -KERN_INFINITY;
 }
 
 static void kern_box_add(kern_box *box, kern_vec p)
@@ -1658,24 +1656,19 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Magnitude of the force. Not 0 where only its squares underflow. */
-static kern_real kern_force_size(const kern_wrench *w)
-{
-    return kern_max(KERN_SQRT(w->fx * w->fx + w->fy * w->fy),
-                    kern_max(kern_abs(w->fx), kern_abs(w->fy)));
-}
-
-/* Adds a share of what acts on block b; returns its magnitude. */
+/* Adds a share of what acts on block b; returns its magnitude, which is not 0
+   where only the squares underflow. */
 static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
 {
+    const kern_vec force = kern_vec_make(w->fx, w->fy);
     if (!(kern_wrench_sum(w) > 0))
         return KERN_R(0);
     sum->fx += share * w->fx;
     sum->fy += share * w->fy;
     sum->torque += share * w->torque;
-    return share * (kern_force_size(w) + kern_abs(w->torque)
-                                         / kern_block_size(b));
+    return share * (kern_max(kern_vec_length(force), kern_vec_largest(force))
+                    + kern_abs(w->torque) / kern_block_size(b));
 }
 
 /* All that acts on block i besides its contacts. Returns the sum of the
@@ -1684,13 +1677,15 @@ static kern_real kern_wrench_on(const kern_structure *s,
                                 const kern_query *q, int i, kern_wrench *sum)
 {
     const kern_block *b = s->block + i;
-    kern_wrench pattern;
+    kern_wrench w;
     kern_real size;
-    kern_weigh(q->gravity, b->mass, sum);
-    size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, q->loads);
+    kern_zero(sum, 3);
+    kern_weigh(q->gravity, b->mass, &w);
+    size = kern_wrench_add(sum, b, &w, KERN_R(1));
+    size += kern_wrench_add(sum, b, &b->load, q->loads);
     if (q->factor > 0) {
-        kern_pattern_on(s, q, i, &pattern);
-        size += kern_wrench_add(sum, b, &pattern, q->factor);
+        kern_pattern_on(s, q, i, &w);
+        size += kern_wrench_add(sum, b, &w, q->factor);
     }
     return size;
 }
@@ -2042,37 +2037,31 @@ static kern_status kern_structure_check(const kern_structure *s,
     return KERN_OK;
 }
 
-/* Checks the arrays of a structure, and gravity. */
-static kern_status kern_arrays_check(const kern_structure *s)
-{
-    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
-        || s->contacts > KERN_POINTS_MOST)
-        return KERN_BAD_COUNT;
-    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
-        return KERN_BAD_POINTER;
-    return kern_is_finite(s->gravity.x + s->gravity.y) ? KERN_OK
-                                                       : KERN_BAD_NUMBER;
-}
-
 /* What is handed in, but for what its arrays hold; the answer goes to `out`. */
 static kern_status kern_task_check(const kern_task *task, kern_real shrink,
                                    const void *out)
 {
+    const kern_structure *s;
     kern_status status;
     if (!task || !task->work || !task->work->real || !task->work->index)
         return KERN_BAD_POINTER;
+    s = &task->s;
     /* what kern_contacts() returned, and the fault that it left */
-    if (task->s.contacts <= (int)KERN_NO_SPACE
-        && task->s.contacts >= (int)KERN_STATUS_LEAST)
-        return (kern_status)task->s.contacts;
+    if (s->contacts <= (int)KERN_NO_SPACE
+        && s->contacts >= (int)KERN_STATUS_LEAST)
+        return (kern_status)s->contacts;
     kern_work_begin(task->work);
     status = kern_options_check(&task->options);
-    if (status == KERN_OK)
-        status = kern_arrays_check(&task->s);
-    if (status == KERN_OK && !out)
-        status = KERN_BAD_POINTER;
-    return status == KERN_OK && !kern_is_finite(shrink) ? KERN_BAD_NUMBER
-                                                        : status;
+    if (status != KERN_OK)
+        return status;
+    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
+        || s->contacts > KERN_POINTS_MOST)
+        return KERN_BAD_COUNT;
+    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0)
+        || !out)
+        return KERN_BAD_POINTER;
+    return kern_is_finite(s->gravity.x + s->gravity.y + shrink)
+           ? KERN_OK : KERN_BAD_NUMBER;
 }
 
 /* The query of a task, and checks what its arrays hold. */
@@ -2133,14 +2122,14 @@ static kern_real kern_prove_rows(const kern_structure *s,
                                    / kern_block_size(s->block + i);
             const kern_real left = kern_max(kern_max(x, y), turn);
             weight += size;
-            if (!(x + y + turn <= KERN_HUGE))
+            if (!kern_is_finite(x + y + turn))
                 return KERN_INFINITY;
             if (left > 0)
                 error = kern_max(error, left / (KERN_TOL * size
                                                 + KERN_ROUNDING * sum[3]));
         }
     weight *= KERN_BOUND;
-    if (!(weight <= KERN_HUGE)) /* too much is allowed to prove anything */
+    if (!kern_is_finite(weight)) /* too much is allowed to prove anything */
         return KERN_INFINITY;
     if (total > 0)
         error = kern_max(error, total / weight);
@@ -2248,7 +2237,7 @@ static kern_real kern_prove_motion(const kern_structure *s,
         const kern_real speed = kern_speed(m);
         if (speed <= 0)
             continue;
-        if (!(speed <= (s->block[i].fixed ? 0 : KERN_HUGE)))
+        if (s->block[i].fixed || !kern_is_finite(speed))
             return KERN_INFINITY;
         weight += kern_wrench_on(s, q, i, &w);
         px = w.fx * m->vx;
@@ -2258,15 +2247,15 @@ static kern_real kern_prove_motion(const kern_structure *s,
         terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
     }
     weight *= KERN_BOUND;
-    if (!(power > KERN_LEAST) || !(terms + weight <= KERN_HUGE))
+    if (!(power > KERN_LEAST) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
     /* a stone laid last is the first that may stop it */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
         if (kern_speeds(c, motion) > 0 && !kern_is_out(q, c)) {
             const kern_real speed = kern_closing(s, c, q, motion);
-            closing = speed <= KERN_HUGE ? kern_max(closing, speed)
-                                         : KERN_INFINITY;
+            closing = kern_is_finite(speed) ? kern_max(closing, speed)
+                                            : KERN_INFINITY;
         }
     }
     return (weight * closing + KERN_ROUNDING * terms) / power;
@@ -3510,7 +3499,7 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
     if (status != KERN_OK)
         return status;
     for (i = 0; i < task->s.blocks; i++)
-        if (!(kern_speed(proof->motion + i) <= KERN_HUGE)) {
+        if (!kern_is_finite(kern_speed(proof->motion + i))) {
             task->work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
@@ -3562,7 +3551,7 @@ static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
                                  kern_real gap)
 {
     const kern_real high = KERN_GAP * kern_block_size(b) + gap;
-    kern_real least = KERN_HUGE;
+    kern_real least = KERN_INFINITY;
     int i;
     for (i = 0; i < b->vertices; i++) {
         const kern_vec r = kern_vec_sub(b->vertex[i], c->p);
@@ -5031,7 +5020,7 @@ static int kern_ipm_step(kern_ipm *in)
     for (i = 0; i < rays; i++)
         in->d[i] = p->x[i] / in->z[i];
     kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
-    if (!(kern_dot(in->g, in->gain, n) < KERN_HUGE))
+    if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
     kern_ipm_predict(in);
     ds = kern_ipm_solve(in);
@@ -5048,7 +5037,7 @@ static int kern_ipm_step(kern_ipm *in)
         p->y[i] += of_z * p->dual.step[i];
     kern_ipm_centre(in, KERN_IPM_APART * kern_dot(p->x, in->z, rays));
     KERN_AUDIT(ipm, in);
-    return in->gap < KERN_HUGE;
+    return kern_is_finite(in->gap);
 }
 
 /* Takes A x - b from the forces, of each as a share of what it is: so M is far
@@ -6234,7 +6223,7 @@ static kern_real kern_prove_raised(const kern_structure *s,
         const kern_real mu = kern_friction(c, kern_reduction(q));
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
-        kern_real least = KERN_HUGE;
+        kern_real least = KERN_INFINITY;
         for (end = 0; end < 2 && f > 0; end++) {
             const int b = end ? c->b : c->a;
             kern_wrench w;
@@ -7381,7 +7370,7 @@ static kern_real kern_riser_length(const kern_block *block, int i, int k)
 {
     const int turns = kern_polygon_turn(block, i) * kern_polygon_turn(block, k);
     return turns < 0 ? kern_vec_length(kern_vec_sub(
-        block->vertex[k], block->vertex[i])) : KERN_HUGE;
+        block->vertex[k], block->vertex[i])) : KERN_INFINITY;
 }
 
 /* Has the span a riser: of any length inside, of at most a step at its ends? */
@@ -7392,7 +7381,7 @@ static int kern_span_has_steps(const kern_outline *o, const kern_span *span)
         const int inside = i != span->start;
         k = kern_outline_corner(o, i);
         if (kern_riser_length(o->block, i, k)
-            < (inside && k != span->end ? KERN_HUGE : o->step))
+            < (inside && k != span->end ? KERN_INFINITY : o->step))
             return 1;
         i = k;
     } while (i != span->end);
@@ -7425,7 +7414,7 @@ static void kern_outline_whole(kern_outline *o)
     const kern_block *block = o->block;
     const kern_vec c = block->centre;
     kern_span *whole = o->span;
-    kern_real riser = KERN_R(0), before = KERN_HUGE;
+    kern_real riser = KERN_R(0), before = KERN_INFINITY;
     int i = kern_outline_corner(o, block->vertices - 1);
     whole->start = whole->end = i;
     i = kern_span_split(o, whole, c, c,
@@ -7611,7 +7600,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
         const kern_real along = kern_edge_along(&e[on], p);
         inside[on] = kern_min(along, e[on].length - along);
         if (!(half > 0 || corner != on || inside[on] > 0))
-            inside[on] = -KERN_HUGE;
+            inside[on] = -KERN_INFINITY;
     }
     on = inside[0] < inside[1];
     if (kern_pair_opposed(pair, &e[0], &e[1])) {
@@ -7893,8 +7882,8 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
     const kern_options *o = s->options;
     const kern_block *a = pair->of[0].block, *b = pair->of[1].block;
     const kern_real size = KERN_SQRT(
-        kern_min(a->fixed ? KERN_HUGE : kern_abs(a->area),
-                 b->fixed ? KERN_HUGE : kern_abs(b->area)));
+        kern_min(a->fixed ? KERN_INFINITY : kern_abs(a->area),
+                 b->fixed ? KERN_INFINITY : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
     pair->swing = KERN_ERROR_SWING * o->pose_turn;
     pair->deep = kern_max(pair->gap, o->overlap)
@@ -9287,7 +9276,7 @@ static int kern_bed_end(const kern_structure *s, int i, int *held,
                         kern_real *wide)
 {
     const kern_contact *c = s->contact, *first = c + i;
-    kern_real low = KERN_HUGE, high = -KERN_HUGE, up = KERN_R(0);
+    kern_real low = KERN_INFINITY, high = -KERN_INFINITY, up = KERN_R(0);
     for (; i < s->contacts && kern_same_blocks(first, c + i); i++) {
         const kern_real at = kern_vec_cross(s->gravity, c[i].p);
         const kern_real lift = -kern_vec_dot(s->gravity, c[i].n);

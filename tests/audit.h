@@ -110,7 +110,7 @@ static void audit_part(const kern_part *p)
 static void audit_ipm(const kern_ipm *in)
 {
     int i;
-    if (!(in->gap < KERN_HUGE))
+    if (!kern_is_finite(in->gap))
         return;
     assert(in->gap > 0 && in->s <= 0);
     for (i = 0; i < 2 * in->p->contacts; i++)
