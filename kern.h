@@ -110,7 +110,6 @@
 
    CONFIGURATION                                                     >>config
 
-   KERN_IMPLEMENTATION  in one file: the implementation
    KERN_STATIC          in a file that wants a private copy of everything
    KERN_API             linkage of public functions; extern
    KERN_SINGLE          kern_real is float; the same in every file
@@ -263,12 +262,10 @@
        kern_profile(&task, side, value, &c) for KERN_LEFT and KERN_RIGHT,
        and add both c.drop, the expected drop: larger is worse
 
-   Its rank correlation with the level of collapse, out of sample, is 0.82 on
-   188 structures shaken in another simulator, that of the mean of the weaker
-   half 0.81, of the load factor 0.49, of the margin 0.21 (README;
-   examples/shaking/study/STUDY.md). Where stones slide before they tip, as in
-   low walls, all load factors end at mu and rank less well. Near contacts are
-   not for verdicts: a gap carries nothing yet.
+   It ranks structures by their level of collapse as no other measure does
+   (README; examples/shaking/study/STUDY.md). Where stones slide before they
+   tip, as in low walls, all load factors end at mu and rank less well. Near
+   contacts are not for verdicts: a gap carries nothing yet.
 
    Whether a stone stays where it is let go. kern_stays() gives the chance: let
    go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
@@ -310,12 +307,9 @@
    and with that support half an error short they fall and look the same. With
    noise of 0.5 % (2 %) of the mean size on every pose and half of it on every
    vertex 99.5 (98.2) % of what stands and 99.1 (89.2) % of what falls has the
-   right verdict, 17 (16) and 95 (74) % for certain, at most 0.1 % of that
-   wrongly. The interval holds the exact margin in 96 (91) %, begins more than
-   1.5 times too high in 1.2 (5.6) %, its median width is 0.17 (0.38) mean
-   sizes. The noise is out of sample, the structures are those on which the rule
-   was chosen (README has intervals). Near misses, which lack a support by 0.5
-   to 10 errors, stand for certain in 0.7 % at most: tests/noise.c.
+   right verdict; how much of it is certain, and what the interval holds: README.
+   Near misses, which lack a support by 0.5 to 10 errors, stand for certain in
+   0.7 % at most (tests/noise.c).
 
    LIMITS                                                            >>limits
 
@@ -327,12 +321,11 @@
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (sliding is dilatant). Where a wall's own joints slide, load factor
              and tilt are too high: against a simulator by 11 to 26 % on four
-             published brick walls with openings (tests/PUBLISHED.md), 6 % in
-             the median on 234 random ones, once 2.5 times; settled rubble
-             never collapsed below its load factor. kern_raised_load() has no
-             dilatancy: on these 0.985 of the simulator's in the median, 1.03 at
-             most. It answers for one path of loading. Use the lower one for
-             what must hold. Bricks that hang in a flat arch are not raised.
+             published brick walls with openings (tests/PUBLISHED.md), once 2.5
+             times on random ones; settled rubble never collapsed below its load
+             factor. kern_raised_load() has no dilatancy (both: README). It
+             answers for one path of loading. Use the lower one for what must
+             hold. Bricks that hang in a flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 400 rows of one to five wedges between cliffs, with
              nothing below, 181 fell in a simulator though forces exist; 179
@@ -1006,10 +999,9 @@ KERN_API kern_status kern_sensitivity(const kern_task *task,
                                       kern_contact_rate *contact,
                                       kern_block_rate *block);
 
-/* How far kerns must grow [m] (relative: a share) until the structure stands.
-   KERN_STANDS: it does already, 0. KERN_FALLS: *deficit is written,
-   KERN_INFINITY where no growth helps. KERN_LIMIT: *deficit is how far they
-   must grow at least, -1 where the structure is not proven to fall yet. */
+/* The deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0. KERN_FALLS: it
+   is written. KERN_LIMIT: how far kerns must grow at least, -1 where the
+   structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
 /* The length [m] of the shortest contact that the structure needs: it stands on
@@ -1040,12 +1032,11 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
 
 /* The load factor of Coulomb friction, from rest: stones that slide need not
    part. *factor is the largest multiple of the load with forces that it raises,
-   as in kern_raised(), proven while the load grows from 0: in steps of a ninth
-   of the load factor, of 1/150 once one has failed, and of 1/40 over what fails
-   then below 0.94 of it. Each step is found from those before. With friction
-   equilibrium is not unique: another path of loading may collapse earlier
-   (seen: 5 %) or later. It is never above the load factor, which is asked for
-   first. The load is `pattern`, or where that is NULL horizontal to the side.
+   as in kern_raised(), proven while the load grows from 0, each step (>>tune)
+   from those before. With friction equilibrium is not unique: another path of
+   loading may collapse earlier (seen: 5 %) or later. It is never above the load
+   factor, which is asked for first. The load is `pattern`, or where that is
+   NULL horizontal to the side.
    KERN_STANDS: *factor, KERN_INFINITY where it is raised at 1,000,000; proof as
    kern_check_raised() takes it with the loads at the factor, both its arrays.
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
@@ -1510,12 +1501,10 @@ static kern_real kern_sine(kern_real angle)
 static void kern_clip(kern_real *low, kern_real *high, kern_real at,
                       kern_real slope, kern_real least, kern_real most)
 {
-    if (slope > 0) {
-        *low = kern_max(*low, (least - at) / slope);
-        *high = kern_min(*high, (most - at) / slope);
-    } else if (slope < 0) {
-        *low = kern_max(*low, (most - at) / slope);
-        *high = kern_min(*high, (least - at) / slope);
+    if (slope > 0 || slope < 0) {
+        const kern_real a = (least - at) / slope, b = (most - at) / slope;
+        *low = kern_max(*low, kern_min(a, b));
+        *high = kern_min(*high, kern_max(a, b));
     } else if (at < least || at > most) {
         *low = 1;
         *high = 0;
@@ -2401,39 +2390,25 @@ KERN_API void kern_work_need(int blocks, int contacts, int *reals, int *indices)
 KERN_API kern_work kern_work_of(kern_real *real, int reals, int *index,
                                 int indices)
 {
-    kern_work w;
-    w.real = real;
-    w.reals = reals;
-    w.index = index;
-    w.indices = indices;
-    w.pivots = w.solves = 0;
-    w.error = KERN_R(0);
-    kern_work_begin(&w);
-    return w;
+    const kern_work work = {real, reals, index, indices, 0, 0, 0, KERN_R(0),
+                            {KERN_OUT, KERN_OUT, KERN_OUT, 0, 0}};
+    return work;
 }
 
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
                                 const kern_contact *contact, int contacts,
                                 kern_work *work)
 {
-    kern_task task;
-    task.s.block = block;
-    task.s.blocks = blocks;
-    task.s.contact = contact;
-    task.s.contacts = contacts;
-    task.s.gravity = kern_vec_make(0, KERN_R(-9.81));
-    task.options = kern_defaults();
-    task.work = work;
-    task.known = kern_known_of(NULL, NULL);
+    const kern_task task = {
+        {block, blocks, contact, contacts, {0, KERN_R(-9.81)}},
+        kern_defaults(), work, kern_known_of(NULL, NULL)
+    };
     return task;
 }
 
 KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 {
-    kern_known known;
-    known.motion = motion;
-    known.force = force;
-    known.holds = known.margin = known.fails = KERN_R(0);
+    const kern_known known = {motion, force, 0, 0, 0};
     return known;
 }
 
@@ -2679,9 +2654,6 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
     return kern_model_proven(m, kern_prove_forces(m->s, q, m->answer.force,
                                                   m->answer.sum));
 }
-
-static int kern_moves(const kern_model *m, int i)
-{ return kern_block_speed(m->s->block + i, m->answer.motion + i) > KERN_REST; }
 
 /* Hands the proof of a verdict to the caller. */
 static void kern_proof_out(const kern_model *m, const kern_proof *proof,
@@ -3247,9 +3219,11 @@ typedef struct kern_fall {
 static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
                           int all)
 {
+    const kern_motion *v = m->answer.motion;
     int i;
     for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i) && (all || kern_moves(m, i))) {
+        if (kern_is_free(m, i)
+            && (all || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
             fall->value[i] = at;
             fall->sum += at;
             if (fall->weak-- > 0)
@@ -9230,15 +9204,11 @@ KERN_API kern_options kern_defaults(void)
 {
     kern_options o;
     o.mu = KERN_R(0.4);
-    o.narrow = KERN_R(0);
-    o.reserve = KERN_R(0);
-    o.lone = kern_vec_make(KERN_R(0), KERN_R(0));
-    o.gap = KERN_R(0);
     o.angle = KERN_ANGLE;
-    o.epsilon = KERN_R(0);
-    o.relative = 0;
     o.limit = 10000000; /* a second or two */
-    o.overlap = o.pose_error = o.pose_turn = 0;
+    o.relative = 0;
+    o.gap = o.epsilon = o.overlap = o.pose_error = o.pose_turn = KERN_R(0);
+    o.narrow = o.reserve = o.lone.x = o.lone.y = KERN_R(0);
     return o;
 }
 
