@@ -6779,10 +6779,9 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Share of the largest coordinate below which places are the same: no gap is
    less. Smaller, and cubes that were turned and moved would not touch. */
 #define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
-/* An outline of more vertices than KERN_RUN has boxes for KERN_RUNS runs of its
-   edges at the most. More of them take more stack, shorter runs more time. */
-#define KERN_RUN        16
-#define KERN_RUNS       24
+/* An outline of more vertices has boxes for so many runs of its edges at most,
+   of half as many edges at least. More take stack, shorter runs time. */
+#define KERN_RUNS       16
 #define KERN_SPANS      16 /* nested, of an outline, that are kept            */
 /* Turn [rad] below which a vertex is no corner, and within which of a half
    turn it is a spike: much larger, and round stones would lose their shape. And
@@ -6915,9 +6914,9 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
         o->straight |= turn == 0;
         o->reflex |= turn < 0 || turn == 2;
     }
-    o->each = n > KERN_RUN ? n / KERN_RUNS + KERN_RUN / 2 : n;
+    o->each = n > KERN_RUNS ? n / KERN_RUNS + KERN_RUNS / 2 : n;
     o->box[0] = block->box;
-    for (i = 0; n > KERN_RUN && i < n; i++) {
+    for (i = 0; n > KERN_RUNS && i < n; i++) {
         kern_box *box = &o->box[i / o->each];
         const int end = kern_polygon_next(block, i, 0);
         if (i % o->each == 0)
