@@ -1752,18 +1752,10 @@ typedef struct kern_proven {
     kern_real low, high;
 } kern_proven;
 
-/* Lengths along a path, or numbers. */
-typedef struct kern_lengths {
-    kern_real one;            /* a block's size, or 1                         */
-    kern_real width;          /* of a bracket, as it is wanted                */
-    kern_real aside;          /* from the critical value to its ends          */
-    kern_real step;           /* the first of a search                        */
-} kern_lengths;
-
 typedef struct kern_path {
     kern_path_kind kind;
     kern_query q;             /* at s = 0; what the path changes is replaced  */
-    kern_lengths unit;
+    kern_real unit;           /* along it: a block's size, or 1               */
     kern_real start, end;     /* of the path; the first stands                */
     kern_real holds, fails;   /* the bracket                                  */
     kern_real critical;       /* value that Newton's method predicts          */
@@ -1777,6 +1769,13 @@ typedef struct kern_path {
     struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
+
+/* Width of a bracket, as it is wanted; from the critical value to its ends. */
+KERN_SHARED static kern_real kern_width(const kern_path *path)
+{ return KERN_WIDTH * path->unit; }
+
+KERN_SHARED static kern_real kern_aside(const kern_path *path)
+{ return KERN_ASIDE * kern_width(path); }
 
 /* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
    line contacts are nested: what a smaller one can carry a larger one can.
@@ -2623,6 +2622,16 @@ static void kern_model_set(kern_model *m, const kern_query *q)
     kern_model_arms(m, q);
 }
 
+/* Whether a load lies on a block that is free. */
+static int kern_model_loaded(const kern_model *m)
+{
+    int g;
+    for (g = 0; g < m->graph.groups; g++)
+        if (kern_wrench_sum(&m->s->block[m->graph.block[g]].load) > 0)
+            return 1;
+    return 0;
+}
+
 /* No contact bears anything. */
 static void kern_model_unload(kern_model *m)
 { kern_zero(m->answer.force, 2 * m->s->contacts); }
@@ -2790,10 +2799,7 @@ KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
     path->kind = kind;
     path->q.pattern = pattern;
     path->q.side = side;
-    path->unit.one = KERN_R(1);
-    path->unit.width = KERN_WIDTH;
-    path->unit.aside = KERN_ASIDE * KERN_WIDTH;
-    path->unit.step = KERN_CLIMB_PUSH;
+    path->unit = KERN_R(1);
 }
 
 /* What a call works on. */
@@ -2824,10 +2830,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->warm.fails = KERN_R(0);
     path->alone = 0;
     path->ipm = NULL;
-    path->unit.one = task->options.relative ? 1 : path->q.mean;
-    path->unit.width = KERN_WIDTH * path->unit.one;
-    path->unit.aside = KERN_ASIDE * path->unit.width;
-    path->unit.step = KERN_CLIMB * path->unit.one;
+    path->unit = task->options.relative ? 1 : path->q.mean;
     path->start = path->end = KERN_R(0);
     path->holds = path->fails = path->critical = KERN_R(0);
     path->proven.low = KERN_R(-1);
@@ -3010,7 +3013,7 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
         limit = travels.least < KERN_INFINITY ? limit / travels.least
                                               : KERN_R(1);
     path->start = -limit;
-    for (grown = path->unit.one * KERN_R(0.001); ;
+    for (grown = path->unit * KERN_R(0.001); ;
          grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
@@ -3118,29 +3121,19 @@ static kern_real kern_angle_of(kern_real s)
 }
 
 /* Checks what grows: a pattern, or a load or tilt that has a side (NULL). */
-static kern_status kern_growth_check(const kern_model *m,
+static kern_status kern_growth_check(const kern_task *task,
                                      const kern_wrench *pattern, kern_side side)
 {
     int i;
-    if (!pattern && !kern_has_side(m->s, side))
+    if (!pattern && !kern_has_side(&task->s, side))
         return KERN_BAD_OPTION;
-    for (i = 0; pattern && i < m->s->blocks; i++)
-        if (kern_is_free(m, i)
+    for (i = 0; pattern && i < task->s.blocks; i++)
+        if (!task->s.block[i].fixed
             && !kern_is_finite(kern_wrench_sum(pattern + i))) {
-            m->budget.work->fault.block = i;
+            task->work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
     return KERN_OK;
-}
-
-/* Whether a load lies on a block that is free. */
-static int kern_model_loaded(const kern_model *m)
-{
-    int g;
-    for (g = 0; g < m->graph.groups; g++)
-        if (kern_wrench_sum(&m->s->block[m->graph.block[g]].load) > 0)
-            return 1;
-    return 0;
 }
 
 /* Runs a path on which a load grows or gravity turns. */
@@ -3154,7 +3147,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
     int loaded;
     kern_status status = kern_number_open(c, task, shrink, out);
     if (status == KERN_OK)
-        status = kern_growth_check(&c->m, pattern, side);
+        status = kern_growth_check(task, pattern, side);
     if (status != KERN_OK)
         return status;
     /* under loads that stay a tilt may stand again after it fell */
@@ -3239,7 +3232,7 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
     int tries;
     for (tries = 0; status == KERN_UNDECIDED && tries < 9; tries++) {
         status = kern_path_evaluate(m, path, beyond);
-        beyond += path->unit.width;
+        beyond += kern_width(path);
     }
     return status;
 }
@@ -5582,7 +5575,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
                                     kern_real under)
 {
-    const kern_real same = KERN_NOISE * path->unit.one;
+    const kern_real same = KERN_NOISE * path->unit;
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
     int i;
@@ -5622,14 +5615,14 @@ static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
         && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
-        || n->aside + n->under > path->unit.width * KERN_WIDEST)
+        || n->aside + n->under > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(crit >= lo && crit <= hi))
         return lo + (hi - lo) * n->share;
     if (hi - crit > n->aside * KERN_R(1.15))
         return crit + n->aside;
     if (!path->ipm && crit > lo
-        && kern_abs(path->exact - crit) > KERN_NOISE * path->unit.one)
+        && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
     return crit - lo > n->under * KERN_R(1.05) && !path->alone
            ? kern_max(crit - n->under, path->start) : KERN_INFINITY;
@@ -5658,7 +5651,7 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
     kern_bracket n;
     int round;
-    n.aside = n.under = path->unit.aside;
+    n.aside = n.under = kern_aside(path);
     n.share = KERN_NEAR;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
@@ -5675,10 +5668,10 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (!verify)
             kern_bracket_adapt(&n, status, at, crit, inside);
         if (status == KERN_UNDECIDED && !inside
-            && path->fails - lo <= path->unit.width * KERN_WIDEST)
+            && path->fails - lo <= kern_width(path) * KERN_WIDEST)
             break;
     }
-    if (path->fails - path->holds > path->unit.width * KERN_WIDEST
+    if (path->fails - path->holds > kern_width(path) * KERN_WIDEST
         && !path->alone)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
@@ -5766,7 +5759,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (status == KERN_STANDS) {
             first = step;
             step *= KERN_CLIMB_GROWS;
-        } else if (status == KERN_UNDECIDED && first > path->unit.width)
+        } else if (status == KERN_UNDECIDED && first > kern_width(path))
             step = first /= 2;
         else
             return status;
@@ -5848,7 +5841,7 @@ static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
-    if (warm->fails - warm->holds > 2 * path->unit.width
+    if (warm->fails - warm->holds > 2 * kern_width(path)
         || !kern_known_falls(m, &q, warm))
         return 0;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
@@ -5956,13 +5949,13 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
     for (g = 0; g < m->graph.groups; g++, load += 3) {
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, load, at, path->unit.aside, u);
-        if (crit <= path->start + 2 * path->unit.aside)
+            : kern_body_critical(m, g, line, load, at, kern_aside(path), u);
+        if (crit <= path->start + 2 * kern_aside(path))
             return path->start;
-        if (crit + path->unit.aside < best) {
+        if (crit + kern_aside(path) < best) {
             least = path->warm.margin = crit;
-            path->warm.holds = crit - path->unit.aside;
-            path->warm.fails = best = crit + path->unit.aside;
+            path->warm.holds = crit - kern_aside(path);
+            path->warm.fails = best = crit + kern_aside(path);
             path->warm.motion = m->answer.motion;
             kern_body_moves(m, g, u);
         }
@@ -6127,7 +6120,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     }
     if (known && m->answer.known && m->graph.groups <= KERN_SMALL
         && kern_known_part(m, path, most))
-        return kern_max(path->start, path->critical - path->unit.aside);
+        return kern_max(path->start, path->critical - kern_aside(path));
     path->part->groups = 0;
     path->fails = KERN_INFINITY;
     return at;
@@ -6139,7 +6132,8 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 static kern_status kern_path_search(kern_model *m, kern_path *path)
 {
     kern_status status = KERN_UNDECIDED;
-    kern_real at, step = path->unit.step;
+    kern_real at, step = path->unit
+        * (path->kind == KERN_PATH_SHRINK ? KERN_CLIMB : KERN_CLIMB_PUSH);
     int round;
     path->start = path->holds;
     path->fails = path->exact = KERN_INFINITY;
@@ -6151,7 +6145,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
     while (round < KERN_FEW_ROUNDS) {
         status = kern_path_pass(m, path, at);
         if (status == KERN_FALLS && path->fails > path->start) {
-            at = kern_max(path->critical - path->unit.aside, path->start);
+            at = kern_max(path->critical - kern_aside(path), path->start);
             status = KERN_UNDECIDED;
             round++;
         } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
