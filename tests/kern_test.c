@@ -4537,7 +4537,7 @@ static void engine_bracket(void)
         CHECK(kern_path_critical(&c.m, path) >= 0);
         CHECK_NEAR(path->critical, edge, EXACT);
         CHECK(path->holds <= path->critical && path->critical <= path->fails);
-        CHECK(path->fails - path->holds <= path->unit.width * R(1.01));
+        CHECK(path->fails - path->holds <= kern_width(path) * R(1.01));
         CHECK_INT(kern_verdict(world_task(&w, &work), path->holds, NULL),
                   KERN_STANDS);
         CHECK_INT(kern_verdict(world_task(&w, &work), path->fails, NULL),
