@@ -2299,13 +2299,6 @@ typedef struct kern_answer {
     kern_real *sum;           /* scratch, four a block                        */
 } kern_answer;
 
-/* The work that a call may do. */
-typedef struct kern_budget {
-    kern_work *work;
-    int limit;                /* of its units                                 */
-    int query_units;          /* of a query, however small: proofs are of all */
-} kern_budget;
-
 /* Disjoint sets of groups that are balanced together, and which are to be. */
 typedef struct kern_clusters {
     int *last;                /* of a group: the last group of its cluster    */
@@ -2316,12 +2309,6 @@ typedef struct kern_clusters {
     int budget;               /* products that are left                       */
 } kern_clusters;
 
-/* By how much the cones of friction are narrower. */
-typedef struct kern_cones {
-    kern_real narrow;         /* rate at which they narrow, of the options    */
-    kern_real reduction;      /* tangent of that angle, of the last question  */
-} kern_cones;
-
 /* Torques of n and t at each end of the contacts, as their rows have them. */
 typedef struct kern_arm {
     kern_real *torque;        /* two an end                                   */
@@ -2329,10 +2316,10 @@ typedef struct kern_arm {
 } kern_arm;
 
 struct kern_model {
+    const kern_task *task;    /* that it is of                                */
     const kern_structure *s;
     kern_graph graph;
     kern_answer answer;
-    kern_budget budget;
     int relative;
     kern_real mean;           /* size of the free blocks                      */
     kern_real weight;         /* unit of force: all that acts on free blocks  */
@@ -2340,7 +2327,7 @@ struct kern_model {
     kern_real *load;          /* three a group: what contacts must exert [N]  */
     kern_real *size;          /* of a group: magnitude of all that acts       */
     kern_arm arm;
-    kern_cones cone;
+    kern_real reduction;      /* of cones of friction, of the last question   */
     kern_clusters cluster;
     int whole;                /* nonzero: all groups are one part             */
     kern_take common;         /* work memory behind what every method needs   */
@@ -2480,14 +2467,11 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     kern_model_lay(m, s->blocks, groups, s->contacts);
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
+    m->task = task;
     m->s = s;
-    m->budget.work = task->work;
-    m->budget.limit = task->options.limit;
-    m->budget.query_units = 3 + (s->blocks + s->contacts) / 10;
     m->relative = task->options.relative;
     m->mean = q->mean;
     m->answer.known = NULL;
-    m->cone.narrow = q->narrow;
     kern_model_group(m, q);
     return KERN_OK;
 }
@@ -2561,7 +2545,7 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
 {
     kern_real *to = m->arm.torque;
     int i, end;
-    m->cone.reduction = kern_reduction(q);
+    m->reduction = kern_reduction(q);
     if (m->arm.shrink >= q->shrink && m->arm.shrink <= q->shrink)
         return;
     m->arm.shrink = q->shrink;
@@ -2584,7 +2568,7 @@ static void kern_model_unit(kern_model *m, const kern_query *q, int g)
 }
 
 static inline kern_real kern_model_mu(const kern_model *m, int i)
-{ return kern_friction(m->s->contact + i, m->cone.reduction); }
+{ return kern_friction(m->s->contact + i, m->reduction); }
 
 /* What contacts must exert on group g: Eq. (5)'s -w. */
 static void kern_model_load(kern_model *m, const kern_query *q, int g)
@@ -2602,7 +2586,7 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = KERN_R(0);
     int g;
-    m->cone.reduction = kern_reduction(q);
+    m->reduction = kern_reduction(q);
     m->unit[m->graph.groups] = KERN_R(0);
     for (g = 0; g < m->graph.groups; g++) {
         kern_model_unit(m, q, g);
@@ -2637,12 +2621,19 @@ static void kern_model_unload(kern_model *m)
 { kern_zero(m->answer.force, 2 * m->s->contacts); }
 
 static int kern_model_spend(const kern_model *m, int units)
-{ return kern_spend(m->budget.work, m->budget.limit, units); }
+{ return kern_spend(m->task->work, m->task->options.limit, units); }
+
+/* The same for queries, however small: proofs are of all. */
+static int kern_model_ask(const kern_model *m, int queries)
+{
+    return kern_model_spend(m, queries * (3 + (m->s->blocks + m->s->contacts)
+                                              / 10));
+}
 
 /* Whether one linear program answers: few groups, all of the work memory. */
 static int kern_model_is_small(const kern_model *m)
 {
-    const kern_work *work = m->budget.work;
+    const kern_work *work = m->task->work;
     int reals, indices;
     kern_work_need(m->s->blocks, m->s->contacts, &reals, &indices);
     return m->graph.groups <= KERN_SMALL && work->reals >= reals
@@ -2653,7 +2644,7 @@ static int kern_model_is_small(const kern_model *m)
 static int kern_model_proven(const kern_model *m, kern_real error)
 {
     if (error <= 1)
-        m->budget.work->error = kern_max(m->budget.work->error, error);
+        m->task->work->error = kern_max(m->task->work->error, error);
     return error <= 1;
 }
 
@@ -3009,7 +3000,7 @@ static kern_status kern_grow(kern_model *m, kern_path *path)
     const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
     kern_real limit = 1000 * kern_extent(m->s), grown;
     kern_status status;
-    if (m->relative)
+    if (path->q.relative)
         limit = travels.least < KERN_INFINITY ? limit / travels.least
                                               : KERN_R(1);
     path->start = -limit;
@@ -4896,7 +4887,7 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     kern_skyline_shift(&p->dual.matrix, shift);
     kern_skyline_factor(&p->dual.matrix);
     kern_skyline_solve(&p->dual.matrix, b, out);
-    p->m->budget.work->pivots++;
+    p->m->task->work->pivots++;
 }
 
 /* How much of a step keeps v above 0; at most all of it. */
@@ -5139,9 +5130,9 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_part *p = in->p;
     kern_model *m = p->m;
     kern_status status = KERN_UNDECIDED;
-    if (!kern_model_spend(m, m->budget.query_units))
+    if (!kern_model_ask(m, 1))
         return KERN_LIMIT;
-    m->budget.work->solves++;
+    m->task->work->solves++;
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
     if (in->gap <= KERN_BOUND) {
@@ -5185,7 +5176,7 @@ static kern_status kern_part_lay(kern_part *p)
     p->eq.lp.rate = NULL;
     p->eq.lp.follow = 0;
     p->eq.lp.most = KERN_BOUND;
-    p->eq.lp.limit = p->m->budget.limit;
+    p->eq.lp.limit = p->m->task->options.limit;
     p->eq.shrink = KERN_R(-1); /* none */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
@@ -5210,7 +5201,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
     kern_model *m = p->m;
     int k, edge;
     KERN_ASSERT(p->eq.lp.rows == 3 * p->groups);
-    m->cone.reduction = kern_reduction(q);
+    m->reduction = kern_reduction(q);
     for (k = 0; k < p->groups; k++)
         kern_model_unit(m, q, p->group[k]);
     kern_part_load(p, q, p->eq.rhs);
@@ -5283,7 +5274,7 @@ static kern_status kern_part_norm(kern_part *p, int builtin)
         one[i] = KERN_R(1);
     p->eq.lp.cost = one;
     status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
-                                p->m->budget.work);
+                                p->m->task->work);
     p->eq.lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
@@ -5300,7 +5291,7 @@ static int kern_part_follow(kern_part *p, kern_real *place)
         kern_simplex_change(sx, KERN_BASIS_STALE);
     p->eq.lp.rate = p->eq.rate;
     p->eq.lp.follow = 1;
-    status = kern_program_solve(sx, 1, p->x, p->y, p->m->budget.work);
+    status = kern_program_solve(sx, 1, p->x, p->y, p->m->task->work);
     p->eq.lp.follow = 0;
     *place = p->x[p->eq.lp.cols];
     return status == KERN_LP_OPTIMAL;
@@ -5312,12 +5303,12 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
     kern_status status = KERN_UNDECIDED;
     int builtin;
     p->found = KERN_UNDECIDED;
-    if (!kern_model_spend(p->m, p->m->budget.query_units))
+    if (!kern_model_ask(p->m, 1))
         return KERN_LIMIT;
     kern_part_set(p, q);
     for (builtin = 0; builtin < 2 && status != KERN_LIMIT; builtin++) {
         status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
-                                    p->m->budget.work);
+                                    p->m->task->work);
         if (status == KERN_LP_OPTIMAL)
             status = kern_part_norm(p, builtin);
         else if (status == KERN_LP_INFEASIBLE)
@@ -5339,9 +5330,9 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
 {
     kern_status found;
     for (;; m->answer.known = NULL) { /* known forces may be of other loads */
-        if (!kern_model_spend(m, m->budget.query_units))
+        if (!kern_model_ask(m, 1))
             return KERN_LIMIT;
-        m->budget.work->solves++;
+        m->task->work->solves++;
         kern_pass_begin(m, share, q->shrink);
         found = kern_pass(m, p);
         if (found == KERN_FALLS)
@@ -5436,13 +5427,13 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
         /* the arm grows along t, and t x (f n + r t) = -f */
         work = n * (p->y[3 * p->ends[2 * i] + 2] * m->unit[ends[0]]
                     - p->y[3 * p->ends[2 * i + 1] + 2] * m->unit[ends[1]]);
-        if (!m->relative && from >= kern_abs(travel))
+        if (!q->relative && from >= kern_abs(travel))
             work = travel > 0 ? -kern_abs(work) : kern_abs(work);
-        sum -= work * kern_shift(travel, from, m->relative, &was);
-        sum += work * kern_shift(travel, to, m->relative, &is);
+        sum -= work * kern_shift(travel, from, q->relative, &was);
+        sum += work * kern_shift(travel, to, q->relative, &is);
         *rate += work * is;
-        if (m->cone.narrow > 0 && mu > 0) { /* the reduction of q is set */
-            const kern_real by = kern_max(m->cone.narrow * to, KERN_R(0));
+        if (q->narrow > 0 && mu > 0) { /* the reduction of q is set */
+            const kern_real by = kern_max(q->narrow * to, KERN_R(0));
             const kern_real narrow = kern_friction(c, by);
             const kern_real one = 1 + c->mu * by;
             kern_real speed[2] = {0, 0};
@@ -5453,8 +5444,7 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
             work = (p->x[2 * i] - p->x[2 * i + 1]) * speed[1];
             sum += work * (mu - narrow);
             if (narrow > 0)
-                *rate += work * m->cone.narrow * (1 + c->mu * c->mu)
-                         / (one * one);
+                *rate += work * q->narrow * (1 + c->mu * c->mu) / (one * one);
         }
     }
     return sum;
@@ -5465,7 +5455,7 @@ static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
 static kern_real kern_shrink_critical(const kern_part *p, const kern_query *q,
                                       kern_real holds, kern_real power)
 {
-    const kern_real same = KERN_NOISE * (p->m->relative ? 1 : p->m->mean) / 8;
+    const kern_real same = KERN_NOISE * (q->relative ? 1 : q->mean) / 8;
     kern_real lo = holds, hi = q->shrink, at = hi, rate;
     int round;
     for (round = 0; round < KERN_FEW_ROUNDS; round++) {
@@ -5697,7 +5687,7 @@ static void kern_support_set(kern_support *to, const kern_model *m,
                                       centre);
     to->row = kern_row_of(kern_vec_scale(c->n, sign), kern_vec_scale(arm, unit),
                           KERN_R(1));
-    to->mu = kern_friction(c, m->cone.reduction);
+    to->mu = kern_friction(c, m->reduction);
     to->way[0] = to->way[1] = KERN_R(0);
 }
 
@@ -5889,7 +5879,7 @@ static kern_real kern_body_critical(const kern_model *m, int g, int e,
     kern_real place, arm = KERN_R(0), least = KERN_INFINITY;
     int k;
     if (!(normal > 0)
-        || kern_abs(along) > kern_friction(c, m->cone.reduction) * normal)
+        || kern_abs(along) > kern_friction(c, m->reduction) * normal)
         return KERN_INFINITY;
     place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
     for (k = 0; k < 2; k++) {
@@ -5943,7 +5933,7 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
     kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
-    if (!kern_model_spend(m, m->budget.query_units))
+    if (!kern_model_ask(m, 1))
         return least;
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++, load += 3) {
@@ -6423,8 +6413,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
         rounds = 3 + 7 * cold; /* ten from nothing */
     }
     r->rounds = r->gained = 0;
-    if (!kern_model_spend(r->m, (r->around < 0 ? 4 : 1)
-                                * r->m->budget.query_units))
+    if (!kern_model_ask(r->m, r->around < 0 ? 4 : 1))
         return 0;
     while (r->rounds < rounds
            && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
@@ -6533,8 +6522,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         value[i] = KERN_R(1);
     for (; gone > 0; left -= gone)
         gone = kern_hang_pass(m->s, value);
-    if (left > 0 || (r->around >= 0
-                     && kern_model_spend(m, m->budget.query_units))) {
+    if (left > 0 || (r->around >= 0 && kern_model_ask(m, 1))) {
         status = kern_model_evaluate(m, r->p, q);
         if (m->whole)
             kern_model_group(m, q);
