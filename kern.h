@@ -1777,22 +1777,15 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
 { return KERN_ASIDE * kern_width(path); }
 
-/* Travels of the kerns: the shortest, and the longest, which is d_max. Kerns of
-   line contacts are nested: what a smaller one can carry a larger one can.
-   Points that move toward each other along different tangents are not. */
-typedef struct kern_travels {
-    kern_real least, most;
-    int nested;
-} kern_travels;
-
-static kern_travels kern_travels_of(const kern_structure *s,
-                                    const kern_query *q)
+/* Whether kerns are nested, as those of lines are: what a smaller one can carry
+   a larger one can. Points that move toward each other along different tangents
+   are not. range: the shortest of their travels, and the longest, d_max. */
+static int kern_is_nested(const kern_structure *s, const kern_query *q,
+                          kern_real range[2])
 {
-    kern_travels t;
-    int i;
-    t.least = KERN_INFINITY;
-    t.most = KERN_R(0);
-    t.nested = 1;
+    int i, nested = 1;
+    range[0] = KERN_INFINITY;
+    range[1] = KERN_R(0);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real travel = kern_abs(kern_travel(c, q->mean));
@@ -1800,13 +1793,13 @@ static kern_travels kern_travels_of(const kern_structure *s,
             || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
                 && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
             continue;
-        t.least = kern_min(t.least, travel);
-        t.most = kern_max(t.most, travel);
-        t.nested &= c->line != 0;
+        range[0] = kern_min(range[0], travel);
+        range[1] = kern_max(range[1], travel);
+        nested &= c->line != 0;
     }
     if (q->relative)
-        t.most = KERN_R(1);
-    return t;
+        range[1] = KERN_R(1);
+    return nested;
 }
 
 /* ---- what finds forces and motions ---- */
@@ -2890,8 +2883,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
                                      const kern_proof *proof)
 {
     kern_path *const path = &c->path;
-    const kern_travels travels = kern_travels_of(&task->s, &path->q);
-    kern_real steps;
+    kern_real range[2], steps;
+    const int nested = kern_is_nested(&task->s, &path->q, range);
     kern_margin r;
     kern_status status;
     int last;
@@ -2900,7 +2893,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
         path->warm = *known;
         c->m.answer.known = known->force ? known : NULL;
     }
-    path->end = r.most = travels.most;
+    path->end = r.most = range[1];
     r.epsilon = task->options.epsilon;
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * c->m.mean;
@@ -2911,8 +2904,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
         return KERN_BAD_STEP;
     last = (int)steps;
     last += KERN_R(last) < steps; /* until every kern is closed */
-    status = kern_ended(task, kern_measure_path(
-        &c->m, path, travels.nested, last, &r));
+    status = kern_ended(task, kern_measure_path(&c->m, path, nested, last, &r));
     if (status == KERN_LIMIT) {
         r.fails = kern_min(path->proven.high, r.most);
         r.margin = r.holds = kern_min(path->proven.low, r.fails);
@@ -2996,13 +2988,13 @@ static kern_real kern_extent(const kern_structure *s)
 /* Grows the kerns of what falls until it stands: the critical growth. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    const kern_travels travels = kern_travels_of(m->s, &path->q);
-    const kern_real growth = travels.nested ? KERN_R(4) : KERN_R(1.1);
+    kern_real range[2];
+    const kern_real growth = kern_is_nested(m->s, &path->q, range)
+                             ? KERN_R(4) : KERN_R(1.1);
     kern_real limit = 1000 * kern_extent(m->s), grown;
     kern_status status;
     if (path->q.relative)
-        limit = travels.least < KERN_INFINITY ? limit / travels.least
-                                              : KERN_R(1);
+        limit = range[0] < KERN_INFINITY ? limit / range[0] : KERN_R(1);
     path->start = -limit;
     for (grown = path->unit * KERN_R(0.001); ;
          grown = kern_min(grown * growth, limit)) {
@@ -3233,8 +3225,9 @@ static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 static kern_status kern_fall_climb(kern_model *m, kern_path *path,
                                    kern_real *at)
 {
+    kern_real range[2];
     const kern_status status = path->kind != KERN_PATH_SHRINK
-        || kern_travels_of(m->s, &path->q).nested
+        || kern_is_nested(m->s, &path->q, range)
         ? kern_path_search(m, path)
         : kern_path_walk(m, path, path->end / KERN_SCAN);
     *at = path->critical;
@@ -3309,7 +3302,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 {
     kern_call c;
     kern_fall fall;
-    kern_real least = KERN_INFINITY;
+    kern_real range[2], least = KERN_INFINITY;
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, KERN_R(0),
                                         value ? out : NULL);
@@ -3322,8 +3315,8 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         return KERN_BAD_OPTION;
     if (side != KERN_SHRINK)
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
-    c.path.end = side ? KERN_PROFILE_MOST
-                      : kern_travels_of(&task->s, &c.path.q).most;
+    kern_is_nested(&task->s, &c.path.q, range);
+    c.path.end = side ? KERN_PROFILE_MOST : range[1];
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
@@ -6437,9 +6430,10 @@ static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
                            kern_real share)
 {
     const kern_real most = q->relative ? share : share * r->m->mean;
+    kern_real range[2];
     int k, raised = 1;
     q->factor = share;
-    for (k = kern_travels_of(r->m->s, q).nested; k < 2 && raised; k++) {
+    for (k = kern_is_nested(r->m->s, q, range); k < 2 && raised; k++) {
         q->shrink = shrink + (kern_real)k * most;
         kern_model_arms(r->m, q);
         raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
@@ -8221,6 +8215,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                                     const kern_proof *proof)
 {
     const kern_known *known = &task->known;
+    kern_real range[2];
     kern_call c;
     kern_margin r;
     kern_status status = kern_call_open(&c, task, margin, known);
@@ -8228,7 +8223,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
-    if (kern_travels_of(&task->s, &c.path.q).nested) {
+    if (kern_is_nested(&task->s, &c.path.q, range)) {
         c.m.answer.known = known->fails > 0 ? known : NULL;
         status = known->fails > 0 && margin >= known->fails
                  && kern_known_falls(&c.m, &c.path.q, known)
