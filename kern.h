@@ -2609,6 +2609,10 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
+/* What is known of a structure like it, if anything is. */
+KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
+{ m->answer.known = known->fails > 0 && known->force ? known : NULL; }
+
 /* No contact bears anything. */
 static void kern_model_unload(kern_model *m)
 { kern_zero(m->answer.force, 2 * m->s->contacts); }
@@ -2873,10 +2877,6 @@ static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
     return nested ? kern_level_scan(m, path, 1, last, out) : status;
 }
 
-/* What is remembered, or NULL. */
-static const kern_known *kern_task_known(const kern_task *task)
-{ return task->known.fails > 0 && task->known.force ? &task->known : NULL; }
-
 /* The measure of an open task, with what is known of one like it or NULL. */
 static kern_status kern_measure_task(kern_call *c, const kern_task *task,
                                      const kern_known *known, kern_margin *out,
@@ -2889,9 +2889,9 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     kern_status status;
     int last;
     path->proof = proof;
-    if (known && known->fails > 0) {
+    if (known) {
         path->warm = *known;
-        c->m.answer.known = known->force ? known : NULL;
+        kern_model_know(&c->m, known);
     }
     path->end = r.most = range[1];
     r.epsilon = task->options.epsilon;
@@ -6647,7 +6647,7 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         return KERN_BAD_BLOCK;
     r.around = i;
     if (sag)
-        c.m.answer.known = kern_task_known(task);
+        kern_model_know(&c.m, &task->known);
     status = kern_raise_show(&r, &c, &raising, sag);
     kern_proof_out(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)
@@ -8224,7 +8224,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
     if (status != KERN_OK)
         return status;
     if (kern_is_nested(&task->s, &c.path.q, range)) {
-        c.m.answer.known = known->fails > 0 ? known : NULL;
+        kern_model_know(&c.m, known);
         status = known->fails > 0 && margin >= known->fails
                  && kern_known_falls(&c.m, &c.path.q, known)
                  ? KERN_FALLS
