@@ -435,14 +435,11 @@ typedef float kern_real;
 typedef double kern_real;
 #endif
 
-#ifdef KERN_STATIC
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(KERN_STATIC) && (defined(__GNUC__) || defined(__clang__))
 #define KERN_API static __attribute__((unused))
-#else
+#elif defined(KERN_STATIC)
 #define KERN_API static
-#endif
-#endif
-#ifndef KERN_API
+#elif !defined(KERN_API)
 #define KERN_API extern
 #endif
 
@@ -6812,9 +6809,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* The vertex behind i, or the one before. */
 static int kern_polygon_next(const kern_block *block, int i, int back)
 {
-    if (back)
-        return i > 0 ? i - 1 : block->vertices - 1;
-    return i + 1 < block->vertices ? i + 1 : 0;
+    i += back ? -1 : 1;
+    return i < 0 ? block->vertices - 1 : i < block->vertices ? i : 0;
 }
 
 /* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
@@ -7115,17 +7111,11 @@ KERN_API kern_status kern_ground_init(kern_block *block,
                                       kern_fault *fault)
 {
     kern_fault ignored;
-    kern_block made;
+    kern_block made = {vertex, vertices, 1, 0, {{0, 0}, {0, 0}}, 0, {0, 0},
+                       {0, 0, 0}};
     kern_status status = kern_vertices_check(vertex, vertices);
     fault = fault ? fault : &ignored;
     kern_fault_clear(fault);
-    made.vertex = vertex;
-    made.vertices = vertices;
-    made.fixed = 1;
-    made.area = made.mass = KERN_R(0);
-    made.centre = kern_vec_make(KERN_R(0), KERN_R(0));
-    made.load.fx = made.load.fy = made.load.torque = KERN_R(0);
-    kern_box_empty(&made.box);
     if (status == KERN_OK)
         status = block ? kern_polygon_measure(&made, fault) : KERN_BAD_POINTER;
     if (status != KERN_OK)
@@ -7447,16 +7437,6 @@ static kern_vec kern_line_end(const kern_contact *line, int side)
                          kern_vec_turn(line->n));
 }
 
-/* Makes *c a line of that half length, or a point where it is 0. */
-static void kern_line_set(kern_contact *c, kern_vec p, kern_vec n,
-                          kern_real half)
-{
-    c->p = p;
-    c->n = n;
-    c->travel = half;
-    c->line = half > 0;
-}
-
 /* Adds a contact behind those as long or longer; without room it is counted. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
@@ -7469,7 +7449,10 @@ static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
         at[i] = at[i - 1];
     at[i].a = pair->a;
     at[i].b = pair->b;
-    kern_line_set(&at[i], p, n, half);
+    at[i].line = half > 0;
+    at[i].p = p;
+    at[i].n = n;
+    at[i].travel = half;
 }
 
 /* Do the ways run against each other, within the angle? */
@@ -7729,10 +7712,11 @@ static void kern_pair_face(kern_pair *pair, int i)
         sum = kern_vec_step(sum, c->line ? 2 * c->travel : pair->gap, c->n);
     }
     pair->count = rest;
-    sum = kern_vec_unit(sum);
-    half = kern_vec_cross(sum, kern_vec_sub(high, low)) / 2;
-    kern_line_set(&at[i], kern_vec_mid(low, high), sum,
-                  2 * half > pair->foot ? half : KERN_R(0));
+    at[i].p = kern_vec_mid(low, high);
+    at[i].n = kern_vec_unit(sum);
+    half = kern_vec_cross(at[i].n, kern_vec_sub(high, low)) / 2;
+    at[i].line = 2 * half > pair->foot;
+    at[i].travel = at[i].line ? half : KERN_R(0);
 }
 
 /* ---- travels ---- */
