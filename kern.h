@@ -1439,9 +1439,7 @@ KERN_SHARED static int kern_is_finite(kern_real a)
 
 static kern_vec kern_vec_make(kern_real x, kern_real y)
 {
-    kern_vec v;
-    v.x = x;
-    v.y = y;
+    const kern_vec v = {x, y};
     return v;
 }
 
@@ -2481,11 +2479,8 @@ typedef struct kern_row {
 /* The row of a normal n that acts at an arm, its torque times `unit`. */
 static inline kern_row kern_row_of(kern_vec n, kern_vec arm, kern_real unit)
 {
-    kern_row row;
-    row.n[0] = n.x;
-    row.n[1] = n.y;
-    row.n[2] = kern_vec_cross(arm, n) * unit;
-    row.turn = kern_vec_dot(arm, n) * unit;
+    const kern_row row = {{n.x, n.y, kern_vec_cross(arm, n) * unit},
+                          kern_vec_dot(arm, n) * unit};
     return row;
 }
 
@@ -2522,11 +2517,9 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
 static inline kern_row kern_model_row(const kern_model *m, int end)
 {
     const kern_vec n = m->s->contact[end >> 1].n;
-    kern_row row;
-    row.n[0] = end & 1 ? -n.x : n.x;
-    row.n[1] = end & 1 ? -n.y : n.y;
-    row.n[2] = m->arm.torque[2 * (size_t)end];
-    row.turn = m->arm.torque[2 * (size_t)end + 1];
+    const kern_real *torque = m->arm.torque + 2 * (size_t)end;
+    const kern_row row = {{end & 1 ? -n.x : n.x, end & 1 ? -n.y : n.y,
+                           torque[0]}, torque[1]};
     return row;
 }
 
