@@ -2030,8 +2030,8 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
     status = kern_options_check(&task->options);
     if (status != KERN_OK)
         return status;
-    if (s->blocks < 0 || s->blocks > KERN_BLOCKS_MOST || s->contacts < 0
-        || s->contacts > KERN_POINTS_MOST)
+    if ((unsigned)s->blocks > KERN_BLOCKS_MOST
+        || (unsigned)s->contacts > KERN_POINTS_MOST)
         return KERN_BAD_COUNT;
     if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0)
         || !out)
@@ -7907,27 +7907,8 @@ static int kern_search_close(const kern_search *s)
 
 /* ---- input ---- */
 
-/* Checks what is read of block i; vertices before s->from when a pair does. */
-static kern_status kern_search_check(const kern_search *s, int i)
-{
-    const kern_block *block = &s->block[i];
-    const kern_status status =
-        kern_vertices_check(block->vertex, block->vertices);
-    if (block->vertices <= 0)
-        return block->vertices < 0 ? KERN_NO_BLOCK : KERN_OK;
-    if (status != KERN_OK)
-        return status;
-    if (!kern_is_finite(block->area)
-        || !(block->box.low.x <= block->box.high.x)
-        || !(block->box.low.y <= block->box.high.y)
-        || kern_box_largest(&block->box) > KERN_FAR)
-        return KERN_BAD_NUMBER;
-    if (!(kern_abs(block->area) > 0))
-        return KERN_NO_AREA;
-    return i >= s->from && kern_block_is_stale(block) ? KERN_STALE : KERN_OK;
-}
-
-/* Looks at every block; what the tolerances of all pairs depend on. */
+/* Looks at every block, but at the vertices of those before s->from when a pair
+   does; what the tolerances of all pairs depend on. */
 static kern_status kern_search_survey(kern_search *s)
 {
     kern_real most = KERN_R(0); /* largest coordinate                 */
@@ -7936,14 +7917,28 @@ static kern_status kern_search_survey(kern_search *s)
     int i;
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
-        const kern_status status = kern_search_check(s, i);
+        const kern_box *box = &block->box;
+        kern_status status = kern_vertices_check(block->vertex,
+                                                 block->vertices);
+        if (!block->vertices)
+            continue;
+        if (block->vertices < 0)
+            status = KERN_NO_BLOCK;
+        else if (status == KERN_OK
+                 && (!kern_is_finite(block->area) || !(box->low.x <= box->high.x)
+                     || !(box->low.y <= box->high.y)
+                     || kern_box_largest(box) > KERN_FAR))
+            status = KERN_BAD_NUMBER;
+        else if (status == KERN_OK && !(kern_abs(block->area) > 0))
+            status = KERN_NO_AREA;
+        else if (status == KERN_OK && i >= s->from
+                 && kern_block_is_stale(block))
+            status = KERN_STALE;
         if (status != KERN_OK) {
             s->fault->block = i;
             return status;
         }
-        if (!block->vertices)
-            continue;
-        most = kern_max(most, kern_box_largest(&block->box));
+        most = kern_max(most, kern_box_largest(box));
         arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
