@@ -2839,7 +2839,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
    the margin tell the level; else a literal scan first, which bounds it. */
-static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
+KERN_SHARED static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
     kern_status status = nested
@@ -4624,7 +4624,7 @@ static int kern_pass_parts(kern_part *p)
 
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
    balance it. KERN_FALLS where no forces would, all else held. */
-static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
+KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
                                   int last)
 {
     kern_real load = KERN_R(0), least = KERN_INFINITY;
@@ -4715,7 +4715,7 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
 /* Begins from no forces, all groups open, or from the known ones, which balance
    all but the last block where kerns are no smaller. A cluster may have a share
    of the groups. */
-static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
+KERN_SHARED static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
     const int groups = m->graph.groups, last = m->s->blocks - 1;
