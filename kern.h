@@ -1640,19 +1640,24 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q,
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
-/* Adds a share of what acts on block b; returns its magnitude, which is not 0
-   where only the squares underflow. */
+/* Magnitude of the force. Not 0 where only its squares underflow. */
+static kern_real kern_force_size(const kern_wrench *w)
+{
+    return kern_max(KERN_SQRT(w->fx * w->fx + w->fy * w->fy),
+                    kern_max(kern_abs(w->fx), kern_abs(w->fy)));
+}
+
+/* Adds a share of what acts on block b; returns its magnitude. */
 static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
                                  const kern_wrench *w, kern_real share)
 {
-    const kern_vec force = kern_vec_make(w->fx, w->fy);
     if (!(kern_wrench_sum(w) > 0))
         return KERN_R(0);
     sum->fx += share * w->fx;
     sum->fy += share * w->fy;
     sum->torque += share * w->torque;
-    return share * (kern_max(kern_vec_length(force), kern_vec_largest(force))
-                    + kern_abs(w->torque) / kern_block_size(b));
+    return share * (kern_force_size(w) + kern_abs(w->torque)
+                                         / kern_block_size(b));
 }
 
 /* All that acts on block i besides its contacts. Returns the sum of the
@@ -1661,15 +1666,13 @@ static kern_real kern_wrench_on(const kern_structure *s,
                                 const kern_query *q, int i, kern_wrench *sum)
 {
     const kern_block *b = s->block + i;
-    kern_wrench w;
+    kern_wrench pattern;
     kern_real size;
-    kern_zero(sum, 3);
-    kern_weigh(q->gravity, b->mass, &w);
-    size = kern_wrench_add(sum, b, &w, KERN_R(1));
-    size += kern_wrench_add(sum, b, &b->load, q->loads);
+    kern_weigh(q->gravity, b->mass, sum);
+    size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, q->loads);
     if (q->factor > 0) {
-        kern_pattern_on(s, q, i, &w);
-        size += kern_wrench_add(sum, b, &w, q->factor);
+        kern_pattern_on(s, q, i, &pattern);
+        size += kern_wrench_add(sum, b, &pattern, q->factor);
     }
     return size;
 }
@@ -2839,8 +2842,9 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
    the margin tell the level; else a literal scan first, which bounds it. */
-KERN_SHARED static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
-                                     int last, kern_margin *out)
+KERN_SHARED static kern_status kern_measure_path(kern_model *m,
+                                                 kern_path *path, int nested,
+                                                 int last, kern_margin *out)
 {
     kern_status status = nested
         ? kern_path_search(m, path)
@@ -4624,8 +4628,8 @@ static int kern_pass_parts(kern_part *p)
 
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
    balance it. KERN_FALLS where no forces would, all else held. */
-KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m, int groups,
-                                  int last)
+KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
+                                              int groups, int last)
 {
     kern_real load = KERN_R(0), least = KERN_INFINITY;
     kern_status status;
@@ -4715,7 +4719,8 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
 /* Begins from no forces, all groups open, or from the known ones, which balance
    all but the last block where kerns are no smaller. A cluster may have a share
    of the groups. */
-KERN_SHARED static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
+KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
+                                        kern_real shrink)
 {
     const kern_known *known = m->answer.known;
     const int groups = m->graph.groups, last = m->s->blocks - 1;
@@ -6785,8 +6790,9 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* The vertex behind i, or the one before. */
 static int kern_polygon_next(const kern_block *block, int i, int back)
 {
-    i += back ? -1 : 1;
-    return i < 0 ? block->vertices - 1 : i < block->vertices ? i : 0;
+    if (back)
+        return i > 0 ? i - 1 : block->vertices - 1;
+    return i + 1 < block->vertices ? i + 1 : 0;
 }
 
 /* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
