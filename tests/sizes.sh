@@ -14,15 +14,15 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9495
+limits="lines of kern.h|8800|9384
 lines of the engine|3500|4049
-text of the library|54000|56732
-text, kern_measure with contacts given|32000|31576
-text, kern_verdict with contacts given|22000|24252
-text of the library, KERN_NO_INTERIOR|54000|54000
+text of the library|54000|56552
+text, kern_measure with contacts given|32000|31480
+text, kern_verdict with contacts given|22000|24096
+text of the library, KERN_NO_INTERIOR|54000|53716
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
-deepest stack|2700|2700"
+deepest stack|2700|2600"
 allowed='sqrtf'  # symbols that the library may need
 
 m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
