@@ -1354,7 +1354,8 @@ extern "C" {
    angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
 #define KERN_CLIMB         KERN_R(0.1)
 #define KERN_CLIMB_PUSH    KERN_R(0.5)
-#define KERN_NEAR          KERN_R(0.12) /* division of a bracket, unpredicted */
+#define KERN_NEAR          KERN_R(4)    /* parts of a bracket, unpredicted    */
+#define KERN_AHEAD         KERN_R(0.4) /* of Halley's step, least Newton's    */
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 
 /* ---- interior point ---- */
@@ -1545,6 +1546,15 @@ KERN_SHARED static void kern_copy(void *v, const void *w, int n)
         *to++ = *from++;
 }
 
+/* v += s w */
+KERN_SHARED static void kern_add(void *v, kern_real s, const void *w, int n)
+{
+    kern_real *to = (kern_real *)v;
+    const kern_real *from = (const kern_real *)w;
+    for (; n > 0; n--)
+        *to++ += s * *from++;
+}
+
 static kern_real kern_largest(const kern_real *v, int n)
 {
     kern_real size = KERN_R(0);
@@ -1656,9 +1666,7 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
 {
     if (!(kern_wrench_sum(w) > 0))
         return KERN_R(0);
-    sum->fx += share * w->fx;
-    sum->fy += share * w->fy;
-    sum->torque += share * w->torque;
+    kern_add(sum, share, w, 3);
     return share * (kern_force_size(w) + kern_abs(w->torque)
                                          / kern_block_size(b));
 }
@@ -2727,7 +2735,7 @@ typedef struct kern_dual {
     kern_skyline matrix;      /* of the contacts that carry                   */
     kern_real *u, *step, *grad; /* three a group, and three of 0              */
     kern_real *b;             /* loads, three a group                         */
-    kern_real *way;           /* four a contact: u and step along n and t     */
+    kern_real *way, *turn;    /* two a contact: u and step along n and t      */
     const kern_real *price;   /* then stiffness, of contacts: >>raised; NULL  */
     kern_real stiff;          /* along t, in stiffnesses along n              */
     int cost;                 /* of a step, in products                       */
@@ -2754,6 +2762,7 @@ struct kern_part {
     kern_real *x, *y;         /* two a contact: forces, and how far the place
                                  grows; three a group: motion                 */
     kern_status found;        /* what the program said, proven or not         */
+    kern_real ahead;          /* where it may stop to fall: >>search          */
     kern_take rest;           /* work memory behind these                     */
     kern_dual dual;
     kern_equations eq;
@@ -2762,6 +2771,7 @@ struct kern_part {
 /* The engine, in >>lp. */
 
 static int kern_proof_mend(kern_simplex *sx, kern_real *y);
+static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
@@ -3642,6 +3652,7 @@ KERN_SHARED static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     p->m = m;
     p->rest = *rest;
     p->groups = groups;
+    p->ahead = KERN_R(0);
     p->group = kern_take_ints(&p->rest, groups);
     return kern_take_fits(&p->rest);
 }
@@ -3946,7 +3957,7 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
                                kern_real *out)
 {
     const int n = 3 * a->groups;
-    int i, k;
+    int i;
     for (i = 0; i < n; i++) {
         const int from = 3 * a->first[i / 3], wide = 3 * (i / 3) + 3 - from;
         const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * wide;
@@ -3955,9 +3966,8 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
     for (i = n - 1; i >= 0; i--) {
         const int from = 3 * a->first[i / 3], wide = 3 * (i / 3) + 3 - from;
         const kern_real *row = a->entry + a->offset[i / 3] + i % 3 * wide;
-        const kern_real x = out[i] /= row[i - from];
-        for (k = from; k < i; k++)
-            out[k] -= x * row[k - from];
+        out[i] /= row[i - from];
+        kern_add(out + from, -out[i], row, i - from);
     }
 }
 
@@ -4002,7 +4012,8 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     p->dual.step = kern_take_reals(take, n);
     p->dual.grad = kern_take_reals(take, n);
     p->dual.b = kern_take_reals(take, n);
-    p->dual.way = kern_take_reals(take, 4 * p->contacts);
+    p->dual.way = kern_take_reals(take, 2 * p->contacts);
+    p->dual.turn = kern_take_reals(take, 2 * p->contacts);
     p->dual.cost = 100 * p->contacts;
     return kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own, take,
                              &p->dual.cost);
@@ -4034,20 +4045,18 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
     kern_row_exert(&tail, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
-/* Approach of the contacts along n and t by the motion v, to p->dual.way from
-   `to` on; from 0 on with that of the prior forces. */
-static void kern_norm_ways(kern_part *p, const kern_real *v, int contacts,
-                           int to)
+/* Approach of contacts along n and t: by u and the prior forces, or a step. */
+static void kern_norm_ways(kern_part *p, int contacts, int step)
 {
+    kern_real *way = step ? p->dual.turn : p->dual.way;
     int k;
-    for (k = 0; k < contacts; k++) {
-        kern_real *way = p->dual.way + 4 * (size_t)k + to;
+    for (k = 0; k < contacts; k++, way += 2) {
         way[0] = way[1] = KERN_R(0);
-        if (to == 0 && p->dual.price)
+        if (!step && p->dual.price)
             way[0] = -p->dual.price[k];
-        else if (to == 0)
+        else if (!step)
             kern_model_prior(p->m, p->contact[k], way);
-        kern_part_speed(p, k, v, way);
+        kern_part_speed(p, k, step ? p->dual.step : p->dual.u, way);
     }
 }
 
@@ -4056,15 +4065,12 @@ static void kern_norm_ways(kern_part *p, const kern_real *v, int contacts,
 static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 {
     const int n = 3 * p->groups;
-    kern_real value = KERN_R(0);
-    int i, k;
+    kern_real value = kern_dot(p->dual.b, p->dual.u, n);
+    int k;
     *most = KERN_R(0);
-    for (i = 0; i < n; i++) {
-        p->dual.grad[i] = p->dual.b[i];
-        value += p->dual.b[i] * p->dual.u[i];
-    }
+    kern_copy(p->dual.grad, p->dual.b, n);
     for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * (size_t)k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const kern_real f = s.force.normal, r = s.force.tangential;
         if (!(f > 0))
@@ -4093,7 +4099,7 @@ static void kern_norm_matrix(kern_part *p, int all)
     int k;
     kern_skyline_clear(a);
     for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * (size_t)k;
         kern_law s = kern_part_law(p, k, w[0], w[1]);
         if (all && (p->dual.price || !(s.nn > 0)))
             s = kern_part_law(p, k, KERN_R(1), KERN_R(0));
@@ -4111,10 +4117,10 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 {
     int k;
     for (k = 0; k < p->own; k++) {
-        const kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * k, *d = p->dual.turn + 2 * k;
         const kern_law s = kern_part_law(
-            p, k, w[0] + share * w[2], w[1] + share * w[3]);
-        push -= s.force.normal * w[2] + s.force.tangential * w[3];
+            p, k, w[0] + share * d[0], w[1] + share * d[1]);
+        push -= s.force.normal * d[0] + s.force.tangential * d[1];
     }
     return push;
 }
@@ -4174,9 +4180,9 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     p->dual.rounds = 0;
     for (i = first == 0 ? 0 : n; i < n + 3; i++)
         p->dual.u[i] = p->dual.step[i] = KERN_R(0);
+    kern_norm_ways(p, p->own, 0);
     for (round = first; round < end; round++) {
         kern_real most, value, share, left;
-        kern_norm_ways(p, p->dual.u, p->own, 0);
         value = kern_norm_gradient(p, &most);
         left = kern_largest(p->dual.grad, n);
         if (left <= (left > before / 2 ? 8 * tolerance : tolerance)
@@ -4190,11 +4196,11 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         kern_norm_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
         kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
-        kern_norm_ways(p, p->dual.step, p->own, 2);
+        kern_norm_ways(p, p->own, 1);
         p->dual.rounds = round + 1 - first;
         share = round == 0 ? KERN_R(1) : kern_norm_share(p);
-        for (i = 0; i < n; i++)
-            p->dual.u[i] += share * p->dual.step[i];
+        kern_add(p->dual.u, share, p->dual.step, n);
+        kern_add(p->dual.way, share, p->dual.turn, 2 * p->own);
     }
     return KERN_UNDECIDED;
 }
@@ -4282,10 +4288,9 @@ static void kern_norm_write(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
-    kern_norm_ways(p, p->dual.u, p->contacts, 0);
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * (size_t)k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
         kern_force *to = m->answer.force + p->contact[k];
         to->normal = s.force.normal * m->weight;
@@ -4601,7 +4606,7 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     int k;
     for (k = 0; k < p->own; k++) {
         const int i = p->contact[k];
-        const kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * (size_t)k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
         const int low = m->graph.ends[2 * i] > m->graph.ends[2 * i + 1] ? 0 : 1;
         const int on = m->graph.ends[2 * i + low];
@@ -4620,9 +4625,9 @@ static int kern_pass_parts(kern_part *p)
     int n, k;
     for (n = 0; n < p->groups; n++)
         power += kern_dot(p->dual.u + 3 * n, p->m->load + 3 * p->group[n], 3);
-    kern_norm_ways(p, p->dual.u, p->contacts, 2);
     for (k = p->own; k < p->contacts; k++) {
-        const kern_real *w = p->dual.way + 4 * (size_t)k + 2;
+        kern_real w[2] = {0, 0};
+        kern_part_speed(p, k, p->dual.u, w);
         if (w[0] + kern_model_mu(p->m, p->contact[k]) * kern_abs(w[1]) > most)
             return 0;
     }
@@ -4894,20 +4899,18 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
-    const kern_real *way = p->dual.way;
+    const kern_real *way = p->dual.way, *turn = p->dual.turn;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real *turn = p->dual.way + rays, ds;
+    kern_real ds;
     int i;
-    for (i = 0; i < n; i++)
-        p->dual.grad[i] += in->over[i];
+    kern_add(p->dual.grad, KERN_R(1), in->over, n);
     kern_ipm_carry(p, in->dx, p->dual.grad);
     kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
     ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
          / kern_dot(in->g, in->gain, n);
     ds = kern_min(ds, -in->s);
-    for (i = 0; i < n; i++)
-        p->dual.step[i] += ds * in->gain[i];
-    kern_ipm_ways(p, p->dual.step, turn);
+    kern_add(p->dual.step, ds, in->gain, n);
+    kern_ipm_ways(p, p->dual.step, p->dual.turn);
     for (i = 0; i < rays; i++) {
         in->dx[i] -= in->d[i] * turn[i];
         in->dz[i] = way[i] + turn[i] - in->z[i];
@@ -4965,8 +4968,7 @@ static int kern_ipm_step(kern_ipm *in)
         p->x[i] = kern_max(p->x[i] + of_x * in->dx[i], p->x[i] * KERN_EPS);
         in->z[i] += of_z * in->dz[i];
     }
-    for (i = 0; i < n; i++)
-        p->y[i] += of_z * p->dual.step[i];
+    kern_add(p->y, of_z, p->dual.step, n);
     kern_ipm_centre(in, KERN_IPM_APART * kern_dot(p->x, in->z, rays));
     KERN_AUDIT(ipm, in);
     return kern_is_finite(in->gap);
@@ -4978,10 +4980,9 @@ static void kern_ipm_balance(kern_ipm *in)
 {
     kern_part *p = in->p;
     const int rays = 2 * p->contacts;
-    kern_real *turn = p->dual.way + rays;
+    kern_real *turn = p->dual.turn;
     int i;
-    for (i = 0; i < rays; i++)
-        in->d[i] = p->x[i];
+    kern_copy(in->d, p->x, rays);
     kern_ipm_factor(in, KERN_R(0), in->over, p->dual.step);
     kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++)
@@ -5053,6 +5054,8 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     p->x = kern_take_reals(&p->rest, rays);
     p->y = kern_take_reals(&p->rest, n + 3);
     p->eq.rhs = kern_take_reals(&p->rest, n);
+    p->eq.rate = p->dual.grad;
+    p->eq.shrink = KERN_INFINITY; /* there are no columns */
     in->z = kern_take_reals(&p->rest, rays);
     in->dx = kern_take_reals(&p->rest, rays);
     in->dz = kern_take_reals(&p->rest, rays);
@@ -5155,7 +5158,7 @@ static kern_status kern_part_lay(kern_part *p)
         kern_take take = p->rest;
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
         p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
-        p->eq.rate = kern_take_reals(&take, 3 * n);
+        p->eq.rate = kern_take_reals(&take, 3 * n + 3);
         p->x = kern_take_reals(&take, 2 * p->contacts + 1);
         p->y = kern_take_reals(&take, 3 * n + 3);
         kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
@@ -5378,70 +5381,85 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
 /* Verdicts along a path; the critical value is the place where they change. */
 
 /* How y.rhs changes when kerns, shrunk as in q, are shrunk by `to`, if y stays:
-   by -y.(A(to) - A(q)) x, straight but where a kern closes. One that was closed
-   opens to the side that helps. In *rate how fast it changes at `to`. */
+   by y.v, v = -(A(to) - A(q)) x, straight but where a kern closes. One that was
+   closed opens to the side that helps. *rate: at `to`; p->eq.rate: v. */
 static kern_real kern_shrink_power(const kern_part *p, const kern_query *q,
-                                   kern_real to, kern_real *rate)
+                                   kern_real to, const kern_real *x,
+                                   kern_real *rate)
 {
     const kern_model *m = p->m;
-    const kern_real from = q->shrink;
-    kern_real sum = KERN_R(0);
+    kern_real sum = KERN_R(0), slope = sum, *v = p->eq.rate;
     int i;
-    *rate = KERN_R(0);
-    for (i = 0; i < p->contacts; i++) {
+    kern_zero(v, 3 * p->groups + 3);
+    for (i = 0; i < p->contacts; i++, x += 2) {
         const kern_contact *c = m->s->contact + p->contact[i];
         const int *ends = m->graph.ends + 2 * p->contact[i];
+        const int head = 3 * p->ends[2 * i], tail = 3 * p->ends[2 * i + 1];
         const kern_real travel = kern_travel(c, m->mean);
-        const kern_real n = p->x[2 * i] + p->x[2 * i + 1];
         const kern_real mu = kern_model_mu(m, p->contact[i]);
-        kern_real was, is, work;
+        /* the arm grows along t, and t x (f n + r t) = -f */
+        const kern_real work = p->y[head + 2] * m->unit[ends[0]]
+                               - p->y[tail + 2] * m->unit[ends[1]];
+        kern_real n = x[0] + x[1], was, is, more;
         if (!(n > 0 || n < 0))
             continue;
-        /* the arm grows along t, and t x (f n + r t) = -f */
-        work = n * (p->y[3 * p->ends[2 * i] + 2] * m->unit[ends[0]]
-                    - p->y[3 * p->ends[2 * i + 1] + 2] * m->unit[ends[1]]);
-        if (!q->relative && from >= kern_abs(travel))
-            work = travel > 0 ? -kern_abs(work) : kern_abs(work);
-        sum -= work * kern_shift(travel, from, q->relative, &was);
-        sum += work * kern_shift(travel, to, q->relative, &is);
-        *rate += work * is;
+        more = kern_shift(travel, to, q->relative, &is)
+               - kern_shift(travel, q->shrink, q->relative, &was);
+        if (!q->relative && q->shrink >= kern_abs(travel)
+            && n * work * more < 0)
+            n = -n;
+        slope += n * work * is;
+        n *= more;
+        v[head + 2] += n * m->unit[ends[0]];
+        v[tail + 2] -= n * m->unit[ends[1]];
+        sum += n * work;
         if (q->narrow > 0 && mu > 0) { /* the reduction of q is set */
             const kern_real by = kern_max(q->narrow * to, KERN_R(0));
             const kern_real narrow = kern_friction(c, by);
-            const kern_real one = 1 + c->mu * by;
             kern_real speed[2] = {0, 0};
             kern_row row[2];
             kern_model_rows(m, q, p->contact[i], row);
-            kern_row_speed(row, p->y + 3 * p->ends[2 * i], speed);
-            kern_row_speed(row + 1, p->y + 3 * p->ends[2 * i + 1], speed);
-            work = (p->x[2 * i] - p->x[2 * i + 1]) * speed[1];
-            sum += work * (mu - narrow);
+            kern_row_speed(row, p->y + head, speed);
+            kern_row_speed(row + 1, p->y + tail, speed);
+            speed[1] *= x[0] - x[1];
+            sum += speed[1] * (mu - narrow);
             if (narrow > 0)
-                *rate += work * q->narrow * (1 + c->mu * c->mu) / (one * one);
+                slope += speed[1] * q->narrow * (1 + narrow * narrow)
+                         / (1 + by * by);
         }
     }
+    *rate = slope;
     return sum;
 }
 
 /* Where the mechanism y that falls at q, by `power` < 0, stops to fall: its
-   power is straight but for bends where kerns close. At least `holds`. */
-static kern_real kern_shrink_critical(const kern_part *p, const kern_query *q,
-                                      kern_real holds, kern_real power)
+   power is straight but for bends where kerns close. At least path->holds. And
+   p->ahead: where its basis does, which turns y meanwhile (Halley's method). */
+static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
+                                      kern_real power)
 {
-    const kern_real same = KERN_NOISE * (q->relative ? 1 : q->mean) / 8;
-    kern_real lo = holds, hi = q->shrink, at = hi, rate;
+    kern_part *p = path->part;
+    const kern_real same = KERN_NOISE * path->unit / 8;
+    kern_real *x = (kern_real *)(void *)p->m->answer.force; /* not in use */
+    kern_real lo = path->holds, hi = q->shrink, at = hi, rate, step;
     int round;
-    for (round = 0; round < KERN_FEW_ROUNDS; round++) {
-        const kern_real left = power + kern_shrink_power(p, q, at, &rate);
-        const kern_real step = left / rate;
-        if (kern_abs(step) <= same)
-            return at - step;
+    for (round = 0; ; round++) {
+        const kern_real left = power + kern_shrink_power(p, q, at, p->x, &rate);
+        step = left / rate;
+        if (kern_abs(step) <= same || round == KERN_FEW_ROUNDS)
+            break;
         *(left < 0 ? &hi : &lo) = at;
         at -= step;
         if (!(at > lo && at < hi))
             at = lo + (hi - lo) / 2;
     }
-    return holds;
+    p->ahead = at = round < KERN_FEW_ROUNDS ? at - step : path->holds;
+    if (p->eq.shrink <= q->shrink
+        && kern_simplex_along(&p->eq.simplex, p->eq.rate, x))
+        p->ahead = q->shrink + (at - q->shrink)
+            / kern_max(1 - kern_shrink_power(p, q, at, x, &rate) / power,
+                       KERN_AHEAD);
+    return at;
 }
 
 /* How the load on group g changes along a path on which one grows or gravity
@@ -5486,7 +5504,7 @@ static kern_real kern_path_turned(kern_real s, kern_real t)
 
 /* Where the mechanism p->y that falls at s stops to fall: Newton's method,
    which is exact but for bends, and for loads that do not turn. */
-static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
+static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
@@ -5494,7 +5512,7 @@ static kern_real kern_path_newton(const kern_path *path, const kern_query *q,
     kern_real share, fall = KERN_R(0), rate[3];
     int n;
     if (path->kind == KERN_PATH_SHRINK)
-        return kern_shrink_critical(p, q, path->holds, power);
+        return kern_shrink_critical(path, q, power);
     for (n = 0; n < p->groups; n++) {
         kern_group_rate(path, p->m, q, s, p->group[n], rate);
         fall -= kern_three(p->y + 3 * n, rate);
@@ -5516,6 +5534,8 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
                       : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
+    if (status == KERN_UNDECIDED)
+        p->ahead = path->critical; /* no farther than is shown */
     return status;
 }
 
@@ -5542,8 +5562,7 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
     int i;
-    if ((status != KERN_FALLS || path->critical > at)
-        && !(kern_abs(path->critical - at) <= same))
+    if (status != KERN_FALLS || path->critical > at)
         path->critical = at;
     if (status != KERN_FALLS || path->critical >= at - same)
         path->exact = path->critical;
@@ -5562,47 +5581,38 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
 
 /* How a bracket is narrowed. */
 typedef struct kern_bracket {
-    kern_real aside, under;   /* from critical to where it is shown to fall, and
-                                 to stand                                     */
-    kern_real share;          /* of a bracket in which nothing is predicted   */
+    kern_real aside, under;   /* from critical to where it falls, and stands  */
+    kern_real parts;          /* of a bracket in which nothing is predicted   */
+    kern_real *wide;          /* which of these told the next place           */
 } kern_bracket;
 
-/* Where the bracket is narrowed next: beyond the critical value, where it is
-   shown to fall; before it, where it is to stand; at the value, to be verified;
-   where none lies in the bracket, at a share of that; infinity: it is narrow.
-   A part is only asked for its critical value. */
-static kern_real kern_bracket_next(const kern_path *path, const kern_bracket *n)
+/* Where the bracket is narrowed next: beyond the critical value, to fall; before
+   it, to stand; at it, to be verified; where none is inside, at a part of that;
+   infinity: it is narrow. A part is only asked for its critical value. */
+static kern_real kern_bracket_next(const kern_path *path, kern_bracket *n)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
+    kern_real next = path->part->ahead;
     if (!path->alone && path->proven.low < lo
         && kern_min(crit, hi) < lo + 2 * n->under)
         return lo; /* not proven yet */
     if (hi - lo <= n->under / 8
         || n->aside + n->under > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
+    n->wide = &n->parts;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return lo + (hi - lo) * n->share;
-    if (hi - crit > n->aside * KERN_R(1.15))
-        return crit + n->aside;
+        return lo + (hi - lo) / n->parts;
+    n->wide = &n->aside;
+    if (!(next > lo && hi - next > n->aside * KERN_R(1.15)))
+        next = crit;
+    if (hi - next > n->aside * KERN_R(1.15))
+        return next + n->aside;
+    n->wide = &n->under;
     if (!path->ipm && crit > lo
         && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
     return crit - lo > n->under * KERN_R(1.05) && !path->alone
            ? kern_max(crit - n->under, path->start) : KERN_INFINITY;
-}
-
-/* Adapts the distances and the share to the verdict at `at`. */
-static void kern_bracket_adapt(kern_bracket *n, kern_status status,
-                               kern_real at, kern_real crit, int inside)
-{
-    if (status == KERN_UNDECIDED && inside)
-        *(at > crit ? &n->aside : &n->under) *= 2;
-    else if (status == KERN_UNDECIDED)
-        n->share *= KERN_R(0.7);
-    else if (status == KERN_STANDS && !inside)
-        n->share = kern_min(2 * n->share, KERN_R(0.5));
-    else
-        n->share = KERN_NEAR;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
@@ -5615,11 +5625,10 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
     kern_bracket n;
     int round;
     n.aside = n.under = kern_aside(path);
-    n.share = KERN_NEAR;
+    n.parts = KERN_NEAR;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
         const kern_real at = kern_bracket_next(path, &n);
-        const int inside = crit >= lo && crit <= path->fails;
         const int verify = at > lo && at >= crit && at <= crit;
         kern_status status;
         if (!(at < KERN_INFINITY))
@@ -5628,9 +5637,9 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
                         : kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
-        if (!verify)
-            kern_bracket_adapt(&n, status, at, crit, inside);
-        if (status == KERN_UNDECIDED && !inside
+        if (status == KERN_UNDECIDED)
+            *n.wide *= 2;
+        if (status == KERN_UNDECIDED && n.wide == &n.parts
             && path->fails - lo <= kern_width(path) * KERN_WIDEST)
             break;
     }
@@ -6011,8 +6020,6 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
-    if (status == KERN_FALLS && path->critical <= path->start)
-        status = kern_path_evaluate(m, path, s = path->start);
     if (status == KERN_FALLS && s > path->start)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                         : KERN_UNDECIDED;
@@ -6102,6 +6109,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
     path->fails = path->exact = KERN_INFINITY;
     if (m->whole || path->kind != KERN_PATH_SHRINK)
         return kern_path_whole(m, path, step, step);
+    if (m->graph.groups <= KERN_SMALL) /* a part that falls ends it soon */
+        step *= KERN_CLIMB_GROWS;
     at = kern_path_first(m, path, step);
     round = path->part->groups > m->graph.groups / KERN_CLUSTER_AGAIN + 1
             ? KERN_FEW_ROUNDS : 0; /* no cluster is as large */
@@ -6283,7 +6292,7 @@ static void kern_raise_back(kern_raise *r, kern_real back[2])
     int k;
     for (k = 0; k < r->p->contacts; k++) {
         const kern_real *last = r->last + 4 * (size_t)k;
-        const kern_real more = r->p->dual.way[4 * (size_t)k + 3];
+        const kern_real more = r->p->dual.turn[2 * (size_t)k + 1];
         const kern_real change = r->rounds > 0 ? more - last[1] : KERN_R(0);
         const kern_real before = r->rounds > 0 ? last[3] : KERN_R(0);
         all += more * more;
@@ -6323,7 +6332,8 @@ static int kern_raise_price(kern_raise *r, int keep)
     kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
-        kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real *w = p->dual.way + 2 * (size_t)k;
+        kern_real *to = p->dual.turn + 2 * (size_t)k;
         const kern_real mu = kern_model_mu(m, i);
         const kern_real approach = w[0] + r->price[k];
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
@@ -6333,25 +6343,25 @@ static int kern_raise_price(kern_raise *r, int keep)
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
-        w[2] = mu * kern_max(slip, 0);
+        to[0] = mu * kern_max(slip, 0);
         if (keep && !(approach > 0))
-            w[2] = kern_max(w[2], r->price[k])
+            to[0] = kern_max(to[0], r->price[k])
                  + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
-        if (r->along && w[2] < r->price[k])
-            w[2] = r->price[k] + KERN_LOAD_FALL * (w[2] - r->price[k]);
-        w[3] = w[2] - r->price[k];
+        if (r->along && to[0] < r->price[k])
+            to[0] = r->price[k] + KERN_LOAD_FALL * (to[0] - r->price[k]);
+        to[1] = to[0] - r->price[k];
     }
     kern_raise_back(r, back);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real *w = p->dual.way + 4 * (size_t)k;
+        const kern_real *to = p->dual.turn + 2 * (size_t)k;
         kern_real *last = r->last + 4 * (size_t)k;
-        const kern_real change = r->rounds > 0 ? w[2] - last[0] : KERN_R(0);
-        r->price[k] = r->rounds > 0 ? kern_max(w[2] - back[0] * change
-                                               - back[1] * last[2], 0) : w[2];
+        const kern_real change = r->rounds > 0 ? to[0] - last[0] : KERN_R(0);
+        r->price[k] = r->rounds > 0 ? kern_max(to[0] - back[0] * change
+                                               - back[1] * last[2], 0) : to[0];
         last[2] = r->along ? change : KERN_R(0);
-        last[3] = r->along && r->rounds > 0 ? w[3] - last[1] : KERN_R(0);
-        last[0] = w[2];
-        last[1] = w[3];
+        last[3] = r->along && r->rounds > 0 ? to[1] - last[1] : KERN_R(0);
+        last[0] = to[0];
+        last[1] = to[1];
     }
     r->rounds++;
     return pressed && slid <= KERN_SLID * most;
@@ -8254,22 +8264,18 @@ static const kern_real *kern_lp_dense(const kern_program *lp, int j)
 { return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows; }
 
 /* y.A_j of a column, or of the place. */
-static kern_real kern_lp_dot(const kern_program *lp, int j, const kern_real *y)
+static inline kern_real kern_lp_dot(const kern_program *lp, int j,
+                                    const kern_real *y)
 {
-    const kern_real *c;
-    kern_real sum = KERN_R(0);
-    int i;
     if (lp->ends && j < lp->cols) {
         const kern_real *h = y + 3 * lp->ends[j & ~1];
         const kern_real *t = y + 3 * lp->ends[j | 1];
-        c = lp->a + 4 * (size_t)j;
+        const kern_real *c = lp->a + 4 * (size_t)j;
         return c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
                + c[3] * t[2];
     }
-    c = kern_lp_dense(lp, j);
-    for (i = 0; i < lp->rows; i++)
-        sum += c[i] * y[i];
-    return j == lp->cols ? -sum : sum;
+    return kern_dot(kern_lp_dense(lp, j), y, lp->rows)
+           * KERN_R(j == lp->cols ? -1 : 1);
 }
 
 /* v -= s * variable j */
@@ -8283,13 +8289,8 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
         h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
         t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
-    } else {
-        const kern_real *c = kern_lp_dense(lp, j);
-        int i;
-        s = j == lp->cols ? -s : s;
-        for (i = 0; i < lp->rows; i++)
-            v[i] -= s * c[i];
-    }
+    } else
+        kern_add(v, j == lp->cols ? s : -s, kern_lp_dense(lp, j), lp->rows);
 }
 
 /* Column j's entries in the rows of the group whose own it is, the first of its
@@ -8575,14 +8576,6 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
 }
 
-/* Adds a share of alpha to the values. */
-static void kern_basis_add(kern_simplex *sx, kern_real share)
-{
-    int p;
-    for (p = 0; p < sx->lp->rows; p++)
-        sx->value[p] += share * sx->alpha[p];
-}
-
 /* The basic solution. What it leaves of the right-hand side is solved for
    again until that is rounding: the inverse grows with every course of a wall,
    and one solve may lose half of the digits. Returns 0 where it is not. */
@@ -8593,7 +8586,7 @@ static int kern_basis_values(kern_simplex *sx)
     for (round = 0; round < 4 && left > 4 * KERN_EPS
                     && (left < last || round < 2); round++) {
         kern_basis_solve(sx, sx->alpha);
-        kern_basis_add(sx, KERN_R(1));
+        kern_add(sx->value, KERN_R(1), sx->alpha, sx->lp->rows);
         last = left;
         left = kern_basis_residual(sx);
     }
@@ -8616,10 +8609,9 @@ static void kern_basis_refactorise(kern_simplex *sx)
         sx->base[p] = lp->cols + 1 + p;
         sx->value[p] = KERN_R(0);
     }
+    kern_zero(f->block, 18 * f->groups);
     for (p = 0; p < 3 * f->groups; p++) {
-        kern_real *own = f->block + 6 * (size_t)p;
-        for (i = 0; i < 6; i++)
-            own[i] = KERN_R(i == p % 3);
+        f->block[6 * p + p % 3] = KERN_R(1);
         f->to[p] = lp->rows;
     }
     f->count = f->first[0] = 0;
@@ -8696,8 +8688,7 @@ static int kern_proof_mend(kern_simplex *sx, kern_real *y)
             sx->alpha[p] -= above;
     }
     kern_basis_solve_t(sx, sx->alpha);
-    for (p = 0; p < lp->rows; p++)
-        y[p] -= sx->alpha[p];
+    kern_add(y, KERN_R(-1), sx->alpha, lp->rows);
     return 1;
 }
 
@@ -8825,7 +8816,7 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
                                : kern_pivot_spend(sx, work);
     if (status != KERN_OK)
         return status;
-    kern_basis_add(sx, -step);
+    kern_add(sx->value, -step, sx->alpha, sx->lp->rows);
     if (sx->base[p] <= sx->lp->cols)
         sx->place[sx->base[p]] = KERN_OUT;
     kern_basis_enter(sx, q, p);
@@ -8847,8 +8838,8 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
-    const int limit = 200 + 20 * (lp->rows + lp->cols);
-    const int budget = 50 + 10 * lp->rows;
+    const int limit = 200 + 4 * (lp->rows + lp->cols);
+    const int budget = 50 + 2 * lp->rows;
     int count;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
@@ -8940,6 +8931,27 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
     return kern_pivot_spend(sx, work);
 }
 
+/* x := v, of the basis, as variables. */
+static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
+                            kern_real *x)
+{
+    int i;
+    kern_zero(x, sx->lp->cols + sx->lp->follow);
+    for (i = 0; i < sx->lp->rows; i++)
+        if (!kern_lp_fixed(sx->lp, sx->base[i]))
+            x[sx->base[i]] = v[i];
+}
+
+/* x := what v, which is scratch, adds to rhs, in terms of the basis, if any. */
+static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
+{
+    if (sx->state == KERN_BASIS_NONE)
+        return 0;
+    kern_basis_solve(sx, v);
+    kern_basis_read(sx, v, x);
+    return 1;
+}
+
 /* The one entry of the engine. Starts from the last basis, or that of
    kern_simplex_crash(). x is written for every verdict: one that falls leaves
    A x = rhs in it, with what is negative about it, which tells how the verdict
@@ -8951,7 +8963,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
-    const int costs = kern_lp_costs(lp), cols = lp->cols + lp->follow;
+    const int costs = kern_lp_costs(lp);
     kern_status status;
     int i, ray = KERN_OUT;
     work->solves++;
@@ -8967,15 +8979,14 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
         status = kern_simplex_run(sx, work, &ray);
     if (status < 0)
         return status;
-    for (i = 0; i < cols; i++)
-        x[i] = KERN_R(status == KERN_LP_UNBOUNDED && i == ray);
-    for (i = 0; i < lp->rows; i++) {
-        if (sx->base[i] < cols)
-            x[sx->base[i]] = status == KERN_LP_UNBOUNDED ? -sx->alpha[i]
-                                                         : sx->value[i];
+    kern_basis_read(sx, status == KERN_LP_UNBOUNDED ? sx->alpha : sx->value, x);
+    if (status == KERN_LP_UNBOUNDED) {
+        kern_scale(x, lp->cols + lp->follow, KERN_R(-1));
+        x[ray] = KERN_R(1);
+    }
+    for (i = 0; i < lp->rows; i++)
         y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
                : costs ? sx->price[i] : KERN_R(0);
-    }
     return status;
 }
 

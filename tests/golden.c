@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xb23e5f440a9d0237u },
-    { 1000, 0x3e4a6144674c6272u },
-    { 5000, 0xfc6ca7e51fd43b4bu },
+    { 200, 0x862a6821a594882fu },
+    { 1000, 0x15e1110b7933214eu },
+    { 5000, 0x79c0fcb82a2f5807u },
 #else
-    { 200, 0x1dd52869193c4664u },
-    { 1000, 0x09bbc19a84b7fb1fu },
-    { 5000, 0x619a5997ae939e7eu },
+    { 200, 0x6a3f97dddcb0b0a2u },
+    { 1000, 0x9ab29287d80618f0u },
+    { 5000, 0xa7de1ae05b63ca4fu },
 #endif
 };
 
