@@ -2301,11 +2301,14 @@ typedef struct kern_answer {
     kern_real *sum;           /* scratch, four a block                        */
 } kern_answer;
 
+enum { KERN_OPEN = 1, KERN_TRIED = 2 };
+
 /* Disjoint sets of groups that are balanced together, and which are to be. */
 typedef struct kern_clusters {
     int *last;                /* of a group: the last group of its cluster    */
     int *next;                /* of a group: the next of its cluster, cyclic  */
-    int *open;                /* of a last group: nonzero: to be balanced     */
+    int *open;                /* of a last group, or'ed: it is KERN_OPEN, to be
+                                 balanced; it was KERN_TRIED as it is         */
     int at;                   /* no cluster that is open ends before this one */
     int most;                 /* groups of one                                */
     int budget;               /* products that are left                       */
@@ -4347,7 +4350,7 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
 static void kern_pass_mark_open(kern_model *m, int g)
 {
     const int last = m->cluster.last[g];
-    m->cluster.open[last] = 1;
+    m->cluster.open[last] |= KERN_OPEN;
     if (last < m->cluster.at)
         m->cluster.at = last;
 }
@@ -4599,11 +4602,16 @@ static int kern_pass_stack(kern_model *m, kern_part *p, int last)
     return 0;
 }
 
-/* Writes the minimum-norm forces of a part. */
+/* Writes the minimum-norm forces of a part. What they open again of the groups
+   before the last rests on the part and carries it: where the part was balanced
+   before, they would go on in turns, and form one cluster. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
+    int *const of = m->cluster.last, *const open = m->cluster.open;
+    const int last = p->group[p->groups - 1], again = open[last] & KERN_TRIED;
     int k;
+    open[last] |= KERN_TRIED;
     for (k = 0; k < p->own; k++) {
         const int i = p->contact[k];
         const kern_real *w = p->dual.way + 2 * (size_t)k;
@@ -4613,6 +4621,11 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
         const int inside = p->ends[2 * k + low] < p->groups;
         kern_pass_write(m, i, inside ? m->graph.groups : on,
                         s.force, tolerance);
+        if (again && on < m->graph.groups && of[on] < last
+            && (open[of[on]] & KERN_OPEN)) {
+            kern_pass_join(m, on, last);
+            kern_pass_mark_open(m, last);
+        }
     }
 }
 
@@ -4738,7 +4751,7 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
                       : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
     for (i = 0; i < groups; i++) {
         m->cluster.last[i] = m->cluster.next[i] = i;
-        m->cluster.open[i] = !some || m->graph.block[i] == last;
+        m->cluster.open[i] = !some || m->graph.block[i] == last ? KERN_OPEN : 0;
         m->graph.local[i] = KERN_OUT; /* a part may have been open */
     }
     if (!known)
@@ -4770,12 +4783,12 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     c->budget = KERN_PASS_BUDGET * size;
     for (c->at = 0; c->at < m->graph.groups && found == KERN_STANDS; ) {
         g = c->at++;
-        if (!c->open[g])
+        if (!(c->open[g] & KERN_OPEN))
             continue;
         c->budget -= 300;
         if (c->budget < 0 || !kern_model_spend(m, 1))
             return KERN_UNDECIDED;
-        c->open[g] = 0;
+        c->open[g] -= KERN_OPEN;
         found = kern_pass_group(m, p, g);
     }
     return found;
