@@ -2301,9 +2301,9 @@ typedef struct kern_answer {
     kern_real *sum;           /* scratch, four a block                        */
 } kern_answer;
 
+/* Disjoint sets of groups that are balanced together, and which are to be. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
-/* Disjoint sets of groups that are balanced together, and which are to be. */
 typedef struct kern_clusters {
     int *last;                /* of a group: the last group of its cluster    */
     int *next;                /* of a group: the next of its cluster, cyclic  */
@@ -3735,8 +3735,8 @@ typedef struct kern_law {
 } kern_law;
 
 /* The law of rays n + mu t and n - mu t of stiffness plus and minus. */
-static inline kern_law kern_law_rays(kern_real plus, kern_real minus,
-                                     kern_real mu)
+KERN_SHARED static kern_law kern_law_rays(kern_real plus, kern_real minus,
+                                          kern_real mu)
 {
     kern_law s;
     s.nn = plus + minus;
@@ -4762,23 +4762,12 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
         i += kern_force_transfer(m, i, known->holds, shrink);
 }
 
-/* Balances group `at`, by itself or with others in a cluster. */
-static kern_status kern_pass_group(kern_model *m, kern_part *p, int at)
-{
-    const kern_status alone = m->cluster.next[at] == at
-                              ? kern_pass_alone(m, at) : KERN_UNDECIDED;
-    if (alone == KERN_STANDS
-        || (alone == KERN_FALLS && kern_pass_stack(m, p, at)))
-        return alone;
-    return kern_pass_cluster(m, p, at, alone == KERN_FALLS);
-}
-
-/* Balances all groups that must be, by m->answer.force. */
+/* Balances all groups that must be, by themselves or with others in clusters. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
     const int size = m->s->contacts + m->graph.groups;
-    kern_status found = KERN_STANDS;
+    kern_status alone, found = KERN_STANDS;
     int g;
     c->budget = KERN_PASS_BUDGET * size;
     for (c->at = 0; c->at < m->graph.groups && found == KERN_STANDS; ) {
@@ -4789,7 +4778,10 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
         if (c->budget < 0 || !kern_model_spend(m, 1))
             return KERN_UNDECIDED;
         c->open[g] -= KERN_OPEN;
-        found = kern_pass_group(m, p, g);
+        alone = c->next[g] == g ? kern_pass_alone(m, g) : KERN_UNDECIDED;
+        found = alone == KERN_STANDS
+                || (alone == KERN_FALLS && kern_pass_stack(m, p, g))
+                ? alone : kern_pass_cluster(m, p, g, alone == KERN_FALLS);
     }
     return found;
 }
@@ -4811,8 +4803,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
 
    with x~ the forces that mu demands, solved twice with one factor (Mehrotra):
    the predictor, with mu = 0, tells how small mu may be, and what the corrector
-   has to take into account. Along a path x, y, z and s begin as those of the
-   last place. */
+   has to take into account. Along a path x, y, z and s are those last found. */
 
 typedef struct kern_ipm {
     kern_part *p;             /* all groups; its x, y and eq.rhs are x, y, b  */
@@ -5115,8 +5106,7 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
     return status;
 }
 
-/* The verdict for a query: from what was found for the last, else from the
-   start. */
+/* The verdict for a query: from what was found for the last, else anew. */
 static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
