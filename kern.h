@@ -2301,14 +2301,14 @@ typedef struct kern_answer {
     kern_real *sum;           /* scratch, four a block                        */
 } kern_answer;
 
-/* Disjoint sets of groups that are balanced together, and which are to be. */
+/* States of a cluster, or'ed: to be balanced; was balanced as it is. */
 enum { KERN_OPEN = 1, KERN_TRIED = 2 };
 
+/* Disjoint sets of groups that are balanced together. */
 typedef struct kern_clusters {
     int *last;                /* of a group: the last group of its cluster    */
     int *next;                /* of a group: the next of its cluster, cyclic  */
-    int *open;                /* of a last group, or'ed: it is KERN_OPEN, to be
-                                 balanced; it was KERN_TRIED as it is         */
+    int *open;                /* of a last group: the state of its cluster    */
     int at;                   /* no cluster that is open ends before this one */
     int most;                 /* groups of one                                */
     int budget;               /* products that are left                       */
@@ -4762,7 +4762,7 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
         i += kern_force_transfer(m, i, known->holds, shrink);
 }
 
-/* Balances all groups that must be, by themselves or with others in clusters. */
+/* Balances all groups that must be, alone or with others in clusters. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
@@ -5589,9 +5589,9 @@ typedef struct kern_bracket {
     kern_real *wide;          /* which of these told the next place           */
 } kern_bracket;
 
-/* Where the bracket is narrowed next: beyond the critical value, to fall; before
-   it, to stand; at it, to be verified; where none is inside, at a part of that;
-   infinity: it is narrow. A part is only asked for its critical value. */
+/* The next place: where the basis may stop to fall; beyond the critical value,
+   to fall; before it, to stand; at it, to be verified; where none is inside, at
+   a part of the bracket. Infinity: it is narrow, or that of a part. */
 static kern_real kern_bracket_next(const kern_path *path, kern_bracket *n)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;

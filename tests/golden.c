@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x862a6821a594882fu },
-    { 1000, 0x15e1110b7933214eu },
-    { 5000, 0x79c0fcb82a2f5807u },
+    { 200, 0xd503c0a8232226c6u },
+    { 1000, 0xb70de7db5710acf7u },
+    { 5000, 0xe015a7d06b077f93u },
 #else
-    { 200, 0x6a3f97dddcb0b0a2u },
-    { 1000, 0x9ab29287d80618f0u },
-    { 5000, 0xa7de1ae05b63ca4fu },
+    { 200, 0xc35a46e93a83c6f2u },
+    { 1000, 0xf97ac9fd3b087de9u },
+    { 5000, 0x13b93381845e03afu },
 #endif
 };
 
