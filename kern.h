@@ -4853,8 +4853,7 @@ static void kern_ipm_over(kern_ipm *in)
     in->gap = kern_dot(p->x, in->z, 2 * p->contacts);
 }
 
-/* out := M^-1 b: factors M for in->d, with a share of its mean diagonal more on
-   that. */
+/* out := M^-1 b, M of in->d with a share of its mean diagonal more on that. */
 static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
                             kern_real *out)
 {
@@ -4994,8 +4993,7 @@ static void kern_ipm_balance(kern_ipm *in)
     kern_ipm_over(in);
 }
 
-/* v += what lifts its least entry to half of what it is below 0, and a little
-   of the largest */
+/* v += 1.5 times what its least entry is below 0, and a bit of its largest */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = KERN_R(0);
@@ -5090,8 +5088,7 @@ static kern_status kern_ipm_prove(kern_ipm *in, const kern_query *q)
            ? KERN_FALLS : KERN_UNDECIDED;
 }
 
-/* Steps until a proof, until rounding is all that is left, or while the gap is
-   at most `pace`, which shrinks. */
+/* Steps until a proof, while the gap is neither rounding nor above its pace. */
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
@@ -5592,7 +5589,8 @@ typedef struct kern_bracket {
 /* The next place: where the basis may stop to fall; beyond the critical value,
    to fall; before it, to stand; at it, to be verified; where none is inside, at
    a part of the bracket. Infinity: it is narrow, or that of a part. */
-static kern_real kern_bracket_next(const kern_path *path, kern_bracket *n)
+KERN_SHARED static kern_real kern_bracket_next(const kern_path *path,
+                                               kern_bracket *n)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
     kern_real next = path->part->ahead;
@@ -6023,6 +6021,8 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
+    if (status == KERN_FALLS && path->critical <= path->start)
+        status = kern_path_evaluate(m, path, s = path->start);
     if (status == KERN_FALLS && s > path->start)
         status = kern_path_critical(m, path) == KERN_STANDS ? KERN_FALLS
                                                         : KERN_UNDECIDED;

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xd503c0a8232226c6u },
-    { 1000, 0xb70de7db5710acf7u },
-    { 5000, 0xe015a7d06b077f93u },
+    { 200, 0x75dcca2148bf9882u },
+    { 1000, 0x885e8ad4cd7e10c7u },
+    { 5000, 0xeb127cf55b83430fu },
 #else
-    { 200, 0xc35a46e93a83c6f2u },
-    { 1000, 0xf97ac9fd3b087de9u },
-    { 5000, 0x13b93381845e03afu },
+    { 200, 0x2546c50463e8d027u },
+    { 1000, 0x61ad4819ca030178u },
+    { 5000, 0x50d5ec68bf0068dcu },
 #endif
 };
 
