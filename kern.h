@@ -1354,8 +1354,8 @@ extern "C" {
    angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
 #define KERN_CLIMB         KERN_R(0.1)
 #define KERN_CLIMB_PUSH    KERN_R(0.5)
-#define KERN_NEAR          KERN_R(4)    /* parts of a bracket, unpredicted    */
-#define KERN_AHEAD         KERN_R(0.4) /* of Halley's step, least Newton's    */
+#define KERN_NEAR          KERN_R(4)   /* parts of a bracket, unpredicted     */
+#define KERN_AHEAD         KERN_R(0.4) /* Newton's step in Halley's, at least */
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 
 /* ---- interior point ---- */
@@ -4268,7 +4268,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
 {
     const int *local = m->graph.local;
     int i;
-    if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 3))
+    if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 4))
         return 0;
     if (!kern_part_begin(p, m, m->graph.groups, &m->rest))
         return 0;
