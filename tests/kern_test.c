@@ -4547,7 +4547,7 @@ static void engine_bracket(void)
 
 /* ==== Linear programs ================================================ >>lp */
 
-enum { LP_ROWS = 8, LP_COLS = 24 };
+enum { LP_ROWS = 11, LP_COLS = 24 };
 
 typedef struct program {
     kern_lp lp;
@@ -4674,6 +4674,29 @@ static void lp_cycling(void)
        third, and the ray along which the second row stays 0 may be lost */
     program_set(&p, 2, 6, kuhn_open, kuhn_cost);
     CHECK_INT(program_solve(&p), KERN_LP_UNBOUNDED);
+}
+
+/* Klee and Minty's cube: the largest cost takes far more pivots than there are
+   rows; they are within the bounds on pivots. */
+static void lp_many_pivots(void)
+{
+    enum { N = 11 };
+    double a[N * (2 * N + 1)] = {0}, cost[2 * N] = {0};
+    program p;
+    int i, j;
+    if (SINGLE) /* its numbers are no floats */
+        return;
+    for (i = 0; i < N; i++) {
+        double *row = a + i * (2 * N + 1);
+        for (j = 0; j < i; j++)
+            row[j] = pow(2, i - j + 1);
+        row[i] = row[N + i] = 1;
+        row[2 * N] = pow(5, i + 1);
+        cost[i] = -pow(2, N - 1 - i);
+    }
+    program_set(&p, N, 2 * N, a, cost);
+    CHECK_INT(program_solve(&p), KERN_LP_OPTIMAL);
+    CHECK_NEAR(program_cost(&p), -pow(5, N), 1e-6);
 }
 
 /* The least cost is 0, paid by prices of (-2/35, 0): what the second one is by
@@ -11281,6 +11304,7 @@ static const test tests[] = {
 #endif
     TEST(engine_bracket),
     TEST(lp_cycling),
+    TEST(lp_many_pivots),
     TEST(lp_of_no_cost),
     TEST(lp_kinds),
     TEST(lp_random),
