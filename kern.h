@@ -8841,8 +8841,8 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
-    const int limit = 200 + 20 * (lp->rows + lp->cols);
-    const int budget = 50 + 10 * lp->rows;
+    const int limit = 200 + 32 * (lp->rows + lp->cols);
+    const int budget = 50 + 8 * lp->rows;
     int count;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
