@@ -215,8 +215,8 @@
                saturated, where it stands throughout.
      deficit   Where it falls at d = 0: the least growth d with contact points
                at p - d u (relative: p - d l u) such that it stands; infinite
-               where a growth of 1000 times the longest side of the free
-               blocks' box (relative: over the smallest l) is not enough.
+               where 10,000 mean sizes (relative: over the smallest l) are not
+               enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
@@ -1563,13 +1563,6 @@ static kern_real kern_largest(const kern_real *v, int n)
         if (!(size > kern_abs(v[i]))) /* in place: a third of all */
             size = kern_abs(v[i]);
     return size;
-}
-
-/* Makes the box empty: each corner lies beyond every place. */
-KERN_SHARED static void kern_box_empty(kern_box *box)
-{
-    box->low.x = box->low.y = KERN_INFINITY;
-    box->high.x = box->high.y = -KERN_INFINITY;
 }
 
 static void kern_box_add(kern_box *box, kern_vec p)
@@ -2972,32 +2965,16 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 }
 
 /* Grows the kerns of what falls until it stands: the critical growth, at most
-   1000 times the longest side of the box around the free blocks. */
+   10,000 mean sizes. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
-    kern_real range[2];
+    kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
     const kern_real growth = kern_is_nested(m->s, &path->q, range)
                              ? KERN_R(4) : KERN_R(1.1);
-    kern_real limit, grown;
     kern_status status;
-    kern_box whole;
-    int g;
-    kern_box_empty(&whole);
-    for (g = 0; g < m->graph.groups; g++) {
-        const kern_block *b = m->s->block + m->graph.block[g];
-        const kern_real half = kern_block_size(b) / 2;
-        const kern_vec way = kern_vec_make(half, half);
-        kern_box_add(&whole, b->vertices ? b->box.low
-                                         : kern_vec_sub(b->centre, way));
-        kern_box_add(&whole, b->vertices ? b->box.high
-                                         : kern_vec_add(b->centre, way));
-    }
-    limit = 1000 * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
-    if (path->q.relative)
-        limit = range[0] < KERN_INFINITY ? limit / range[0] : KERN_R(1);
+    limit = KERN_R(1e4) * m->mean / (path->q.relative ? range[0] : KERN_R(1));
     path->start = -limit;
-    for (grown = path->unit * KERN_R(0.001); ;
-         grown = kern_min(grown * growth, limit)) {
+    for (; ; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
         if (status != KERN_FALLS && status != KERN_UNDECIDED)
             break;
@@ -7055,7 +7032,7 @@ static kern_real kern_polygon_area(kern_block *block)
     kern_real spread = KERN_R(0);
     int i;
     block->area = KERN_R(0);
-    kern_box_empty(&block->box);
+    block->box.low = block->box.high = o;
     for (i = 0; i < block->vertices; i++) {
         const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
         const kern_vec w = kern_vec_sub(
@@ -7180,24 +7157,28 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 /* The search goes along the edges of one block. The depth in the other changes
    by no more than the way, so each depth gives a step that is safe. */
 
+/* Is no vertex farther to the left of a line along d than that? */
+static int kern_overlap_right(const kern_block *b, kern_vec from, kern_vec d,
+                              kern_real most)
+{
+    int k;
+    for (k = 0; k < b->vertices; k++)
+        if (kern_vec_cross(d, kern_vec_sub(b->vertex[k], from)) > most)
+            return 0;
+    return 1;
+}
+
 /* Does the line of an edge of a separate the two, with b right of it and a left
    of it, but for half a gap? As a rule one of a convex pair does. */
 static int kern_overlap_parted(const kern_block *a, const kern_block *b,
                                kern_real gap)
 {
     kern_edge e;
-    int i, k;
+    int i;
     for (i = 0; i < a->vertices; i++) {
         kern_edge_set(&e, a, i, kern_polygon_next(a, i, 0));
-        for (k = 0; k < b->vertices; k++)
-            if (kern_vec_cross(e.d, kern_vec_sub(b->vertex[k], e.p)) > gap / 2)
-                break;
-        if (k < b->vertices)
-            continue;
-        for (k = 0; k < a->vertices; k++)
-            if (kern_vec_cross(e.d, kern_vec_sub(a->vertex[k], e.p)) < -gap / 2)
-                break;
-        if (k == a->vertices)
+        if (kern_overlap_right(b, e.p, e.d, gap / 2)
+            && kern_overlap_right(a, e.p, kern_vec_scale(e.d, -1), gap / 2))
             return 1;
     }
     return 0;
@@ -7323,14 +7304,14 @@ static int kern_span_split(const kern_outline *o, const kern_span *span,
     const kern_vec d = kern_vec_sub(q, p);
     int i = span->start, at = span->end;
     most *= most;
-    while ((i = kern_outline_corner(o, i)) != span->end) {
+    do {
         const kern_vec r = kern_vec_sub(p, o->block->vertex[i]);
         const kern_real square = kern_edge_square(r, kern_vec_add(r, d));
         if (square > most) {
             most = square;
             at = i;
         }
-    }
+    } while ((i = kern_outline_corner(o, i)) != span->end);
     return at;
 }
 
@@ -7345,8 +7326,7 @@ static void kern_outline_whole(kern_outline *o)
     kern_real riser = KERN_R(0), before = KERN_INFINITY;
     int i = kern_outline_corner(o, block->vertices - 1);
     whole->start = whole->end = i;
-    i = kern_span_split(o, whole, c, c,
-                        kern_vec_length(kern_vec_sub(block->vertex[i], c)));
+    i = kern_span_split(o, whole, c, c, KERN_R(0));
     whole->start = whole->end = i;
     whole->steps = -1;
     o->spans = 1;
