@@ -899,10 +899,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    kern_measure(), 0 where it falls.
      low   Margin without doubtful contacts: of the blocks that carry a block
            only that with the widest bed, as gravity sees it, is kept; kerns are
-           shorter by 3.5 e, friction angles less by 3 theta.
+           shorter by 3.4 e, friction angles less by 3 theta.
      high  Margin with every contact that may exist: twice the error allowed in
-           gaps and angles, kerns longer by 3.5 e, friction angles more by 3
-           theta. Where it stands, at least `margin` + 3.5 e (relative:
+           gaps and angles, kerns longer by 3.4 e, friction angles more by 3
+           theta. Where it stands, at least `margin` + 3.4 e (relative:
            `margin`).
    A larger error never makes a fall certain, and lowers `low` for the same
    contacts. Errors are absolute in relative mode too. contact[0..room) receives
@@ -990,11 +990,9 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
    it. The travel of lone points (options.lone) is taken to stay as it is.
    KERN_OK, or KERN_UNDECIDED where the margin is saturated or does not move.
    With narrow 0. Time: O(B + C), 0.03 of that of the margin. */
-KERN_API kern_status kern_sensitivity(const kern_task *task,
-                                      const kern_margin *margin,
-                                      const kern_proof *proof,
-                                      kern_contact_rate *contact,
-                                      kern_block_rate *block);
+KERN_API kern_status kern_sensitivity(
+    const kern_task *task, const kern_margin *margin, const kern_proof *proof,
+    kern_contact_rate *contact, kern_block_rate *block);
 
 /* The deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0. KERN_FALLS: it
    is written. KERN_LIMIT: how far kerns must grow at least, -1 where the
@@ -1021,11 +1019,9 @@ KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof);
 
 /* The same for pattern[0..blocks): a wrench about each free block's centre. */
-KERN_API kern_status kern_load_factor_of(const kern_task *task,
-                                         kern_real shrink,
-                                         const kern_wrench *pattern,
-                                         kern_real *factor,
-                                         const kern_proof *proof);
+KERN_API kern_status kern_load_factor_of(
+    const kern_task *task, kern_real shrink, const kern_wrench *pattern,
+    kern_real *factor, const kern_proof *proof);
 
 /* The load factor of Coulomb friction, from rest: stones that slide need not
    part. *factor is the largest multiple of the load with forces that it raises,
@@ -1039,11 +1035,9 @@ KERN_API kern_status kern_load_factor_of(const kern_task *task,
    KERN_FALLS: it falls at 0. KERN_UNDECIDED also where nothing shows that its
    own weight raises the forces; *factor stays. Time: 8 load factors in the
    median of settled stones, 13 on walls that slide (9.5 of 40 to 60 blocks). */
-KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
-                                      kern_side side,
-                                      const kern_wrench *pattern,
-                                      kern_real *factor,
-                                      const kern_proof *proof);
+KERN_API kern_status kern_raised_load(
+    const kern_task *task, kern_real shrink, kern_side side,
+    const kern_wrench *pattern, kern_real *factor, const kern_proof *proof);
 
 /* The first angle [rad] at which it falls when gravity turns toward a side.
    KERN_STANDS: *angle; proof and all else as in kern_load_factor(). */
@@ -2813,23 +2807,19 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->kind = KERN_PATH_SHRINK;
     path->part = &c->part;
     path->proof = NULL;
-    path->warm.fails = KERN_R(0);
-    path->alone = 0;
+    path->alone = path->never = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
-    path->start = path->end = KERN_R(0);
+    path->start = path->end = path->warm.fails = KERN_R(0);
     path->holds = path->fails = path->critical = KERN_R(0);
     path->proven.low = KERN_R(-1);
     path->proven.high = path->exact = KERN_INFINITY;
-    path->never = 0;
     return kern_model_open(&c->m, task, &path->q);
 }
 
 /* The same of a call whose answer is a number: -1 where it ends unread. */
-KERN_SHARED static kern_status kern_number_open(kern_call *c,
-                                                const kern_task *task,
-                                                kern_real shrink,
-                                                kern_real *number)
+KERN_SHARED static kern_status kern_number_open(
+    kern_call *c, const kern_task *task, kern_real shrink, kern_real *number)
 {
     const kern_status status = kern_call_open(c, task, shrink, number);
     if (status == KERN_LIMIT)
@@ -2851,9 +2841,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
 /* The margin, and with it the level. Where kerns are nested the verdicts beside
    the margin tell the level; else a literal scan first, which bounds it. */
-KERN_SHARED static kern_status kern_measure_path(kern_model *m,
-                                                 kern_path *path, int nested,
-                                                 int last, kern_margin *out)
+KERN_SHARED static kern_status kern_measure_path(
+    kern_model *m, kern_path *path, int nested, int last, kern_margin *out)
 {
     kern_status status = nested
         ? kern_path_search(m, path)
@@ -3139,11 +3128,9 @@ KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
                     proof);
 }
 
-KERN_API kern_status kern_load_factor_of(const kern_task *task,
-                                         kern_real shrink,
-                                         const kern_wrench *pattern,
-                                         kern_real *factor,
-                                         const kern_proof *proof)
+KERN_API kern_status kern_load_factor_of(
+    const kern_task *task, kern_real shrink, const kern_wrench *pattern,
+    kern_real *factor, const kern_proof *proof)
 {
     kern_call c;
     return pattern ? kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
@@ -3403,8 +3390,7 @@ static void kern_critical_blocks(const kern_structure *s,
         if (!(most > 0))
             return;
         for (i = 0; i < s->blocks; i++)
-            if (i == lead || (out->group[i] == none
-                              && kern_as_one(s, motion, lead, i)))
+            if (out->group[i] == none && kern_as_one(s, motion, lead, i))
                 out->group[i] = out->groups;
     }
 }
@@ -3521,11 +3507,9 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
     }
 }
 
-KERN_API kern_status kern_sensitivity(const kern_task *task,
-                                      const kern_margin *margin,
-                                      const kern_proof *proof,
-                                      kern_contact_rate *contact,
-                                      kern_block_rate *block)
+KERN_API kern_status kern_sensitivity(
+    const kern_task *task, const kern_margin *margin, const kern_proof *proof,
+    kern_contact_rate *contact, kern_block_rate *block)
 {
     kern_query q;
     kern_real gain = KERN_R(0), most = KERN_R(0);
@@ -6747,12 +6731,10 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    of two edges, 0.7 sizes long, by 2 theta^2, and as much for their ends. */
 #define KERN_ERROR_GAP     KERN_R(5.25)
 #define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre;
-                                           twice that, with the ends: angles  */
+                                           twice that, with the ends: angles;
+                                           of place, by which kerns change    */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 #define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; of angle: of cones */
-/* Where a verdict is to be certain, in errors: */
-#define KERN_CERTAIN_SHIFT  KERN_R(3.5)  /* of place, by which kerns change   */
-#define KERN_CERTAIN_WIDE   KERN_R(2.0)  /* times that gaps and angles allow  */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
    an image of 900 a stone must not hold. At 2 a kerb of two gaps would go. */
 #define KERN_RISER      KERN_R(1.6)
@@ -6771,8 +6753,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 #define KERN_GOES_ON    KERN_R(0.5)
 /* Share of the gap that overlap may be deeper unseen: less takes more steps. */
 #define KERN_STRIDE     KERN_R(0.0625)
-/* Of these, beside 8 a vertex, before they double: at 100 a search takes 1 %
-   more; and most triangles of a size that are tried for an inner point. */
+/* By such a share of itself a stride grows; and most triangles of a size that
+   are tried for an inner point. */
 #define KERN_STRIDES    64
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
@@ -7011,14 +6993,15 @@ static kern_status kern_polygon_simple(const kern_block *block,
     o.straight = 0; /* from vertex to vertex, which costs less */
     e.at = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
-        fault->index = e.at;
-        if (kern_polygon_turn(block, e.at) == 2)
-            return KERN_CROSSING;
+        int touch = kern_polygon_turn(block, e.at) == 2;
         f = e;
-        while (kern_edge_next(&f, &o, &e.box, 0))
-            if (f.start != e.end && f.end != e.start
-                && !kern_one_side(&e, &f) && !kern_one_side(&f, &e))
-                return KERN_CROSSING;
+        while (!touch && kern_edge_next(&f, &o, &e.box, 0))
+            touch = f.start != e.end && f.end != e.start
+                    && !kern_one_side(&e, &f) && !kern_one_side(&f, &e);
+        if (touch) {
+            fault->index = e.at;
+            return KERN_CROSSING;
+        }
     }
     return KERN_OK;
 }
@@ -7063,10 +7046,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     if (!(spread > least)) /* all vertices on one line */
         return KERN_NO_AREA;
     status = kern_polygon_simple(block, fault);
-    if (status < 0)
-        return status;
-    fault->index = -1;
-    return kern_abs(block->area) > least ? KERN_OK : KERN_NO_AREA;
+    return status < 0 || kern_abs(block->area) > least ? status : KERN_NO_AREA;
 }
 
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *vertex,
@@ -7148,8 +7128,8 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
    3. Edges: each two whose boxes are within the gap make a line contact
       (kern_pair_line()) or a point contact (kern_pair_point()).
    4. Steps: contacts go to the chords of an outline (kern_outline_chord()).
-   5. Faces: points next to a line are dropped (kern_pair_filter()), and what
-      lies on one line is merged (kern_pair_face()).
+   5. Faces: what lies on one line is merged (kern_pair_face()), and points
+      next to it are dropped.
    6. Travels: kern_point_travels(). When what: >>rules.
    At the end each line becomes two contact points. */
 
@@ -7185,8 +7165,8 @@ static int kern_overlap_parted(const kern_block *a, const kern_block *b,
 }
 
 /* Raises *deep to the depth in b of the boundary of a, but for a stride; beyond
-   `enough` it goes no further. From some number on the steps along an edge
-   double: a gap of a few roundings takes no end of them otherwise. */
+   `enough` it goes no further. Steps along an edge grow: a gap of a few
+   roundings takes no end of them otherwise. */
 static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
@@ -7195,7 +7175,6 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
         kern_real s, step, low, stride = *deep * KERN_STRIDE;
-        int left = KERN_STRIDES * (8 + b->block->vertices) / 8;
         for (s = 0; s < e.length; s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
@@ -7212,8 +7191,7 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
             kern_clip(&low, &step, kern_vec_cross(kern_vec_sub(at, f.p), f.d),
                       kern_vec_cross(e.d, f.d), -*deep, *deep);
             step = kern_max(low > 0 ? KERN_R(0) : step, *deep - depth + stride);
-            if (--left < 0)
-                stride *= 2;
+            stride += stride / KERN_STRIDES;
         }
     }
 }
@@ -7410,18 +7388,14 @@ static kern_vec kern_line_end(const kern_contact *line, int side)
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
+    const kern_contact made = {pair->a, pair->b, half > 0, p, n, 0, half};
     kern_contact *at = pair->out;
     int i = pair->count++;
     if (i >= pair->room)
         return;
     for (; i > pair->first && at[i - 1].travel < half; i--)
         at[i] = at[i - 1];
-    at[i].a = pair->a;
-    at[i].b = pair->b;
-    at[i].line = half > 0;
-    at[i].p = p;
-    at[i].n = n;
-    at[i].travel = half;
+    at[i] = made;
 }
 
 /* Do the ways run against each other, within the angle? */
@@ -7491,9 +7465,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(pair->of[0].reflex || pair->of[1].reflex)
-        || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
-             | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
+    if (!(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
+          | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
@@ -7617,55 +7590,33 @@ static void kern_pair_edges(kern_pair *pair)
 
 /* ---- faces ---- */
 /* The longest contact leads a face; all others with its normal and on its line
-   join it. The rest moves up in order, and its first leads the next face. */
-
-/* Is it a line that passes within the gap of the point, about as inclined? */
-static int kern_line_passes(const kern_contact *line, const kern_contact *point,
-                            kern_real gap)
-{
-    const kern_vec r = kern_vec_sub(point->p, line->p);
-    const kern_real off = kern_vec_dot(r, line->n);
-    const kern_real beyond = kern_max(
-        kern_abs(kern_vec_cross(line->n, r)) - line->travel, KERN_R(0));
-    return line->line && kern_vec_dot(line->n, point->n) > 0
-           && kern_abs(kern_vec_cross(line->n, point->n)) < KERN_SAME_FACE
-           && off * off + beyond * beyond <= gap * gap;
-}
-
-/* Leaves out the points that belong to a line: lines come first. */
-static void kern_pair_filter(kern_pair *pair)
-{
-    kern_contact *at = pair->out;
-    int i, line, kept = pair->first;
-    for (i = kept; i < pair->count; i++) {
-        line = at[i].line ? kept : pair->first;
-        while (line < kept && !kern_line_passes(&at[line], &at[i], pair->gap))
-            line++;
-        if (line == kept)
-            at[kept++] = at[i];
-    }
-    pair->count = kept;
-}
+   join it, lines first. A point about as inclined, and within the gap of a line
+   with what has joined it, is left out. The rest moves up in order, and its
+   first leads the next face. */
 
 /* Makes a face of contact i and all that join it. */
 static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *at = pair->out;
-    const kern_contact lead = at[i];
-    kern_vec low = lead.p, high = lead.p; /* outermost points            */
+    const kern_contact *const lead = &at[i];
+    kern_vec low = lead->p, high = lead->p; /* outermost points            */
     kern_real least = KERN_R(0), most = KERN_R(0); /* where they are     */
     kern_vec sum = kern_vec_make(KERN_R(0), KERN_R(0)); /* of normals    */
     kern_real half;
     int k, rest = i + 1;
     for (k = i; k < pair->count; k++) { /* itself first */
         const kern_contact *c = &at[k];
-        const kern_vec r = kern_vec_sub(c->p, lead.p);
-        const kern_real cosine = kern_vec_dot(lead.n, c->n);
-        const kern_real sine = kern_abs(kern_vec_cross(lead.n, c->n));
-        const kern_real along = kern_vec_cross(lead.n, r);
+        const kern_vec r = kern_vec_sub(c->p, lead->p);
+        const kern_real cosine = kern_vec_dot(lead->n, c->n);
+        const kern_real sine = kern_abs(kern_vec_cross(lead->n, c->n));
+        const kern_real along = kern_vec_cross(lead->n, r);
+        const kern_real off = kern_abs(kern_vec_dot(lead->n, r));
+        if (lead->line && !c->line && cosine > 0 && sine < KERN_SAME_FACE
+            && kern_max(off, kern_max(least - along, along - most))
+               <= pair->gap)
+            continue;
         if (!(cosine > 0) || sine > pair->sine
-            || kern_abs(kern_vec_dot(lead.n, r)) + c->travel * sine
-               > pair->gap) {
+            || off + c->travel * sine > pair->gap) {
             at[rest++] = *c;
             continue;
         }
@@ -7848,7 +7799,6 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     kern_pair_edges(pair);
     if (pair->count > pair->room)
         return KERN_NO_SPACE;
-    kern_pair_filter(pair);
     for (k = pair->first; k < pair->count; k++)
         kern_pair_face(pair, k);
     kern_point_travels(pair->out + pair->first, pair->count - pair->first,
@@ -8065,13 +8015,9 @@ KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
                                 kern_known known, kern_work *work)
 {
-    kern_plan plan;
-    plan.task = kern_task_of(block, 0, contact, 0, work);
+    kern_plan plan = {kern_task_of(block, 0, contact, 0, work), block, blocks,
+                      contact, contacts};
     plan.task.known = known;
-    plan.block = block;
-    plan.block_room = blocks;
-    plan.contact = contact;
-    plan.contact_room = contacts;
     return plan;
 }
 
@@ -9138,10 +9084,14 @@ KERN_API kern_options kern_defaults(void)
     return o;
 }
 
+/* The options, or for NULL the defaults. */
+KERN_SHARED static kern_options kern_options_of(const kern_options *options)
+{ return options ? *options : kern_defaults(); }
+
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta)
 {
-    kern_options o = options ? *options : kern_defaults();
+    kern_options o = kern_options_of(options);
     o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
     o.pose_turn = theta;
     o.gap = KERN_ERROR_GAP * e;
@@ -9250,7 +9200,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
-    by = KERN_CERTAIN_SHIFT * task->options.pose_error;
+    by = KERN_ERROR_SWING * task->options.pose_error;
     turn = KERN_ERROR_EDGE * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = KERN_INFINITY;
@@ -9270,8 +9220,8 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     if (status < KERN_UNDECIDED)
         return status;
     other.options = kern_measured_options(
-        &other.options, KERN_CERTAIN_WIDE * task->options.pose_error,
-        KERN_CERTAIN_WIDE * task->options.pose_turn);
+        &other.options, 2 * task->options.pose_error,
+        2 * task->options.pose_turn);
     other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
                                      &other.options, contact, room, task->work);
     kern_contacts_err(contact, other.s.contacts, -by, -turn);
@@ -9289,7 +9239,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 KERN_API kern_options kern_near(const kern_options *options,
                                 kern_real mean_size)
 {
-    kern_options o = options ? *options : kern_defaults();
+    kern_options o = kern_options_of(options);
     o.gap = kern_max(o.gap, KERN_NEAR_GAP * mean_size);
     o.angle = kern_max(o.angle, KERN_NEAR_ANGLE);
     return o;
