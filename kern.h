@@ -270,15 +270,11 @@
    Whether a stone stays where it is let go. kern_stays() gives the chance: let
    go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
    times in another simulator (tests/truth.c): 630 stay, 205 move, 134 depend on
-   its noise and count as not staying. Each half, by the scale of the other:
-
-       chance    stays kept    moves rejected    unclear rejected
-       0.3             0.96              0.94                0.75
-       0.5             0.95              0.97                0.78
-       0.7             0.93              0.98                0.87
-       0.9             0.85             0.995                0.95
-
-   Both halves chose the form of the law. ROC curve, and fit of chances: README.
+   its noise and count as not staying. Each half, by the scale of the other, let
+   go from a chance of 0.3, 0.5, 0.7 or 0.9 on: 96, 95, 93 or 85 % of what stays
+   is let go; 94, 97, 98 or 99.5 % of what moves and 75, 78, 87 or 95 % of what
+   is unclear is not. Both halves chose the form of the law. ROC curve, and fit
+   of chances: README.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -754,7 +750,7 @@ typedef struct kern_lp {
    Numbers that cannot be squared or multiplied safely are refused, with the
    block in the fault: a mass or area out of the range of kern_block_init()
    (KERN_BAD_MASS, KERN_NO_AREA); as KERN_BAD_NUMBER an option, centre, place or
-   travel above 1e100 m, an area above 1e200 m^2, weight and load of a free
+   travel above 1e60 m, an area above 1e120 m^2, weight and load of a free
    block together above 1e100 N, or below 1e-100 N and not 0 (float: 1e10 m,
    1e15 N, 1e-15 N). */
 
@@ -801,7 +797,7 @@ KERN_API void kern_work_need(int blocks, int contacts,
    have moved, call this again. fault may be NULL; its index is the vertex. A
    failed call leaves no block: others return KERN_NO_BLOCK for it.
    KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER (also
-   above 1e100, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
+   above 1e60, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
    [m^2]), KERN_CROSSING (also where the last vertex repeats the first, as in
    closed rings of other formats), KERN_BAD_MASS (density not above 0, or a mass
    below 1e-100 or above 1e100 [kg]; float: 1e-15, 1e15). Time: O(n) for n
@@ -1248,15 +1244,12 @@ extern "C" {
 
 /* ---- what may be asked ---- */
 
-/* Largest mass [kg] and sum of all that acts on a block [N], the least of both
-   being its inverse; least size of a block [m], least power of a motion [W]: of
-   these the squares, the moments and products with KERN_BOUND are numbers, and
-   keep all digits. */
+/* Largest mass [kg] and sum of all that acts on a block [N], largest coordinate
+   and option [m]. Inverse, they are the least mass, sum and size of a block;
+   1 / KERN_HEAVY^2 is the least power of a motion [W]. Of these the squares,
+   moments and products with KERN_BOUND are numbers, and keep all digits. */
 #define KERN_HEAVY         KERN_PICK(1e100, 1e15)
-#define KERN_LEAST_SIZE    KERN_PICK(1e-60, 1e-10)
-#define KERN_LEAST         KERN_PICK(1e-290, 1e-35)
-/* Largest coordinate and gap [m]: the moment of a polygon is still a number. */
-#define KERN_FAR           KERN_PICK(1e100, 1e10)
+#define KERN_FAR           KERN_PICK(1e60, 1e10)
 /* Share of the mean block size below which a travel is rounding. */
 #define KERN_TRAVEL        KERN_R(1e-9)
 /* Share of the size: the default gap, the length of the shortest line, and how
@@ -1975,7 +1968,7 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
         return KERN_BAD_NUMBER;
     if (b->fixed)
         return KERN_OK;
-    if (!(size >= KERN_LEAST_SIZE))
+    if (!(size >= 1 / KERN_FAR))
         return KERN_NO_AREA;
     if (!(b->mass >= 1 / KERN_HEAVY) || b->mass > KERN_HEAVY)
         return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
@@ -2072,13 +2065,12 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
 /* From the caller's data alone. An error is a share of what is allowed.
 
    Forces prove "stands": each in its cone, the residual of every equilibrium
-   row within KERN_TOL of what acts on the block (or within the rounding of
-   the forces that meet there), all together not above KERN_BOUND times the
-   weight. A motion proves "falls": its power exceeds its own rounding and
-   KERN_BOUND times the weight of what moves times the worst speed at which it
-   closes a contact, taken together: even forces of that size could not hold
-   it. The speed counts with all that rounding may have taken from it, so such
-   a motion is a proof without rounding as well. */
+   row within KERN_TOL of what acts on the block (or within the rounding of the
+   forces that meet there), their sum at most KERN_BOUND times the weight. A
+   motion proves "falls": its power exceeds its own rounding plus KERN_BOUND
+   times the weight of what moves times the highest speed at which it closes a
+   contact: forces of that sum could not hold it. The speed includes all that
+   rounding may have taken from it: the proof holds without rounding as well. */
 
 /* What is left over in the rows of all free blocks, under contact forces of
    `sum`, four a block, as a share of what is allowed, and all normal forces,
@@ -2113,46 +2105,36 @@ static kern_real kern_prove_rows(const kern_structure *s,
     return error <= 1 ? error : kern_max(error, KERN_R(2));
 }
 
-/* Adds a force of contact c to its blocks' sums; 0: it is not in its cone. */
-static inline int kern_prove_contact(const kern_structure *s,
-                                     const kern_query *q, const kern_contact *c,
-                                     const kern_force *force, kern_real by,
-                                     kern_real *sum)
-{
-    const kern_real f = force->normal, r = force->tangential;
-    const kern_real fx = f * c->n.x - r * c->n.y;
-    const kern_real fy = f * c->n.y + r * c->n.x;
-    kern_vec arm[2];
-    int end;
-    kern_arms(s, c, q, arm);
-    for (end = 0; end < 2; end++) {
-        kern_real *at = sum + 4 * (end ? c->b : c->a);
-        const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-        at[0] += sign * fx;
-        at[1] += sign * fy;
-        at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
-        at[3] = kern_max(at[3], f);
-    }
-    return f >= 0 && kern_abs(r) <= kern_friction(c, by) * f
-                                    * (1 + 8 * KERN_EPS);
-}
-
 /* `sum` is scratch, four a block. */
 static kern_real kern_prove_forces(const kern_structure *s,
                                    const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
-    const kern_real reduction = kern_reduction(q);
+    const kern_real by = kern_reduction(q);
     kern_real total = KERN_R(0);
-    int i;
+    int i, end;
     kern_zero(sum, 4 * s->blocks);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
+        const kern_real f = force[i].normal, r = force[i].tangential;
+        const kern_real fx = f * c->n.x - r * c->n.y;
+        const kern_real fy = f * c->n.y + r * c->n.x;
+        kern_vec arm[2];
         if (kern_is_out(q, c))
             continue;
-        if (!kern_prove_contact(s, q, c, force + i, reduction, sum))
-            return KERN_INFINITY;
-        total += force[i].normal;
+        if (!(f >= 0) || !(kern_abs(r) <= kern_friction(c, by) * f
+                                          * (1 + 8 * KERN_EPS)))
+            return KERN_INFINITY; /* not in its cone */
+        kern_arms(s, c, q, arm);
+        for (end = 0; end < 2; end++) {
+            kern_real *at = sum + 4 * (end ? c->b : c->a);
+            const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
+            at[0] += sign * fx;
+            at[1] += sign * fy;
+            at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
+            at[3] = kern_max(at[3], f);
+        }
+        total += f;
     }
     return kern_prove_rows(s, q, sum, total);
 }
@@ -2182,7 +2164,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     lost.y += 5 * kern_abs(v.y);
     gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
     return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
-           + KERN_EPS / 2 * gap + KERN_LEAST;
+           + KERN_EPS / 2 * gap + 1 / (KERN_HEAVY * KERN_HEAVY);
 }
 
 /* The speed of a block that rests is 0. */
@@ -2224,7 +2206,8 @@ static kern_real kern_prove_motion(const kern_structure *s,
         terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
     }
     weight *= KERN_BOUND;
-    if (!(power > KERN_LEAST) || !kern_is_finite(terms + weight))
+    if (!(power > 1 / (KERN_HEAVY * KERN_HEAVY))
+        || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
     /* a stone laid last is the first that may stop it */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
@@ -2873,7 +2856,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     kern_path *const path = &c->path;
     kern_real range[2], steps;
     const int nested = kern_is_nested(&task->s, &path->q, range);
-    kern_margin r;
+    kern_margin r = {0, 0, 0, range[1], task->options.epsilon, 0, 0};
     kern_status status;
     int last;
     path->proof = proof;
@@ -2881,12 +2864,9 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
         path->warm = *known;
         kern_model_know(&c->m, known);
     }
-    path->end = r.most = range[1];
-    r.epsilon = task->options.epsilon;
+    path->end = r.most;
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * c->m.mean;
-    r.margin = r.holds = r.fails = KERN_R(0);
-    r.level = r.saturated = 0;
     steps = r.most / r.epsilon;
     if (!(steps <= KERN_POINTS_MOST))
         return KERN_BAD_STEP;
@@ -3218,18 +3198,16 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
     return KERN_OK;
 }
 
-/* e^-x for x >= 0, the first terms of its series squared ten times: libm may
-   differ from machine to machine. Within 2e-4 of itself up to x = 10. */
+/* e^-x for x >= 0, by the first terms of the series of e^x squared ten times:
+   libm may differ from machine to machine. Within 2e-4 of itself up to 10. */
 static kern_real kern_decay(kern_real x)
 {
     const kern_real t = x / KERN_R(1024);
-    kern_real y = 1 - t + t * t / 2;
+    kern_real y = 1 + t + t * t / 2;
     int i;
-    if (x > 40)
-        return KERN_R(0);
     for (i = 0; i < 10; i++)
         y *= y;
-    return y;
+    return 1 / y;
 }
 
 /* A stone's chance to fall times how far, above the lowest of them: the sum. */
@@ -3453,22 +3431,6 @@ static kern_real kern_contact_gain(const kern_structure *s,
     return -rate * spin * f;
 }
 
-/* How far along the contact its point is from the block's nearest corner. */
-static kern_real kern_corner_off(const kern_block *b, const kern_contact *c,
-                                 kern_real gap)
-{
-    const kern_real high = KERN_GAP * kern_block_size(b) + gap;
-    kern_real least = KERN_INFINITY;
-    int i;
-    for (i = 0; i < b->vertices; i++) {
-        const kern_vec r = kern_vec_sub(b->vertex[i], c->p);
-        const kern_real off = kern_abs(kern_vec_cross(c->n, r));
-        if (off < least && kern_abs(kern_vec_dot(c->n, r)) <= high)
-            least = off;
-    }
-    return least;
-}
-
 /* What the blocks of contact i move of it, as the search would find it; pair is
    the other end of its line, or i. Line: corners take ends along, which stay
    midway between the edges; normal and middle take half of what an end does.
@@ -3481,13 +3443,21 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
     const kern_real along = kern_vec_dot(rate[i].p, t)
                             + (rate[pair].travel - rate[i].travel) / 2;
     const kern_real across = kern_vec_dot(rate[i].p, c->n);
-    kern_real off[2];
-    int end;
+    kern_real off[2]; /* along the contact to the nearest corner */
+    int end, k;
     if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
         return;
-    for (end = 0; end < 2; end++)
-        off[end] = kern_corner_off(task->s.block + (end ? c->b : c->a), c,
-                                   task->options.gap);
+    for (end = 0; end < 2; end++) {
+        const kern_block *b = task->s.block + (end ? c->b : c->a);
+        off[end] = KERN_INFINITY;
+        for (k = 0; k < b->vertices; k++) {
+            const kern_vec r = kern_vec_sub(b->vertex[k], c->p);
+            const kern_real at = kern_abs(kern_vec_cross(c->n, r));
+            if (at < off[end] && kern_abs(kern_vec_dot(c->n, r))
+                <= KERN_GAP * kern_block_size(b) + task->options.gap)
+                off[end] = at;
+        }
+    }
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         const kern_vec r = kern_vec_sub(c->p, b->centre);
@@ -3513,7 +3483,7 @@ KERN_API kern_status kern_sensitivity(
 {
     kern_query q;
     kern_real gain = KERN_R(0), most = KERN_R(0);
-    int i;
+    int i, end, line;
     kern_status status = kern_query_check(
         task, margin ? margin->margin : KERN_R(0),
         margin && proof && proof->force && proof->motion && contact ? block
@@ -3539,12 +3509,10 @@ KERN_API kern_status kern_sensitivity(
             v->spin * (g.y * mass), -v->spin * (g.x * mass));
         block[i].mass = g.x * v->vx + g.y * v->vy;
     }
-    for (i = 0; i < task->s.contacts; i++) {
-        const int line = kern_line_begins(task->s.contact, task->s.contacts, i);
-        kern_pose_gain(task, contact, i, i + line, block);
-        if (line)
-            kern_pose_gain(task, contact, i + 1, i, block);
-        i += line;
+    for (i = 0; i < task->s.contacts; i += 1 + line) {
+        line = kern_line_begins(task->s.contact, task->s.contacts, i);
+        for (end = 0; end <= line; end++)
+            kern_pose_gain(task, contact, i + end, i + line - end, block);
     }
     kern_scale(contact, 5 * task->s.contacts, -1 / gain);
     kern_scale(block, 9 * task->s.blocks, -1 / gain);
@@ -7042,7 +7010,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
     spread = kern_polygon_area(block);
     least = KERN_FLOOR * kern_box_largest(&block->box) *
             kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
-    least = kern_max(least, KERN_LEAST_SIZE * KERN_LEAST_SIZE);
+    least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
     if (!(spread > least)) /* all vertices on one line */
         return KERN_NO_AREA;
     status = kern_polygon_simple(block, fault);
@@ -7137,31 +7105,16 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
 /* The search goes along the edges of one block. The depth in the other changes
    by no more than the way, so each depth gives a step that is safe. */
 
-/* Is no vertex farther to the left of a line along d than that? */
-static int kern_overlap_right(const kern_block *b, kern_vec from, kern_vec d,
-                              kern_real most)
+/* Is no vertex farther than that to a side of an edge, 1 its left, -1 right? */
+static int kern_overlap_beside(const kern_edge *e, const kern_block *b,
+                               kern_real side, kern_real most)
 {
+    const kern_vec d = kern_vec_scale(e->d, side);
     int k;
     for (k = 0; k < b->vertices; k++)
-        if (kern_vec_cross(d, kern_vec_sub(b->vertex[k], from)) > most)
+        if (kern_vec_cross(d, kern_vec_sub(b->vertex[k], e->p)) > most)
             return 0;
     return 1;
-}
-
-/* Does the line of an edge of a separate the two, with b right of it and a left
-   of it, but for half a gap? As a rule one of a convex pair does. */
-static int kern_overlap_parted(const kern_block *a, const kern_block *b,
-                               kern_real gap)
-{
-    kern_edge e;
-    int i;
-    for (i = 0; i < a->vertices; i++) {
-        kern_edge_set(&e, a, i, kern_polygon_next(a, i, 0));
-        if (kern_overlap_right(b, e.p, e.d, gap / 2)
-            && kern_overlap_right(a, e.p, kern_vec_scale(e.d, -1), gap / 2))
-            return 1;
-    }
-    return 0;
 }
 
 /* Raises *deep to the depth in b of the boundary of a, but for a stride; beyond
@@ -7221,16 +7174,25 @@ static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
 }
 
 /* Depth of the overlap of a and b, but for a stride, or one beyond `enough`; 0:
-   none deeper than the gap. Two blocks at one place have no deep boundary. */
+   none deeper than the gap. As a rule the line of an edge separates a convex
+   pair, its own block left of it and the other right, but for half a gap. Two
+   blocks at one place have no deep boundary. */
 KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
                                                 const kern_outline *b,
                                                 kern_real gap, kern_real enough)
 {
     const kern_outline *const side[3] = {a, b, a};
     kern_real deep = gap;
-    int i, apart = !kern_box_near(&a->block->box, &b->block->box, -gap);
-    for (i = 0; i < 2 && !apart; i++)
-        apart = kern_overlap_parted(side[i]->block, side[i + 1]->block, gap);
+    kern_edge e;
+    int i, k, apart = !kern_box_near(&a->block->box, &b->block->box, -gap);
+    for (i = 0; i < 2; i++) {
+        const kern_block *own = side[i]->block, *other = side[i + 1]->block;
+        for (k = 0; k < own->vertices && !apart; k++) {
+            kern_edge_set(&e, own, k, kern_polygon_next(own, k, 0));
+            apart = kern_overlap_beside(&e, other, 1, gap / 2)
+                    && kern_overlap_beside(&e, own, -1, gap / 2);
+        }
+    }
     for (i = 0; i < 2 && !apart && !(deep > enough); i++)
         kern_overlap_boundary(side[i], side[i + 1], enough, &deep);
     for (i = 0; i < 2 && !apart && !(deep > gap); i++)
@@ -7465,8 +7427,9 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
     kern_real inside[2];
     kern_vec t, q;
     int on;
-    if (!(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
-          | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
+    if (!(pair->of[0].reflex || pair->of[1].reflex)
+        || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
+             | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
         kern_pair_put(pair, p, n, half);
         return;
     }
@@ -7844,23 +7807,17 @@ static kern_status kern_search_survey(kern_search *s)
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_box *box = &block->box;
-        kern_status status = kern_vertices_check(block->vertex,
-                                                 block->vertices);
+        kern_status status = block->vertices < 0 ? KERN_NO_BLOCK
+            : kern_vertices_check(block->vertex, block->vertices);
         if (!block->vertices)
             continue;
-        if (block->vertices < 0)
-            status = KERN_NO_BLOCK;
-        else if (status == KERN_OK
-                 && (!kern_is_finite(block->area)
-                     || !(box->low.x <= box->high.x)
-                     || !(box->low.y <= box->high.y)
-                     || kern_box_largest(box) > KERN_FAR))
-            status = KERN_BAD_NUMBER;
-        else if (status == KERN_OK && !(kern_abs(block->area) > 0))
-            status = KERN_NO_AREA;
-        else if (status == KERN_OK && i >= s->from
-                 && kern_block_is_stale(block))
-            status = KERN_STALE;
+        if (status == KERN_OK)
+            status = !kern_is_finite(block->area)
+                     || !kern_box_near(box, box, 0) /* low above high */
+                     || kern_box_largest(box) > KERN_FAR ? KERN_BAD_NUMBER
+                   : !(kern_abs(block->area) > 0) ? KERN_NO_AREA
+                   : i >= s->from && kern_block_is_stale(block) ? KERN_STALE
+                                                                : KERN_OK;
         if (status != KERN_OK) {
             s->fault->block = i;
             return status;
