@@ -715,8 +715,7 @@ typedef struct kern_lp {
    KERN_ROOM is for factors of so many columns with fill-in (>>lp), in threes: a
    wall has KERN_LEAN_EXTRAS of these; KERN_LP_ROOM, of a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
-#define KERN_EXTRAS(blocks) \
-    ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
+#define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
 #define KERN_ROOM(extras) (((extras) * (extras) + 5 * (extras)) / 3)
@@ -734,25 +733,23 @@ typedef struct kern_lp {
      + KERN_INTS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
 #define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
 #define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 5 * (rows) + 16)
-#define KERN_LP_INTS(rows, cols) \
-    (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
+#define KERN_LP_INTS(rows, cols) (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* B is the number of blocks, C of contact points. No pointer may be NULL unless
    its function says so: KERN_BAD_POINTER. Every function that takes work memory
-   may return KERN_NO_SPACE, every one that takes a structure:
-   KERN_BAD_POINTER, _NUMBER, _COUNT (blocks up to 20,000, contacts up to
-   1,000,000), _MASS, _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative
-   shrinkage above 1), KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA,
-   KERN_NO_FREE, KERN_NO_LOAD, KERN_LIMIT; where the number of contacts is below
-   -1 it is the status of kern_contacts(), returned with its fault. A measure
-   with KERN_LIMIT is the largest proven to stand by then, below 0 if none is.
-   Numbers that cannot be squared or multiplied safely are refused, with the
-   block in the fault: a mass or area out of the range of kern_block_init()
-   (KERN_BAD_MASS, KERN_NO_AREA); as KERN_BAD_NUMBER an option, centre, place or
-   travel above 1e60 m, an area above 1e120 m^2, weight and load of a free
-   block together above 1e100 N, or below 1e-100 N and not 0 (float: 1e10 m,
-   1e15 N, 1e-15 N). */
+   may return KERN_NO_SPACE, every one that takes a structure: KERN_BAD_POINTER,
+   _NUMBER, _COUNT (blocks up to 20,000, contacts up to 1,000,000), _MASS,
+   _FRICTION, _OPTION, _BLOCK, _NORMAL, _SHARE (a relative shrinkage above 1),
+   KERN_SAME_BLOCK, KERN_NO_BLOCK, KERN_NO_AREA, KERN_NO_FREE, KERN_NO_LOAD,
+   KERN_LIMIT; where the number of contacts is below -1 it is the status of
+   kern_contacts(), returned with its fault. A measure with KERN_LIMIT is the
+   largest proven to stand by then, below 0 if none is. Numbers that cannot be
+   squared or multiplied safely are refused, with the block in the fault: a mass
+   or area out of the range of kern_block_init() (KERN_BAD_MASS, KERN_NO_AREA);
+   as KERN_BAD_NUMBER an option, centre, place or travel above 1e60 m, an area
+   above 1e120 m^2, weight and load of a free block together above 1e100 N, or
+   below 1e-100 N and not 0 (float: 1e10 m, 1e15 N, 1e-15 N). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -2106,8 +2103,7 @@ static kern_real kern_prove_rows(const kern_structure *s,
 }
 
 /* `sum` is scratch, four a block. */
-static kern_real kern_prove_forces(const kern_structure *s,
-                                   const kern_query *q,
+static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
     const kern_real by = kern_reduction(q);
@@ -2182,8 +2178,7 @@ static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
 static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
 { return kern_speed(motion + c->a) + kern_speed(motion + c->b); }
 
-static kern_real kern_prove_motion(const kern_structure *s,
-                                   const kern_query *q,
+static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
     kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
@@ -2827,9 +2822,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 KERN_SHARED static kern_status kern_measure_path(
     kern_model *m, kern_path *path, int nested, int last, kern_margin *out)
 {
-    kern_status status = nested
-        ? kern_path_search(m, path)
-        : kern_path_evaluate(m, path, KERN_R(0));
+    kern_status status = nested ? kern_path_search(m, path)
+                                : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
         status = kern_level_scan(m, path, 0, last, out);
     if (!nested && status == KERN_STANDS) {
@@ -3413,8 +3407,7 @@ static kern_real kern_contact_gain(const kern_structure *s,
     const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
     const kern_real travel = kern_travel(c, q->mean);
     const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    const kern_real spin = proof->motion[c->b].spin
-                           - proof->motion[c->a].spin;
+    const kern_real spin = proof->motion[c->b].spin - proof->motion[c->a].spin;
     kern_real rate, shift;
     kern_vec u;
     kern_zero(out, 5);
@@ -8079,8 +8072,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         kern_model_know(&c.m, known);
         status = known->fails > 0 && margin >= known->fails
                  && kern_known_falls(&c.m, &c.path.q, known)
-                 ? KERN_FALLS
-                 : kern_model_evaluate(&c.m, &c.part, &c.path.q);
+                 ? KERN_FALLS : kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
         return kern_ended(task, status);
     }
