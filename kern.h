@@ -215,8 +215,8 @@
                saturated, where it stands throughout.
      deficit   Where it falls at d = 0: the least growth d with contact points
                at p - d u (relative: p - d l u) such that it stands; infinite
-               where 10,000 mean sizes (relative: over the smallest l) are not
-               enough.
+               where a growth of 1000 times the longest side of the free
+               blocks' box (relative: over the smallest l) is not enough.
      load      The largest factor f such that it stands under every multiple of
      factor    the pattern up to f. Horizontal: f m |g| at every centre, to the
                right (gravity turned by +90 degrees) or to the left.
@@ -270,11 +270,14 @@
    Whether a stone stays where it is let go. kern_stays() gives the chance: let
    go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
    times in another simulator (tests/truth.c): 630 stay, 205 move, 134 depend on
-   its noise and count as not staying. Each half, by the scale of the other, let
-   go from a chance of 0.3, 0.5, 0.7 or 0.9 on: 96, 95, 93 or 85 % of what stays
-   is let go; 94, 97, 98 or 99.5 % of what moves and 75, 78, 87 or 95 % of what
-   is unclear is not. Both halves chose the form of the law. ROC curve, and fit
-   of chances: README.
+   its noise and count as not staying. Each half, by the scale of the other:
+
+       let go from a chance of      0.3    0.5    0.7    0.9
+       stays, and is let go        0.96   0.95   0.93   0.85
+       moves, and is not           0.94   0.97   0.98  0.995
+       is unclear, and is not      0.75   0.78   0.87   0.95
+
+   Both halves chose the form of the law. ROC curve, and fit of chances: README.
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -892,10 +895,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    kern_measure(), 0 where it falls.
      low   Margin without doubtful contacts: of the blocks that carry a block
            only that with the widest bed, as gravity sees it, is kept; kerns are
-           shorter by 3.4 e, friction angles less by 3 theta.
+           shorter by 3.5 e, friction angles less by 3 theta.
      high  Margin with every contact that may exist: twice the error allowed in
-           gaps and angles, kerns longer by 3.4 e, friction angles more by 3
-           theta. Where it stands, at least `margin` + 3.4 e (relative:
+           gaps and angles, kerns longer by 3.5 e, friction angles more by 3
+           theta. Where it stands, at least `margin` + 3.5 e (relative:
            `margin`).
    A larger error never makes a fall certain, and lowers `low` for the same
    contacts. Errors are absolute in relative mode too. contact[0..room) receives
@@ -2928,14 +2931,26 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 }
 
 /* Grows the kerns of what falls until it stands: the critical growth, at most
-   10,000 mean sizes. */
+   1000 times the longest side of the box around the free blocks. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
     const kern_real growth = kern_is_nested(m->s, &path->q, range)
                              ? KERN_R(4) : KERN_R(1.1);
+    const kern_real none = KERN_INFINITY;
+    kern_box whole = {{none, none}, {-none, -none}};
     kern_status status;
-    limit = KERN_R(1e4) * m->mean / (path->q.relative ? range[0] : KERN_R(1));
+    int i;
+    for (i = 0; i < 2 * m->graph.groups; i++) {
+        const kern_block *b = m->s->block + m->graph.block[i / 2];
+        const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
+        kern_box_add(&whole, b->vertices
+                     ? i & 1 ? b->box.high : b->box.low
+                     : kern_vec_add(b->centre, kern_vec_make(way, way)));
+    }
+    limit = 1000 * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
+    if (path->q.relative)
+        limit = range[0] < KERN_INFINITY ? limit / range[0] : KERN_R(1);
     path->start = -limit;
     for (; ; grown = kern_min(grown * growth, limit)) {
         status = kern_path_evaluate(m, path, -grown);
@@ -6692,10 +6707,10 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
    of two edges, 0.7 sizes long, by 2 theta^2, and as much for their ends. */
 #define KERN_ERROR_GAP     KERN_R(5.25)
 #define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre;
-                                           twice that, with the ends: angles;
-                                           of place, by which kerns change    */
+                                           twice that, with the ends: angles  */
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 #define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; of angle: of cones */
+#define KERN_ERROR_KERN    KERN_R(3.5)  /* of place: of kerns, to be certain  */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
    an image of 900 a stone must not hold. At 2 a kerb of two gaps would go. */
 #define KERN_RISER      KERN_R(1.6)
@@ -9149,7 +9164,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
-    by = KERN_ERROR_SWING * task->options.pose_error;
+    by = KERN_ERROR_KERN * task->options.pose_error;
     turn = KERN_ERROR_EDGE * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = KERN_INFINITY;

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x4b8560531b8febe4u },
-    { 1000, 0xcbeb572741adc200u },
-    { 5000, 0x19e635f40be0f50fu },
+    { 200, 0x75dcca2148bf9882u },
+    { 1000, 0x885e8ad4cd7e10c7u },
+    { 5000, 0xeb127cf55b83430fu },
 #else
-    { 200, 0xe08d5f807dc46f96u },
-    { 1000, 0xff2b1aa4a9cef0aeu },
-    { 5000, 0x8c3103153e6f8d8fu },
+    { 200, 0x2546c50463e8d027u },
+    { 1000, 0x61ad4819ca030178u },
+    { 5000, 0x50d5ec68bf0068dcu },
 #endif
 };
 
