@@ -9264,10 +9264,10 @@ KERN_API kern_options kern_near(const kern_options *options,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
           takes the margin and fills in a kern_interval. kern_known and
           kern_plan have fewer fields. options.limit is 10,000,000 by default,
-          was 0. New refusals: a relative shrinkage above 1, a block that
-          kern_block_init() refused. Steps in outlines carry as their chords.
-          New: kern_stays(), kern_plan_stays(), kern_raised_load(),
-          options.reserve and .lone, KERN_NO_INTERIOR.
+          was 0. New refusals: a relative shrinkage above 1, in double a length
+          above 1e60 m, a block that kern_block_init() refused. Steps in
+          outlines carry as their chords. New: kern_stays(), kern_plan_stays(),
+          kern_raised_load(), options.reserve and .lone, KERN_NO_INTERIOR.
    0.1.0  First version.                                                   */
 
 /*
