@@ -715,18 +715,15 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions, for arrays: see >>memory. Blocks include fixed ones.
-   KERN_ROOM is for factors of so many columns with fill-in (>>lp), in threes: a
-   wall has KERN_LEAN_EXTRAS of these; KERN_LP_ROOM, of a dense program. */
+   KERN_EXTRAS and KERN_LP_EXTRAS are factors of a basis (>>lp): of a structure
+   some have room, of a dense program all. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
-#define KERN_LEAN_EXTRAS(blocks) \
-    ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
-#define KERN_ROOM(extras) (((extras) * (extras) + 5 * (extras)) / 3)
 #define KERN_REALS(blocks, contacts) \
     (KERN_EXTRAS(blocks) * (KERN_EXTRAS(blocks) + 5) + 54 * (blocks) \
      + 12 * (contacts) + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS(blocks, contacts) \
-    (KERN_ROOM(KERN_EXTRAS(blocks)) + 39 * (blocks) + 9 * (contacts) + 40)
+    (KERN_EXTRAS(blocks) + 39 * (blocks) + 9 * (contacts) + 40)
 #define KERN_LEAN_PART(blocks) ((blocks) / 40 + 3)
 #define KERN_LEAN_REALS(blocks, contacts) \
     (12 * (blocks) + 6 * (contacts) \
@@ -734,9 +731,9 @@ typedef struct kern_lp {
 #define KERN_LEAN_INTS(blocks, contacts) \
     (10 * (blocks) + 4 * (contacts) \
      + KERN_INTS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
-#define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
-#define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 5 * (rows) + 16)
-#define KERN_LP_INTS(rows, cols) (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
+#define KERN_LP_EXTRAS(rows) ((rows) + (rows) / 2 + 8)
+#define KERN_LP_REALS(rows, cols) ((KERN_LP_EXTRAS(rows) + 5) * (rows) + 6)
+#define KERN_LP_INTS(rows, cols) (KERN_LP_EXTRAS(rows) + 2 * (rows) + (cols) + 2)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* B is the number of blocks, C of contact points. No pointer may be NULL unless
@@ -2658,12 +2655,9 @@ typedef struct kern_factors {
     kern_real *block;       /* row: of the inverse of its group, three; then
                                what its column is in its other end's rows     */
     int *to;                /* row: the first of those rows                   */
-    int most, room;         /* for factors, and for groups of entries         */
-    int count;              /* factors                                        */
-    int *pivot, *first;     /* factor: the row in which it pivots, and the first
-                               of its groups of entries; one more             */
-    int *at;                /* group of entries: its first row                */
-    kern_real *entry;       /* three a group                                  */
+    int most, count;        /* factors: room, and how many there are          */
+    int *pivot;             /* factor: the row in which it pivots             */
+    kern_real *entry;       /* its column, of all rows                        */
 } kern_factors;
 
 typedef enum kern_basis {
@@ -2674,7 +2668,6 @@ typedef enum kern_basis {
 
 typedef struct kern_simplex {
     const kern_program *lp;
-    int groups;             /* of three rows; the last may be short           */
     kern_basis state;
     kern_factors factors;
     int *base;              /* row: its variable                              */
@@ -2744,7 +2737,7 @@ struct kern_part {
 static int kern_proof_mend(kern_simplex *sx, kern_real *y);
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
-static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
+static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int most,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
@@ -5081,7 +5074,7 @@ KERN_SHARED static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 static kern_status kern_part_lay(kern_part *p)
 {
     const int n = p->groups;
-    int room = KERN_EXTRAS(n);
+    int most = KERN_EXTRAS(n);
     p->eq.lp.rows = 3 * n;
     p->eq.lp.cols = 2 * p->contacts;
     p->eq.lp.ends = p->ends;
@@ -5091,14 +5084,14 @@ static kern_status kern_part_lay(kern_part *p)
     p->eq.lp.most = KERN_BOUND;
     p->eq.lp.limit = p->m->task->options.limit;
     p->eq.shrink = KERN_R(-1); /* none */
-    for (; room >= KERN_LEAN_EXTRAS(n); room--) {
+    for (; most >= n / 12 + 2; most--) {
         kern_take take = p->rest;
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
         p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
         p->eq.rate = kern_take_reals(&take, 3 * n + 3);
         p->x = kern_take_reals(&take, 2 * p->contacts + 1);
         p->y = kern_take_reals(&take, 3 * n + 3);
-        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
+        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, most, &take);
         if (kern_take_fits(&take)) {
             kern_zero(p->y + 3 * n, 3);
             return KERN_OK;
@@ -8144,7 +8137,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    E_i lets one column more enter (the product form of the inverse). It is the
    unit matrix but for one column: with alpha the entering column in terms of
    the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
-   / alpha_p in row p. Only groups of alpha that are not zero are kept.
+   / alpha_p in row p.
 
    Vectors over the rows have three more places at their end: there lie the rows
    of the group that a column leads to which leads to none. Reading it gives 0,
@@ -8207,7 +8200,9 @@ static int kern_lp_part(const kern_program *lp, int j, int other,
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
-    int e, n, g, k;
+    const kern_real *column = f->entry;
+    const int rows = sx->lp->rows;
+    int e, g, k;
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real *own = v + 3 * g;
@@ -8222,16 +8217,12 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
             to[0] -= x * d[3]; to[1] -= x * d[4]; to[2] -= x * d[5];
         }
     }
-    for (e = 0; e < f->count; e++) {
+    for (e = 0; e < f->count; e++, column += rows) {
         const kern_real x = v[f->pivot[e]];
         if (x >= 0 && x <= 0)
             continue;
         v[f->pivot[e]] = KERN_R(0);
-        for (n = f->first[e]; n < f->first[e + 1]; n++) {
-            const kern_real *a = f->entry + 3 * (size_t)n;
-            kern_real *w = v + f->at[n];
-            w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
-        }
+        kern_add(v, x, column, rows);
     }
 }
 
@@ -8239,17 +8230,11 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
-    int e, n, g, k;
-    kern_zero(c + sx->lp->rows, 3 * sx->groups + 3 - sx->lp->rows);
-    for (e = f->count - 1; e >= 0; e--) {
-        kern_real sum = KERN_R(0);
-        for (n = f->first[e]; n < f->first[e + 1]; n++) {
-            const kern_real *a = f->entry + 3 * (size_t)n;
-            const kern_real *w = c + f->at[n];
-            sum += a[0] * w[0] + a[1] * w[1] + a[2] * w[2];
-        }
-        c[f->pivot[e]] = sum;
-    }
+    const int rows = sx->lp->rows;
+    int e, g, k;
+    kern_zero(c + rows, 3);
+    for (e = f->count - 1; e >= 0; e--)
+        c[f->pivot[e]] = kern_dot(f->entry + (size_t)e * (size_t)rows, c, rows);
     for (g = f->groups - 1; g >= 0; g--) {
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real y0 = KERN_R(0), y1 = KERN_R(0), y2 = KERN_R(0);
@@ -8266,37 +8251,27 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 /* Column j in terms of the basis: to sx->alpha. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
-    kern_zero(sx->alpha, 3 * sx->groups + 3);
+    kern_zero(sx->alpha, sx->lp->rows + 3);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
     kern_basis_solve(sx, sx->alpha);
 }
 
 /* Whether there is no room for one more factor. */
 static int kern_basis_full(const kern_simplex *sx)
-{
-    const kern_factors *f = &sx->factors;
-    return f->count == f->most || f->first[f->count] + sx->groups > f->room;
-}
+{ return sx->factors.count == sx->factors.most; }
 
 /* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
+    const int rows = sx->lp->rows;
+    kern_real *column = f->entry + (size_t)f->count * (size_t)rows;
     const kern_real one = 1 / sx->alpha[p];
-    int n = f->first[f->count], r;
-    for (r = 0; r < 3 * sx->groups; r += 3) {
-        const kern_real *a = sx->alpha + r;
-        kern_real *out = f->entry + 3 * (size_t)n;
-        if (a[0] >= 0 && a[0] <= 0 && a[1] >= 0 && a[1] <= 0
-            && a[2] >= 0 && a[2] <= 0)
-            continue;
-        out[0] = -a[0] * one; out[1] = -a[1] * one; out[2] = -a[2] * one;
-        if (p >= r && p < r + 3)
-            out[p - r] = one;
-        f->at[n++] = r;
-    }
+    int i;
+    for (i = 0; i < rows; i++)
+        column[i] = -sx->alpha[i] * one;
+    column[p] = one;
     f->pivot[f->count++] = p;
-    f->first[f->count] = n;
     sx->base[p] = q;
     sx->place[q] = p;
 }
@@ -8507,7 +8482,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
         f->block[6 * p + p % 3] = KERN_R(1);
         f->to[p] = lp->rows;
     }
-    f->count = f->first[0] = 0;
+    f->count = 0;
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
             sx->list[left++] = sx->list[p];
@@ -8694,8 +8669,7 @@ static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 {
     const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
-                      1 + (sx->factors.first[sx->factors.count]
-                           + 2 * sx->factors.groups) / 16
+                      1 + (sx->factors.count + 3) * rows / 72
                       + (sx->lp->ends ? cols / 48 : rows * (cols / 256)))
            ? KERN_OK : KERN_LIMIT;
 }
@@ -8765,31 +8739,27 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays out the arrays of a simplex, with room for so many groups of entries. */
-static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
+/* Lays out the arrays of a simplex, with room for so many factors. */
+static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int most,
                              kern_take *take)
 {
-    const int m = lp->rows, n = (m + 2) / 3;
+    const int m = lp->rows;
     kern_factors *f = &sx->factors;
     sx->lp = lp;
     sx->state = KERN_BASIS_NONE;
-    sx->groups = n;
-    f->groups = lp->ends ? n : 0;
-    f->room = room;
-    f->most = 2 * m + 8;
+    f->groups = lp->ends ? m / 3 : 0;
+    f->most = most;
     f->to = kern_take_ints(take, 3 * f->groups);
-    f->pivot = kern_take_ints(take, f->most);
-    f->first = kern_take_ints(take, f->most + 1);
-    f->at = kern_take_ints(take, room);
+    f->pivot = kern_take_ints(take, most);
     f->block = kern_take_reals(take, 18 * f->groups);
-    f->entry = kern_take_reals(take, 3 * room);
+    f->entry = kern_take_reals(take, most * m);
     sx->base = kern_take_ints(take, m);
     sx->place = kern_take_ints(take, lp->cols + 1);
     sx->list = kern_take_ints(take, m + 1);
     sx->value = kern_take_reals(take, m);
     sx->slope = kern_take_reals(take, m);
-    sx->alpha = kern_take_reals(take, 3 * n + 3);
-    sx->price = kern_take_reals(take, 3 * n + 3);
+    sx->alpha = kern_take_reals(take, m + 3);
+    sx->price = kern_take_reals(take, m + 3);
     sx->ratio = kern_take_reals(take, m);
 }
 
@@ -9013,7 +8983,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.most = KERN_R(0);
     p.limit = lp->limit;
     kern_take_open(&take, work);
-    kern_simplex_lay(&sx, &p, KERN_LP_ROOM(lp->rows), &take);
+    kern_simplex_lay(&sx, &p, KERN_LP_EXTRAS(lp->rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
     status = kern_program_solve(&sx, 0, x, y, work);
