@@ -86,12 +86,12 @@
    need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
-       KERN_REALS and KERN_INTS     9,372    22,080    69,640   391,520
-       both KERN_LEAN_ sizes        9,188    12,428    20,268    64,652
+       KERN_REALS and KERN_INTS     9,092    21,408    65,968   358,448
+       both KERN_LEAN_ sizes        9,092    12,332    20,172    64,372
 
    KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where a
    few blocks decide the margin, as in most walls: 0.7 MB for 1000 blocks and
-   7000 points instead of 23. Where many blocks move at the margin, as in
+   7000 points instead of 20. Where many blocks move at the margin, as in
    arches, a call needs more and returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -723,7 +723,7 @@ typedef struct kern_lp {
     (KERN_EXTRAS(blocks) * (KERN_EXTRAS(blocks) + 5) + 54 * (blocks) \
      + 12 * (contacts) + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS(blocks, contacts) \
-    (KERN_EXTRAS(blocks) + 39 * (blocks) + 9 * (contacts) + 40)
+    (2 * KERN_EXTRAS(blocks) + 39 * (blocks) + 9 * (contacts) + 40)
 #define KERN_LEAN_PART(blocks) ((blocks) / 40 + 3)
 #define KERN_LEAN_REALS(blocks, contacts) \
     (12 * (blocks) + 6 * (contacts) \
@@ -733,7 +733,8 @@ typedef struct kern_lp {
      + KERN_INTS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
 #define KERN_LP_EXTRAS(rows) ((rows) + (rows) / 2 + 8)
 #define KERN_LP_REALS(rows, cols) ((KERN_LP_EXTRAS(rows) + 5) * (rows) + 6)
-#define KERN_LP_INTS(rows, cols) (KERN_LP_EXTRAS(rows) + 2 * (rows) + (cols) + 2)
+#define KERN_LP_INTS(rows, cols) \
+    (2 * KERN_LP_EXTRAS(rows) + 2 * (rows) + (cols) + 2)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* B is the number of blocks, C of contact points. No pointer may be NULL unless
@@ -1535,8 +1536,13 @@ KERN_SHARED static void kern_add(void *v, kern_real s, const void *w, int n)
 {
     kern_real *to = (kern_real *)v;
     const kern_real *from = (const kern_real *)w;
-    for (; n > 0; n--)
-        *to++ += s * *from++;
+    int i;
+    for (i = 0; i + 2 <= n; i += 2) {
+        to[i] += s * from[i];
+        to[i + 1] += s * from[i + 1];
+    }
+    if (i < n)
+        to[i] += s * from[i];
 }
 
 static kern_real kern_largest(const kern_real *v, int n)
@@ -2656,7 +2662,8 @@ typedef struct kern_factors {
                                what its column is in its other end's rows     */
     int *to;                /* row: the first of those rows                   */
     int most, count;        /* factors: room, and how many there are          */
-    int *pivot;             /* factor: the row in which it pivots             */
+    int *pivot, *from;      /* factor: the row in which it pivots, and the first
+                               in which its column is not zero                */
     kern_real *entry;       /* its column, of all rows                        */
 } kern_factors;
 
@@ -8172,9 +8179,10 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
         v[j - lp->cols - 1] -= s;
     else if (lp->ends && j < lp->cols) {
         const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real x = s * c[0], y = s * c[1];
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
-        h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
-        t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
+        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
+        t[0] += x; t[1] += y; t[2] -= s * c[3];
     } else
         kern_add(v, j == lp->cols ? s : -s, kern_lp_dense(lp, j), lp->rows);
 }
@@ -8200,15 +8208,13 @@ static int kern_lp_part(const kern_program *lp, int j, int other,
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
-    const kern_real *column = f->entry;
     const int rows = sx->lp->rows;
     int e, g, k;
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real *own = v + 3 * g;
         const kern_real b[3] = {own[0], own[1], own[2]};
-        if (b[0] >= 0 && b[0] <= 0 && b[1] >= 0 && b[1] <= 0
-            && b[2] >= 0 && b[2] <= 0)
+        if (kern_abs(b[0]) + kern_abs(b[1]) + kern_abs(b[2]) <= 0)
             continue;
         for (k = 0; k < 3; k++, d += 6) {
             const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
@@ -8217,12 +8223,13 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
             to[0] -= x * d[3]; to[1] -= x * d[4]; to[2] -= x * d[5];
         }
     }
-    for (e = 0; e < f->count; e++, column += rows) {
+    for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]];
-        if (x >= 0 && x <= 0)
+        const int from = f->from[e];
+        if (kern_abs(x) <= 0)
             continue;
         v[f->pivot[e]] = KERN_R(0);
-        kern_add(v, x, column, rows);
+        kern_add(v + from, x, f->entry + e * rows + from, rows - from);
     }
 }
 
@@ -8233,8 +8240,11 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
     const int rows = sx->lp->rows;
     int e, g, k;
     kern_zero(c + rows, 3);
-    for (e = f->count - 1; e >= 0; e--)
-        c[f->pivot[e]] = kern_dot(f->entry + (size_t)e * (size_t)rows, c, rows);
+    for (e = f->count - 1; e >= 0; e--) {
+        const int from = f->from[e];
+        c[f->pivot[e]] = kern_dot(f->entry + e * rows + from, c + from,
+                                  rows - from);
+    }
     for (g = f->groups - 1; g >= 0; g--) {
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real y0 = KERN_R(0), y1 = KERN_R(0), y2 = KERN_R(0);
@@ -8265,13 +8275,16 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
     const int rows = sx->lp->rows;
-    kern_real *column = f->entry + (size_t)f->count * (size_t)rows;
     const kern_real one = 1 / sx->alpha[p];
-    int i;
-    for (i = 0; i < rows; i++)
+    kern_real *column = f->entry + f->count * rows;
+    int i = 0;
+    while (kern_abs(sx->alpha[i]) <= 0)
+        i++;
+    f->from[f->count] = i;
+    f->pivot[f->count++] = p;
+    for (; i < rows; i++)
         column[i] = -sx->alpha[i] * one;
     column[p] = one;
-    f->pivot[f->count++] = p;
     sx->base[p] = q;
     sx->place[q] = p;
 }
@@ -8343,13 +8356,13 @@ static int kern_crash_faces(const kern_simplex *sx, int j)
 }
 
 /* Logicals, but for a network: from top to bottom three columns of each group
-   carry what it bears, those that face its load if they can; else two, which
-   leave the torque to a logical. */
+   carry what it bears, of those that face its load if they can; else the two of
+   its first contact, which leave the torque to a logical. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int *next = sx->place, *first = sx->list; /* columns of a group */
-    int mine[KERN_ROWS_MOST], g, j, any, done;
+    int mine[KERN_ROWS_MOST], g, j;
     for (j = 0; j < lp->rows; j++) {
         sx->base[j] = lp->cols + 1 + j; /* its logical */
         sx->alpha[j] = lp->rhs[j];
@@ -8361,18 +8374,19 @@ static void kern_simplex_crash(kern_simplex *sx)
         next[j] = first[g];
         first[g] = j;
     }
-    for (g = 0; g < sx->factors.groups; g++)
-        for (any = done = 0; any < 2 && !done; any++) {
-            int n = 0;
-            for (j = first[g]; j != KERN_OUT && n < KERN_ROWS_MOST; j = next[j])
-                if (any || kern_crash_faces(sx, j))
-                    mine[n++] = j;
-            done = kern_crash_choose(sx, g, mine, n, KERN_CRASH_PULL);
-            if (any && !done && n > 1) {
-                mine[2] = sx->base[3 * g + 2];
-                kern_crash_choose(sx, g, mine, 3, KERN_BOUND);
-            }
+    for (g = 0; g < sx->factors.groups; g++) {
+        int n = 0;
+        for (j = first[g]; j != KERN_OUT && n < KERN_ROWS_MOST; j = next[j])
+            if (kern_crash_faces(sx, j))
+                mine[n++] = j;
+        if (first[g] != KERN_OUT
+            && !kern_crash_choose(sx, g, mine, n, KERN_CRASH_PULL)) {
+            mine[0] = first[g];
+            mine[1] = next[first[g]];
+            mine[2] = sx->base[3 * g + 2];
+            kern_crash_choose(sx, g, mine, 3, KERN_BOUND);
         }
+    }
     sx->state = KERN_BASIS_STALE;
 }
 
@@ -8384,7 +8398,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
     kern_real part[3], alpha[3], least = KERN_OWN_TOL, *block, *own;
-    int i, k, best = KERN_OUT, row;
+    int k, best = KERN_OUT, row;
     if (!lp->ends || j == lp->cols)
         return 0;
     row = kern_lp_part(lp, j, 0, part);
@@ -8399,11 +8413,11 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (best == KERN_OUT)
         return 0;
     own = block + 6 * best;
-    for (i = 0; i < 3; i++)
-        own[i] /= alpha[best];
     for (k = 0; k < 3; k++)
-        for (i = 0; i < 3 && k != best; i++)
-            block[6 * k + i] -= alpha[k] * own[i];
+        own[k] /= alpha[best];
+    for (k = 0; k < 3; k++)
+        if (k != best)
+            kern_add(block + 6 * k, -alpha[k], own, 3);
     sx->factors.to[row + best] = kern_lp_part(lp, j, 1, own + 3);
     sx->base[row + best] = j;
     sx->place[j] = row + best;
@@ -8438,7 +8452,7 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
         size = kern_max(size, kern_abs(v));
-        if (v > 0 || v < 0)
+        if (kern_abs(v) > 0)
             kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
     }
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
@@ -8446,7 +8460,8 @@ static kern_real kern_basis_residual(kern_simplex *sx)
 
 /* The basic solution. What it leaves of the right-hand side is solved for
    again until that is rounding: the inverse grows with every course of a wall,
-   and one solve may lose half of the digits. Returns 0 where it is not. */
+   and one solve may lose half of the digits. Returns how often that was done,
+   or KERN_OUT where it is not enough. */
 static int kern_basis_values(kern_simplex *sx)
 {
     kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
@@ -8459,7 +8474,7 @@ static int kern_basis_values(kern_simplex *sx)
         left = kern_basis_residual(sx);
     }
     sx->refined = 1;
-    return left <= KERN_PASS_TOL;
+    return left <= KERN_PASS_TOL ? round : KERN_OUT;
 }
 
 /* Factors the basis anew: three own columns of each group, then what is left of
@@ -8490,6 +8505,16 @@ static void kern_basis_refactorise(kern_simplex *sx)
         kern_left_enter(sx, sx->list[i]);
     sx->state = KERN_BASIS_READY;
     kern_basis_values(sx);
+}
+
+/* Gives the values the digits that pivots lost; returns whether that changed
+   them: if not, prices and violations are as they were. */
+static int kern_basis_refine(kern_simplex *sx)
+{
+    const int rounds = kern_basis_values(sx);
+    if (rounds < 0)
+        kern_basis_refactorise(sx);
+    return rounds;
 }
 
 /* ---- pivots ---- */
@@ -8548,15 +8573,10 @@ static int kern_proof_mend(kern_simplex *sx, kern_real *y)
     int p;
     if (sx->state == KERN_BASIS_NONE)
         return 0;
-    for (p = 0; p < lp->rows; p++) {
-        const int j = sx->base[p];
-        sx->alpha[p] = sx->slope[p]
-            + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y));
-        if (j < lp->cols)
-            sx->alpha[p] -= above;
-    }
-    kern_basis_solve_t(sx, sx->alpha);
-    kern_add(y, KERN_R(-1), sx->alpha, lp->rows);
+    for (p = 0; p < lp->rows; p++)
+        sx->price[p] = (sx->base[p] < lp->cols ? above : 0) - sx->slope[p];
+    kern_basis_solve_t(sx, sx->price);
+    kern_copy(y, sx->price, lp->rows);
     return 1;
 }
 
@@ -8568,17 +8588,12 @@ static kern_real kern_prices(kern_simplex *sx, kern_real sum)
     const kern_program *lp = sx->lp;
     kern_real size, least;
     int p;
-    for (p = 0; p < lp->rows; p++)
-        sx->price[p] = sx->violated ? sx->slope[p]
-                                    : kern_lp_cost(lp, sx->base[p]);
+    kern_copy(sx->price, sx->slope, lp->rows);
+    for (p = 0; p < lp->rows && !sx->violated; p++)
+        sx->price[p] = kern_lp_cost(lp, sx->base[p]);
     kern_basis_solve_t(sx, sx->price);
     size = kern_largest(sx->price, lp->rows);
-    least = KERN_NOISE * size;
-    if (!sx->violated)
-        least = KERN_NOISE
-                * (lp->cost ? kern_largest(lp->cost, lp->cols) : KERN_R(1));
-    else if (lp->most > 0)
-        least = sum / lp->most;
+    least = sx->violated && lp->most > 0 ? sum / lp->most : KERN_NOISE * size;
     return kern_max(least, KERN_ROUNDING * size);
 }
 
@@ -8650,7 +8665,7 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
         seen %= 128;
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
-                || (once && at[i] <= at[next]
+                || (at[i] <= at[next]
                     && (first ? sx->base[list[i]] < sx->base[list[next]]
                               : kern_abs(sx->alpha[list[i]])
                                 > kern_abs(sx->alpha[list[next]]))))
@@ -8719,11 +8734,9 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
             kern_basis_column(sx, q);
             p = kern_leaving(sx, first, &step, work);
         }
-        if (p == KERN_OUT && !sx->refined) {
-            if (!kern_basis_values(sx))
-                kern_basis_refactorise(sx);
+        if (p == KERN_OUT && !sx->refined
+            && (kern_basis_refine(sx) || q != KERN_OUT))
             continue;
-        }
         *ray = q;
         if (q == KERN_OUT)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
@@ -8751,6 +8764,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int most,
     f->most = most;
     f->to = kern_take_ints(take, 3 * f->groups);
     f->pivot = kern_take_ints(take, most);
+    f->from = kern_take_ints(take, most);
     f->block = kern_take_reals(take, 18 * f->groups);
     f->entry = kern_take_reals(take, most * m);
     sx->base = kern_take_ints(take, m);
@@ -8788,9 +8802,10 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
         return KERN_LIMIT;
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
-    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
-        || !kern_basis_values(sx))
+    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx))
         kern_basis_refactorise(sx);
+    else
+        kern_basis_refine(sx);
     return kern_pivot_spend(sx, work);
 }
 
@@ -8865,17 +8880,17 @@ static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 }
 
 /* What the sum of u v over n numbers, those of v so far apart, leaves of
-   `from`; adds it without signs to *terms. */
-static kern_real kern_lp_residual(kern_real from, const kern_real *u,
-                                  const kern_real *v, int apart, int n,
-                                  kern_real *terms)
+   `from`, as a share of all terms; not a number where one is not. */
+static kern_real kern_lp_left(kern_real from, const kern_real *u,
+                              const kern_real *v, int apart, int n)
 {
-    int i;
-    for (i = 0; i < n; i++, v += apart) {
-        from -= u[i] * *v;
-        *terms += kern_abs(u[i] * *v);
+    kern_real terms = kern_abs(from);
+    for (; n > 0; n--, v += apart) {
+        const kern_real term = *u++ * *v;
+        from -= term;
+        terms += kern_abs(term);
     }
-    return from;
+    return terms > 0 ? from / terms + (terms - terms) : from;
 }
 
 /* from = A u, row by row, or from >= u A (NULL: 0 <= u A), column by column,
@@ -8886,14 +8901,12 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
     const int rows = lp->rows, n = columns ? lp->cols : rows;
     int i;
     for (i = 0; i < n; i++) {
-        const kern_real at = from ? from[i] : KERN_R(0);
-        kern_real terms = kern_abs(at), left;
-        left = kern_lp_residual(at, u,
-                            lp->a + (size_t)i * (size_t)(columns ? rows : 1),
-                            columns ? 1 : rows, columns ? rows : lp->cols,
-                            &terms);
-        left = !columns ? kern_abs(left) : from ? -left : left;
-        if (!(left <= KERN_TOL * terms) || !kern_is_finite(terms))
+        const kern_real *a = lp->a + (size_t)i * (size_t)(columns ? rows : 1);
+        const kern_real left = kern_lp_left(
+            from ? from[i] : KERN_R(0), u, a, columns ? 1 : rows,
+            columns ? rows : lp->cols);
+        if (!((columns && !from) || left >= -KERN_TOL)
+            || !((columns && from) || left <= KERN_TOL))
             return 0;
     }
     return 1;
@@ -8904,22 +8917,18 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
-    const int none = status == KERN_LP_INFEASIBLE;
     const int ray = status == KERN_LP_UNBOUNDED;
-    kern_real terms = KERN_R(0), gap = KERN_R(0);
-    if (none ? !kern_lp_side(lp, y, 1, NULL)
-             : !kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
+    if (status == KERN_LP_INFEASIBLE)
+        return kern_lp_side(lp, y, 1, NULL)
+               && kern_lp_left(KERN_R(0), y, lp->rhs, 1, lp->rows) > KERN_TOL;
+    if (!kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
         return 0;
-    if (!none && !lp->cost)
-        return 1;
-    if (!ray)
-        gap = kern_lp_residual(gap, y, lp->rhs, 1, lp->rows, &terms);
-    if (!none)
-        gap = kern_lp_residual(-gap, lp->cost, x, 1, lp->cols, &terms);
-    if (none || ray)
-        return gap > KERN_TOL * terms;
-    return kern_lp_side(lp, y, 1, lp->cost) && kern_is_finite(terms)
-           && kern_abs(gap) <= KERN_TOL * terms;
+    if (ray)
+        return kern_lp_left(KERN_R(0), lp->cost, x, 1, lp->cols) > KERN_TOL;
+    return !lp->cost
+           || (kern_lp_side(lp, y, 1, lp->cost)
+               && kern_abs(kern_lp_left(kern_dot(y, lp->rhs, lp->rows),
+                                        lp->cost, x, 1, lp->cols)) <= KERN_TOL);
 }
 
 /* The same; where nothing else is in a row the last digits of x or y are all
