@@ -1321,11 +1321,12 @@ extern "C" {
 #define KERN_NORM_MOST     KERN_R(50)
 #define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
                                       are tried for the crash basis           */
-/* Groups of a cluster: a share of few groups, in a verdict and in a search; of
-   many this, and one more for so many. At 5 verdicts take 7 % more, at 4
-   measures 6 %. */
+/* Groups of a cluster: a share of few groups, in a verdict, in a search, and in
+   one that knows forces; of many this, and one more for so many. At 5 verdicts
+   take 7 % more, at 4 measures 6 %, at 5 tries 6 %. */
 #define KERN_CLUSTER_ONCE  4
 #define KERN_CLUSTER_AGAIN 5
+#define KERN_CLUSTER_KNOWN 7
 #define KERN_CLUSTER_MOST  20
 #define KERN_CLUSTER_SHARE 32
 /* Products of a pass for each group and contact: of KERN_BLOCKS_MOST and
@@ -1703,11 +1704,9 @@ static inline kern_real kern_arms(const kern_structure *s,
     kern_real rate;
     const kern_real shift = kern_shift(kern_travel(c, q->mean), q->shrink,
                                        q->relative, &rate);
-    const kern_vec p = c->p, way = kern_vec_scale(kern_vec_turn(c->n), shift);
-    int end;
-    for (end = 0; end < 2; end++)
-        arm[end] = kern_vec_add(
-            kern_vec_sub(p, s->block[end ? c->b : c->a].centre), way);
+    const kern_vec way = kern_vec_scale(kern_vec_turn(c->n), shift);
+    arm[0] = kern_vec_add(kern_vec_sub(c->p, s->block[c->a].centre), way);
+    arm[1] = kern_vec_add(kern_vec_sub(c->p, s->block[c->b].centre), way);
     return shift;
 }
 
@@ -2108,13 +2107,23 @@ static kern_real kern_prove_rows(const kern_structure *s,
     return error <= 1 ? error : kern_max(error, KERN_R(2));
 }
 
+/* Adds a force (fx, fy), of normal force f, to a block's sum. */
+KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
+                                       kern_real fx, kern_real fy, kern_real f)
+{
+    sum[0] += fx;
+    sum[1] += fy;
+    sum[2] += arm.x * fy - arm.y * fx;
+    sum[3] = kern_max(sum[3], f);
+}
+
 /* `sum` is scratch, four a block. */
 static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                    const kern_force *force, kern_real *sum)
 {
     const kern_real by = kern_reduction(q);
     kern_real total = KERN_R(0);
-    int i, end;
+    int i;
     kern_zero(sum, 4 * s->blocks);
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
@@ -2128,14 +2137,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
                                           * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY; /* not in its cone */
         kern_arms(s, c, q, arm);
-        for (end = 0; end < 2; end++) {
-            kern_real *at = sum + 4 * (end ? c->b : c->a);
-            const kern_real sign = end ? KERN_R(1) : KERN_R(-1);
-            at[0] += sign * fx;
-            at[1] += sign * fy;
-            at[2] += sign * (arm[end].x * fy - arm[end].y * fx);
-            at[3] = kern_max(at[3], f);
-        }
+        kern_prove_end(sum + 4 * c->a, arm[0], -fx, -fy, f);
+        kern_prove_end(sum + 4 * c->b, arm[1], fx, fy, f);
         total += f;
     }
     return kern_prove_rows(s, q, sum, total);
@@ -2744,6 +2747,8 @@ struct kern_part {
 static int kern_proof_mend(kern_simplex *sx, kern_real *y);
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
+static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
+                               kern_real least);
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int most,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
@@ -3651,12 +3656,11 @@ static void kern_part_forces(kern_part *p)
     int k;
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
-        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0));
-        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0));
+        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0)) * m->weight;
+        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0)) * m->weight;
         const int i = p->contact[k];
-        m->answer.force[i].normal = (x1 + x2) * m->weight;
-        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2)
-                                        * m->weight;
+        m->answer.force[i].normal = x1 + x2;
+        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2);
     }
 }
 
@@ -3923,13 +3927,14 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
 
 /* The approach of contact i at which its law exerts the force of the answer.
    Newton's method begins there, and finds the least change of the forces. */
-static inline void kern_model_prior(const kern_model *m, int i,
-                                    kern_real way[2])
+static inline kern_real kern_model_prior(const kern_model *m, int i,
+                                         kern_real way[2])
 {
     const kern_force *f = m->answer.force + i;
     const kern_real mu = kern_model_mu(m, i);
     way[0] = f->normal / 2;
     way[1] = mu > 0 ? f->tangential / (2 * mu * mu) : KERN_R(0);
+    return mu;
 }
 
 /* The contact law of the part's contact k at (wn, wt). */
@@ -3948,12 +3953,12 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
     p->dual.price = NULL;
-    p->dual.u = kern_take_reals(take, n);
-    p->dual.step = kern_take_reals(take, n);
-    p->dual.grad = kern_take_reals(take, n);
-    p->dual.b = kern_take_reals(take, n);
-    p->dual.way = kern_take_reals(take, 2 * p->contacts);
-    p->dual.turn = kern_take_reals(take, 2 * p->contacts);
+    p->dual.u = kern_take_reals(take, 4 * n);
+    p->dual.step = p->dual.u + n;
+    p->dual.grad = p->dual.step + n;
+    p->dual.b = p->dual.grad + n;
+    p->dual.way = kern_take_reals(take, 4 * p->contacts);
+    p->dual.turn = p->dual.way + 2 * p->contacts;
     p->dual.cost = 100 * p->contacts;
     return kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own, take,
                              &p->dual.cost);
@@ -4373,9 +4378,8 @@ static int kern_pass_supports(const kern_model *m, int g,
         if (n == KERN_ROWS_MOST)
             return n + 1;
         c[n].row = kern_model_row(m, e);
-        c[n].mu = kern_model_mu(m, e >> 1);
         c[n].end = e;
-        kern_model_prior(m, e >> 1, c[n].way);
+        c[n].mu = kern_model_prior(m, e >> 1, c[n].way);
         n++;
     }
     return n;
@@ -4539,9 +4543,8 @@ static int kern_pass_stack(kern_model *m, kern_part *p, int last)
     return 0;
 }
 
-/* Writes the minimum-norm forces of a part. What they open again of the groups
-   before the last rests on the part and carries it: where the part was balanced
-   before, they would go on in turns, and form one cluster. */
+/* Writes the minimum-norm forces of a part. Groups that rest on it and carry it
+   join it the second time: else they and it would be balanced in turns. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
 {
     kern_model *m = p->m;
@@ -4675,8 +4678,7 @@ static int kern_force_transfer(kern_model *m, int i, kern_real from,
 }
 
 /* Begins from no forces, all groups open, or from the known ones, which balance
-   all but the last block where kerns are no smaller. A cluster may have a share
-   of the groups. */
+   all but the last block where kerns are no smaller. `share`: of a cluster. */
 KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
                                         kern_real shrink)
 {
@@ -4684,9 +4686,10 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
     const int groups = m->graph.groups, last = m->s->blocks - 1;
     const int some = known && shrink <= known->holds;
     int i;
-    m->cluster.most = groups <= KERN_SMALL ? groups / share + 1
-                      : KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE;
-    for (i = 0; i < groups; i++) {
+    m->cluster.most = groups > KERN_SMALL
+        ? KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE
+        : groups / share + 1;
+    for (i = m->cluster.at = 0; i < groups; i++) {
         m->cluster.last[i] = m->cluster.next[i] = i;
         m->cluster.open[i] = !some || m->graph.block[i] == last ? KERN_OPEN : 0;
         m->graph.local[i] = KERN_OUT; /* a part may have been open */
@@ -4707,7 +4710,7 @@ static kern_status kern_pass(kern_model *m, kern_part *p)
     kern_status alone, found = KERN_STANDS;
     int g;
     c->budget = KERN_PASS_BUDGET * size;
-    for (c->at = 0; c->at < m->graph.groups && found == KERN_STANDS; ) {
+    while (c->at < m->graph.groups && found == KERN_STANDS) {
         g = c->at++;
         if (!(c->open[g] & KERN_OPEN))
             continue;
@@ -5173,9 +5176,8 @@ static kern_real kern_part_total(const kern_part *p)
     return total;
 }
 
-/* Forces were found, but larger than is allowed: the least there are, by
-   costs of 1. If they still are too large their prices are a motion that shows
-   that no smaller ones exist. */
+/* Where forces are larger than is allowed, the least there are, by costs of 1:
+   if these are too large their prices are a motion that shows it. */
 static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
@@ -5248,10 +5250,9 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
         m->task->work->solves++;
         kern_pass_begin(m, share, q->shrink);
         found = kern_pass(m, p);
-        if (found == KERN_FALLS)
+        if (found == KERN_FALLS
+            || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
-        if (found == KERN_STANDS && kern_answer_holds(m, q))
-            return p->found = found;
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
     }
@@ -5560,6 +5561,7 @@ KERN_SHARED static kern_real kern_bracket_next(const kern_path *path,
    falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
+    const kern_real wide = kern_width(path) * KERN_WIDEST;
     kern_bracket n;
     int round;
     n.aside = n.under = kern_aside(path);
@@ -5578,11 +5580,10 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (status == KERN_UNDECIDED)
             *n.wide *= 2;
         if (status == KERN_UNDECIDED && n.wide == &n.parts
-            && path->fails - lo <= kern_width(path) * KERN_WIDEST)
+            && path->fails - lo <= wide)
             break;
     }
-    if (path->fails - path->holds > kern_width(path) * KERN_WIDEST
-        && !path->alone)
+    if (path->fails - path->holds > wide && !path->alone)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
@@ -5851,6 +5852,7 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
     kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
+    const kern_real aside = kern_aside(path);
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
     if (!kern_model_ask(m, 1))
@@ -5859,13 +5861,13 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
     for (g = 0; g < m->graph.groups; g++, load += 3) {
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, load, at, kern_aside(path), u);
-        if (crit <= path->start + 2 * kern_aside(path))
+            : kern_body_critical(m, g, line, load, at, aside, u);
+        if (crit <= path->start + 2 * aside)
             return path->start;
-        if (crit + kern_aside(path) < best) {
+        if (crit + aside < best) {
             least = path->warm.margin = crit;
-            path->warm.holds = crit - kern_aside(path);
-            path->warm.fails = best = crit + kern_aside(path);
+            path->warm.holds = crit - aside;
+            path->warm.fails = best = crit + aside;
             path->warm.motion = m->answer.motion;
             kern_body_moves(m, g, u);
         }
@@ -5922,6 +5924,20 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step);
 }
 
+/* Begins a program of all groups with the known forces. */
+static void kern_known_start(kern_model *m, kern_part *p)
+{
+    int k;
+    kern_copy(m->answer.force, m->answer.known->force, 2 * p->contacts);
+    for (k = 0; k < p->contacts; k++) {
+        kern_real way[2], along = kern_model_prior(m, k, way);
+        along *= way[1];
+        p->x[2 * k] = way[0] + along;
+        p->x[2 * k + 1] = way[0] - along;
+    }
+    kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
+}
+
 /* The critical value of the whole beyond path->holds: of many groups by the
    interior point; of few, or where that finds none, by their linear program. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
@@ -5942,6 +5958,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
         path->critical = crit; /* that of the interior point may not be exact */
     }
     status = m->whole ? KERN_OK : kern_model_whole(m, path->part, &q);
+    if (status == KERN_OK && m->answer.known)
+        kern_known_start(m, path->part);
     if (status == KERN_OK && path->kind != KERN_PATH_SHRINK)
         status = kern_path_follow(m, path);
     return status == KERN_OK || status == KERN_UNDECIDED
@@ -5968,77 +5986,58 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* The verdict of the pass at s; all but the rows is set. After KERN_FALLS the
-   critical value is that of a part; KERN_UNDECIDED: no forces and no part. */
-static kern_status kern_path_pass(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_query q = kern_path_at(path, s);
-    kern_status status;
-    kern_model_arms(m, &q);
-    status = kern_model_pass(m, path->part, &q, KERN_CLUSTER_AGAIN);
-    if (status == KERN_STANDS) {
-        kern_path_note(m, path, status, s);
-        path->holds = s;
-    }
-    return status == KERN_FALLS ? kern_path_part(m, path, s) : status;
-}
-
-/* Whether what moved in the known structure falls with the last block at s; its
-   critical value is the path's. */
+/* Whether what moved in the known structure, if it is a small part, falls with
+   the last block at s; its critical value is the path's. */
 static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 {
-    const kern_motion *known = m->answer.known->motion;
+    const kern_motion *motion = m->answer.known->motion;
     int g, groups = 0, last = 0;
     for (g = 0; g < m->graph.groups; g++) {
         const int b = m->graph.block[g];
-        if (b == m->s->blocks - 1 || kern_speed(known + b) > 0) {
-            m->graph.local[g] = 0;
+        if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
+            m->graph.local[last = g] = 0;
             groups++;
-            last = g;
         }
     }
-    return groups > 1 && kern_part_open(path->part, m, groups, last)
+    return groups > 1 && 2 * groups <= m->graph.groups
+           && kern_part_open(path->part, m, groups, last)
            && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or up to a step on that of the known part or of a body; else where
-   the known one held, or a step on. */
+   proves it, or a body's, up to a step on; else where it held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     kern_known *warm = &path->warm;
-    int known = warm->fails > path->start && warm->fails <= path->end
+    const int known = warm->fails > path->start && warm->fails <= path->end
                 && warm->holds <= warm->margin && warm->margin <= warm->fails;
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
     const kern_real most = known ? kern_min(at + first, path->end)
                                  : KERN_INFINITY;
     const kern_query q = kern_path_at(path, at);
-    kern_real body;
-    path->part->groups = 0;
+    kern_real place;
     kern_model_set(m, &q);
     if (known && kern_start_falls(m, path))
         return at;
     warm->fails = KERN_INFINITY;
-    body = kern_body_first(m, path, at);
-    if (body <= path->start)
-        return body;
-    if (body < most) {
+    place = kern_body_first(m, path, at);
+    if (place <= path->start)
+        return place;
+    if (place < most) {
         kern_start_falls(m, path);
         return warm->holds;
     }
     if (known && m->answer.known && m->graph.groups <= KERN_SMALL
         && kern_known_part(m, path, most))
         return kern_max(path->start, path->critical - kern_aside(path));
-    path->part->groups = 0;
     path->fails = KERN_INFINITY;
     return at;
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
-   is asked just before the value of the part that fell last, until nothing
-   falls there or the pass ends without a verdict. */
+   is asked just before that of the part that fell last, until it finds none. */
 static kern_status kern_path_search(kern_model *m, kern_path *path)
 {
     kern_status status = KERN_UNDECIDED;
@@ -6052,10 +6051,17 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
     if (m->graph.groups <= KERN_SMALL) /* a part that falls ends it soon */
         step *= KERN_CLIMB_GROWS;
     at = kern_path_first(m, path, step);
-    round = path->part->groups > m->graph.groups / KERN_CLUSTER_AGAIN + 1
-            ? KERN_FEW_ROUNDS : 0; /* no cluster is as large */
-    while (round < KERN_FEW_ROUNDS) {
-        status = kern_path_pass(m, path, at);
+    for (round = 0; round < KERN_FEW_ROUNDS; ) {
+        const kern_query q = kern_path_at(path, at);
+        kern_model_arms(m, &q);
+        status = kern_model_pass(m, path->part, &q,
+                                 m->answer.known ? KERN_CLUSTER_KNOWN
+                                                 : KERN_CLUSTER_AGAIN);
+        if (status == KERN_STANDS) {
+            kern_path_note(m, path, status, at);
+            path->holds = at;
+        } else if (status == KERN_FALLS)
+            status = kern_path_part(m, path, at);
         if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_max(path->critical - kern_aside(path), path->start);
             status = KERN_UNDECIDED;
@@ -7973,8 +7979,7 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
 /* What is known of a structure is the bracket of its last margin, with a
    mechanism at the upper end of it. A stone that does not touch what moves
    there leaves the mechanism as it is: the old motion proves it again, and one
-   verdict at the lower end is all that is left to do. One that does often moves
-   with it: what moved, and the stone, are asked alone (kern_known_part()). */
+   verdict at the lower end is left to do. Else the known forces help. */
 
 KERN_API kern_plan kern_plan_of(kern_block *block, int blocks,
                                 kern_contact *contact, int contacts,
@@ -8353,6 +8358,24 @@ static int kern_crash_faces(const kern_simplex *sx, int j)
     return along > 0 && 4 * along * along
            >= (part[0] * part[0] + part[1] * part[1])
               * (load[0] * load[0] + load[1] * load[1]);
+}
+
+/* Begins from the columns that x uses, if they may be a basis, and the last. */
+static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
+                               kern_real least)
+{
+    const kern_program *lp = sx->lp;
+    int j, n = 0;
+    sx->state = KERN_BASIS_NONE;
+    for (j = 0; j < lp->cols; j++)
+        if (x[j] > least) {
+            if (n == lp->rows)
+                return;
+            sx->base[n++] = j;
+        }
+    for (; n < lp->rows; n++)
+        sx->base[n] = j > 0 ? --j : lp->cols + 1;
+    sx->state = KERN_BASIS_STALE;
 }
 
 /* Logicals, but for a network: from top to bottom three columns of each group
