@@ -1233,9 +1233,11 @@ extern "C" {
    difference of two critical values, in mean block sizes. Less, and the simplex
    chases rounding, a search does not end. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
-/* What a row of a proof may lose by rounding, as a share of its terms; and what
-   is added to the diagonal of the matrix of >>norm, as a share of its mean:
-   without it a group that no ray presses has no pivot. */
+/* What a row of a proof may lose by rounding, as a share of its terms; by how
+   much a certificate is lifted off the columns that it touches, since the check
+   of a motion adds as much; and what is added to the diagonal of the matrix of
+   >>norm, as a share of its mean: without it a group that no ray presses has no
+   pivot. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1308,13 +1310,15 @@ extern "C" {
 
 /* Residual of equilibrium that a method leaves, of a group as a share of its
    load. A proof allows far more, and so residuals of many groups may add up.
-   Where a basis leaves more it is made anew. */
+   Where a basis leaves more it is made anew. And pivot of a 3 x 3 matrix, as a
+   share of its trace, that counts as rounding (at 1e-10 in double two profiles
+   of rubble begin beyond the margin). */
 #define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
-/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding (at
-   1e-10 in double two profiles of rubble begin beyond the margin); and above
-   which the solution needs no refinement. */
-#define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
-#define KERN_THREE_GOOD    KERN_PICK(1e-4, 1e-2)
+/* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
+   and the solution needs no refinement); of a column in a basis, as a share of
+   its largest entry, and determinant of three columns (less, and they count as
+   dependent). */
+#define KERN_PIVOT         KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
    steps: without the bound trying a stone costs 4 % more. */
@@ -1359,17 +1363,10 @@ extern "C" {
 
 /* ---- simplex method ---- */
 
-/* A column whose part outside of the basis is a smaller share of it depends on
-   the basis, as three columns of a smaller determinant on each other. */
-#define KERN_RANK_TOL      KERN_PICK(1e-7, 1e-4)
 /* Least pivot of a column in its own group, where its entries are about 1. Less
    makes the inverse grow from course to course, more fills it. */
 #define KERN_OWN_TOL       KERN_R(0.03)
 #define KERN_CRASH_PULL    KERN_R(2) /* loads that a crash column may pull    */
-/* How far a certificate is lifted off the columns that it touches: as much as
-   the check of a motion adds for rounding where arms are long and friction is
-   high. It costs as much of the power, in float a good part of it. */
-#define KERN_ABOVE         KERN_PICK(64 * KERN_EPS, 16 * KERN_EPS)
 
 /* ---- raised ---- */
 
@@ -4329,7 +4326,7 @@ static inline void kern_pass_load(const kern_model *m, int g, kern_real *b)
 static int kern_pass_three(const kern_real h[6], const kern_real b[3],
                            kern_real x[3])
 {
-    const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
+    const kern_real least = KERN_PASS_TOL * (h[0] + h[2] + h[5]);
     const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
     const kern_real l1 = h[1] * i0, l3 = h[3] * i0;
     const kern_real d1 = h[2] - l1 * h[1], e = h[4] - l3 * h[1];
@@ -4342,7 +4339,7 @@ static int kern_pass_three(const kern_real h[6], const kern_real b[3],
     x[2] = y2 * i2;
     x[1] = y1 * i1 - l4 * x[2];
     x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
-    return kern_min(d1, d2) > KERN_THREE_GOOD * (h[0] + h[2] + h[5]);
+    return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[2] + h[5]);
 }
 
 typedef struct kern_support { /* a contact that carries the group */
@@ -8326,7 +8323,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n,
             for (k = j + 1; k < n; k++) {
                 const kern_real *c = part[k], det = kern_three_det(a, b, c);
                 kern_real la, lb, least;
-                if (kern_abs(det) < KERN_RANK_TOL
+                if (kern_abs(det) < KERN_PIVOT
                     || (det > 0 ? last <= best * det : last >= best * det))
                     continue; /* last / det would be no better */
                 la = kern_three_det(b, c, load) / det;
@@ -8454,7 +8451,7 @@ static void kern_left_enter(kern_simplex *sx, int j)
     kern_real least;
     int p, best = KERN_OUT;
     kern_basis_column(sx, j);
-    least = KERN_RANK_TOL * kern_largest(sx->alpha, sx->lp->rows);
+    least = KERN_PIVOT * kern_largest(sx->alpha, sx->lp->rows);
     for (p = 0; p < sx->lp->rows; p++)
         if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
             least = kern_abs(sx->alpha[p]);
@@ -8592,7 +8589,7 @@ static kern_real kern_violations(kern_simplex *sx)
 static int kern_proof_mend(kern_simplex *sx, kern_real *y)
 {
     const kern_program *lp = sx->lp;
-    const kern_real above = KERN_ABOVE * kern_largest(y, lp->rows);
+    const kern_real above = KERN_ROUNDING * kern_largest(y, lp->rows);
     int p;
     if (sx->state == KERN_BASIS_NONE)
         return 0;
