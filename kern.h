@@ -1310,10 +1310,11 @@ extern "C" {
 
 /* Residual of equilibrium that a method leaves, of a group as a share of its
    load. A proof allows far more, and so residuals of many groups may add up.
-   Where a basis leaves more it is made anew. And pivot of a 3 x 3 matrix, as a
-   share of its trace, that counts as rounding (at 1e-10 in double two profiles
-   of rubble begin beyond the margin). */
+   Where a basis leaves more it is made anew. */
 #define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
+/* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
+   1e-11 in double a profile of rubble begins beyond the margin. */
+#define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
 /* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
    and the solution needs no refinement); of a column in a basis, as a share of
    its largest entry, and determinant of three columns (less, and they count as
@@ -4326,7 +4327,7 @@ static inline void kern_pass_load(const kern_model *m, int g, kern_real *b)
 static int kern_pass_three(const kern_real h[6], const kern_real b[3],
                            kern_real x[3])
 {
-    const kern_real least = KERN_PASS_TOL * (h[0] + h[2] + h[5]);
+    const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
     const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
     const kern_real l1 = h[1] * i0, l3 = h[3] * i0;
     const kern_real d1 = h[2] - l1 * h[1], e = h[4] - l3 * h[1];
