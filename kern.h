@@ -2708,7 +2708,7 @@ typedef struct kern_dual {
     kern_real *u, *step, *grad; /* three a group, and three of 0              */
     kern_real *b;             /* loads, three a group                         */
     kern_real *way, *turn;    /* two a contact: u and step along n and t      */
-    const kern_real *price;   /* then stiffness, of contacts: >>raised; NULL  */
+    kern_real *price;         /* then stiffness, of contacts: >>raised; NULL  */
     kern_real stiff;          /* along t, in stiffnesses along n              */
     int cost;                 /* of a step, in products                       */
     int rounds;               /* that the last forces took                    */
@@ -6150,40 +6150,35 @@ static int kern_hang_pass(const kern_structure *s, kern_real *value)
 }
 
 typedef struct kern_raise {
-    kern_model *m;
-    kern_part *p;             /* all groups                                   */
+    kern_part *p;             /* all groups, or those near a block            */
     kern_real tolerance;      /* of a group's equilibrium                     */
-    kern_real *price;         /* of each contact, then the stiffness of each  */
-    kern_real *last;          /* of each: what its last price led to, and the
-                                 difference of the two; along a load how both
-                                 differ from those before, else 0             */
-    int rounds;               /* rounds of prices so far                      */
-    int gained;               /* round of the last fall of their change       */
-    kern_real least;          /* sum of squares of the change there           */
+    kern_real *last;          /* of each contact: what its last price led to,
+                                 and the difference of the two; how both differ
+                                 from those before                            */
     int size;                 /* numbers of u and prices, one after the other */
     kern_real *begin, *best;  /* both: without a push, with the largest so far;
                                  the last two along a load                    */
     int along;                /* a load: rounds without a gain, or 0; what
                                  parts is kept apart                          */
     int around;               /* the block asked about, or KERN_OUT           */
+    const kern_proof *proof;  /* that each step along a load writes, or NULL  */
 } kern_raise;
 
-/* Sets how a load is followed, and the stiffness of contacts: as long as they
-   are in mean sizes, and a tenth; along a load the cube of that and a
-   twentieth, by which the long ones carry most before anything slides. Of laws
-   that were tried it comes nearest to a simulator. */
-static void kern_raise_along(kern_raise *r, int along)
+/* Sets the stiffness of contacts: as long as they are in mean sizes, and a
+   tenth; along a load the cube of that and a twentieth, by which the long ones
+   carry most before anything slides. Of laws that were tried it comes nearest
+   to a simulator. */
+static void kern_raise_stiffen(const kern_raise *r, int along)
 {
-    kern_real *stiff = r->price + r->p->contacts;
+    const kern_part *p = r->p;
     int k;
-    for (k = 0; k < r->p->contacts; k++) {
-        const kern_contact *c = r->m->s->contact + r->p->contact[k];
-        const kern_real size = c->line ? kern_abs(c->travel) / r->m->mean
+    for (k = 0; k < p->contacts; k++) {
+        const kern_contact *c = p->m->s->contact + p->contact[k];
+        const kern_real size = c->line ? kern_abs(c->travel) / p->m->mean
                                        : KERN_R(0);
-        stiff[k] = along ? KERN_R(0.05) + size * size * size
-                         : KERN_R(0.1) + size;
+        p->dual.price[p->contacts + k] =
+            along ? KERN_R(0.05) + size * size * size : KERN_R(0.1) + size;
     }
-    r->along = along;
 }
 
 /* Marks all but the n groups near block i, and the ground, as place n. */
@@ -6206,80 +6201,47 @@ static void kern_raise_near(kern_model *m, int i)
 }
 
 /* Opens the groups as one part, with prices. 0 if there is no room. */
-static int kern_raise_open(kern_raise *r)
+static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
     if (r->around >= 0)
-        kern_raise_near(r->m, r->around);
-    if (!kern_norm_open(p, r->m))
+        kern_raise_near(m, r->around);
+    if (!kern_norm_open(p, m))
         return 0;
+    p->y = p->dual.step;
     p->dual.stiff = r->around < 0 ? KERN_STIFF : KERN_STAYS_STIFF;
     r->size = 3 * p->groups + 3 + p->contacts;
     p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 5 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
-    p->dual.price = r->price = p->dual.u + r->size - p->contacts;
-    r->last = r->price + 2 * p->contacts;
+    p->dual.price = p->dual.u + r->size - p->contacts;
+    r->last = p->dual.price + 2 * p->contacts;
     r->begin = r->last + 4 * p->contacts;
     r->best = r->begin + r->size;
-    kern_zero(r->price, p->contacts);
-    kern_raise_along(r, 0);
+    kern_zero(p->dual.price, p->contacts);
+    kern_raise_stiffen(r, 0);
     return 1;
 }
 
-/* Anderson's coefficients: how much of the last two differences is taken back.
-   They make the next change least if the map is linear; more, and it cycles. */
-static void kern_raise_back(kern_raise *r, kern_real back[2])
-{
-    kern_real up[2] = {0, 0}, down[2] = {0, 0}, both = KERN_R(0);
-    kern_real all = KERN_R(0), area;
-    int k;
-    for (k = 0; k < r->p->contacts; k++) {
-        const kern_real *last = r->last + 4 * (size_t)k;
-        const kern_real more = r->p->dual.turn[2 * (size_t)k + 1];
-        const kern_real change = r->rounds > 0 ? more - last[1] : KERN_R(0);
-        const kern_real before = r->rounds > 0 ? last[3] : KERN_R(0);
-        all += more * more;
-        up[0] += more * change;
-        up[1] += more * before;
-        down[0] += change * change;
-        down[1] += before * before;
-        both += change * before;
-    }
-    if (r->rounds == 0 || all < KERN_R(0.8) * r->least) {
-        r->least = all;
-        r->gained = r->rounds;
-    }
-    area = down[0] * down[1] - both * both;
-    back[0] = down[0] > 0 ? up[0] / down[0] : KERN_R(0);
-    back[1] = KERN_R(0);
-    if (area > KERN_R(1e-4) * down[0] * down[1]) {
-        back[0] = (up[0] * down[1] - both * up[1]) / area;
-        back[1] = (up[1] * down[0] - both * up[0]) / area;
-    }
-    area = kern_max(kern_abs(back[0]), kern_abs(back[1]));
-    for (k = 0; k < 2 && area > 1; k++)
-        back[k] /= area;
-}
-
-/* Writes the forces, and makes new prices. Returns whether every loaded contact
-   approaches, and none slides so far as only a stone that falls into a jam.
-   With `keep` a contact that parts keeps its price, and where that is too low
-   to open it, the price grows by twice what is missing: else a joint that
-   slides and no longer presses loses its force as slowly as prices settle. */
-static int kern_raise_price(kern_raise *r, int keep)
+/* Writes the forces, and what prices lead to. Returns whether every loaded
+   contact approaches, and none slides so far as only a stone that falls into a
+   jam. Along a load a contact that parts keeps its price where forces were
+   found, and where that is too low to open it, the price grows by twice what is
+   missing: else a joint that slides and no longer presses loses its force as
+   slowly as prices settle. */
+static int kern_raise_price(kern_raise *r, int found)
 {
     kern_part *p = r->p;
-    kern_model *m = r->m;
-    kern_real back[2], slid = KERN_R(0), most = KERN_R(0);
-    int k, pressed = 1;
+    kern_model *m = p->m;
+    kern_real slid = KERN_R(0), most = KERN_R(0);
+    int k, pressed = r->along || found;
     kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
         const kern_real *w = p->dual.way + 2 * (size_t)k;
         kern_real *to = p->dual.turn + 2 * (size_t)k;
-        const kern_real mu = kern_model_mu(m, i);
-        const kern_real approach = w[0] + r->price[k];
+        const kern_real mu = kern_model_mu(m, i), price = p->dual.price[k];
+        const kern_real approach = w[0] + price;
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
                                                 / p->dual.stiff;
         if (m->answer.force[i].normal > r->tolerance * m->weight) {
@@ -6288,159 +6250,181 @@ static int kern_raise_price(kern_raise *r, int keep)
             most = kern_max(most, approach);
         }
         to[0] = mu * kern_max(slip, 0);
-        if (keep && !(approach > 0))
-            to[0] = kern_max(to[0], r->price[k])
+        if (r->along && found && !(approach > 0))
+            to[0] = kern_max(to[0], price)
                  + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
-        if (r->along && to[0] < r->price[k])
-            to[0] = r->price[k] + KERN_LOAD_FALL * (to[0] - r->price[k]);
-        to[1] = to[0] - r->price[k];
+        if (r->along && to[0] < price)
+            to[0] = price + KERN_LOAD_FALL * (to[0] - price);
+        to[1] = to[0] - price;
     }
-    kern_raise_back(r, back);
-    for (k = 0; k < p->contacts; k++) {
-        const kern_real *to = p->dual.turn + 2 * (size_t)k;
-        kern_real *last = r->last + 4 * (size_t)k;
-        const kern_real change = r->rounds > 0 ? to[0] - last[0] : KERN_R(0);
-        r->price[k] = r->rounds > 0 ? kern_max(to[0] - back[0] * change
-                                               - back[1] * last[2], 0) : to[0];
-        last[2] = r->along ? change : KERN_R(0);
-        last[3] = r->along && r->rounds > 0 ? to[1] - last[1] : KERN_R(0);
-        last[0] = to[0];
-        last[1] = to[1];
-    }
-    r->rounds++;
     return pressed && slid <= KERN_SLID * most;
 }
 
-/* Whether forces and u prove it; near a block, where none asks, always. */
-static int kern_raise_proves(const kern_raise *r, const kern_query *q,
-                             const kern_proof *proof)
+/* Makes new prices, by Anderson's method: how much of the last two differences
+   is taken back makes the next change least if the map is linear; more, and it
+   cycles. Returns the sum of squares of this change. */
+static kern_real kern_raise_extrapolate(kern_raise *r, int round)
 {
-    const kern_model *m = r->m;
+    kern_part *p = r->p;
+    kern_real up[2] = {0, 0}, down[2] = {0, 0}, back[2] = {0, 0};
+    kern_real both = KERN_R(0), all = KERN_R(0), area;
+    const kern_real *to = p->dual.turn;
+    kern_real *last = r->last;
+    int k;
+    for (k = 0; k < p->contacts; k++, to += 2, last += 4) {
+        kern_real change;
+        if (round == 0) {
+            last[0] = to[0];
+            last[1] = to[1];
+            last[2] = last[3] = KERN_R(0);
+        }
+        change = to[1] - last[1];
+        all += to[1] * to[1];
+        up[0] += to[1] * change;
+        up[1] += to[1] * last[3];
+        down[0] += change * change;
+        down[1] += last[3] * last[3];
+        both += change * last[3];
+    }
+    area = down[0] * down[1] - both * both;
+    if (r->along && area > KERN_R(1e-4) * down[0] * down[1]) {
+        back[0] = (up[0] * down[1] - both * up[1]) / area;
+        back[1] = (up[1] * down[0] - both * up[0]) / area;
+    } else if (down[0] > 0)
+        back[0] = up[0] / down[0];
+    area = kern_max(1, kern_max(kern_abs(back[0]), kern_abs(back[1])));
+    back[0] /= area;
+    back[1] /= area;
+    while (k-- > 0) {
+        to -= 2;
+        last -= 4;
+        p->dual.price[k] = kern_max(to[0] - back[0] * (to[0] - last[0])
+                                    - back[1] * last[2], 0);
+        last[2] = to[0] - last[0];
+        last[3] = to[1] - last[1];
+        last[0] = to[0];
+        last[1] = to[1];
+    }
+    return all;
+}
+
+/* Whether forces and u prove it; near a block, where none asks, always. */
+static int kern_raise_proves(const kern_raise *r, const kern_query *q)
+{
+    kern_part *p = r->p;
+    const kern_model *m = p->m;
     int i;
-    for (i = 0; i < 3 * r->p->groups; i++)
-        r->p->y[i] = -r->p->dual.u[i];
-    kern_part_motion(r->p);
+    for (i = 0; i < 3 * p->groups; i++)
+        p->y[i] = -p->dual.u[i];
+    kern_part_motion(p);
     if (r->around < 0 && !kern_model_proven(m, kern_prove_raised(
             m->s, q, m->answer.force, m->answer.motion, m->answer.sum)))
         return 0;
-    kern_proof_out(m, proof, KERN_STANDS);
-    kern_proof_out(m, proof, KERN_FALLS);
+    kern_proof_out(m, r->proof, KERN_STANDS);
+    kern_proof_out(m, r->proof, KERN_FALLS);
     return 1;
 }
 
-/* Looks for a proof, from nothing or from u and prices as they are. */
+/* Looks for a proof, from nothing or from u and prices as they are; along a
+   load until prices do not gain in `along` rounds, which is 0 else. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
-                             int rounds, const kern_proof *proof)
+                             int along)
 {
     kern_part *p = r->p;
-    p->y = p->dual.step;
-    r->tolerance = kern_part_load(r->p, q, r->p->dual.b);
+    kern_real least = KERN_INFINITY;
+    int rounds = along ? KERN_ROUNDS : cold ? KERN_RAISE_ROUNDS
+                                            : KERN_RAISE_WARM;
+    int round, gained = 0;
+    r->along = along;
+    r->tolerance = kern_part_load(p, q, p->dual.b);
     if (r->around >= 0) {
         r->tolerance *= KERN_STAYS_TOL / KERN_NOISE;
         rounds = 3 + 7 * cold; /* ten from nothing */
     }
-    r->rounds = r->gained = 0;
-    if (!kern_model_ask(r->m, r->around < 0 ? 4 : 1))
+    if (!kern_model_ask(p->m, r->around < 0 ? 4 : 1))
         return 0;
-    while (r->rounds < rounds
-           && (!r->along || r->rounds <= 2 * r->gained + r->along)) {
-        const int first = cold && r->rounds == 0;
+    for (round = 0; round < rounds; round++) {
+        const int first = cold && round == 0;
         const kern_status found = kern_norm_find(p, r->tolerance,
             4 * KERN_NORM_MOST, !first, KERN_RAISE_STEPS + (first ? 10 : 1));
+        const int presses = kern_raise_price(r, found == KERN_STANDS);
+        const kern_real all = kern_raise_extrapolate(r, round);
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
-        if (kern_raise_price(r, r->along && found == KERN_STANDS)
-            && (r->along || found == KERN_STANDS)
-            && kern_raise_proves(r, q, proof))
+        if (presses && kern_raise_proves(r, q))
             return 1;
+        if (all < KERN_R(0.8) * least) {
+            least = all;
+            gained = round;
+        }
+        if (along && round >= 2 * gained + along)
+            return 0;
     }
     return 0;
 }
 
-/* Pushes it sideways by a share of gravity, and shrinks its kerns by the same
-   share of the mean size: the worst that errors of places, and of angles over
-   that size, do. Kerns that are not nested: raised without the second too. */
-static int kern_raise_push(kern_raise *r, kern_query *q, kern_real shrink,
-                           kern_real share)
+/* Whether it stays raised where it is pushed to the side of q by a share of
+   gravity, and its kerns shrink by the same share of the mean size: the worst
+   that errors of places, and of angles over that size, do; where kerns are not
+   nested without the second too. Keeps u and prices that show it. */
+static int kern_raise_bears(kern_raise *r, kern_query *q, kern_real shrink,
+                            kern_real share)
 {
-    const kern_real most = q->relative ? share : share * r->m->mean;
+    kern_model *m = r->p->m;
     kern_real range[2];
-    int k, raised = 1;
+    int k;
     q->factor = share;
-    for (k = kern_is_nested(r->m->s, q, range); k < 2 && raised; k++) {
-        q->shrink = shrink + (kern_real)k * most;
-        kern_model_arms(r->m, q);
-        raised = kern_raise_settle(r, q, 0, KERN_RAISE_WARM, NULL);
+    kern_copy(r->p->dual.u, r->best, r->size);
+    for (k = kern_is_nested(m->s, q, range); k < 2; k++) {
+        q->shrink = shrink + (kern_real)k * share
+                             * (q->relative ? KERN_R(1) : m->mean);
+        kern_model_arms(m, q);
+        if (!kern_raise_settle(r, q, 0, 0))
+            return 0;
     }
-    return raised;
+    kern_copy(r->best, r->p->dual.u, r->size);
+    return 1;
 }
 
-/* The largest of a sequence of shares by which it may be pushed to either side
-   and stay raised, up to `enough` unless that is 0; each from the largest found
-   before. */
+/* The largest of a sequence of shares that it bears to either side, up to
+   `enough` unless that is 0; each from the largest found before. */
 static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
                                     kern_real enough)
 {
     static const short share[] = {0, 10, 20, 30, 40, 50, 55, 60, 70, 80, 100,
                                   150, 200, 300, 500, 1000}; /* of 10,000 */
     kern_query q = *asked;
-    int most = (int)(sizeof share / sizeof share[0]) - 1;
-    while (enough > 0 && KERN_R(share[most]) / 10000 > enough)
-        most--;
+    int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
+    while (enough > 0 && KERN_R(share[low]) / 10000 > enough)
+        low--;
+    at = enough > 0 ? low : (low + 1) / 2;
     kern_copy(r->begin, r->p->dual.u, r->size);
-    for (q.side = 1; q.side >= -1; q.side -= 2) {
-        int low = 0, high = most + 1, at = most;
-        if (q.side > 0 && !(enough > 0))
-            at = high / 2;
-        kern_copy(r->best, r->p->dual.u, r->size);
-        for (; high - low > 1; at = (low + high) / 2) {
-            kern_copy(r->p->dual.u, r->best, r->size);
-            if (kern_raise_push(r, &q, asked->shrink,
-                                KERN_R(share[at]) / 10000)) {
+    for (q.side = 1; q.side >= -1; q.side -= 2, at = low) {
+        kern_copy(r->best, r->begin, r->size);
+        for (high = low + 1, low = 0; high - low > 1; at = (low + high) / 2)
+            if (kern_raise_bears(r, &q, asked->shrink,
+                                 KERN_R(share[at]) / 10000))
                 low = at;
-                kern_copy(r->best, r->p->dual.u, r->size);
-            } else
+            else
                 high = at;
-        }
-        most = low;
-        kern_copy(r->p->dual.u, r->begin, r->size);
     }
-    return KERN_R(share[most]) / 10000;
+    return KERN_R(share[low]) / 10000;
 }
 
-/* Whether blocks hang that nothing holds up, and the others stand without them.
-   The proof is of the others, and the fall of these. */
-static int kern_raise_hangs(kern_model *m, kern_part *p, const kern_query *q,
-                            const kern_real *value)
-{
-    const kern_vec way = kern_vec_unit(m->s->gravity);
-    kern_query rest = *q;
-    kern_status status = KERN_STANDS;
-    int i;
-    rest.fallen = value;
-    kern_model_group(m, &rest);
-    kern_model_unload(m);
-    if (m->graph.groups > 0)
-        status = kern_model_evaluate(m, p, &rest);
-    kern_model_group(m, q);
-    for (i = 0; i < m->s->blocks; i++) {
-        const kern_motion rests = {0, 0, 0}, falls = {way.x, way.y, 0};
-        m->answer.motion[i] = value[i] >= 0 ? falls : rests;
-    }
-    return status == KERN_STANDS;
-}
-
-/* Opens the question. Whether blocks hang, with the proof, in *out, which is
-   KERN_NOT_SHOWN before; or room for prices. */
+/* Opens the question: whether blocks hang that nothing holds up, and the others
+   stand without them, in *out, with the proof, which is of the others and of
+   the fall of these; else room for prices. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
-    kern_model *m = r->m = &c->m;
-    const kern_query *q = &c->path.q;
+    kern_model *m = &c->m;
+    const kern_vec way = kern_vec_unit(m->s->gravity);
+    kern_query q = c->path.q;
     kern_status status = KERN_STANDS;
     kern_real *value;
     int i, left = m->s->blocks, gone = 1; /* the largest set that can hang */
     r->p = &c->part;
+    *out = KERN_NOT_SHOWN;
     m->rest.reals -= m->s->blocks; /* at the end of the work memory */
     m->common.reals -= m->s->blocks;
     if (!kern_take_fits(&m->rest))
@@ -6450,65 +6434,62 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         value[i] = KERN_R(1);
     for (; gone > 0; left -= gone)
         gone = kern_hang_pass(m->s, value);
-    if (left > 0 || (r->around >= 0 && kern_model_ask(m, 1))) {
-        status = kern_model_evaluate(m, r->p, q);
-        if (m->whole)
-            kern_model_group(m, q);
-        if (left > 0 && status == KERN_STANDS
-            && kern_raise_hangs(m, r->p, q, value))
+    if (left > 0 || (r->around >= 0 && kern_model_ask(m, 1)))
+        status = kern_model_evaluate(m, r->p, &q);
+    if (left > 0 && status == KERN_STANDS) {
+        q.fallen = value;
+        kern_model_group(m, &q);
+        kern_model_unload(m);
+        if (m->graph.groups == 0
+            || kern_model_evaluate(m, r->p, &q) == KERN_STANDS)
             *out = KERN_HANGS;
+        q.fallen = c->path.q.fallen;
+        for (i = 0; i < m->s->blocks; i++) {
+            const kern_motion rests = {0, 0, 0}, falls = {way.x, way.y, 0};
+            m->answer.motion[i] = value[i] >= 0 ? falls : rests;
+        }
     }
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    kern_model_set(m, q);
-    return kern_raise_open(r) ? KERN_STANDS : KERN_NO_SPACE;
+    kern_model_group(m, &q);
+    kern_model_set(m, &q);
+    return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
-/* Keeps u and prices as the last of a load, and goes on from there in the same
-   direction: `ahead` is how far, in steps from the last but one. */
-static void kern_raise_lead(kern_raise *r, int keep, kern_real ahead)
-{
-    kern_real *const u = r->p->dual.u, *const before = r->begin;
-    int i;
-    if (keep) {
-        r->begin = r->best;
-        r->best = before;
-        kern_copy(r->best, u, r->size);
-    }
-    for (i = 0; i < r->size; i++)
-        u[i] = r->best[i] + ahead * (r->best[i] - r->begin[i]);
-    for (i = 0; i < r->p->contacts; i++)
-        r->price[i] = kern_max(r->price[i], 0);
-}
-
-/* Raises the load of q, by *share of it, from 0 to `most` in steps, each
-   from the last two. The end of the path doubles where nothing is known to end
-   it before. Returns the last share that was proven, below 0 if none. */
+/* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
+   the last two in the same direction. The end of the path doubles where nothing
+   is known to end it before. Returns the last share that was proven, below 0 if
+   none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
-                                  kern_real *share, kern_real most,
-                                  const kern_proof *proof)
+                                  kern_real *share, kern_real most)
 {
-    kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
-    kern_real stood = *share = KERN_R(0), taken = KERN_R(1);
     static const int nth[] = {KERN_LOAD_STEPS, KERN_LOAD_FINE, KERN_LOAD_JUMP};
-    int pace = 0, good = 1;
-    kern_raise_along(r, KERN_RAISE_JUMP);
-    if (!kern_raise_settle(r, q, 1, KERN_ROUNDS, proof))
+    kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
+    kern_real stood = *share = KERN_R(0), taken = KERN_R(1), *u = r->p->dual.u;
+    int i, pace = 0, good;
+    kern_raise_stiffen(r, 1);
+    if (!kern_raise_settle(r, q, 1, KERN_RAISE_JUMP))
         return KERN_R(-1);
-    kern_copy(r->best, r->p->dual.u, r->size);
-    while (stood < end && pace < 3) {
-        const kern_real at = *share = kern_min(
-            stood + end / (kern_real)nth[pace], end);
-        r->along = pace == 2 ? KERN_RAISE_JUMP : KERN_RAISE_STILL;
-        kern_raise_lead(r, good, (at - stood) / taken);
-        good = kern_raise_settle(r, q, 0, KERN_ROUNDS, proof);
-        if (!good && !(stood > 0)) { /* from rest nothing leads there */
-            r->along = 2 * KERN_RAISE_JUMP;
-            good = kern_raise_settle(r, q, 1, KERN_ROUNDS, proof);
+    kern_copy(r->best, u, r->size);
+    for (good = 1; stood < end && pace < 3;) {
+        *share = kern_min(stood + end / (kern_real)nth[pace], end);
+        for (i = 0; i < r->size; i++) {
+            if (good) {
+                r->begin[i] = r->best[i];
+                r->best[i] = u[i];
+            }
+            u[i] = r->best[i] + (*share - stood) / taken
+                                * (r->best[i] - r->begin[i]);
+            if (u + i >= r->p->dual.price)
+                u[i] = kern_max(u[i], 0);
         }
+        good = kern_raise_settle(r, q, 0, pace == 2 ? KERN_RAISE_JUMP
+                                                    : KERN_RAISE_STILL)
+            || (!(stood > 0) /* from rest nothing leads there */
+                && kern_raise_settle(r, q, 1, 2 * KERN_RAISE_JUMP));
         if (good) {
-            taken = at - stood;
-            stood = at;
+            taken = *share - stood;
+            stood = *share;
             pace = pace > 0;
         } else
             pace += pace == 1 && !(stood < KERN_LOAD_NEAR * end) ? 2 : 1;
@@ -6520,22 +6501,22 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     return stood;
 }
 
-/* Whether it is raised where the blocks' loads grow from 0. */
-static int kern_raise_grown(kern_raise *r, const kern_query *q)
+/* Whether it is raised: at once, where the blocks' loads grow from 0, or from
+   the last of these that it is raised with, or with patience. */
+static int kern_raise_shows(kern_raise *r, const kern_query *q)
 {
     kern_query grown = *q;
     kern_real last = KERN_R(-1);
-    if (kern_model_loaded(r->m))
-        last = kern_raise_climb(r, &grown, &grown.loads, KERN_R(1), NULL);
-    if (last >= 0 && last < 1) {
-        kern_copy(r->p->dual.u, r->best, r->size);
-        kern_raise_along(r, 0); /* prices settle sooner than along the load */
-        r->along = KERN_ROUNDS;
-        last = (kern_real)(kern_raise_settle(r, q, 0, 2 * KERN_ROUNDS, NULL)
-                           || kern_raise_settle(r, q, 1, KERN_ROUNDS, NULL));
-    }
-    r->along = 0;
-    return last >= 1;
+    if (kern_raise_settle(r, q, 1, 0))
+        return 1;
+    if (kern_model_loaded(r->p->m))
+        last = kern_raise_climb(r, &grown, &grown.loads, KERN_R(1));
+    if (!(last >= 0 && last < 1))
+        return last >= 1;
+    kern_copy(r->p->dual.u, r->best, r->size);
+    kern_raise_stiffen(r, 0); /* prices settle sooner than along the load */
+    return kern_raise_settle(r, q, 0, KERN_ROUNDS)
+        || kern_raise_settle(r, q, 1, KERN_ROUNDS);
 }
 
 /* Whether it is raised, in *out. And unless sag is NULL how far the block asked
@@ -6548,11 +6529,10 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
     const kern_status status = kern_raise_begin(r, c, out);
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    if (kern_raise_settle(r, q, 1, KERN_RAISE_ROUNDS, NULL)
-        || kern_raise_grown(r, q))
+    if (kern_raise_shows(r, q))
         *out = KERN_RAISED;
     if (sag) {
-        const kern_graph *graph = &r->m->graph;
+        const kern_graph *graph = &r->p->m->graph;
         const kern_real *u = r->p->dual.u
                              + 3 * graph->local[graph->group[r->around]];
         *sag = (kern_real)graph->groups * (kern_abs(u[2]) / 2
@@ -6570,7 +6550,7 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
 {
     kern_call c;
     kern_raise r;
-    kern_raising raising = KERN_NOT_SHOWN;
+    kern_raising raising;
     kern_real share = KERN_R(0);
     kern_status status = kern_call_open(&c, task, shrink, out);
     if (status != KERN_OK)
@@ -6580,6 +6560,7 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
     if (sag && (i < 0 || i >= task->s.blocks || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
     r.around = i;
+    r.proof = NULL;
     if (sag)
         kern_model_know(&c.m, &task->known);
     status = kern_raise_show(&r, &c, &raising, sag);
@@ -6632,16 +6613,17 @@ KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
                                   side, factor ? &most : NULL, proof);
     if (status == KERN_STANDS) { /* a model again that no part is open of */
         kern_query *q = &c.path.q;
-        kern_raising hung = KERN_NOT_SHOWN;
+        kern_raising hung;
         kern_model_open(&c.m, task, q);
         r.around = KERN_OUT;
+        r.proof = proof;
         status = kern_raise_begin(&r, &c, &hung);
         if (hung == KERN_HANGS)
             status = KERN_UNDECIDED;
         q->factor = most = kern_min(most, KERN_FACTOR_MOST);
-        kern_model_set(r.m, q); /* the unit of force is what acts at the end */
+        kern_model_set(&c.m, q); /* the unit of force is what acts at the end */
         if (status == KERN_STANDS)
-            stood = kern_raise_climb(&r, q, &q->factor, most, proof);
+            stood = kern_raise_climb(&r, q, &q->factor, most);
         status = kern_ended(task, status == KERN_STANDS && stood < 0
                                   ? KERN_UNDECIDED : status);
     }
