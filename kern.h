@@ -6347,10 +6347,12 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
         const int first = cold && round == 0;
         const kern_status found = kern_norm_find(p, r->tolerance,
             4 * KERN_NORM_MOST, !first, KERN_RAISE_STEPS + (first ? 10 : 1));
-        const int presses = kern_raise_price(r, found == KERN_STANDS);
-        const kern_real all = kern_raise_extrapolate(r, round);
+        kern_real all;
+        int presses;
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
+        presses = kern_raise_price(r, found == KERN_STANDS);
+        all = kern_raise_extrapolate(r, round);
         if (presses && kern_raise_proves(r, q))
             return 1;
         if (all < KERN_R(0.8) * least) {
@@ -6434,7 +6436,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         value[i] = KERN_R(1);
     for (; gone > 0; left -= gone)
         gone = kern_hang_pass(m->s, value);
-    if (left > 0 || (r->around >= 0 && kern_model_ask(m, 1)))
+    if (left > 0 || r->around >= 0)
         status = kern_model_evaluate(m, r->p, &q);
     if (left > 0 && status == KERN_STANDS) {
         q.fallen = value;
