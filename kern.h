@@ -86,12 +86,12 @@
    need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
-       KERN_REALS and KERN_INTS     9,092    21,408    65,968   358,448
-       both KERN_LEAN_ sizes        9,092    12,332    20,172    64,372
+       KERN_REALS and KERN_INTS     9,372    22,080    69,640   391,520
+       both KERN_LEAN_ sizes        9,188    12,428    20,268    64,652
 
    KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where a
    few blocks decide the margin, as in most walls: 0.7 MB for 1000 blocks and
-   7000 points instead of 20. Where many blocks move at the margin, as in
+   7000 points instead of 23. Where many blocks move at the margin, as in
    arches, a call needs more and returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -715,15 +715,18 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions, for arrays: see >>memory. Blocks include fixed ones.
-   KERN_EXTRAS and KERN_LP_EXTRAS are factors of a basis (>>lp): of a structure
-   some have room, of a dense program all. */
+   KERN_ROOM is for factors of so many columns with fill-in (>>lp), in threes: a
+   wall has KERN_LEAN_EXTRAS of these; KERN_LP_ROOM, of a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
+#define KERN_LEAN_EXTRAS(blocks) \
+    ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
+#define KERN_ROOM(extras) (((extras) * (extras) + 5 * (extras)) / 3)
 #define KERN_REALS(blocks, contacts) \
     (KERN_EXTRAS(blocks) * (KERN_EXTRAS(blocks) + 5) + 54 * (blocks) \
      + 12 * (contacts) + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS(blocks, contacts) \
-    (2 * KERN_EXTRAS(blocks) + 39 * (blocks) + 9 * (contacts) + 40)
+    (KERN_ROOM(KERN_EXTRAS(blocks)) + 39 * (blocks) + 9 * (contacts) + 40)
 #define KERN_LEAN_PART(blocks) ((blocks) / 40 + 3)
 #define KERN_LEAN_REALS(blocks, contacts) \
     (12 * (blocks) + 6 * (contacts) \
@@ -731,10 +734,9 @@ typedef struct kern_lp {
 #define KERN_LEAN_INTS(blocks, contacts) \
     (10 * (blocks) + 4 * (contacts) \
      + KERN_INTS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
-#define KERN_LP_EXTRAS(rows) ((rows) + (rows) / 2 + 8)
-#define KERN_LP_REALS(rows, cols) ((KERN_LP_EXTRAS(rows) + 5) * (rows) + 6)
-#define KERN_LP_INTS(rows, cols) \
-    (2 * KERN_LP_EXTRAS(rows) + 2 * (rows) + (cols) + 2)
+#define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
+#define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 5 * (rows) + 16)
+#define KERN_LP_INTS(rows, cols) (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* B is the number of blocks, C of contact points. No pointer may be NULL unless
@@ -1535,13 +1537,8 @@ KERN_SHARED static void kern_add(void *v, kern_real s, const void *w, int n)
 {
     kern_real *to = (kern_real *)v;
     const kern_real *from = (const kern_real *)w;
-    int i;
-    for (i = 0; i + 2 <= n; i += 2) {
-        to[i] += s * from[i];
-        to[i + 1] += s * from[i + 1];
-    }
-    if (i < n)
-        to[i] += s * from[i];
+    for (; n > 0; n--)
+        *to++ += s * *from++;
 }
 
 static kern_real kern_largest(const kern_real *v, int n)
@@ -2662,10 +2659,12 @@ typedef struct kern_factors {
     kern_real *block;       /* row: of the inverse of its group, three; then
                                what its column is in its other end's rows     */
     int *to;                /* row: the first of those rows                   */
-    int most, count;        /* factors: room, and how many there are          */
-    int *pivot, *from;      /* factor: the row in which it pivots, and the first
-                               in which its column is not zero                */
-    kern_real *entry;       /* its column, of all rows                        */
+    int most, room;         /* for factors, and for groups of entries         */
+    int count;              /* factors                                        */
+    int *pivot, *first;     /* factor: the row in which it pivots, and the first
+                               of its groups of entries; one more             */
+    int *at;                /* group of entries: its first row                */
+    kern_real *entry;       /* three a group                                  */
 } kern_factors;
 
 typedef enum kern_basis {
@@ -2676,6 +2675,7 @@ typedef enum kern_basis {
 
 typedef struct kern_simplex {
     const kern_program *lp;
+    int groups;             /* of three rows; the last may be short           */
     kern_basis state;
     kern_factors factors;
     int *base;              /* row: its variable                              */
@@ -2747,7 +2747,7 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
                                kern_real least);
-static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int most,
+static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
@@ -5082,7 +5082,7 @@ KERN_SHARED static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 static kern_status kern_part_lay(kern_part *p)
 {
     const int n = p->groups;
-    int most = KERN_EXTRAS(n);
+    int room = KERN_EXTRAS(n);
     p->eq.lp.rows = 3 * n;
     p->eq.lp.cols = 2 * p->contacts;
     p->eq.lp.ends = p->ends;
@@ -5092,14 +5092,14 @@ static kern_status kern_part_lay(kern_part *p)
     p->eq.lp.most = KERN_BOUND;
     p->eq.lp.limit = p->m->task->options.limit;
     p->eq.shrink = KERN_R(-1); /* none */
-    for (; most >= n / 12 + 2; most--) {
+    for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
         p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
         p->eq.rate = kern_take_reals(&take, 3 * n + 3);
         p->x = kern_take_reals(&take, 2 * p->contacts + 1);
         p->y = kern_take_reals(&take, 3 * n + 3);
-        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, most, &take);
+        kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
             kern_zero(p->y + 3 * n, 3);
             return KERN_OK;
@@ -5984,24 +5984,6 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Whether what moved in the known structure, if it is a small part, falls with
-   the last block at s; its critical value is the path's. */
-static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_motion *motion = m->answer.known->motion;
-    int g, groups = 0, last = 0;
-    for (g = 0; g < m->graph.groups; g++) {
-        const int b = m->graph.block[g];
-        if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
-            m->graph.local[last = g] = 0;
-            groups++;
-        }
-    }
-    return groups > 1 && 2 * groups <= m->graph.groups
-           && kern_part_open(path->part, m, groups, last)
-           && kern_path_part(m, path, s) == KERN_FALLS;
-}
-
 /* Where a search begins: just before the known critical value, if its motion
    proves it, or a body's, up to a step on; else where it held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
@@ -6027,9 +6009,6 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         kern_start_falls(m, path);
         return warm->holds;
     }
-    if (known && m->answer.known && m->graph.groups <= KERN_SMALL
-        && kern_known_part(m, path, most))
-        return kern_max(path->start, path->critical - kern_aside(path));
     path->fails = KERN_INFINITY;
     return at;
 }
@@ -8131,7 +8110,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    E_i lets one column more enter (the product form of the inverse). It is the
    unit matrix but for one column: with alpha the entering column in terms of
    the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
-   / alpha_p in row p.
+   / alpha_p in row p. Only groups of alpha that are not zero are kept.
 
    Vectors over the rows have three more places at their end: there lie the rows
    of the group that a column leads to which leads to none. Reading it gives 0,
@@ -8166,10 +8145,9 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
         v[j - lp->cols - 1] -= s;
     else if (lp->ends && j < lp->cols) {
         const kern_real *c = lp->a + 4 * (size_t)j;
-        const kern_real x = s * c[0], y = s * c[1];
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
-        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
-        t[0] += x; t[1] += y; t[2] -= s * c[3];
+        h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
+        t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
     } else
         kern_add(v, j == lp->cols ? s : -s, kern_lp_dense(lp, j), lp->rows);
 }
@@ -8195,13 +8173,13 @@ static int kern_lp_part(const kern_program *lp, int j, int other,
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
-    const int rows = sx->lp->rows;
-    int e, g, k;
+    int e, n, g, k;
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real *own = v + 3 * g;
         const kern_real b[3] = {own[0], own[1], own[2]};
-        if (kern_abs(b[0]) + kern_abs(b[1]) + kern_abs(b[2]) <= 0)
+        if (b[0] >= 0 && b[0] <= 0 && b[1] >= 0 && b[1] <= 0
+            && b[2] >= 0 && b[2] <= 0)
             continue;
         for (k = 0; k < 3; k++, d += 6) {
             const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
@@ -8212,11 +8190,14 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
     for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]];
-        const int from = f->from[e];
-        if (kern_abs(x) <= 0)
+        if (x >= 0 && x <= 0)
             continue;
         v[f->pivot[e]] = KERN_R(0);
-        kern_add(v + from, x, f->entry + e * rows + from, rows - from);
+        for (n = f->first[e]; n < f->first[e + 1]; n++) {
+            const kern_real *a = f->entry + 3 * (size_t)n;
+            kern_real *w = v + f->at[n];
+            w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
+        }
     }
 }
 
@@ -8224,13 +8205,16 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
-    const int rows = sx->lp->rows;
-    int e, g, k;
-    kern_zero(c + rows, 3);
+    int e, n, g, k;
+    kern_zero(c + sx->lp->rows, 3 * sx->groups + 3 - sx->lp->rows);
     for (e = f->count - 1; e >= 0; e--) {
-        const int from = f->from[e];
-        c[f->pivot[e]] = kern_dot(f->entry + e * rows + from, c + from,
-                                  rows - from);
+        kern_real sum = KERN_R(0);
+        for (n = f->first[e]; n < f->first[e + 1]; n++) {
+            const kern_real *a = f->entry + 3 * (size_t)n;
+            const kern_real *w = c + f->at[n];
+            sum += a[0] * w[0] + a[1] * w[1] + a[2] * w[2];
+        }
+        c[f->pivot[e]] = sum;
     }
     for (g = f->groups - 1; g >= 0; g--) {
         const kern_real *d = f->block + 18 * (size_t)g;
@@ -8248,30 +8232,37 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 /* Column j in terms of the basis: to sx->alpha. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
-    kern_zero(sx->alpha, sx->lp->rows + 3);
+    kern_zero(sx->alpha, 3 * sx->groups + 3);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
     kern_basis_solve(sx, sx->alpha);
 }
 
 /* Whether there is no room for one more factor. */
 static int kern_basis_full(const kern_simplex *sx)
-{ return sx->factors.count == sx->factors.most; }
+{
+    const kern_factors *f = &sx->factors;
+    return f->count == f->most || f->first[f->count] + sx->groups > f->room;
+}
 
 /* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
 static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
-    const int rows = sx->lp->rows;
     const kern_real one = 1 / sx->alpha[p];
-    kern_real *column = f->entry + f->count * rows;
-    int i = 0;
-    while (kern_abs(sx->alpha[i]) <= 0)
-        i++;
-    f->from[f->count] = i;
+    int n = f->first[f->count], r;
+    for (r = 0; r < 3 * sx->groups; r += 3) {
+        const kern_real *a = sx->alpha + r;
+        kern_real *out = f->entry + 3 * (size_t)n;
+        if (a[0] >= 0 && a[0] <= 0 && a[1] >= 0 && a[1] <= 0
+            && a[2] >= 0 && a[2] <= 0)
+            continue;
+        out[0] = -a[0] * one; out[1] = -a[1] * one; out[2] = -a[2] * one;
+        if (p >= r && p < r + 3)
+            out[p - r] = one;
+        f->at[n++] = r;
+    }
     f->pivot[f->count++] = p;
-    for (; i < rows; i++)
-        column[i] = -sx->alpha[i] * one;
-    column[p] = one;
+    f->first[f->count] = n;
     sx->base[p] = q;
     sx->place[q] = p;
 }
@@ -8361,13 +8352,13 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
 }
 
 /* Logicals, but for a network: from top to bottom three columns of each group
-   carry what it bears, of those that face its load if they can; else the two of
-   its first contact, which leave the torque to a logical. */
+   carry what it bears, those that face its load if they can; else two, which
+   leave the torque to a logical. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int *next = sx->place, *first = sx->list; /* columns of a group */
-    int mine[KERN_ROWS_MOST], g, j;
+    int mine[KERN_ROWS_MOST], g, j, any, done;
     for (j = 0; j < lp->rows; j++) {
         sx->base[j] = lp->cols + 1 + j; /* its logical */
         sx->alpha[j] = lp->rhs[j];
@@ -8379,19 +8370,18 @@ static void kern_simplex_crash(kern_simplex *sx)
         next[j] = first[g];
         first[g] = j;
     }
-    for (g = 0; g < sx->factors.groups; g++) {
-        int n = 0;
-        for (j = first[g]; j != KERN_OUT && n < KERN_ROWS_MOST; j = next[j])
-            if (kern_crash_faces(sx, j))
-                mine[n++] = j;
-        if (first[g] != KERN_OUT
-            && !kern_crash_choose(sx, g, mine, n, KERN_CRASH_PULL)) {
-            mine[0] = first[g];
-            mine[1] = next[first[g]];
-            mine[2] = sx->base[3 * g + 2];
-            kern_crash_choose(sx, g, mine, 3, KERN_BOUND);
+    for (g = 0; g < sx->factors.groups; g++)
+        for (any = done = 0; any < 2 && !done; any++) {
+            int n = 0;
+            for (j = first[g]; j != KERN_OUT && n < KERN_ROWS_MOST; j = next[j])
+                if (any || kern_crash_faces(sx, j))
+                    mine[n++] = j;
+            done = kern_crash_choose(sx, g, mine, n, KERN_CRASH_PULL);
+            if (any && !done && n > 1) {
+                mine[2] = sx->base[3 * g + 2];
+                kern_crash_choose(sx, g, mine, 3, KERN_BOUND);
+            }
         }
-    }
     sx->state = KERN_BASIS_STALE;
 }
 
@@ -8403,7 +8393,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
     kern_real part[3], alpha[3], least = KERN_OWN_TOL, *block, *own;
-    int k, best = KERN_OUT, row;
+    int i, k, best = KERN_OUT, row;
     if (!lp->ends || j == lp->cols)
         return 0;
     row = kern_lp_part(lp, j, 0, part);
@@ -8418,11 +8408,11 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (best == KERN_OUT)
         return 0;
     own = block + 6 * best;
+    for (i = 0; i < 3; i++)
+        own[i] /= alpha[best];
     for (k = 0; k < 3; k++)
-        own[k] /= alpha[best];
-    for (k = 0; k < 3; k++)
-        if (k != best)
-            kern_add(block + 6 * k, -alpha[k], own, 3);
+        for (i = 0; i < 3 && k != best; i++)
+            block[6 * k + i] -= alpha[k] * own[i];
     sx->factors.to[row + best] = kern_lp_part(lp, j, 1, own + 3);
     sx->base[row + best] = j;
     sx->place[j] = row + best;
@@ -8457,7 +8447,7 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
         size = kern_max(size, kern_abs(v));
-        if (kern_abs(v) > 0)
+        if (v > 0 || v < 0)
             kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
     }
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
@@ -8465,8 +8455,7 @@ static kern_real kern_basis_residual(kern_simplex *sx)
 
 /* The basic solution. What it leaves of the right-hand side is solved for
    again until that is rounding: the inverse grows with every course of a wall,
-   and one solve may lose half of the digits. Returns how often that was done,
-   or KERN_OUT where it is not enough. */
+   and one solve may lose half of the digits. Returns 0 where it is not. */
 static int kern_basis_values(kern_simplex *sx)
 {
     kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
@@ -8479,7 +8468,7 @@ static int kern_basis_values(kern_simplex *sx)
         left = kern_basis_residual(sx);
     }
     sx->refined = 1;
-    return left <= KERN_PASS_TOL ? round : KERN_OUT;
+    return left <= KERN_PASS_TOL;
 }
 
 /* Factors the basis anew: three own columns of each group, then what is left of
@@ -8502,7 +8491,7 @@ static void kern_basis_refactorise(kern_simplex *sx)
         f->block[6 * p + p % 3] = KERN_R(1);
         f->to[p] = lp->rows;
     }
-    f->count = 0;
+    f->count = f->first[0] = 0;
     for (p = 0; p < lp->rows; p++)
         if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
             sx->list[left++] = sx->list[p];
@@ -8510,16 +8499,6 @@ static void kern_basis_refactorise(kern_simplex *sx)
         kern_left_enter(sx, sx->list[i]);
     sx->state = KERN_BASIS_READY;
     kern_basis_values(sx);
-}
-
-/* Gives the values the digits that pivots lost; returns whether that changed
-   them: if not, prices and violations are as they were. */
-static int kern_basis_refine(kern_simplex *sx)
-{
-    const int rounds = kern_basis_values(sx);
-    if (rounds < 0)
-        kern_basis_refactorise(sx);
-    return rounds;
 }
 
 /* ---- pivots ---- */
@@ -8578,10 +8557,15 @@ static int kern_proof_mend(kern_simplex *sx, kern_real *y)
     int p;
     if (sx->state == KERN_BASIS_NONE)
         return 0;
-    for (p = 0; p < lp->rows; p++)
-        sx->price[p] = (sx->base[p] < lp->cols ? above : 0) - sx->slope[p];
-    kern_basis_solve_t(sx, sx->price);
-    kern_copy(y, sx->price, lp->rows);
+    for (p = 0; p < lp->rows; p++) {
+        const int j = sx->base[p];
+        sx->alpha[p] = sx->slope[p]
+            + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y));
+        if (j < lp->cols)
+            sx->alpha[p] -= above;
+    }
+    kern_basis_solve_t(sx, sx->alpha);
+    kern_add(y, KERN_R(-1), sx->alpha, lp->rows);
     return 1;
 }
 
@@ -8593,12 +8577,17 @@ static kern_real kern_prices(kern_simplex *sx, kern_real sum)
     const kern_program *lp = sx->lp;
     kern_real size, least;
     int p;
-    kern_copy(sx->price, sx->slope, lp->rows);
-    for (p = 0; p < lp->rows && !sx->violated; p++)
-        sx->price[p] = kern_lp_cost(lp, sx->base[p]);
+    for (p = 0; p < lp->rows; p++)
+        sx->price[p] = sx->violated ? sx->slope[p]
+                                    : kern_lp_cost(lp, sx->base[p]);
     kern_basis_solve_t(sx, sx->price);
     size = kern_largest(sx->price, lp->rows);
-    least = sx->violated && lp->most > 0 ? sum / lp->most : KERN_NOISE * size;
+    least = KERN_NOISE * size;
+    if (!sx->violated)
+        least = KERN_NOISE
+                * (lp->cost ? kern_largest(lp->cost, lp->cols) : KERN_R(1));
+    else if (lp->most > 0)
+        least = sum / lp->most;
     return kern_max(least, KERN_ROUNDING * size);
 }
 
@@ -8670,7 +8659,7 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
         seen %= 128;
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
-                || (at[i] <= at[next]
+                || (once && at[i] <= at[next]
                     && (first ? sx->base[list[i]] < sx->base[list[next]]
                               : kern_abs(sx->alpha[list[i]])
                                 > kern_abs(sx->alpha[list[next]]))))
@@ -8689,7 +8678,8 @@ static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
 {
     const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
-                      1 + (sx->factors.count + 3) * rows / 72
+                      1 + (sx->factors.first[sx->factors.count]
+                           + 2 * sx->factors.groups) / 16
                       + (sx->lp->ends ? cols / 48 : rows * (cols / 256)))
            ? KERN_OK : KERN_LIMIT;
 }
@@ -8725,8 +8715,8 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
-    const int limit = 200 + 32 * (lp->rows + lp->cols);
-    const int budget = 50 + 8 * lp->rows;
+    const int limit = 200 + 20 * (lp->rows + lp->cols);
+    const int budget = 50 + 10 * lp->rows;
     int count;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
@@ -8739,9 +8729,11 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
             kern_basis_column(sx, q);
             p = kern_leaving(sx, first, &step, work);
         }
-        if (p == KERN_OUT && !sx->refined
-            && (kern_basis_refine(sx) || q != KERN_OUT))
+        if (p == KERN_OUT && !sx->refined) {
+            if (!kern_basis_values(sx))
+                kern_basis_refactorise(sx);
             continue;
+        }
         *ray = q;
         if (q == KERN_OUT)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
@@ -8757,28 +8749,31 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays out the arrays of a simplex, with room for so many factors. */
-static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int most,
+/* Lays out the arrays of a simplex, with room for so many groups of entries. */
+static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
-    const int m = lp->rows;
+    const int m = lp->rows, n = (m + 2) / 3;
     kern_factors *f = &sx->factors;
     sx->lp = lp;
     sx->state = KERN_BASIS_NONE;
-    f->groups = lp->ends ? m / 3 : 0;
-    f->most = most;
+    sx->groups = n;
+    f->groups = lp->ends ? n : 0;
+    f->room = room;
+    f->most = 2 * m + 8;
     f->to = kern_take_ints(take, 3 * f->groups);
-    f->pivot = kern_take_ints(take, most);
-    f->from = kern_take_ints(take, most);
+    f->pivot = kern_take_ints(take, f->most);
+    f->first = kern_take_ints(take, f->most + 1);
+    f->at = kern_take_ints(take, room);
     f->block = kern_take_reals(take, 18 * f->groups);
-    f->entry = kern_take_reals(take, most * m);
+    f->entry = kern_take_reals(take, 3 * room);
     sx->base = kern_take_ints(take, m);
     sx->place = kern_take_ints(take, lp->cols + 1);
     sx->list = kern_take_ints(take, m + 1);
     sx->value = kern_take_reals(take, m);
     sx->slope = kern_take_reals(take, m);
-    sx->alpha = kern_take_reals(take, m + 3);
-    sx->price = kern_take_reals(take, m + 3);
+    sx->alpha = kern_take_reals(take, 3 * n + 3);
+    sx->price = kern_take_reals(take, 3 * n + 3);
     sx->ratio = kern_take_reals(take, m);
 }
 
@@ -8807,10 +8802,9 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
         return KERN_LIMIT;
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
-    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx))
+    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
+        || !kern_basis_values(sx))
         kern_basis_refactorise(sx);
-    else
-        kern_basis_refine(sx);
     return kern_pivot_spend(sx, work);
 }
 
@@ -8885,17 +8879,17 @@ static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 }
 
 /* What the sum of u v over n numbers, those of v so far apart, leaves of
-   `from`, as a share of all terms; not a number where one is not. */
-static kern_real kern_lp_left(kern_real from, const kern_real *u,
-                              const kern_real *v, int apart, int n)
+   `from`; adds it without signs to *terms. */
+static kern_real kern_lp_residual(kern_real from, const kern_real *u,
+                                  const kern_real *v, int apart, int n,
+                                  kern_real *terms)
 {
-    kern_real terms = kern_abs(from);
-    for (; n > 0; n--, v += apart) {
-        const kern_real term = *u++ * *v;
-        from -= term;
-        terms += kern_abs(term);
+    int i;
+    for (i = 0; i < n; i++, v += apart) {
+        from -= u[i] * *v;
+        *terms += kern_abs(u[i] * *v);
     }
-    return terms > 0 ? from / terms + (terms - terms) : from;
+    return from;
 }
 
 /* from = A u, row by row, or from >= u A (NULL: 0 <= u A), column by column,
@@ -8906,12 +8900,14 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
     const int rows = lp->rows, n = columns ? lp->cols : rows;
     int i;
     for (i = 0; i < n; i++) {
-        const kern_real *a = lp->a + (size_t)i * (size_t)(columns ? rows : 1);
-        const kern_real left = kern_lp_left(
-            from ? from[i] : KERN_R(0), u, a, columns ? 1 : rows,
-            columns ? rows : lp->cols);
-        if (!((columns && !from) || left >= -KERN_TOL)
-            || !((columns && from) || left <= KERN_TOL))
+        const kern_real at = from ? from[i] : KERN_R(0);
+        kern_real terms = kern_abs(at), left;
+        left = kern_lp_residual(at, u,
+                            lp->a + (size_t)i * (size_t)(columns ? rows : 1),
+                            columns ? 1 : rows, columns ? rows : lp->cols,
+                            &terms);
+        left = !columns ? kern_abs(left) : from ? -left : left;
+        if (!(left <= KERN_TOL * terms) || !kern_is_finite(terms))
             return 0;
     }
     return 1;
@@ -8922,18 +8918,22 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
+    const int none = status == KERN_LP_INFEASIBLE;
     const int ray = status == KERN_LP_UNBOUNDED;
-    if (status == KERN_LP_INFEASIBLE)
-        return kern_lp_side(lp, y, 1, NULL)
-               && kern_lp_left(KERN_R(0), y, lp->rhs, 1, lp->rows) > KERN_TOL;
-    if (!kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
+    kern_real terms = KERN_R(0), gap = KERN_R(0);
+    if (none ? !kern_lp_side(lp, y, 1, NULL)
+             : !kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
         return 0;
-    if (ray)
-        return kern_lp_left(KERN_R(0), lp->cost, x, 1, lp->cols) > KERN_TOL;
-    return !lp->cost
-           || (kern_lp_side(lp, y, 1, lp->cost)
-               && kern_abs(kern_lp_left(kern_dot(y, lp->rhs, lp->rows),
-                                        lp->cost, x, 1, lp->cols)) <= KERN_TOL);
+    if (!none && !lp->cost)
+        return 1;
+    if (!ray)
+        gap = kern_lp_residual(gap, y, lp->rhs, 1, lp->rows, &terms);
+    if (!none)
+        gap = kern_lp_residual(-gap, lp->cost, x, 1, lp->cols, &terms);
+    if (none || ray)
+        return gap > KERN_TOL * terms;
+    return kern_lp_side(lp, y, 1, lp->cost) && kern_is_finite(terms)
+           && kern_abs(gap) <= KERN_TOL * terms;
 }
 
 /* The same; where nothing else is in a row the last digits of x or y are all
@@ -8997,7 +8997,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     p.most = KERN_R(0);
     p.limit = lp->limit;
     kern_take_open(&take, work);
-    kern_simplex_lay(&sx, &p, KERN_LP_EXTRAS(lp->rows), &take);
+    kern_simplex_lay(&sx, &p, KERN_LP_ROOM(lp->rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
     status = kern_program_solve(&sx, 0, x, y, work);
