@@ -1138,7 +1138,7 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 
 /* Solves a small dense program. x has cols, y rows numbers.
      KERN_LP_OPTIMAL     x is a solution, of least cost if there are costs, and
-                         then y are its prices: cost - y.A >= 0
+                         then y are its prices: cost - y.A >= 0, 0 where x > 0
      KERN_LP_INFEASIBLE  no x exists: y.A >= 0 and y.rhs < 0
      KERN_LP_UNBOUNDED   the cost falls along x: A x = 0, x >= 0, cost.x < 0
      KERN_UNDECIDED      the method does not end, or the check failed, as it may
@@ -8145,9 +8145,10 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
         v[j - lp->cols - 1] -= s;
     else if (lp->ends && j < lp->cols) {
         const kern_real *c = lp->a + 4 * (size_t)j;
+        const kern_real x = s * c[0], y = s * c[1];
         kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
-        h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
-        t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
+        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
+        t[0] += x; t[1] += y; t[2] -= s * c[3];
     } else
         kern_add(v, j == lp->cols ? s : -s, kern_lp_dense(lp, j), lp->rows);
 }
@@ -8178,8 +8179,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real *own = v + 3 * g;
         const kern_real b[3] = {own[0], own[1], own[2]};
-        if (b[0] >= 0 && b[0] <= 0 && b[1] >= 0 && b[1] <= 0
-            && b[2] >= 0 && b[2] <= 0)
+        if (kern_abs(b[0]) + kern_abs(b[1]) + kern_abs(b[2]) <= 0)
             continue;
         for (k = 0; k < 3; k++, d += 6) {
             const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
@@ -8190,7 +8190,7 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
     }
     for (e = 0; e < f->count; e++) {
         const kern_real x = v[f->pivot[e]];
-        if (x >= 0 && x <= 0)
+        if (kern_abs(x) <= 0)
             continue;
         v[f->pivot[e]] = KERN_R(0);
         for (n = f->first[e]; n < f->first[e + 1]; n++) {
@@ -8253,8 +8253,7 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     for (r = 0; r < 3 * sx->groups; r += 3) {
         const kern_real *a = sx->alpha + r;
         kern_real *out = f->entry + 3 * (size_t)n;
-        if (a[0] >= 0 && a[0] <= 0 && a[1] >= 0 && a[1] <= 0
-            && a[2] >= 0 && a[2] <= 0)
+        if (kern_abs(a[0]) + kern_abs(a[1]) + kern_abs(a[2]) <= 0)
             continue;
         out[0] = -a[0] * one; out[1] = -a[1] * one; out[2] = -a[2] * one;
         if (p >= r && p < r + 3)
@@ -8393,7 +8392,7 @@ static int kern_own_enter(kern_simplex *sx, int j)
 {
     const kern_program *lp = sx->lp;
     kern_real part[3], alpha[3], least = KERN_OWN_TOL, *block, *own;
-    int i, k, best = KERN_OUT, row;
+    int k, best = KERN_OUT, row;
     if (!lp->ends || j == lp->cols)
         return 0;
     row = kern_lp_part(lp, j, 0, part);
@@ -8408,11 +8407,11 @@ static int kern_own_enter(kern_simplex *sx, int j)
     if (best == KERN_OUT)
         return 0;
     own = block + 6 * best;
-    for (i = 0; i < 3; i++)
-        own[i] /= alpha[best];
     for (k = 0; k < 3; k++)
-        for (i = 0; i < 3 && k != best; i++)
-            block[6 * k + i] -= alpha[k] * own[i];
+        own[k] /= alpha[best];
+    for (k = 0; k < 3; k++)
+        if (k != best)
+            kern_add(block + 6 * k, -alpha[k], own, 3);
     sx->factors.to[row + best] = kern_lp_part(lp, j, 1, own + 3);
     sx->base[row + best] = j;
     sx->place[j] = row + best;
@@ -8447,7 +8446,7 @@ static kern_real kern_basis_residual(kern_simplex *sx)
     for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
         size = kern_max(size, kern_abs(v));
-        if (v > 0 || v < 0)
+        if (kern_abs(v) > 0)
             kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
     }
     return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
@@ -8879,61 +8878,52 @@ static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
 }
 
 /* What the sum of u v over n numbers, those of v so far apart, leaves of
-   `from`; adds it without signs to *terms. */
-static kern_real kern_lp_residual(kern_real from, const kern_real *u,
-                                  const kern_real *v, int apart, int n,
-                                  kern_real *terms)
+   `from`, as a share of all terms; not a number where one is not. */
+static kern_real kern_lp_left(kern_real from, const kern_real *u,
+                              const kern_real *v, int apart, int n)
 {
-    int i;
-    for (i = 0; i < n; i++, v += apart) {
-        from -= u[i] * *v;
-        *terms += kern_abs(u[i] * *v);
+    kern_real terms = kern_abs(from);
+    for (; n > 0; n--, v += apart) {
+        const kern_real term = *u++ * *v;
+        from -= term;
+        terms += kern_abs(term);
     }
-    return from;
+    return terms > 0 ? from / terms + (terms - terms) : from;
 }
 
-/* from = A u, row by row, or from >= u A (NULL: 0 <= u A), column by column,
-   each to KERN_TOL of its own terms? */
+/* from = A u, row by row, or from >= u A, column by column, = where x > 0 (from
+   NULL: 0 = A u, 0 <= u A), each to KERN_TOL of its own terms? */
 static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
-                        const kern_real *from)
+                        const kern_real *from, const kern_real *x)
 {
     const int rows = lp->rows, n = columns ? lp->cols : rows;
     int i;
     for (i = 0; i < n; i++) {
-        const kern_real at = from ? from[i] : KERN_R(0);
-        kern_real terms = kern_abs(at), left;
-        left = kern_lp_residual(at, u,
-                            lp->a + (size_t)i * (size_t)(columns ? rows : 1),
-                            columns ? 1 : rows, columns ? rows : lp->cols,
-                            &terms);
-        left = !columns ? kern_abs(left) : from ? -left : left;
-        if (!(left <= KERN_TOL * terms) || !kern_is_finite(terms))
+        const kern_real *a = lp->a + (size_t)i * (size_t)(columns ? rows : 1);
+        const kern_real left = kern_lp_left(
+            from ? from[i] : KERN_R(0), u, a, columns ? 1 : rows,
+            columns ? rows : lp->cols);
+        if (!((columns && !from) || left >= -KERN_TOL)
+            || !((columns && from && !(x[i] > 0)) || left <= KERN_TOL))
             return 0;
     }
     return 1;
 }
 
-/* Whether x, or y, proves the status, by products with the matrix alone. What
-   is not a number proves nothing. */
+/* Whether x, or y, proves the status, by products with the matrix alone: of the
+   lowest cost by complementary slackness. What is not a number proves nothing.
+   */
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
-    const int none = status == KERN_LP_INFEASIBLE;
-    const int ray = status == KERN_LP_UNBOUNDED;
-    kern_real terms = KERN_R(0), gap = KERN_R(0);
-    if (none ? !kern_lp_side(lp, y, 1, NULL)
-             : !kern_lp_side(lp, x, 0, ray ? NULL : lp->rhs))
-        return 0;
-    if (!none && !lp->cost)
-        return 1;
-    if (!ray)
-        gap = kern_lp_residual(gap, y, lp->rhs, 1, lp->rows, &terms);
-    if (!none)
-        gap = kern_lp_residual(-gap, lp->cost, x, 1, lp->cols, &terms);
-    if (none || ray)
-        return gap > KERN_TOL * terms;
-    return kern_lp_side(lp, y, 1, lp->cost) && kern_is_finite(terms)
-           && kern_abs(gap) <= KERN_TOL * terms;
+    if (status == KERN_LP_INFEASIBLE)
+        return kern_lp_side(lp, y, 1, NULL, NULL)
+               && kern_lp_left(KERN_R(0), y, lp->rhs, 1, lp->rows) > KERN_TOL;
+    if (status == KERN_LP_UNBOUNDED)
+        return kern_lp_side(lp, x, 0, NULL, NULL)
+               && kern_lp_left(KERN_R(0), lp->cost, x, 1, lp->cols) > KERN_TOL;
+    return kern_lp_side(lp, x, 0, lp->rhs, NULL)
+           && (!lp->cost || kern_lp_side(lp, y, 1, lp->cost, x));
 }
 
 /* The same; where nothing else is in a row the last digits of x or y are all
