@@ -8576,17 +8576,12 @@ static kern_real kern_prices(kern_simplex *sx, kern_real sum)
     const kern_program *lp = sx->lp;
     kern_real size, least;
     int p;
-    for (p = 0; p < lp->rows; p++)
-        sx->price[p] = sx->violated ? sx->slope[p]
-                                    : kern_lp_cost(lp, sx->base[p]);
+    kern_copy(sx->price, sx->slope, lp->rows);
+    for (p = 0; p < lp->rows && !sx->violated; p++)
+        sx->price[p] = kern_lp_cost(lp, sx->base[p]);
     kern_basis_solve_t(sx, sx->price);
     size = kern_largest(sx->price, lp->rows);
-    least = KERN_NOISE * size;
-    if (!sx->violated)
-        least = KERN_NOISE
-                * (lp->cost ? kern_largest(lp->cost, lp->cols) : KERN_R(1));
-    else if (lp->most > 0)
-        least = sum / lp->most;
+    least = sx->violated && lp->most > 0 ? sum / lp->most : KERN_NOISE * size;
     return kern_max(least, KERN_ROUNDING * size);
 }
 
@@ -8636,8 +8631,9 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 /* The row that the entering column takes, and how far it goes, from those whose
    variables reach zero on the way. The ratio test goes on past every one as
    long as the sum of violations still falls: a long step, which passes through
-   degenerate corners. With `first`, and for costs, it stops at the first: of
-   equals that of the least index (Bland), or of the largest pivot. */
+   degenerate corners. With `first`, and for costs, it stops at the first. Of
+   equals it takes that of the largest pivot, with `first` of the least index
+   (Bland). */
 static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
                         kern_work *work)
 {
@@ -8658,7 +8654,7 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
         seen %= 128;
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
-                || (once && at[i] <= at[next]
+                || (at[i] <= at[next]
                     && (first ? sx->base[list[i]] < sx->base[list[next]]
                               : kern_abs(sx->alpha[list[i]])
                                 > kern_abs(sx->alpha[list[next]]))))
