@@ -86,12 +86,12 @@
    need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
-       KERN_REALS and KERN_INTS     9,372    22,080    69,640   391,520
-       both KERN_LEAN_ sizes        9,188    12,428    20,268    64,652
+       KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
+       both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
    KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where a
    few blocks decide the margin, as in most walls: 0.7 MB for 1000 blocks and
-   7000 points instead of 23. Where many blocks move at the margin, as in
+   7000 points instead of 20. Where many blocks move at the margin, as in
    arches, a call needs more and returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
@@ -715,18 +715,18 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions, for arrays: see >>memory. Blocks include fixed ones.
-   KERN_ROOM is for factors of so many columns with fill-in (>>lp), in threes: a
-   wall has KERN_LEAN_EXTRAS of these; KERN_LP_ROOM, of a dense program. */
+   KERN_ROOM is for factors of so many columns with fill-in (>>lp): a wall has
+   KERN_LEAN_EXTRAS of these; KERN_LP_ROOM, of a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
     ((blocks) < 10 ? KERN_EXTRAS(blocks) : (blocks) / 2 + 2)
-#define KERN_ROOM(extras) (((extras) * (extras) + 5 * (extras)) / 3)
+#define KERN_ROOM(extras) ((extras) * ((extras) + 5))
 #define KERN_REALS(blocks, contacts) \
-    (KERN_EXTRAS(blocks) * (KERN_EXTRAS(blocks) + 5) + 54 * (blocks) \
+    (KERN_ROOM(KERN_EXTRAS(blocks)) + 54 * (blocks) \
      + 12 * (contacts) + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
 #define KERN_INTS(blocks, contacts) \
-    (KERN_ROOM(KERN_EXTRAS(blocks)) + 39 * (blocks) + 9 * (contacts) + 40)
+    (45 * (blocks) + 9 * (contacts) + 48)
 #define KERN_LEAN_PART(blocks) ((blocks) / 40 + 3)
 #define KERN_LEAN_REALS(blocks, contacts) \
     (12 * (blocks) + 6 * (contacts) \
@@ -734,9 +734,9 @@ typedef struct kern_lp {
 #define KERN_LEAN_INTS(blocks, contacts) \
     (10 * (blocks) + 4 * (contacts) \
      + KERN_INTS(KERN_LEAN_PART(blocks), 8 * KERN_LEAN_PART(blocks)))
-#define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * (((rows) + 2) / 3))
-#define KERN_LP_REALS(rows, cols) (3 * KERN_LP_ROOM(rows) + 5 * (rows) + 16)
-#define KERN_LP_INTS(rows, cols) (KERN_LP_ROOM(rows) + 9 * (rows) + (cols) + 20)
+#define KERN_LP_ROOM(rows) (((rows) + (rows) / 2 + 8) * ((rows) + 2))
+#define KERN_LP_REALS(rows, cols) (KERN_LP_ROOM(rows) + 5 * (rows) + 16)
+#define KERN_LP_INTS(rows, cols) (9 * (rows) + (cols) + 30)
 
 /* ---- Functions ----------------------------------------------------- >>api */
 /* B is the number of blocks, C of contact points. No pointer may be NULL unless
@@ -2659,12 +2659,12 @@ typedef struct kern_factors {
     kern_real *block;       /* row: of the inverse of its group, three; then
                                what its column is in its other end's rows     */
     int *to;                /* row: the first of those rows                   */
-    int most, room;         /* for factors, and for groups of entries         */
+    int most, room;         /* for factors, and for entries                   */
     int count;              /* factors                                        */
-    int *pivot, *first;     /* factor: the row in which it pivots, and the first
-                               of its groups of entries; one more             */
-    int *at;                /* group of entries: its first row                */
-    kern_real *entry;       /* three a group                                  */
+    int *pivot, *from;      /* factor: the row in which it pivots, and the first
+                               that it has an entry of                        */
+    int *first;             /* where its entries begin; one more              */
+    kern_real *entry;       /* its column, in threes of rows                  */
 } kern_factors;
 
 typedef enum kern_basis {
@@ -8110,7 +8110,8 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
    E_i lets one column more enter (the product form of the inverse). It is the
    unit matrix but for one column: with alpha the entering column in terms of
    the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
-   / alpha_p in row p. Only groups of alpha that are not zero are kept.
+   / alpha_p in row p. Its entries are kept in threes, from the first that is
+   not zero to the last.
 
    Vectors over the rows have three more places at their end: there lie the rows
    of the group that a column leads to which leads to none. Reading it gives 0,
@@ -8174,7 +8175,7 @@ static int kern_lp_part(const kern_program *lp, int j, int other,
 static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 {
     const kern_factors *f = &sx->factors;
-    int e, n, g, k;
+    int e, g, k;
     for (g = 0; g < f->groups; g++) {
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real *own = v + 3 * g;
@@ -8189,13 +8190,14 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
         }
     }
     for (e = 0; e < f->count; e++) {
-        const kern_real x = v[f->pivot[e]];
+        const kern_real x = v[f->pivot[e]], *a;
+        kern_real *w;
         if (kern_abs(x) <= 0)
             continue;
         v[f->pivot[e]] = KERN_R(0);
-        for (n = f->first[e]; n < f->first[e + 1]; n++) {
-            const kern_real *a = f->entry + 3 * (size_t)n;
-            kern_real *w = v + f->at[n];
+        w = v + f->from[e];
+        for (a = f->entry + f->first[e]; a < f->entry + f->first[e + 1];
+             a += 3, w += 3) {
             w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
         }
     }
@@ -8205,17 +8207,11 @@ static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
 static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
-    int e, n, g, k;
+    int e, g, k;
     kern_zero(c + sx->lp->rows, 3 * sx->groups + 3 - sx->lp->rows);
-    for (e = f->count - 1; e >= 0; e--) {
-        kern_real sum = KERN_R(0);
-        for (n = f->first[e]; n < f->first[e + 1]; n++) {
-            const kern_real *a = f->entry + 3 * (size_t)n;
-            const kern_real *w = c + f->at[n];
-            sum += a[0] * w[0] + a[1] * w[1] + a[2] * w[2];
-        }
-        c[f->pivot[e]] = sum;
-    }
+    for (e = f->count - 1; e >= 0; e--)
+        c[f->pivot[e]] = kern_dot(f->entry + f->first[e], c + f->from[e],
+                                  f->first[e + 1] - f->first[e]);
     for (g = f->groups - 1; g >= 0; g--) {
         const kern_real *d = f->block + 18 * (size_t)g;
         kern_real y0 = KERN_R(0), y1 = KERN_R(0), y2 = KERN_R(0);
@@ -8241,7 +8237,7 @@ static void kern_basis_column(kern_simplex *sx, int j)
 static int kern_basis_full(const kern_simplex *sx)
 {
     const kern_factors *f = &sx->factors;
-    return f->count == f->most || f->first[f->count] + sx->groups > f->room;
+    return f->count == f->most || f->first[f->count] + 3 * sx->groups > f->room;
 }
 
 /* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
@@ -8249,19 +8245,19 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
 {
     kern_factors *f = &sx->factors;
     const kern_real one = 1 / sx->alpha[p];
-    int n = f->first[f->count], r;
-    for (r = 0; r < 3 * sx->groups; r += 3) {
-        const kern_real *a = sx->alpha + r;
-        kern_real *out = f->entry + 3 * (size_t)n;
-        if (kern_abs(a[0]) + kern_abs(a[1]) + kern_abs(a[2]) <= 0)
-            continue;
-        out[0] = -a[0] * one; out[1] = -a[1] * one; out[2] = -a[2] * one;
-        if (p >= r && p < r + 3)
-            out[p - r] = one;
-        f->at[n++] = r;
-    }
+    kern_real *entry = f->entry + f->first[f->count];
+    int from = 0, to = 3 * sx->groups, i;
+    while (kern_abs(sx->alpha[from]) <= 0)
+        from++;
+    while (kern_abs(sx->alpha[to - 1]) <= 0)
+        to--;
+    from -= from % 3;
+    to += 2 - (to + 2) % 3;
+    for (i = from; i < to; i++)
+        *entry++ = i == p ? one : -sx->alpha[i] * one;
+    f->from[f->count] = from;
     f->pivot[f->count++] = p;
-    f->first[f->count] = n;
+    f->first[f->count] = f->first[f->count - 1] + to - from;
     sx->base[p] = q;
     sx->place[q] = p;
 }
@@ -8545,6 +8541,21 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
+/* Corrects y so that y.A_j of basic columns is what sx->alpha says, and of their
+   logicals: by what a solution that lost digits leaves of it. */
+static void kern_prices_refine(kern_simplex *sx, kern_real *y)
+{
+    const kern_program *lp = sx->lp;
+    int p;
+    for (p = 0; p < lp->rows; p++) {
+        const int j = sx->base[p];
+        sx->alpha[p] -= j > lp->cols ? y[j - lp->cols - 1]
+                                     : kern_lp_dot(lp, j, y);
+    }
+    kern_basis_solve_t(sx, sx->alpha);
+    kern_add(y, KERN_R(1), sx->alpha, lp->rows);
+}
+
 /* Lifts a certificate y off the columns that it touches; 0: there is no basis,
    since the backend has answered. Rounding puts it a little below zero there as
    often as above; a few roundings higher it costs of its power no more than all
@@ -8556,30 +8567,28 @@ static int kern_proof_mend(kern_simplex *sx, kern_real *y)
     int p;
     if (sx->state == KERN_BASIS_NONE)
         return 0;
-    for (p = 0; p < lp->rows; p++) {
-        const int j = sx->base[p];
-        sx->alpha[p] = sx->slope[p]
-            + (j > lp->cols ? y[j - lp->cols - 1] : kern_lp_dot(lp, j, y));
-        if (j < lp->cols)
-            sx->alpha[p] -= above;
-    }
-    kern_basis_solve_t(sx, sx->alpha);
-    kern_add(y, KERN_R(-1), sx->alpha, lp->rows);
+    for (p = 0; p < lp->rows; p++)
+        sx->alpha[p] = (sx->base[p] < lp->cols ? above : KERN_R(0))
+                       - sx->slope[p];
+    kern_prices_refine(sx, y);
     return 1;
 }
 
 /* The prices, and the gain below which no column enters. One that would have to
    carry more than lp->most to undo the violations is no help: the bound on
    forces of a jam. */
-static kern_real kern_prices(kern_simplex *sx, kern_real sum)
+static kern_real kern_prices(kern_simplex *sx, kern_real sum, int fine)
 {
     const kern_program *lp = sx->lp;
     kern_real size, least;
     int p;
-    kern_copy(sx->price, sx->slope, lp->rows);
+    kern_copy(sx->alpha, sx->slope, lp->rows);
     for (p = 0; p < lp->rows && !sx->violated; p++)
-        sx->price[p] = kern_lp_cost(lp, sx->base[p]);
+        sx->alpha[p] = kern_lp_cost(lp, sx->base[p]);
+    kern_copy(sx->price, sx->alpha, lp->rows);
     kern_basis_solve_t(sx, sx->price);
+    if (fine)
+        kern_prices_refine(sx, sx->price);
     size = kern_largest(sx->price, lp->rows);
     least = sx->violated && lp->most > 0 ? sum / lp->most : KERN_NOISE * size;
     return kern_max(least, KERN_ROUNDING * size);
@@ -8595,7 +8604,7 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
     int j, best = KERN_OUT;
     if (costs && !kern_lp_costs(lp))
         return KERN_OUT;
-    least = kern_prices(sx, sum);
+    least = kern_prices(sx, sum, first);
     sx->gain = KERN_R(0);
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -8674,7 +8683,7 @@ static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
     const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
                       1 + (sx->factors.first[sx->factors.count]
-                           + 2 * sx->factors.groups) / 16
+                           + 6 * sx->factors.groups) / 64
                       + (sx->lp->ends ? cols / 48 : rows * (cols / 256)))
            ? KERN_OK : KERN_LIMIT;
 }
@@ -8702,16 +8711,16 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero; when the budget is used up
-   the smallest indices are taken (Bland), which cannot cycle. The limit ends
-   what rounding might keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED
-   with the column *ray, KERN_LP_INFEASIBLE (prices are in sx->price), or
-   KERN_UNDECIDED. */
+   falls with every step that is not of length zero, unless prices are rounding;
+   when the budget is used up they are refined, and the smallest indices are
+   taken (Bland), which cannot cycle. Returns KERN_LP_OPTIMAL,
+   KERN_LP_UNBOUNDED with the column *ray, KERN_LP_INFEASIBLE (prices are in
+   sx->price), or KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
     const int limit = 200 + 20 * (lp->rows + lp->cols);
-    const int budget = 50 + 10 * lp->rows;
+    const int budget = 50 + 2 * lp->rows;
     int count;
     for (count = 0; count < limit; ) {
         const int first = count > budget;
@@ -8758,10 +8767,10 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     f->most = 2 * m + 8;
     f->to = kern_take_ints(take, 3 * f->groups);
     f->pivot = kern_take_ints(take, f->most);
+    f->from = kern_take_ints(take, f->most);
     f->first = kern_take_ints(take, f->most + 1);
-    f->at = kern_take_ints(take, room);
     f->block = kern_take_reals(take, 18 * f->groups);
-    f->entry = kern_take_reals(take, 3 * room);
+    f->entry = kern_take_reals(take, room);
     sx->base = kern_take_ints(take, m);
     sx->place = kern_take_ints(take, lp->cols + 1);
     sx->list = kern_take_ints(take, m + 1);
