@@ -1628,7 +1628,7 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q,
     if (q->pattern)
         *w = q->pattern[i];
     else
-        kern_weigh(kern_vec_turn(s->gravity),
+        kern_weigh(kern_vec_turn(q->gravity),
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
@@ -5398,22 +5398,20 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return at;
 }
 
-/* How the load on group g changes along a path on which one grows or gravity
-   turns, in the units of the group's rows. */
-static void kern_group_rate(const kern_path *path, const kern_model *m,
-                            const kern_query *q, kern_real s, int g,
-                            kern_real out[3])
+/* By what rhs grows at a query with the load, or with the tangent of the angle
+   by which gravity turns, which is a load too. */
+static void kern_path_rate(const kern_part *p, const kern_query *q,
+                           kern_real *to)
 {
-    const int i = m->graph.block[g];
+    const kern_model *m = p->m;
     kern_wrench w;
-    if (path->kind == KERN_PATH_LOAD)
-        kern_pattern_on(m->s, q, i, &w);
-    else
-        kern_weigh(kern_vec_turn(q->gravity),
-                   4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), &w);
-    out[0] = w.fx / m->weight;
-    out[1] = w.fy / m->weight;
-    out[2] = w.torque * m->unit[g] / m->weight;
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        kern_pattern_on(m->s, q, m->graph.block[p->group[n]], &w);
+        *to++ = -w.fx / m->weight;
+        *to++ = -w.fy / m->weight;
+        *to++ = -w.torque * m->unit[p->group[n]] / m->weight;
+    }
 }
 
 /* Records a verdict on the whole at s, and hands its proof to the caller. The
@@ -5430,9 +5428,13 @@ KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* The place at which gravity is turned by atan(t) from where it is at s. */
-static kern_real kern_path_turned(kern_real s, kern_real t)
+/* The place beyond s at which a load has grown by t, or gravity turned by
+   atan(t). */
+static kern_real kern_path_pushed(const kern_path *path, kern_real s,
+                                  kern_real t)
 {
+    if (path->kind == KERN_PATH_LOAD)
+        return s + t;
     t = t / (1 + KERN_SQRT(1 + t * t));
     t = t / (1 + KERN_SQRT(1 + t * t));
     return (s + t) / (1 - s * t);
@@ -5444,18 +5446,13 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
-    const kern_real power = kern_dot(p->y, p->eq.rhs, 3 * p->groups);
-    kern_real share, fall = KERN_R(0), rate[3];
-    int n;
+    const int n = 3 * p->groups;
+    const kern_real power = kern_dot(p->y, p->eq.rhs, n);
+    kern_real *rate = p->m->answer.sum; /* not in use */
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_critical(path, q, power);
-    for (n = 0; n < p->groups; n++) {
-        kern_group_rate(path, p->m, q, s, p->group[n], rate);
-        fall -= kern_three(p->y + 3 * n, rate);
-    }
-    share = power / fall;
-    return path->kind == KERN_PATH_LOAD
-           ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
+    kern_path_rate(p, q, rate);
+    return kern_path_pushed(path, s, -power / kern_dot(p->y, rate, n));
 }
 
 /* The verdict at s. The critical value of a mechanism, proven or not, becomes
@@ -5894,16 +5891,11 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     const kern_real s = path->holds;
     const kern_query q = kern_path_at(path, s);
     kern_real place;
-    int g;
     kern_part_set(p, &q);
-    for (g = 0; g < p->groups; g++)
-        kern_group_rate(path, m, &q, s, p->group[g], p->eq.rate + 3 * g);
-    kern_scale(p->eq.rate, 3 * p->groups, KERN_R(-1));
+    kern_path_rate(p, &q, p->eq.rate);
     if (!kern_part_follow(p, &place))
         return KERN_UNDECIDED;
-    path->critical = path->kind == KERN_PATH_LOAD
-        ? s + place : kern_path_turned(s, 4 / (1 + s * s) * place);
-    path->exact = path->critical;
+    path->critical = path->exact = kern_path_pushed(path, s, place);
     path->fails = path->end;
     return path->critical < path->end ? kern_path_critical(m, path)
                                       : KERN_UNDECIDED;
