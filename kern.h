@@ -5195,19 +5195,16 @@ static kern_status kern_part_norm(kern_part *p, int builtin)
     return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
 }
 
-/* How far rhs can grow at eq.rate, to `place`; returns 0: without end. */
-static int kern_part_follow(kern_part *p, kern_real *place)
+/* How far rhs can grow at eq.rate, which is the same for all of a program. */
+static kern_real kern_part_follow(kern_part *p)
 {
-    kern_simplex *sx = &p->eq.simplex;
     kern_status status;
-    if (p->eq.lp.rate) /* another was followed before */
-        kern_simplex_change(sx, KERN_BASIS_STALE);
     p->eq.lp.rate = p->eq.rate;
     p->eq.lp.follow = 1;
-    status = kern_program_solve(sx, 1, p->x, p->y, p->m->task->work);
+    status = kern_program_solve(&p->eq.simplex, 1, p->x, p->y,
+                                p->m->task->work);
     p->eq.lp.follow = 0;
-    *place = p->x[p->eq.lp.cols];
-    return status == KERN_LP_OPTIMAL;
+    return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
 /* The verdict on a part by the simplex method. */
@@ -5491,13 +5488,12 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
                                     kern_real under)
 {
-    const kern_real same = KERN_NOISE * path->unit;
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
     int i;
     if (status != KERN_FALLS || path->critical > at)
         path->critical = at;
-    if (status != KERN_FALLS || path->critical >= at - same)
+    if (path->critical >= at - KERN_NOISE * path->unit)
         path->exact = path->critical;
     if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK) {
         const kern_real s = kern_max(at - under, path->start);
@@ -5742,13 +5738,12 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
 }
 
 /* Whether the known motion proves that the structure falls at the known place:
-   that bounds the critical value. Not where the known bracket is wide. */
+   that bounds the critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
-    if (warm->fails - warm->holds > 2 * kern_width(path)
-        || !kern_known_falls(m, &q, warm))
+    if (!kern_known_falls(m, &q, warm))
         return 0;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
     path->fails = warm->fails;
@@ -5890,15 +5885,15 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     kern_part *p = path->part;
     const kern_real s = path->holds;
     const kern_query q = kern_path_at(path, s);
-    kern_real place;
+    kern_real most;
     kern_part_set(p, &q);
     kern_path_rate(p, &q, p->eq.rate);
-    if (!kern_part_follow(p, &place))
+    most = kern_part_follow(p);
+    path->critical = path->exact = kern_path_pushed(path, s, most);
+    if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
-    path->critical = path->exact = kern_path_pushed(path, s, place);
     path->fails = path->end;
-    return path->critical < path->end ? kern_path_critical(m, path)
-                                      : KERN_UNDECIDED;
+    return kern_path_critical(m, path);
 }
 
 /* The critical value in the known bracket, or where there is none, or none that
@@ -5995,14 +5990,11 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return at;
     warm->fails = KERN_INFINITY;
     place = kern_body_first(m, path, at);
-    if (place <= path->start)
-        return place;
-    if (place < most) {
+    if (place > path->start && place < most) {
         kern_start_falls(m, path);
         return warm->holds;
     }
-    path->fails = KERN_INFINITY;
-    return at;
+    return kern_min(place, at);
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
