@@ -1799,7 +1799,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s);
 static kern_status kern_path_critical(kern_model *m, kern_path *path);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step);
+                                  kern_real even);
 static kern_status kern_path_search(kern_model *m, kern_path *path);
 
 /* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
@@ -5589,39 +5589,31 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Contact c as a support that has not moved: its normal times `sign`, its arm
-   from `centre` to where it acts at `place`, times `unit`. */
-static void kern_support_set(kern_support *to, const kern_model *m,
-                             const kern_contact *c, kern_real sign,
-                             kern_real place, kern_vec centre, kern_real unit)
-{
-    const kern_vec arm = kern_vec_sub(kern_contact_at(c, place, m->relative),
-                                      centre);
-    to->row = kern_row_of(kern_vec_scale(c->n, sign), kern_vec_scale(arm, unit),
-                          KERN_R(1));
-    to->mu = kern_friction(c, m->reduction);
-    to->way[0] = to->way[1] = KERN_R(0);
-}
-
 /* Whether points of a pair that lie in a row from contact i to j carry at
    `place` what m->answer.force makes them carry where they are at `from`. */
 static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
                              kern_real place)
 {
     const kern_contact *c = m->s->contact + i;
-    kern_support row[KERN_ROWS_MOST], was;
+    const kern_force *f = m->answer.force + i;
+    kern_support row[KERN_ROWS_MOST];
     kern_real b[3] = {0, 0, 0};
-    int k;
+    int k, at;
     if (j - i > KERN_ROWS_MOST)
         return 0;
-    for (k = i; k < j; k++) {
-        const kern_contact *d = m->s->contact + k;
-        const kern_force *f = m->answer.force + k;
-        const kern_real sign = KERN_R(d->a == c->a ? 1 : -1), one = 1 / m->mean;
-        kern_support_set(&was, m, d, sign, from, c->p, one);
-        kern_support_set(row + (k - i), m, d, sign, place, c->p, one);
-        kern_row_exert(&was.row, f->normal, f->tangential, b);
-    }
+    for (k = 0; k < j - i; k++, f++)
+        for (at = 0; at < 2; at++) { /* where it is, and at the place */
+            const kern_contact *d = c + k;
+            const kern_vec p = kern_contact_at(d, at ? place : from,
+                                               m->relative);
+            row[k].row = kern_row_of(
+                kern_vec_scale(d->n, KERN_R(d->a == c->a ? 1 : -1)),
+                kern_vec_sub(p, c->p), 1 / m->mean);
+            row[k].mu = kern_model_mu(m, i + k);
+            row[k].way[0] = row[k].way[1] = KERN_R(0);
+            if (!at)
+                kern_row_exert(&row[k].row, f->normal, f->tangential, b);
+        }
     return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3))
            == KERN_STANDS;
 }
@@ -5645,86 +5637,75 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
     return 1;
 }
 
-/* Climbs from a place that stands until the whole falls, in steps that grow, or
-   are halved where nothing can be proven; then finds the critical value. */
-static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real first, kern_real step)
-{
-    int round;
-    for (round = 0; round < 5 * KERN_SCAN; round++) {
-        const kern_real next = kern_min(path->holds + first, path->end);
-        const kern_status status = kern_path_evaluate(m, path, next);
-        if (status == KERN_FALLS)
-            return kern_path_critical(m, path);
-        if (status == KERN_STANDS && next >= path->end)
-            return kern_path_saturate(path);
-        if (status == KERN_STANDS) {
-            first = step;
-            step *= KERN_CLIMB_GROWS;
-        } else if (status == KERN_UNDECIDED && first > kern_width(path))
-            step = first /= 2;
-        else
-            return status;
-    }
-    return KERN_UNDECIDED;
-}
-
-/* Whether it stands at the steps from `at` to path->holds too. Where gravity
-   turns under loads that stay it does: the gravities that are held are a convex
-   set, and the arc lies in the triangle of its ends and of the corner where
-   their tangents meet. */
+/* Whether it stands at the even steps from `at` to path->holds too. Where
+   gravity turns under loads that stay it does: the gravities that are held are
+   a convex set, and the arc lies in the triangle of its ends and of the corner
+   where their tangents meet. */
 static int kern_walk_between(kern_model *m, const kern_path *path, kern_real at,
-                             kern_real step, int stride)
+                             kern_real even)
 {
+    const kern_real past = at + even * KERN_R(1.5);
     kern_query q = kern_path_at(path, path->holds);
-    int k;
-    if (path->kind == KERN_PATH_TILT && stride > 1) {
+    kern_real s;
+    if (path->kind == KERN_PATH_TILT && path->holds > past) {
         const kern_vec from = kern_path_at(path, at).gravity, to = q.gravity;
         const kern_real square = kern_vec_dot(to, to);
         q.gravity = kern_vec_scale(kern_vec_add(from, to), square
                                    / (square + kern_vec_dot(from, to)));
         return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
     }
-    for (k = 1; k < stride; k++)
-        if (!kern_walk_holds(m, path->holds, at + KERN_R(stride - k) * step))
+    for (s = path->holds; s > past; s -= even)
+        if (!kern_walk_holds(m, path->holds, s - even))
             return 0;
     return 1;
 }
 
-/* Goes from a place that stands toward the end in even steps, where verdicts
-   may change more than once, until it falls; then finds the critical
-   value. Steps are left out where a later one shows that it stands there. */
-static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step)
+/* Climbs from a place that stands until the whole falls, in steps that grow, or
+   are halved where nothing can be proven; then finds the critical value. Where
+   verdicts may change more than once it stands at all steps of width `even` on
+   the way; else that is 0. */
+static kern_status kern_path_climb(kern_model *m, kern_path *path,
+                                   kern_real first, kern_real step,
+                                   kern_real even)
 {
-    const kern_real end = path->end;
-    kern_real at = path->holds, fell = KERN_INFINITY;
-    int round, stride = 1;
+    const kern_real least = kern_max(even, kern_width(path)) * KERN_R(1.5);
+    kern_real fell = KERN_INFINITY;
+    int round;
     for (round = 0; round < 5 * KERN_SCAN; round++) {
-        const kern_real next = kern_min(end, at + KERN_R(stride) * step);
-        const kern_real holds = path->holds;
+        const kern_real at = path->holds, aim = at + kern_max(first, even);
+        const kern_real next = kern_min(path->end, even > 0
+            ? even * KERN_R((int)(aim / even + KERN_R(0.5))) : aim);
         const kern_status status = kern_path_evaluate(m, path, next);
-        if (status < KERN_UNDECIDED)
-            return status;
         if (status == KERN_STANDS
-            && kern_walk_between(m, path, at, step, stride)) {
-            if (next >= end)
+            && (!(even > 0) || kern_walk_between(m, path, at, even))) {
+            if (next >= path->end)
                 return kern_path_saturate(path);
-            at = next;
-            stride *= 2;
-        } else if (stride > 1) {
+            first = step;
+            step *= KERN_CLIMB_GROWS;
+        } else if (status == KERN_FALLS
+                   && (!(even > 0) || next - at <= least))
+            return kern_path_critical(m, path);
+        else if (status < KERN_UNDECIDED || next - at <= least)
+            return status;
+        else {
+            step = first /= 2;
+            path->holds = at;
             if (status == KERN_FALLS)
                 fell = kern_min(next, path->critical);
-            stride /= 2;
-            path->holds = holds;
             if (status == KERN_STANDS) /* the proof is that of `next` */
-                kern_path_evaluate(m, path, holds);
-        } else
-            return status == KERN_FALLS ? kern_path_critical(m, path) : status;
-        while (stride > 1 && !(at + KERN_R(stride) * step < fell))
-            stride /= 2;
+                kern_path_evaluate(m, path, at);
+        }
+        first = kern_min(first, (fell - path->holds) / 2);
     }
     return KERN_UNDECIDED;
+}
+
+/* The critical value of a path on which verdicts may change more than once. */
+static kern_status kern_path_walk(kern_model *m, kern_path *path,
+                                  kern_real even)
+{
+    const kern_real step = path->unit * KERN_CLIMB;
+    return kern_path_climb(m, path, step, step, even);
 }
 
 /* Whether the known motion, then the answer's, proves that it falls. */
@@ -5906,7 +5887,7 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
     path->holds = kern_max(path->start, path->proven.low);
-    return kern_path_climb(m, path, first, step);
+    return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
 /* Begins a program of all groups with the known forces. */
