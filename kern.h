@@ -1822,28 +1822,23 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
 }
 
 /* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
-   no longer; last + 1 if they always do, -1 if a verdict on the way is
-   undecided. Where kerns are nested the margin tells the verdicts up to the
-   first step in its bracket. */
-static kern_status kern_level_scan(kern_model *m, const kern_path *path,
-                                   int nested, int last, kern_margin *out)
+   no longer; last + 1 if they always do, -1 if a verdict is undecided. Up to
+   path->holds they do, where kerns are nested from path->fails on they do
+   not. */
+static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
+                            int last, kern_margin *out)
 {
     kern_status status = KERN_STANDS;
-    int k = !nested ? 1 : out->saturated ? last + 1
-            : (int)(path->holds / out->epsilon);
+    int k = (int)(path->holds / out->epsilon);
     for (k += k == 0; k <= last && status == KERN_STANDS; k++) {
-        const kern_real at = KERN_R(k) * out->epsilon;
-        const kern_query q = kern_path_at(path, kern_min(at, out->most));
-        if (at > path->holds && q.shrink < path->fails)
-            nested = 0;
-        if (!nested)
-            status = kern_model_evaluate(m, path->part, &q);
-        else if (at > path->holds)
-            status = KERN_FALLS;
+        const kern_query q = kern_path_at(
+            path, kern_min(KERN_R(k) * out->epsilon, out->most));
+        if (q.shrink > path->holds)
+            status = nested && q.shrink >= path->fails
+                ? KERN_FALLS : kern_model_evaluate(m, path->part, &q);
     }
     out->level = status == KERN_STANDS ? last + 1
                  : status == KERN_FALLS ? k - 1 : -1;
-    return status >= KERN_UNDECIDED ? KERN_STANDS : status;
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
@@ -2823,29 +2818,25 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     return kern_ended(task, status);
 }
 
-/* The margin, and with it the level. Where kerns are nested the verdicts beside
-   the margin tell the level; else a literal scan first, which bounds it. */
+/* The margin, and with it the level. Where kerns are not nested it stands at all
+   levels up to the margin: some of the even steps are levels. */
 KERN_SHARED static kern_status kern_measure_path(
     kern_model *m, kern_path *path, int nested, int last, kern_margin *out)
 {
+    const kern_real first = kern_min(out->epsilon, out->most);
     kern_status status = nested ? kern_path_search(m, path)
                                 : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
-        status = kern_level_scan(m, path, 0, last, out);
-    if (!nested && status == KERN_STANDS) {
-        if (out->level > 0)
-            path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-        status = kern_path_walk(m, path, out->most / KERN_SCAN);
-    }
-    if (path->never && path->end < out->most) /* where the scan said it falls */
-        return KERN_UNDECIDED;
+        status = kern_path_walk(
+            m, path, first / KERN_R(1 + (int)(KERN_SCAN * first / out->most)));
     if (status != KERN_STANDS)
         return status;
     out->margin = path->critical;
     out->holds = path->holds;
     out->fails = path->fails;
     out->saturated = path->never;
-    return nested ? kern_level_scan(m, path, 1, last, out) : status;
+    kern_level_scan(m, path, nested, last, out);
+    return status;
 }
 
 /* The measure of an open task, with what is known of one like it or NULL. */
@@ -5668,7 +5659,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
 {
-    const kern_real least = kern_max(even, kern_width(path)) * KERN_R(1.5);
+    const kern_real least = KERN_R(1.5) * (even > 0 ? even : kern_width(path));
     kern_real fell = KERN_INFINITY;
     int round;
     for (round = 0; round < 5 * KERN_SCAN; round++) {
