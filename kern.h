@@ -5499,41 +5499,30 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     return status;
 }
 
-/* How a bracket is narrowed. */
-typedef struct kern_bracket {
-    kern_real aside, under;   /* from critical to where it falls, and stands  */
-    kern_real parts;          /* of a bracket in which nothing is predicted   */
-    kern_real *wide;          /* which of these told the next place           */
-} kern_bracket;
-
-/* The next place: where the basis may stop to fall; beyond the critical value,
-   to fall; before it, to stand; at it, to be verified; where none is inside, at
-   a part of the bracket. Infinity: it is narrow, or that of a part. */
-KERN_SHARED static kern_real kern_bracket_next(const kern_path *path,
-                                               kern_bracket *n)
+/* The next place: where the basis may stop to fall; `aside` beyond the critical
+   value, to fall; `under` before it, to stand; at it, to be verified; where none
+   is inside, at a part of the bracket. Infinity: it is narrow, or of a part. */
+KERN_SHARED static kern_real kern_path_next(const kern_path *path,
+                                            kern_real aside, kern_real under)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
     kern_real next = path->part->ahead;
     if (!path->alone && path->proven.low < lo
-        && kern_min(crit, hi) < lo + 2 * n->under)
+        && kern_min(crit, hi) < lo + 2 * under)
         return lo; /* not proven yet */
-    if (hi - lo <= n->under / 8
-        || n->aside + n->under > kern_width(path) * KERN_WIDEST)
+    if (hi - lo <= under / 8 || aside + under > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
-    n->wide = &n->parts;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return lo + (hi - lo) / n->parts;
-    n->wide = &n->aside;
-    if (!(next > lo && hi - next > n->aside * KERN_R(1.15)))
+        return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / under);
+    if (!(next > lo && hi - next > aside * KERN_R(1.15)))
         next = crit;
-    if (hi - next > n->aside * KERN_R(1.15))
-        return next + n->aside;
-    n->wide = &n->under;
+    if (hi - next > aside * KERN_R(1.15))
+        return next + aside;
     if (!path->ipm && crit > lo
         && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
-    return crit - lo > n->under * KERN_R(1.05) && !path->alone
-           ? kern_max(crit - n->under, path->start) : KERN_INFINITY;
+    return crit - lo > under * KERN_R(1.05) && !path->alone
+           ? kern_max(crit - under, path->start) : KERN_INFINITY;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
@@ -5543,29 +5532,24 @@ KERN_SHARED static kern_real kern_bracket_next(const kern_path *path,
    falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    const kern_real wide = kern_width(path) * KERN_WIDEST;
-    kern_bracket n;
+    kern_real aside = kern_aside(path), under = aside;
     int round;
-    n.aside = n.under = kern_aside(path);
-    n.parts = KERN_NEAR;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
-        const kern_real at = kern_bracket_next(path, &n);
+        const kern_real at = kern_path_next(path, aside, under);
         const int verify = at > lo && at >= crit && at <= crit;
         kern_status status;
         if (!(at < KERN_INFINITY))
             break;
-        status = verify ? kern_path_verify(m, path, n.under)
+        status = verify ? kern_path_verify(m, path, under)
                         : kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
         if (status == KERN_UNDECIDED)
-            *n.wide *= 2;
-        if (status == KERN_UNDECIDED && n.wide == &n.parts
-            && path->fails - lo <= wide)
-            break;
+            *(crit > lo && at > crit ? &aside : &under) *= 2;
     }
-    if (path->fails - path->holds > wide && !path->alone)
+    if (path->fails - path->holds > kern_width(path) * KERN_WIDEST
+        && !path->alone)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
