@@ -5155,27 +5155,17 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
 
-/* Sum of the solution: of all normal forces, in weights. */
-static kern_real kern_part_total(const kern_part *p)
-{
-    kern_real total = KERN_R(0);
-    int i;
-    for (i = 0; i < p->eq.lp.cols; i++)
-        total += p->x[i];
-    return total;
-}
-
-/* Where forces are larger than is allowed, the least there are, by costs of 1:
-   if these are too large their prices are a motion that shows it. */
+/* Where normal forces are larger in sum than is allowed, the least there are, by
+   costs of 1: if these are too large their prices are a motion that shows it. */
 static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_status status;
     int i;
-    if (!(kern_part_total(p) > KERN_BOUND))
-        return KERN_STANDS;
     for (i = 0; i < p->eq.lp.cols; i++)
         one[i] = KERN_R(1);
+    if (!(kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND))
+        return KERN_STANDS;
     p->eq.lp.cost = one;
     status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
                                 p->m->task->work);
@@ -5183,7 +5173,8 @@ static kern_status kern_part_norm(kern_part *p, int builtin)
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
     kern_scale(p->y, p->eq.lp.rows, KERN_R(-1));
-    return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
+    return kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND ? KERN_FALLS
+                                                           : KERN_STANDS;
 }
 
 /* How far rhs can grow at eq.rate, which is the same for all of a program. */
@@ -5566,8 +5557,8 @@ static kern_status kern_path_saturate(kern_path *path)
 
 /* Whether points of a pair that lie in a row from contact i to j carry at
    `place` what m->answer.force makes them carry where they are at `from`. */
-static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
-                             kern_real place)
+KERN_SHARED static int kern_walk_carries(const kern_model *m, int i, int j,
+                                         kern_real from, kern_real place)
 {
     const kern_contact *c = m->s->contact + i;
     const kern_force *f = m->answer.force + i;
@@ -5616,8 +5607,8 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
    gravity turns under loads that stay it does: the gravities that are held are
    a convex set, and the arc lies in the triangle of its ends and of the corner
    where their tangents meet. */
-static int kern_walk_between(kern_model *m, const kern_path *path, kern_real at,
-                             kern_real even)
+KERN_SHARED static int kern_walk_between(kern_model *m, const kern_path *path,
+                                         kern_real at, kern_real even)
 {
     const kern_real past = at + even * KERN_R(1.5);
     kern_query q = kern_path_at(path, path->holds);
