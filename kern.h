@@ -5784,8 +5784,7 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 }
 
 /* The smallest critical value of a body becomes the path's warm start. Returns
-   it; the start, where a body falls there; or infinity. The model is that of
-   the shrinkage `at`. */
+   it, or infinity. The model is that of the shrinkage `at`. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
     kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
@@ -5799,8 +5798,6 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
             : kern_body_critical(m, g, line, load, at, aside, u);
-        if (crit <= path->start + 2 * aside)
-            return path->start;
         if (crit + aside < best) {
             least = path->warm.margin = crit;
             path->warm.holds = crit - aside;
@@ -5937,11 +5934,11 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return at;
     warm->fails = KERN_INFINITY;
     place = kern_body_first(m, path, at);
-    if (place > path->start && place < most) {
+    if (!(place < most))
+        return at;
+    if (warm->holds > path->start) /* else it falls, or is asked, at the start */
         kern_start_falls(m, path);
-        return warm->holds;
-    }
-    return kern_min(place, at);
+    return kern_max(path->start, warm->holds);
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
