@@ -333,7 +333,7 @@
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
-   nested    searched in steps of d_max / 1001, tilts with loads in steps of
+   nested    searched in steps <= d_max / 1001, tilts with loads in steps of
              pi / 1001: a fall narrower than that may be missed.
    Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
              grow without bound toward critical, within 1e-7, rarely 1e-5; where
@@ -2820,8 +2820,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
 /* The margin, and with it the level. Where kerns are not nested it stands at all
    levels up to the margin: some of the even steps are levels. */
-KERN_SHARED static kern_status kern_measure_path(
-    kern_model *m, kern_path *path, int nested, int last, kern_margin *out)
+static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
+                                     int last, kern_margin *out)
 {
     const kern_real first = kern_min(out->epsilon, out->most);
     kern_status status = nested ? kern_path_search(m, path)
@@ -5667,8 +5667,8 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
 }
 
 /* The critical value of a path on which verdicts may change more than once. */
-static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real even)
+KERN_SHARED static kern_status kern_path_walk(kern_model *m, kern_path *path,
+                                              kern_real even)
 {
     const kern_real step = path->unit * KERN_CLIMB;
     return kern_path_climb(m, path, step, step, even);
