@@ -333,7 +333,7 @@
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
-   nested    searched in steps of d_max / 1001, tilts with loads in steps of
+   nested    searched in steps <= d_max / 1001, tilts with loads in steps of
              pi / 1001: a fall narrower than that may be missed.
    Undecided Within 1e-9 of the mean size of critical; in jams, whose forces
              grow without bound toward critical, within 1e-7, rarely 1e-5; where
@@ -1628,7 +1628,7 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q,
     if (q->pattern)
         *w = q->pattern[i];
     else
-        kern_weigh(kern_vec_turn(s->gravity),
+        kern_weigh(kern_vec_turn(q->gravity),
                    s->block[i].mass * KERN_R(q->side), w);
 }
 
@@ -1799,7 +1799,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s);
 static kern_status kern_path_critical(kern_model *m, kern_path *path);
 static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step);
+                                  kern_real even);
 static kern_status kern_path_search(kern_model *m, kern_path *path);
 
 /* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
@@ -1822,28 +1822,23 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
 }
 
 /* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
-   no longer; last + 1 if they always do, -1 if a verdict on the way is
-   undecided. Where kerns are nested the margin tells the verdicts up to the
-   first step in its bracket. */
-static kern_status kern_level_scan(kern_model *m, const kern_path *path,
-                                   int nested, int last, kern_margin *out)
+   no longer; last + 1 if they always do, -1 if a verdict is undecided. Up to
+   path->holds they do, where kerns are nested from path->fails on they do
+   not. */
+static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
+                            int last, kern_margin *out)
 {
     kern_status status = KERN_STANDS;
-    int k = !nested ? 1 : out->saturated ? last + 1
-            : (int)(path->holds / out->epsilon);
+    int k = (int)(path->holds / out->epsilon);
     for (k += k == 0; k <= last && status == KERN_STANDS; k++) {
-        const kern_real at = KERN_R(k) * out->epsilon;
-        const kern_query q = kern_path_at(path, kern_min(at, out->most));
-        if (at > path->holds && q.shrink < path->fails)
-            nested = 0;
-        if (!nested)
-            status = kern_model_evaluate(m, path->part, &q);
-        else if (at > path->holds)
-            status = KERN_FALLS;
+        const kern_query q = kern_path_at(
+            path, kern_min(KERN_R(k) * out->epsilon, out->most));
+        if (q.shrink > path->holds)
+            status = nested && q.shrink >= path->fails
+                ? KERN_FALLS : kern_model_evaluate(m, path->part, &q);
     }
     out->level = status == KERN_STANDS ? last + 1
                  : status == KERN_FALLS ? k - 1 : -1;
-    return status >= KERN_UNDECIDED ? KERN_STANDS : status;
 }
 
 /* ---- Work arrays ------------------------------------------------- >>work */
@@ -2823,29 +2818,25 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     return kern_ended(task, status);
 }
 
-/* The margin, and with it the level. Where kerns are nested the verdicts beside
-   the margin tell the level; else a literal scan first, which bounds it. */
-KERN_SHARED static kern_status kern_measure_path(
-    kern_model *m, kern_path *path, int nested, int last, kern_margin *out)
+/* The margin, and with it the level. Where kerns are not nested it stands at all
+   levels up to the margin: some of the even steps are levels. */
+static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
+                                     int last, kern_margin *out)
 {
+    const kern_real first = kern_min(out->epsilon, out->most);
     kern_status status = nested ? kern_path_search(m, path)
                                 : kern_path_evaluate(m, path, KERN_R(0));
     if (!nested && status == KERN_STANDS)
-        status = kern_level_scan(m, path, 0, last, out);
-    if (!nested && status == KERN_STANDS) {
-        if (out->level > 0)
-            path->end = kern_min(KERN_R(out->level) * out->epsilon, out->most);
-        status = kern_path_walk(m, path, out->most / KERN_SCAN);
-    }
-    if (path->never && path->end < out->most) /* where the scan said it falls */
-        return KERN_UNDECIDED;
+        status = kern_path_walk(
+            m, path, first / KERN_R(1 + (int)(KERN_SCAN * first / out->most)));
     if (status != KERN_STANDS)
         return status;
     out->margin = path->critical;
     out->holds = path->holds;
     out->fails = path->fails;
     out->saturated = path->never;
-    return nested ? kern_level_scan(m, path, 1, last, out) : status;
+    kern_level_scan(m, path, nested, last, out);
+    return status;
 }
 
 /* The measure of an open task, with what is known of one like it or NULL. */
@@ -5164,27 +5155,17 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
 
-/* Sum of the solution: of all normal forces, in weights. */
-static kern_real kern_part_total(const kern_part *p)
-{
-    kern_real total = KERN_R(0);
-    int i;
-    for (i = 0; i < p->eq.lp.cols; i++)
-        total += p->x[i];
-    return total;
-}
-
-/* Where forces are larger than is allowed, the least there are, by costs of 1:
-   if these are too large their prices are a motion that shows it. */
+/* Where normal forces are larger in sum than is allowed, the least there are, by
+   costs of 1: if these are too large their prices are a motion that shows it. */
 static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_status status;
     int i;
-    if (!(kern_part_total(p) > KERN_BOUND))
-        return KERN_STANDS;
     for (i = 0; i < p->eq.lp.cols; i++)
         one[i] = KERN_R(1);
+    if (!(kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND))
+        return KERN_STANDS;
     p->eq.lp.cost = one;
     status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
                                 p->m->task->work);
@@ -5192,22 +5173,20 @@ static kern_status kern_part_norm(kern_part *p, int builtin)
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
     kern_scale(p->y, p->eq.lp.rows, KERN_R(-1));
-    return kern_part_total(p) > KERN_BOUND ? KERN_FALLS : KERN_STANDS;
+    return kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND ? KERN_FALLS
+                                                           : KERN_STANDS;
 }
 
-/* How far rhs can grow at eq.rate, to `place`; returns 0: without end. */
-static int kern_part_follow(kern_part *p, kern_real *place)
+/* How far rhs can grow at eq.rate, which is the same for all of a program. */
+static kern_real kern_part_follow(kern_part *p)
 {
-    kern_simplex *sx = &p->eq.simplex;
     kern_status status;
-    if (p->eq.lp.rate) /* another was followed before */
-        kern_simplex_change(sx, KERN_BASIS_STALE);
     p->eq.lp.rate = p->eq.rate;
     p->eq.lp.follow = 1;
-    status = kern_program_solve(sx, 1, p->x, p->y, p->m->task->work);
+    status = kern_program_solve(&p->eq.simplex, 1, p->x, p->y,
+                                p->m->task->work);
     p->eq.lp.follow = 0;
-    *place = p->x[p->eq.lp.cols];
-    return status == KERN_LP_OPTIMAL;
+    return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
 /* The verdict on a part by the simplex method. */
@@ -5398,22 +5377,20 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return at;
 }
 
-/* How the load on group g changes along a path on which one grows or gravity
-   turns, in the units of the group's rows. */
-static void kern_group_rate(const kern_path *path, const kern_model *m,
-                            const kern_query *q, kern_real s, int g,
-                            kern_real out[3])
+/* By what rhs grows at a query with the load, or with the tangent of the angle
+   by which gravity turns, which is a load too. */
+static void kern_path_rate(const kern_part *p, const kern_query *q,
+                           kern_real *to)
 {
-    const int i = m->graph.block[g];
+    const kern_model *m = p->m;
     kern_wrench w;
-    if (path->kind == KERN_PATH_LOAD)
-        kern_pattern_on(m->s, q, i, &w);
-    else
-        kern_weigh(kern_vec_turn(q->gravity),
-                   4 / (1 + s * s) * m->s->block[i].mass * KERN_R(q->side), &w);
-    out[0] = w.fx / m->weight;
-    out[1] = w.fy / m->weight;
-    out[2] = w.torque * m->unit[g] / m->weight;
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        kern_pattern_on(m->s, q, m->graph.block[p->group[n]], &w);
+        *to++ = -w.fx / m->weight;
+        *to++ = -w.fy / m->weight;
+        *to++ = -w.torque * m->unit[p->group[n]] / m->weight;
+    }
 }
 
 /* Records a verdict on the whole at s, and hands its proof to the caller. The
@@ -5430,9 +5407,13 @@ KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* The place at which gravity is turned by atan(t) from where it is at s. */
-static kern_real kern_path_turned(kern_real s, kern_real t)
+/* The place beyond s at which a load has grown by t, or gravity turned by
+   atan(t). */
+static kern_real kern_path_pushed(const kern_path *path, kern_real s,
+                                  kern_real t)
 {
+    if (path->kind == KERN_PATH_LOAD)
+        return s + t;
     t = t / (1 + KERN_SQRT(1 + t * t));
     t = t / (1 + KERN_SQRT(1 + t * t));
     return (s + t) / (1 - s * t);
@@ -5444,18 +5425,13 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
                                   kern_real s)
 {
     const kern_part *p = path->part;
-    const kern_real power = kern_dot(p->y, p->eq.rhs, 3 * p->groups);
-    kern_real share, fall = KERN_R(0), rate[3];
-    int n;
+    const int n = 3 * p->groups;
+    const kern_real power = kern_dot(p->y, p->eq.rhs, n);
+    kern_real *rate = p->m->answer.sum; /* not in use */
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_critical(path, q, power);
-    for (n = 0; n < p->groups; n++) {
-        kern_group_rate(path, p->m, q, s, p->group[n], rate);
-        fall -= kern_three(p->y + 3 * n, rate);
-    }
-    share = power / fall;
-    return path->kind == KERN_PATH_LOAD
-           ? s - share : kern_path_turned(s, -4 / (1 + s * s) * share);
+    kern_path_rate(p, q, rate);
+    return kern_path_pushed(path, s, -power / kern_dot(p->y, rate, n));
 }
 
 /* The verdict at s. The critical value of a mechanism, proven or not, becomes
@@ -5494,13 +5470,12 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
                                     kern_real under)
 {
-    const kern_real same = KERN_NOISE * path->unit;
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
     int i;
     if (status != KERN_FALLS || path->critical > at)
         path->critical = at;
-    if (status != KERN_FALLS || path->critical >= at - same)
+    if (path->critical >= at - KERN_NOISE * path->unit)
         path->exact = path->critical;
     if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK) {
         const kern_real s = kern_max(at - under, path->start);
@@ -5515,41 +5490,30 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     return status;
 }
 
-/* How a bracket is narrowed. */
-typedef struct kern_bracket {
-    kern_real aside, under;   /* from critical to where it falls, and stands  */
-    kern_real parts;          /* of a bracket in which nothing is predicted   */
-    kern_real *wide;          /* which of these told the next place           */
-} kern_bracket;
-
-/* The next place: where the basis may stop to fall; beyond the critical value,
-   to fall; before it, to stand; at it, to be verified; where none is inside, at
-   a part of the bracket. Infinity: it is narrow, or that of a part. */
-KERN_SHARED static kern_real kern_bracket_next(const kern_path *path,
-                                               kern_bracket *n)
+/* The next place: where the basis may stop to fall; `aside` beyond the critical
+   value, to fall; `under` before it, to stand; at it, to be verified; where none
+   is inside, at a part of the bracket. Infinity: it is narrow, or of a part. */
+KERN_SHARED static kern_real kern_path_next(const kern_path *path,
+                                            kern_real aside, kern_real under)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
     kern_real next = path->part->ahead;
     if (!path->alone && path->proven.low < lo
-        && kern_min(crit, hi) < lo + 2 * n->under)
+        && kern_min(crit, hi) < lo + 2 * under)
         return lo; /* not proven yet */
-    if (hi - lo <= n->under / 8
-        || n->aside + n->under > kern_width(path) * KERN_WIDEST)
+    if (hi - lo <= under / 8 || aside + under > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
-    n->wide = &n->parts;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return lo + (hi - lo) / n->parts;
-    n->wide = &n->aside;
-    if (!(next > lo && hi - next > n->aside * KERN_R(1.15)))
+        return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / under);
+    if (!(next > lo && hi - next > aside * KERN_R(1.15)))
         next = crit;
-    if (hi - next > n->aside * KERN_R(1.15))
-        return next + n->aside;
-    n->wide = &n->under;
+    if (hi - next > aside * KERN_R(1.15))
+        return next + aside;
     if (!path->ipm && crit > lo
         && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
-    return crit - lo > n->under * KERN_R(1.05) && !path->alone
-           ? kern_max(crit - n->under, path->start) : KERN_INFINITY;
+    return crit - lo > under * KERN_R(1.05) && !path->alone
+           ? kern_max(crit - under, path->start) : KERN_INFINITY;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
@@ -5559,29 +5523,24 @@ KERN_SHARED static kern_real kern_bracket_next(const kern_path *path,
    falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    const kern_real wide = kern_width(path) * KERN_WIDEST;
-    kern_bracket n;
+    kern_real aside = kern_aside(path), under = aside;
     int round;
-    n.aside = n.under = kern_aside(path);
-    n.parts = KERN_NEAR;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
-        const kern_real at = kern_bracket_next(path, &n);
+        const kern_real at = kern_path_next(path, aside, under);
         const int verify = at > lo && at >= crit && at <= crit;
         kern_status status;
         if (!(at < KERN_INFINITY))
             break;
-        status = verify ? kern_path_verify(m, path, n.under)
+        status = verify ? kern_path_verify(m, path, under)
                         : kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
         if (status == KERN_UNDECIDED)
-            *n.wide *= 2;
-        if (status == KERN_UNDECIDED && n.wide == &n.parts
-            && path->fails - lo <= wide)
-            break;
+            *(crit > lo && at > crit ? &aside : &under) *= 2;
     }
-    if (path->fails - path->holds > wide && !path->alone)
+    if (path->fails - path->holds > kern_width(path) * KERN_WIDEST
+        && !path->alone)
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
@@ -5596,39 +5555,31 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Contact c as a support that has not moved: its normal times `sign`, its arm
-   from `centre` to where it acts at `place`, times `unit`. */
-static void kern_support_set(kern_support *to, const kern_model *m,
-                             const kern_contact *c, kern_real sign,
-                             kern_real place, kern_vec centre, kern_real unit)
-{
-    const kern_vec arm = kern_vec_sub(kern_contact_at(c, place, m->relative),
-                                      centre);
-    to->row = kern_row_of(kern_vec_scale(c->n, sign), kern_vec_scale(arm, unit),
-                          KERN_R(1));
-    to->mu = kern_friction(c, m->reduction);
-    to->way[0] = to->way[1] = KERN_R(0);
-}
-
 /* Whether points of a pair that lie in a row from contact i to j carry at
    `place` what m->answer.force makes them carry where they are at `from`. */
-static int kern_walk_carries(const kern_model *m, int i, int j, kern_real from,
-                             kern_real place)
+KERN_SHARED static int kern_walk_carries(const kern_model *m, int i, int j,
+                                         kern_real from, kern_real place)
 {
     const kern_contact *c = m->s->contact + i;
-    kern_support row[KERN_ROWS_MOST], was;
+    const kern_force *f = m->answer.force + i;
+    kern_support row[KERN_ROWS_MOST];
     kern_real b[3] = {0, 0, 0};
-    int k;
+    int k, at;
     if (j - i > KERN_ROWS_MOST)
         return 0;
-    for (k = i; k < j; k++) {
-        const kern_contact *d = m->s->contact + k;
-        const kern_force *f = m->answer.force + k;
-        const kern_real sign = KERN_R(d->a == c->a ? 1 : -1), one = 1 / m->mean;
-        kern_support_set(&was, m, d, sign, from, c->p, one);
-        kern_support_set(row + (k - i), m, d, sign, place, c->p, one);
-        kern_row_exert(&was.row, f->normal, f->tangential, b);
-    }
+    for (k = 0; k < j - i; k++, f++)
+        for (at = 0; at < 2; at++) { /* where it is, and at the place */
+            const kern_contact *d = c + k;
+            const kern_vec p = kern_contact_at(d, at ? place : from,
+                                               m->relative);
+            row[k].row = kern_row_of(
+                kern_vec_scale(d->n, KERN_R(d->a == c->a ? 1 : -1)),
+                kern_vec_sub(p, c->p), 1 / m->mean);
+            row[k].mu = kern_model_mu(m, i + k);
+            row[k].way[0] = row[k].way[1] = KERN_R(0);
+            if (!at)
+                kern_row_exert(&row[k].row, f->normal, f->tangential, b);
+        }
     return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3))
            == KERN_STANDS;
 }
@@ -5652,86 +5603,75 @@ static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
     return 1;
 }
 
-/* Climbs from a place that stands until the whole falls, in steps that grow, or
-   are halved where nothing can be proven; then finds the critical value. */
-static kern_status kern_path_climb(kern_model *m, kern_path *path,
-                                   kern_real first, kern_real step)
+/* Whether it stands at the even steps from `at` to path->holds too. Where
+   gravity turns under loads that stay it does: the gravities that are held are
+   a convex set, and the arc lies in the triangle of its ends and of the corner
+   where their tangents meet. */
+KERN_SHARED static int kern_walk_between(kern_model *m, const kern_path *path,
+                                         kern_real at, kern_real even)
 {
-    int round;
-    for (round = 0; round < 5 * KERN_SCAN; round++) {
-        const kern_real next = kern_min(path->holds + first, path->end);
-        const kern_status status = kern_path_evaluate(m, path, next);
-        if (status == KERN_FALLS)
-            return kern_path_critical(m, path);
-        if (status == KERN_STANDS && next >= path->end)
-            return kern_path_saturate(path);
-        if (status == KERN_STANDS) {
-            first = step;
-            step *= KERN_CLIMB_GROWS;
-        } else if (status == KERN_UNDECIDED && first > kern_width(path))
-            step = first /= 2;
-        else
-            return status;
-    }
-    return KERN_UNDECIDED;
-}
-
-/* Whether it stands at the steps from `at` to path->holds too. Where gravity
-   turns under loads that stay it does: the gravities that are held are a convex
-   set, and the arc lies in the triangle of its ends and of the corner where
-   their tangents meet. */
-static int kern_walk_between(kern_model *m, const kern_path *path, kern_real at,
-                             kern_real step, int stride)
-{
+    const kern_real past = at + even * KERN_R(1.5);
     kern_query q = kern_path_at(path, path->holds);
-    int k;
-    if (path->kind == KERN_PATH_TILT && stride > 1) {
+    kern_real s;
+    if (path->kind == KERN_PATH_TILT && path->holds > past) {
         const kern_vec from = kern_path_at(path, at).gravity, to = q.gravity;
         const kern_real square = kern_vec_dot(to, to);
         q.gravity = kern_vec_scale(kern_vec_add(from, to), square
                                    / (square + kern_vec_dot(from, to)));
         return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
     }
-    for (k = 1; k < stride; k++)
-        if (!kern_walk_holds(m, path->holds, at + KERN_R(stride - k) * step))
+    for (s = path->holds; s > past; s -= even)
+        if (!kern_walk_holds(m, path->holds, s - even))
             return 0;
     return 1;
 }
 
-/* Goes from a place that stands toward the end in even steps, where verdicts
-   may change more than once, until it falls; then finds the critical
-   value. Steps are left out where a later one shows that it stands there. */
-static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real step)
+/* Climbs from a place that stands until the whole falls, in steps that grow, or
+   are halved where nothing can be proven; then finds the critical value. Where
+   verdicts may change more than once it stands at all steps of width `even` on
+   the way; else that is 0. */
+static kern_status kern_path_climb(kern_model *m, kern_path *path,
+                                   kern_real first, kern_real step,
+                                   kern_real even)
 {
-    const kern_real end = path->end;
-    kern_real at = path->holds, fell = KERN_INFINITY;
-    int round, stride = 1;
+    const kern_real least = KERN_R(1.5) * (even > 0 ? even : kern_width(path));
+    kern_real fell = KERN_INFINITY;
+    int round;
     for (round = 0; round < 5 * KERN_SCAN; round++) {
-        const kern_real next = kern_min(end, at + KERN_R(stride) * step);
-        const kern_real holds = path->holds;
+        const kern_real at = path->holds, aim = at + kern_max(first, even);
+        const kern_real next = kern_min(path->end, even > 0
+            ? even * KERN_R((int)(aim / even + KERN_R(0.5))) : aim);
         const kern_status status = kern_path_evaluate(m, path, next);
-        if (status < KERN_UNDECIDED)
-            return status;
         if (status == KERN_STANDS
-            && kern_walk_between(m, path, at, step, stride)) {
-            if (next >= end)
+            && (!(even > 0) || kern_walk_between(m, path, at, even))) {
+            if (next >= path->end)
                 return kern_path_saturate(path);
-            at = next;
-            stride *= 2;
-        } else if (stride > 1) {
+            first = step;
+            step *= KERN_CLIMB_GROWS;
+        } else if (status == KERN_FALLS
+                   && (!(even > 0) || next - at <= least))
+            return kern_path_critical(m, path);
+        else if (status < KERN_UNDECIDED || next - at <= least)
+            return status;
+        else {
+            step = first /= 2;
+            path->holds = at;
             if (status == KERN_FALLS)
                 fell = kern_min(next, path->critical);
-            stride /= 2;
-            path->holds = holds;
             if (status == KERN_STANDS) /* the proof is that of `next` */
-                kern_path_evaluate(m, path, holds);
-        } else
-            return status == KERN_FALLS ? kern_path_critical(m, path) : status;
-        while (stride > 1 && !(at + KERN_R(stride) * step < fell))
-            stride /= 2;
+                kern_path_evaluate(m, path, at);
+        }
+        first = kern_min(first, (fell - path->holds) / 2);
     }
     return KERN_UNDECIDED;
+}
+
+/* The critical value of a path on which verdicts may change more than once. */
+KERN_SHARED static kern_status kern_path_walk(kern_model *m, kern_path *path,
+                                              kern_real even)
+{
+    const kern_real step = path->unit * KERN_CLIMB;
+    return kern_path_climb(m, path, step, step, even);
 }
 
 /* Whether the known motion, then the answer's, proves that it falls. */
@@ -5745,13 +5685,12 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
 }
 
 /* Whether the known motion proves that the structure falls at the known place:
-   that bounds the critical value. Not where the known bracket is wide. */
+   that bounds the critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
     const kern_query q = kern_path_at(path, warm->fails);
-    if (warm->fails - warm->holds > 2 * kern_width(path)
-        || !kern_known_falls(m, &q, warm))
+    if (!kern_known_falls(m, &q, warm))
         return 0;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
     path->fails = warm->fails;
@@ -5845,8 +5784,7 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
 }
 
 /* The smallest critical value of a body becomes the path's warm start. Returns
-   it; the start, where a body falls there; or infinity. The model is that of
-   the shrinkage `at`. */
+   it, or infinity. The model is that of the shrinkage `at`. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
     kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
@@ -5860,8 +5798,6 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
         const kern_real crit = line == KERN_OUT ? KERN_INFINITY
             : kern_body_critical(m, g, line, load, at, aside, u);
-        if (crit <= path->start + 2 * aside)
-            return path->start;
         if (crit + aside < best) {
             least = path->warm.margin = crit;
             path->warm.holds = crit - aside;
@@ -5893,20 +5829,15 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     kern_part *p = path->part;
     const kern_real s = path->holds;
     const kern_query q = kern_path_at(path, s);
-    kern_real place;
-    int g;
+    kern_real most;
     kern_part_set(p, &q);
-    for (g = 0; g < p->groups; g++)
-        kern_group_rate(path, m, &q, s, p->group[g], p->eq.rate + 3 * g);
-    kern_scale(p->eq.rate, 3 * p->groups, KERN_R(-1));
-    if (!kern_part_follow(p, &place))
+    kern_path_rate(p, &q, p->eq.rate);
+    most = kern_part_follow(p);
+    path->critical = path->exact = kern_path_pushed(path, s, most);
+    if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
-    path->critical = path->kind == KERN_PATH_LOAD
-        ? s + place : kern_path_turned(s, 4 / (1 + s * s) * place);
-    path->exact = path->critical;
     path->fails = path->end;
-    return path->critical < path->end ? kern_path_critical(m, path)
-                                      : KERN_UNDECIDED;
+    return kern_path_critical(m, path);
 }
 
 /* The critical value in the known bracket, or where there is none, or none that
@@ -5919,7 +5850,7 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     if (status != KERN_UNDECIDED)
         return status;
     path->holds = kern_max(path->start, path->proven.low);
-    return kern_path_climb(m, path, first, step);
+    return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
 /* Begins a program of all groups with the known forces. */
@@ -6003,14 +5934,11 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return at;
     warm->fails = KERN_INFINITY;
     place = kern_body_first(m, path, at);
-    if (place <= path->start)
-        return place;
-    if (place < most) {
+    if (!(place < most))
+        return at;
+    if (warm->holds > path->start) /* else it falls, or is asked, at the start */
         kern_start_falls(m, path);
-        return warm->holds;
-    }
-    path->fails = KERN_INFINITY;
-    return at;
+    return kern_max(path->start, warm->holds);
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x20a3e96bf71d8f80u },
-    { 1000, 0x9e1655d0d1719381u },
-    { 5000, 0x4dce779403b414aeu },
+    { 200, 0x05f8a88e20bb1bc3u },
+    { 1000, 0xb8b0fe0c35623fb5u },
+    { 5000, 0xd404ac045004eba4u },
 #else
-    { 200, 0x700e28321b62801fu },
-    { 1000, 0x800fe6f311c03b7cu },
-    { 5000, 0x8aecfb25284e74a7u },
+    { 200, 0x136c29780ab95ba6u },
+    { 1000, 0xb07f4a493e470e44u },
+    { 5000, 0x9e411946610daf90u },
 #endif
 };
 
