@@ -1336,10 +1336,9 @@ extern "C" {
 #define KERN_CLUSTER_KNOWN 7
 #define KERN_CLUSTER_MOST  20
 #define KERN_CLUSTER_SHARE 32
-/* Products of a pass for each group and contact: of KERN_BLOCKS_MOST and
-   KERN_POINTS_MOST still an int. With 5000 measures of bricks take 1.4 times
-   as long. */
-#define KERN_PASS_BUDGET   1500
+/* Units of work of a pass for each group and contact. With 30 measures of bricks
+   take 1.4 times as long. */
+#define KERN_PASS_UNITS    9
 
 /* ---- search ---- */
 
@@ -2280,7 +2279,7 @@ typedef struct kern_clusters {
     int *open;                /* of a last group: the state of its cluster    */
     int at;                   /* no cluster that is open ends before this one */
     int most;                 /* groups of one                                */
-    int budget;               /* products that are left                       */
+    int until;                /* units of work at which the pass ends         */
 } kern_clusters;
 
 /* Torques of n and t at each end of the contacts, as their rows have them. */
@@ -2710,8 +2709,7 @@ typedef struct kern_dual {
     kern_real *way, *turn;    /* two a contact: u and step along n and t      */
     kern_real *price;         /* then stiffness, of contacts: >>raised; NULL  */
     kern_real stiff;          /* along t, in stiffnesses along n              */
-    int cost;                 /* of a step, in products                       */
-    int rounds;               /* that the last forces took                    */
+    int cost;                 /* of a step, in units of work                  */
 } kern_dual;
 
 /* Eq. (5) of a part as a linear program: see >>verdict. */
@@ -3750,11 +3748,11 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 
 /* Takes room for the matrix of so many groups, with what the two groups of each
    of n contacts exert on each other: the later one's row reaches to the column
-   of the other. Adds the products of a factor to *cost; 0: there is no room. */
+   of the other. Returns the products of a factor, if there is room. */
 static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
-                             int n, kern_take *take, int *cost)
+                             int n, kern_take *take)
 {
-    int g, k, end = 0;
+    int g, k, end = 0, products = 0;
     a->groups = groups;
     a->first = kern_take_ints(take, groups);
     a->offset = kern_take_ints(take, groups);
@@ -3771,10 +3769,10 @@ static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
         const int width = g - a->first[g] + 1;
         a->offset[g] = end;
         end += 9 * width;
-        *cost += 14 * width * width;
+        products += 14 * width * width;
     }
     a->entry = kern_take_reals(take, end);
-    return kern_take_fits(take);
+    return products;
 }
 
 static void kern_skyline_clear(kern_skyline *a)
@@ -3957,9 +3955,9 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     p->dual.b = p->dual.grad + n;
     p->dual.way = kern_take_reals(take, 4 * p->contacts);
     p->dual.turn = p->dual.way + 2 * p->contacts;
-    p->dual.cost = 100 * p->contacts;
-    return kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own, take,
-                             &p->dual.cost);
+    p->dual.cost = 1 + (100 * p->contacts + kern_skyline_open(
+        &p->dual.matrix, p->groups, p->ends, p->own, take)) / 170;
+    return kern_take_fits(take);
 }
 
 /* w += the approach of the part's contact k along n and t by the motion v. The
@@ -3989,11 +3987,11 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
 }
 
 /* Approach of contacts along n and t: by u and the prior forces, or a step. */
-static void kern_norm_ways(kern_part *p, int contacts, int step)
+static void kern_norm_ways(kern_part *p, int step)
 {
     kern_real *way = step ? p->dual.turn : p->dual.way;
     int k;
-    for (k = 0; k < contacts; k++, way += 2) {
+    for (k = 0; k < p->own; k++, way += 2) {
         way[0] = way[1] = KERN_R(0);
         if (!step && p->dual.price)
             way[0] = -p->dual.price[k];
@@ -4109,7 +4107,7 @@ static kern_real kern_norm_share(const kern_part *p)
 
 /* Counts a step of Newton's method or of the interior point: a factor. */
 static int kern_norm_spend(const kern_part *p)
-{ return kern_model_spend(p->m, 1 + p->dual.cost / 170); }
+{ return kern_model_spend(p->m, p->dual.cost); }
 
 /* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
    rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
@@ -4120,10 +4118,9 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
     const int n = 3 * p->groups;
     kern_real before = KERN_INFINITY;
     int i, round;
-    p->dual.rounds = 0;
     for (i = first == 0 ? 0 : n; i < n + 3; i++)
         p->dual.u[i] = p->dual.step[i] = KERN_R(0);
-    kern_norm_ways(p, p->own, 0);
+    kern_norm_ways(p, 0);
     for (round = first; round < end; round++) {
         kern_real most, value, share, left;
         value = kern_norm_gradient(p, &most);
@@ -4139,8 +4136,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
         kern_norm_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
         kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
-        kern_norm_ways(p, p->own, 1);
-        p->dual.rounds = round + 1 - first;
+        kern_norm_ways(p, 1);
         share = round == 0 ? KERN_R(1) : kern_norm_share(p);
         kern_add(p->dual.u, share, p->dual.step, n);
         kern_add(p->dual.way, share, p->dual.turn, 2 * p->own);
@@ -4496,20 +4492,27 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Adds the clusters that rest on g's, which is marked; takes marks back. */
-static void kern_pass_grow(kern_model *m, int last)
+/* Adds the clusters that rest on that of `last`, which cannot be balanced, and
+   leaves it open. Returns 0 if there are none, or it is too large now; one with
+   a group below `last` waits for the turn of that. */
+static int kern_pass_grow(kern_model *m, int last)
 {
-    int g, e;
-    for (g = last; g >= 0; g--) {
-        if (m->graph.local[g] == KERN_OUT)
-            continue;
+    const kern_clusters *c = &m->cluster;
+    int g = last, after, e, grown = 0;
+    do {
+        after = c->next[g];
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
             const int h = m->graph.ends[e ^ 1];
-            if (h < g && m->cluster.last[h] != m->cluster.last[g])
+            if (h < g && c->last[h] != c->last[g]) {
                 kern_pass_join(m, g, h);
+                grown = 1;
+            }
         }
-    }
-    kern_pass_mark(m, last, KERN_OUT);
+        g = after;
+    } while (g != last);
+    kern_pass_mark_open(m, last);
+    return grown && (c->last[last] > last
+                     || kern_pass_mark(m, last, KERN_OUT) <= c->most);
 }
 
 /* Opens group `last`, which cannot be balanced, with all that rests on it, if
@@ -4597,7 +4600,8 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     if (!kern_part_open(p, m, groups, last))
         return KERN_NO_SPACE;
     take = p->rest;
-    if (!kern_norm_lay(p, &take) || p->dual.cost > m->cluster.budget)
+    if (!kern_norm_lay(p, &take)
+        || m->task->work->units + p->dual.cost > m->cluster.until)
         return KERN_NO_SPACE;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
@@ -4608,7 +4612,6 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         load += kern_abs(p->dual.b[n]);
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_NORM_MOST * load, 0,
                             KERN_ROUNDS);
-    m->cluster.budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
         kern_pass_keep(p, KERN_PASS_TOL * least);
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pass_parts(p))
@@ -4616,33 +4619,20 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. A cluster that cannot be balanced grows until
-   it can, or falls. Where it has grown to a group below `last`, it waits for
-   the turn of that. `failed`: it is one group that cannot be balanced. */
-static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
-                                     int failed)
+/* Balances the cluster of `last`. KERN_FALLS: a part that falls is open. */
+static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
-    for (;;) {
+    kern_status status = m->cluster.next[last] == last
+        ? kern_pass_alone(m, last) : KERN_UNDECIDED;
+    if (status == KERN_FALLS)
+        return kern_pass_stack(m, p, last) ? status : KERN_UNDECIDED;
+    if (status == KERN_UNDECIDED) {
         const int groups = kern_pass_mark(m, last, 0);
-        const kern_status status = failed
-            ? KERN_UNDECIDED : kern_pass_part(p, m, groups, last);
-        int grown;
-        if (status == KERN_FALLS)
-            return status;
-        if (status != KERN_UNDECIDED) { /* it stands, or space or work ends */
+        status = kern_pass_part(p, m, groups, last);
+        if (status != KERN_FALLS)
             kern_pass_mark(m, last, KERN_OUT);
-            return status == KERN_STANDS ? status : KERN_UNDECIDED;
-        }
-        kern_pass_grow(m, last);
-        if (m->cluster.last[last] > last) {
-            kern_pass_mark_open(m, last);
-            return KERN_STANDS;
-        }
-        grown = kern_pass_mark(m, last, KERN_OUT);
-        if (grown == groups || grown > m->cluster.most)
-            return KERN_UNDECIDED;
-        failed = 0;
     }
+    return status;
 }
 
 /* Replaces the forces of the line that begins with contact i, whose ends are
@@ -4700,28 +4690,29 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
         i += kern_force_transfer(m, i, known->holds, shrink);
 }
 
-/* Balances all groups that must be, alone or with others in clusters. */
+/* Balances all groups that must be, alone or with others in clusters, which
+   grow until they can be balanced, or fall. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
-    const int size = m->s->contacts + m->graph.groups;
-    kern_status alone, found = KERN_STANDS;
-    int g;
-    c->budget = KERN_PASS_BUDGET * size;
-    while (c->at < m->graph.groups && found == KERN_STANDS) {
-        g = c->at++;
+    c->until = m->task->work->units
+               + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
+    while (c->at < m->graph.groups) {
+        const int g = c->at++;
+        kern_status status;
         if (!(c->open[g] & KERN_OPEN))
             continue;
-        c->budget -= 300;
-        if (c->budget < 0 || !kern_model_spend(m, 1))
+        if (m->task->work->units > c->until || !kern_model_spend(m, 1))
             return KERN_UNDECIDED;
         c->open[g] -= KERN_OPEN;
-        alone = c->next[g] == g ? kern_pass_alone(m, g) : KERN_UNDECIDED;
-        found = alone == KERN_STANDS
-                || (alone == KERN_FALLS && kern_pass_stack(m, p, g))
-                ? alone : kern_pass_cluster(m, p, g, alone == KERN_FALLS);
+        status = kern_pass_cluster(m, p, g);
+        if (status == KERN_FALLS)
+            return status;
+        if (status != KERN_STANDS
+            && !(status == KERN_UNDECIDED && kern_pass_grow(m, g)))
+            return KERN_UNDECIDED; /* or space or work ends */
     }
-    return found;
+    return KERN_STANDS;
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
