@@ -4074,20 +4074,11 @@ static kern_real kern_norm_share(const kern_part *p)
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
     const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
     const kern_real least = first / (p->dual.price ? 1000 : 8);
-    kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at = hi, at_hi;
+    kern_real lo = KERN_R(0), at_lo = first, hi = KERN_INFINITY, at_hi = lo;
+    kern_real at = KERN_R(1);
     int round, side = 0;
-    at_hi = kern_norm_slope(p, push, hi);
-    for (round = 0; round < 12 && at_hi > least; round++) {
-        lo = hi;
-        at_lo = at_hi;
-        hi *= 4;
-        at_hi = kern_norm_slope(p, push, hi);
-    }
-    at = hi;
-    for (round = 0; round < 16 && at_hi < -least; round++) {
-        kern_real slope;
-        at = (hi * at_lo - lo * at_hi) / (at_lo - at_hi);
-        slope = kern_norm_slope(p, push, at);
+    for (round = 0; round < 20; round++) {
+        const kern_real slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least)
             break;
         if (slope > 0) {
@@ -4096,11 +4087,13 @@ static kern_real kern_norm_share(const kern_part *p)
             at_hi /= side > 0 ? 2 : 1;
             side = 1;
         } else {
+            at_lo /= side < 0 ? 2 : 1;
+            side = hi < KERN_INFINITY ? -1 : 0;
             hi = at;
             at_hi = slope;
-            at_lo /= side < 0 ? 2 : 1;
-            side = -1;
         }
+        at = hi < KERN_INFINITY ? (hi * at_lo - lo * at_hi) / (at_lo - at_hi)
+                                : 4 * at;
     }
     return at;
 }
@@ -4412,35 +4405,31 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
 static kern_status kern_pass_solve(kern_support *c, int n,
                                    const kern_real b[3], kern_real tolerance)
 {
-    kern_real left[3], h[6], step[3], most, u[3] = {0, 0, 0};
-    int k, round, changed = 1, good = 0;
+    kern_real left[3], h[6], step[3], u[3] = {0, 0, 0};
+    int k, round, same = 0; /* rounds in which the same rays pressed */
     for (k = 0; k < n; k++)
         c[k].mask = 3;
-    for (round = 0; round < KERN_FEW_ROUNDS && changed; round++) {
+    for (round = 0; round < KERN_FEW_ROUNDS + 2; round++) {
+        int good, changed = 0;
         kern_support_sum(c, n, b, left, h);
+        if (same > 0 && kern_largest(left, 3)
+                        <= tolerance + 4 * KERN_EPS * kern_largest(u, 3))
+            return KERN_STANDS;
+        if (same == 3)
+            return KERN_FALLS;
         good = kern_pass_three(h, left, step);
         kern_support_move(c, n, step, u);
-        changed = 0;
         for (k = 0; k < n; k++) {
             const kern_real wn = c[k].way[0], wt = c[k].mu * c[k].way[1];
             const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
             changed |= mask != c[k].mask;
             c[k].mask = mask;
         }
+        if (good && !changed)
+            return KERN_STANDS;
+        same = changed ? 0 : same + 1;
     }
-    for (round = 0; round < 3 && !(good && !changed); round++) {
-        kern_support_sum(c, n, b, left, h);
-        most = kern_largest(u, 3);
-        if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
-            break;
-        if (changed)
-            return KERN_UNDECIDED;
-        if (round == 2)
-            return KERN_FALLS;
-        kern_pass_three(h, left, step);
-        kern_support_move(c, n, step, u);
-    }
-    return KERN_STANDS;
+    return KERN_UNDECIDED;
 }
 
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
@@ -4835,7 +4824,7 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real ds;
     int i;
-    kern_add(p->dual.grad, KERN_R(1), in->over, n);
+    kern_copy(p->dual.grad, in->over, n);
     kern_ipm_carry(p, in->dx, p->dual.grad);
     kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
     ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
@@ -4850,49 +4839,42 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* The predictor: leaves in dx and dual.grad what the corrector begins with. */
-static void kern_ipm_predict(kern_ipm *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x, of_z, left = KERN_R(0), mu;
-    int i;
-    kern_ipm_ways(p, p->y, p->dual.way);
-    kern_zero(p->dual.grad, n);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = -in->d[i] * p->dual.way[i];
-    kern_ipm_solve(in);
-    of_x = kern_ipm_share(p->x, in->dx, rays);
-    of_z = kern_ipm_share(in->z, in->dz, rays);
-    for (i = 0; i < rays; i++)
-        left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
-    left = in->s < 0 ? kern_max(left / in->gap, 1 - of_x)
-                     : KERN_R(1); /* nothing is left to maximise */
-    mu = in->gap * left * left * left / KERN_R(rays);
-    kern_zero(p->dual.grad, n);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
-                    - in->d[i] * p->dual.way[i];
-}
-
-/* One step of the method; 0: the limit or the digits do not reach for one. */
+/* One step of the method: the predictor's, and the corrector's with what that
+   tells. 0: the limit or the digits do not reach for one. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x, of_z, ds;
-    int i;
+    kern_real of_x = KERN_R(0), of_z = of_x, mu = of_x, left = of_x, ds;
+    int i, corrects;
     if (!(in->gap <= KERN_BOUND) || !kern_norm_spend(p))
         return 0;
-    for (i = 0; i < rays; i++)
+    for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
+        in->dx[i] = in->dz[i] = KERN_R(0);
+    }
     kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
     if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
-    kern_ipm_predict(in);
-    ds = kern_ipm_solve(in);
-    of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
-    of_z = KERN_IPM_SHARE * kern_ipm_share(in->z, in->dz, rays);
+    kern_ipm_ways(p, p->y, p->dual.way);
+    for (corrects = 0; ; corrects = 1) {
+        for (i = 0; i < rays; i++)
+            in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
+                        - in->d[i] * p->dual.way[i];
+        ds = kern_ipm_solve(in);
+        of_x = kern_ipm_share(p->x, in->dx, rays);
+        of_z = kern_ipm_share(in->z, in->dz, rays);
+        if (corrects)
+            break;
+        for (i = 0; i < rays; i++)
+            left += (p->x[i] + of_x * in->dx[i])
+                    * (in->z[i] + of_z * in->dz[i]);
+        left = in->s < 0 ? kern_max(left / in->gap, 1 - of_x)
+                         : KERN_R(1); /* nothing is left to maximise */
+        mu = in->gap * left * left * left / KERN_R(rays);
+    }
+    of_x *= KERN_IPM_SHARE;
+    of_z *= KERN_IPM_SHARE;
     if (in->s + ds >= 0 && of_x >= KERN_IPM_SHARE)
         of_x = KERN_R(1);
     in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
