@@ -4343,35 +4343,6 @@ typedef struct kern_support { /* a contact that carries the group */
 static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* Moves the group, which has moved by u, a step farther. */
-static inline void kern_support_move(kern_support *c, int n,
-                                     const kern_real step[3], kern_real u[3])
-{
-    int k;
-    for (k = 0; k < n; k++)
-        kern_row_speed(&c[k].row, step, c[k].way);
-    for (k = 0; k < 3; k++)
-        u[k] += step[k];
-}
-
-/* Lists what carries group g; returns how many, or one more than fit. */
-static int kern_pass_supports(const kern_model *m, int g,
-                              kern_support c[KERN_ROWS_MOST])
-{
-    int e, n = 0;
-    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-        if (m->graph.ends[e ^ 1] < g)
-            continue;
-        if (n == KERN_ROWS_MOST)
-            return n + 1;
-        c[n].row = kern_model_row(m, e);
-        c[n].end = e;
-        c[n].mu = kern_model_prior(m, e >> 1, c[n].way);
-        n++;
-    }
-    return n;
-}
-
 /* What the rays in the masks exert, less b; and their matrix. */
 static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
                              kern_real left[3], kern_real h[6])
@@ -4418,12 +4389,15 @@ static kern_status kern_pass_solve(kern_support *c, int n,
         if (same == 3)
             return KERN_FALLS;
         good = kern_pass_three(h, left, step);
-        kern_support_move(c, n, step, u);
+        kern_add(u, KERN_R(1), step, 3);
         for (k = 0; k < n; k++) {
-            const kern_real wn = c[k].way[0], wt = c[k].mu * c[k].way[1];
-            const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
-            changed |= mask != c[k].mask;
-            c[k].mask = mask;
+            kern_real *way = c[k].way, slip;
+            const int was = c[k].mask;
+            kern_row_speed(&c[k].row, step, way);
+            slip = c[k].mu * way[1];
+            c[k].mask = (way[0] + slip > 0 ? 1 : 0)
+                        + (way[0] - slip > 0 ? 2 : 0);
+            changed |= was != c[k].mask;
         }
         if (good && !changed)
             return KERN_STANDS;
@@ -4435,18 +4409,25 @@ static kern_status kern_pass_solve(kern_support *c, int n,
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
+    const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_support c[KERN_ROWS_MOST];
     kern_real b[3];
-    const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_status status;
-    int n = kern_pass_supports(m, g, c), k;
-    if (n > KERN_ROWS_MOST)
-        return KERN_UNDECIDED;
+    int e, k, n = 0;
+    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        if (m->graph.ends[e ^ 1] < g)
+            continue;
+        if (n == KERN_ROWS_MOST)
+            return KERN_UNDECIDED;
+        c[n].row = kern_model_row(m, e);
+        c[n].end = e;
+        c[n].mu = kern_model_prior(m, e >> 1, c[n].way);
+        n++;
+    }
     kern_pass_load(m, g, b);
     status = kern_pass_solve(c, n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_real *w = c[k].way;
-        const kern_law s = kern_law_pressed(w[0], w[1], c[k].mu);
+        const kern_law s = kern_law_pressed(c[k].way[0], c[k].way[1], c[k].mu);
         kern_pass_write(m, c[k].end >> 1, m->graph.ends[c[k].end ^ 1],
                         s.force, tolerance);
     }
