@@ -4311,25 +4311,25 @@ static inline void kern_pass_load(const kern_model *m, int g, kern_real *b)
     }
 }
 
-/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. The unknown of
+/* x := H^-1 b for the lower half of a symmetric 3 x 3 matrix h. The unknown of
    a pivot that is rounding becomes 0. Returns whether no pivot is small. */
-static int kern_pass_three(const kern_real h[6], const kern_real b[3],
+static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
-    const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
+    const kern_real least = KERN_THREE_TOL * (h[0] + h[4] + h[8]);
     const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
-    const kern_real l1 = h[1] * i0, l3 = h[3] * i0;
-    const kern_real d1 = h[2] - l1 * h[1], e = h[4] - l3 * h[1];
+    const kern_real l1 = h[3] * i0, l3 = h[6] * i0;
+    const kern_real d1 = h[4] - l1 * h[3], e = h[7] - l3 * h[3];
     const kern_real i1 = d1 > least ? 1 / d1 : KERN_R(0);
     const kern_real l4 = e * i1;
-    const kern_real d2 = h[5] - l3 * h[3] - l4 * e;
+    const kern_real d2 = h[8] - l3 * h[6] - l4 * e;
     const kern_real i2 = d2 > least ? 1 / d2 : KERN_R(0);
     const kern_real y1 = b[1] - l1 * b[0];
     const kern_real y2 = b[2] - l3 * b[0] - l4 * y1;
     x[2] = y2 * i2;
     x[1] = y1 * i1 - l4 * x[2];
     x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
-    return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[2] + h[5]);
+    return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[4] + h[8]);
 }
 
 typedef struct kern_support { /* a contact that carries the group */
@@ -4345,11 +4345,10 @@ static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 
 /* What the rays in the masks exert, less b; and their matrix. */
 static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
-                             kern_real left[3], kern_real h[6])
+                             kern_real left[3], kern_real h[9])
 {
     int k, j;
-    for (j = 0; j < 6; j++)
-        h[j] = KERN_R(0);
+    kern_zero(h, 9);
     left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
     for (k = 0; k < n; k++, c++) {
         const kern_row *row = &c->row;
@@ -4360,14 +4359,10 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
         if (c->mask == 0)
             continue;
         kern_row_answer(row, &s, v, w);
-        for (j = 0; j < 3; j++)
+        for (j = 0; j < 3; j++) {
             left[j] -= v[j] * c->way[0] + w[j] * c->way[1];
-        h[0] += v[0] * row->n[0] - w[0] * row->n[1];
-        h[1] += v[1] * row->n[0] - w[1] * row->n[1];
-        h[2] += v[1] * row->n[1] + w[1] * row->n[0];
-        h[3] += v[2] * row->n[0] - w[2] * row->n[1];
-        h[4] += v[2] * row->n[1] + w[2] * row->n[0];
-        h[5] += v[2] * row->n[2] + w[2] * row->turn;
+            kern_row_exert(row, v[j], w[j], h + 3 * j);
+        }
     }
 }
 
@@ -4376,7 +4371,7 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
 static kern_status kern_pass_solve(kern_support *c, int n,
                                    const kern_real b[3], kern_real tolerance)
 {
-    kern_real left[3], h[6], step[3], u[3] = {0, 0, 0};
+    kern_real left[3], h[9], step[3], u[3] = {0, 0, 0};
     int k, round, same = 0; /* rounds in which the same rays pressed */
     for (k = 0; k < n; k++)
         c[k].mask = 3;
