@@ -3630,9 +3630,9 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
-    kern_real *part = (kern_real *)(void *)m->answer.motion, most = KERN_R(0);
-    int i, n;
-    kern_zero(part, 3 * m->s->blocks);
+    kern_real most = KERN_R(0);
+    int n;
+    kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (n = 0; n < p->groups; n++) {
         const int b = m->graph.block[p->group[n]];
         kern_motion *v = m->answer.motion + b;
@@ -3641,8 +3641,8 @@ static void kern_part_motion(kern_part *p)
         v->spin = p->y[3 * n + 2] * m->unit[p->group[n]];
         most = kern_max(most, kern_block_speed(m->s->block + b, v));
     }
-    for (i = 0; i < 3 * m->s->blocks && most > 0; i++)
-        part[i] /= most;
+    if (most > 0)
+        kern_scale(m->answer.motion, 3 * m->s->blocks, 1 / most);
 }
 
 /* The forces of a program of all groups; 0 where rounding made them less. */
@@ -4230,33 +4230,28 @@ static void kern_norm_write(kern_part *p)
     }
 }
 
-/* Minimum-norm forces of all groups that prove that it stands. */
-static kern_status kern_norm_hold(kern_model *m, kern_part *p,
-                                  const kern_query *q)
-{
-    kern_status status;
-    kern_model_set(m, q);
-    kern_model_unload(m);
-    if (!kern_norm_open(p, m))
-        return KERN_NO_SPACE;
-    status = kern_norm_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
-                            KERN_ROUNDS);
-    if (status == KERN_LIMIT)
-        return status;
-    if (status != KERN_STANDS)
-        return KERN_UNDECIDED;
-    kern_norm_write(p);
-    return kern_answer_holds(m, q) ? status : KERN_UNDECIDED;
-}
-
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force)
 {
     const kern_proof proof = {force, NULL};
     kern_call c;
+    kern_part *p = &c.part;
     kern_status status = kern_call_open(&c, task, shrink, force);
-    if (status == KERN_OK)
-        status = kern_ended(task, kern_norm_hold(&c.m, &c.part, &c.path.q));
+    if (status == KERN_OK) {
+        kern_model_set(&c.m, &c.path.q);
+        kern_model_unload(&c.m);
+        status = kern_norm_open(p, &c.m) ? kern_norm_find(
+            p, kern_part_load(p, &c.path.q, p->dual.b), KERN_BOUND, 0,
+            KERN_ROUNDS) : KERN_NO_SPACE;
+        if (status == KERN_FALLS) /* unproven */
+            status = KERN_UNDECIDED;
+        if (status == KERN_STANDS) {
+            kern_norm_write(p);
+            if (!kern_answer_holds(&c.m, &c.path.q))
+                status = KERN_UNDECIDED;
+        }
+        status = kern_ended(task, status);
+    }
     kern_proof_out(&c.m, &proof, status);
     return status;
 }
@@ -4490,10 +4485,8 @@ static int kern_pass_stack(kern_model *m, kern_part *p, int last)
         int on = 0, off = 0;
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
             const int other = m->graph.ends[e ^ 1];
-            if (other > g && m->graph.local[other] != KERN_OUT)
-                on = 1;
-            else if (other > g || m->graph.local[other] != KERN_OUT)
-                off = 1;
+            if (other > g)
+                *(m->graph.local[other] == KERN_OUT ? &off : &on) = 1;
         }
         if (on && off)
             break;
@@ -4929,33 +4922,33 @@ static int kern_ipm_begin(kern_ipm *in)
 static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
                          const kern_query *q)
 {
-    int rays, n, i;
+    int rays, n;
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     if (!kern_norm_open(p, m) || p->contacts == 0)
         return 0;
     rays = 2 * p->contacts;
-    n = 3 * p->groups;
+    n = 3 * p->groups + 3;
     in->p = p;
     in->gap = KERN_INFINITY; /* of no question so far */
     p->found = KERN_UNDECIDED;
-    p->x = kern_take_reals(&p->rest, rays);
-    p->y = kern_take_reals(&p->rest, n + 3);
-    p->eq.rhs = kern_take_reals(&p->rest, n);
-    p->eq.rate = p->dual.grad;
-    p->eq.shrink = KERN_INFINITY; /* there are no columns */
-    in->z = kern_take_reals(&p->rest, rays);
-    in->dx = kern_take_reals(&p->rest, rays);
-    in->dz = kern_take_reals(&p->rest, rays);
-    in->d = kern_take_reals(&p->rest, rays);
-    in->over = kern_take_reals(&p->rest, n + 3);
-    in->g = kern_take_reals(&p->rest, n + 3);
-    in->gain = kern_take_reals(&p->rest, n + 3);
+    p->x = kern_take_reals(&p->rest, 5 * rays + 5 * n - 3);
     if (!kern_take_fits(&p->rest))
         return 0;
-    for (i = n; i < n + 3; i++) /* what is held rests */
-        p->y[i] = p->dual.step[i] = in->gain[i] = KERN_R(0);
+    in->z = p->x + rays;
+    in->dx = in->z + rays;
+    in->dz = in->dx + rays;
+    in->d = in->dz + rays;
+    p->y = in->d + rays;
+    in->over = p->y + n;
+    in->g = in->over + n;
+    in->gain = in->g + n;
+    p->eq.rhs = in->gain + n;
+    p->eq.rate = p->dual.grad;
+    p->eq.shrink = KERN_INFINITY; /* there are no columns */
+    kern_zero(p->y, 4 * n); /* what is held rests */
+    kern_zero(p->dual.step, n);
     return 1;
 }
 
