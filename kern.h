@@ -4098,10 +4098,6 @@ static kern_real kern_norm_share(const kern_part *p)
     return at;
 }
 
-/* Counts a step of Newton's method or of the interior point: a factor. */
-static int kern_norm_spend(const kern_part *p)
-{ return kern_model_spend(p->m, p->dual.cost); }
-
 /* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
    rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
    with u; KERN_FALLS, unproven, where `bound` is exceeded; KERN_UNDECIDED. */
@@ -4109,22 +4105,18 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, int first, int end)
 {
     const int n = 3 * p->groups;
-    kern_real before = KERN_INFINITY;
     int i, round;
     for (i = first == 0 ? 0 : n; i < n + 3; i++)
         p->dual.u[i] = p->dual.step[i] = KERN_R(0);
     kern_norm_ways(p, 0);
     for (round = first; round < end; round++) {
-        kern_real most, value, share, left;
-        value = kern_norm_gradient(p, &most);
-        left = kern_largest(p->dual.grad, n);
-        if (left <= (left > before / 2 ? 8 * tolerance : tolerance)
-                    + 4 * KERN_EPS * most)
+        kern_real most, share;
+        const kern_real value = kern_norm_gradient(p, &most);
+        if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most)
             return KERN_STANDS;
-        before = left;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        if (!kern_norm_spend(p))
+        if (!kern_model_spend(p->m, p->dual.cost))
             return KERN_LIMIT;
         kern_norm_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
@@ -4199,8 +4191,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     int i;
     if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 4))
         return 0;
-    if (!kern_part_begin(p, m, m->graph.groups, &m->rest))
-        return 0;
+    kern_part_begin(p, m, m->graph.groups, &m->rest);
     p->contact = kern_take_ints(&p->rest, m->s->contacts);
     p->ends = kern_take_ints(&p->rest, 2 * m->s->contacts);
     if (!kern_take_fits(&p->rest))
@@ -4549,13 +4540,13 @@ static int kern_pass_parts(kern_part *p)
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
    balance it. KERN_FALLS where no forces would, all else held. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
-                                              int groups, int last)
+                                              int last)
 {
     kern_real load = KERN_R(0), least = KERN_INFINITY;
     kern_status status;
     kern_take take;
     int n;
-    if (!kern_part_open(p, m, groups, last))
+    if (!kern_part_open(p, m, kern_pass_mark(m, last, 0), last))
         return KERN_NO_SPACE;
     take = p->rest;
     if (!kern_norm_lay(p, &take)
@@ -4585,8 +4576,7 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     if (status == KERN_FALLS)
         return kern_pass_stack(m, p, last) ? status : KERN_UNDECIDED;
     if (status == KERN_UNDECIDED) {
-        const int groups = kern_pass_mark(m, last, 0);
-        status = kern_pass_part(p, m, groups, last);
+        status = kern_pass_part(p, m, last);
         if (status != KERN_FALLS)
             kern_pass_mark(m, last, KERN_OUT);
     }
@@ -4816,7 +4806,7 @@ static int kern_ipm_step(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x = KERN_R(0), of_z = of_x, mu = of_x, left = of_x, ds;
     int i, corrects;
-    if (!(in->gap <= KERN_BOUND) || !kern_norm_spend(p))
+    if (!(in->gap <= KERN_BOUND) || !kern_model_spend(p->m, p->dual.cost))
         return 0;
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
@@ -4893,7 +4883,7 @@ static int kern_ipm_begin(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real power;
     int i;
-    if (!kern_norm_spend(p))
+    if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
     in->s = KERN_R(-1);
     for (i = 0; i < rays; i++) {
