@@ -1336,8 +1336,8 @@ extern "C" {
 #define KERN_CLUSTER_KNOWN 7
 #define KERN_CLUSTER_MOST  20
 #define KERN_CLUSTER_SHARE 32
-/* Units of work of a pass for each group and contact. With 30 measures of bricks
-   take 1.4 times as long. */
+/* Units of work of a pass for each group and contact. With 30 measures of
+   bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS    9
 
 /* ---- search ---- */
