@@ -4077,8 +4077,12 @@ static kern_real kern_norm_share(const kern_part *p)
     kern_real lo = KERN_R(0), at_lo = first, hi = KERN_INFINITY, at_hi = lo;
     kern_real at = KERN_R(1);
     int round, side = 0;
-    for (round = 0; round < 20; round++) {
-        const kern_real slope = kern_norm_slope(p, push, at);
+    for (round = 0; round < (hi < KERN_INFINITY ? 20 : 13); round++) {
+        kern_real slope;
+        if (round > 0)
+            at = hi < KERN_INFINITY ? (hi * at_lo - lo * at_hi)
+                                      / (at_lo - at_hi) : 4 * at;
+        slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least)
             break;
         if (slope > 0) {
@@ -4092,8 +4096,6 @@ static kern_real kern_norm_share(const kern_part *p)
             hi = at;
             at_hi = slope;
         }
-        at = hi < KERN_INFINITY ? (hi * at_lo - lo * at_hi) / (at_lo - at_hi)
-                                : 4 * at;
     }
     return at;
 }
@@ -4373,12 +4375,14 @@ static kern_status kern_pass_solve(kern_support *c, int n,
         kern_add(u, KERN_R(1), step, 3);
         for (k = 0; k < n; k++) {
             kern_real *way = c[k].way, slip;
-            const int was = c[k].mask;
+            int mask;
             kern_row_speed(&c[k].row, step, way);
             slip = c[k].mu * way[1];
-            c[k].mask = (way[0] + slip > 0 ? 1 : 0)
-                        + (way[0] - slip > 0 ? 2 : 0);
-            changed |= was != c[k].mask;
+            mask = (way[0] + slip > 0 ? 1 : 0) + (way[0] - slip > 0 ? 2 : 0);
+            if (same == 0 && mask != c[k].mask) {
+                c[k].mask = mask;
+                changed = 1;
+            }
         }
         if (good && !changed)
             return KERN_STANDS;

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xdd233c8875d0c945u },
-    { 1000, 0xdce6d97e07ce4b29u },
-    { 5000, 0x2e59495a2f9f6007u },
+    { 200, 0x7af02b7f33502c60u },
+    { 1000, 0x30a50ec36e0bb49fu },
+    { 5000, 0xce04341a08aaa9e2u },
 #else
-    { 200, 0xbab857b660fde5dcu },
-    { 1000, 0x10298eb41132a4f1u },
-    { 5000, 0x804182a2dea33dceu },
+    { 200, 0x2951021700389635u },
+    { 1000, 0x160a4ba1a4eb2776u },
+    { 5000, 0xc8bc38c3ac2914c8u },
 #endif
 };
 
