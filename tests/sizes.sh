@@ -15,11 +15,11 @@ trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
 limits="lines of kern.h|8800|9278
-lines of the engine|3500|4031
-text of the library|54000|56260
-text, kern_measure with contacts given|32000|31508
-text, kern_verdict with contacts given|22000|24036
-text of the library, KERN_NO_INTERIOR|54000|53516
+lines of the engine|3500|3969
+text of the library|54000|55712
+text, kern_measure with contacts given|32000|30972
+text, kern_verdict with contacts given|22000|23496
+text of the library, KERN_NO_INTERIOR|54000|53086
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
 deepest stack|2700|2600"
