@@ -1336,10 +1336,9 @@ extern "C" {
 #define KERN_CLUSTER_KNOWN 7
 #define KERN_CLUSTER_MOST  20
 #define KERN_CLUSTER_SHARE 32
-/* Products of a pass for each group and contact: of KERN_BLOCKS_MOST and
-   KERN_POINTS_MOST still an int. With 5000 measures of bricks take 1.4 times
-   as long. */
-#define KERN_PASS_BUDGET   1500
+/* Units of work of a pass for each group and contact. With 30 measures of
+   bricks take 1.4 times as long. */
+#define KERN_PASS_UNITS    9
 
 /* ---- search ---- */
 
@@ -2275,7 +2274,7 @@ typedef struct kern_clusters {
     int *open;                /* of a last group: the state of its cluster    */
     int at;                   /* no cluster that is open ends before this one */
     int most;                 /* groups of one                                */
-    int budget;               /* products that are left                       */
+    int until;                /* units of work at which the pass ends         */
 } kern_clusters;
 
 /* Torques of n and t at each end of the contacts, as their rows have them. */
@@ -2705,8 +2704,7 @@ typedef struct kern_dual {
     kern_real *way, *turn;    /* two a contact: u and step along n and t      */
     kern_real *price;         /* then stiffness, of contacts: >>raised; NULL  */
     kern_real stiff;          /* along t, in stiffnesses along n              */
-    int cost;                 /* of a step, in products                       */
-    int rounds;               /* that the last forces took                    */
+    int cost;                 /* of a step, in units of work                  */
 } kern_dual;
 
 /* Eq. (5) of a part as a linear program: see >>verdict. */
@@ -3623,9 +3621,9 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
-    kern_real *part = (kern_real *)(void *)m->answer.motion, most = KERN_R(0);
-    int i, n;
-    kern_zero(part, 3 * m->s->blocks);
+    kern_real most = KERN_R(0);
+    int n;
+    kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (n = 0; n < p->groups; n++) {
         const int b = m->graph.block[p->group[n]];
         kern_motion *v = m->answer.motion + b;
@@ -3634,8 +3632,8 @@ static void kern_part_motion(kern_part *p)
         v->spin = p->y[3 * n + 2] * m->unit[p->group[n]];
         most = kern_max(most, kern_block_speed(m->s->block + b, v));
     }
-    for (i = 0; i < 3 * m->s->blocks && most > 0; i++)
-        part[i] /= most;
+    if (most > 0)
+        kern_scale(m->answer.motion, 3 * m->s->blocks, 1 / most);
 }
 
 /* The forces of a program of all groups; 0 where rounding made them less. */
@@ -3741,11 +3739,11 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 
 /* Takes room for the matrix of so many groups, with what the two groups of each
    of n contacts exert on each other: the later one's row reaches to the column
-   of the other. Adds the products of a factor to *cost; 0: there is no room. */
+   of the other. Returns the products of a factor, if there is room. */
 static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
-                             int n, kern_take *take, int *cost)
+                             int n, kern_take *take)
 {
-    int g, k, end = 0;
+    int g, k, end = 0, products = 0;
     a->groups = groups;
     a->first = kern_take_ints(take, groups);
     a->offset = kern_take_ints(take, groups);
@@ -3762,10 +3760,10 @@ static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
         const int width = g - a->first[g] + 1;
         a->offset[g] = end;
         end += 9 * width;
-        *cost += 14 * width * width;
+        products += 14 * width * width;
     }
     a->entry = kern_take_reals(take, end);
-    return kern_take_fits(take);
+    return products;
 }
 
 static void kern_skyline_clear(kern_skyline *a)
@@ -3948,9 +3946,9 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     p->dual.b = p->dual.grad + n;
     p->dual.way = kern_take_reals(take, 4 * p->contacts);
     p->dual.turn = p->dual.way + 2 * p->contacts;
-    p->dual.cost = 100 * p->contacts;
-    return kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own, take,
-                             &p->dual.cost);
+    p->dual.cost = 1 + (100 * p->contacts + kern_skyline_open(
+        &p->dual.matrix, p->groups, p->ends, p->own, take)) / 170;
+    return kern_take_fits(take);
 }
 
 /* w += the approach of the part's contact k along n and t by the motion v. The
@@ -3980,11 +3978,11 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
 }
 
 /* Approach of contacts along n and t: by u and the prior forces, or a step. */
-static void kern_norm_ways(kern_part *p, int contacts, int step)
+static void kern_norm_ways(kern_part *p, int step)
 {
     kern_real *way = step ? p->dual.turn : p->dual.way;
     int k;
-    for (k = 0; k < contacts; k++, way += 2) {
+    for (k = 0; k < p->own; k++, way += 2) {
         way[0] = way[1] = KERN_R(0);
         if (!step && p->dual.price)
             way[0] = -p->dual.price[k];
@@ -4067,19 +4065,14 @@ static kern_real kern_norm_share(const kern_part *p)
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
     const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
     const kern_real least = first / (p->dual.price ? 1000 : 8);
-    kern_real lo = KERN_R(0), hi = KERN_R(1), at_lo = first, at = hi, at_hi;
+    kern_real lo = KERN_R(0), at_lo = first, hi = KERN_INFINITY, at_hi = lo;
+    kern_real at = KERN_R(1);
     int round, side = 0;
-    at_hi = kern_norm_slope(p, push, hi);
-    for (round = 0; round < 12 && at_hi > least; round++) {
-        lo = hi;
-        at_lo = at_hi;
-        hi *= 4;
-        at_hi = kern_norm_slope(p, push, hi);
-    }
-    at = hi;
-    for (round = 0; round < 16 && at_hi < -least; round++) {
+    for (round = 0; round < (hi < KERN_INFINITY ? 20 : 13); round++) {
         kern_real slope;
-        at = (hi * at_lo - lo * at_hi) / (at_lo - at_hi);
+        if (round > 0)
+            at = hi < KERN_INFINITY ? (hi * at_lo - lo * at_hi)
+                                      / (at_lo - at_hi) : 4 * at;
         slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least)
             break;
@@ -4089,18 +4082,14 @@ static kern_real kern_norm_share(const kern_part *p)
             at_hi /= side > 0 ? 2 : 1;
             side = 1;
         } else {
+            at_lo /= side < 0 ? 2 : 1;
+            side = hi < KERN_INFINITY ? -1 : 0;
             hi = at;
             at_hi = slope;
-            at_lo /= side < 0 ? 2 : 1;
-            side = -1;
         }
     }
     return at;
 }
-
-/* Counts a step of Newton's method or of the interior point: a factor. */
-static int kern_norm_spend(const kern_part *p)
-{ return kern_model_spend(p->m, 1 + p->dual.cost / 170); }
 
 /* Minimum-norm forces of a part's own contacts under the loads p->dual.b, by
    rounds [first, end); after round 0 u goes on from what it is. KERN_STANDS
@@ -4109,29 +4098,23 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
                                   kern_real bound, int first, int end)
 {
     const int n = 3 * p->groups;
-    kern_real before = KERN_INFINITY;
     int i, round;
-    p->dual.rounds = 0;
     for (i = first == 0 ? 0 : n; i < n + 3; i++)
         p->dual.u[i] = p->dual.step[i] = KERN_R(0);
-    kern_norm_ways(p, p->own, 0);
+    kern_norm_ways(p, 0);
     for (round = first; round < end; round++) {
-        kern_real most, value, share, left;
-        value = kern_norm_gradient(p, &most);
-        left = kern_largest(p->dual.grad, n);
-        if (left <= (left > before / 2 ? 8 * tolerance : tolerance)
-                    + 4 * KERN_EPS * most)
+        kern_real most, share;
+        const kern_real value = kern_norm_gradient(p, &most);
+        if (kern_largest(p->dual.grad, n) <= tolerance + 4 * KERN_EPS * most)
             return KERN_STANDS;
-        before = left;
         if (!(value <= bound * bound / 2))
             return KERN_FALLS;
-        if (!kern_norm_spend(p))
+        if (!kern_model_spend(p->m, p->dual.cost))
             return KERN_LIMIT;
         kern_norm_matrix(p, round == 0);
         kern_skyline_factor(&p->dual.matrix);
         kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
-        kern_norm_ways(p, p->own, 1);
-        p->dual.rounds = round + 1 - first;
+        kern_norm_ways(p, 1);
         share = round == 0 ? KERN_R(1) : kern_norm_share(p);
         kern_add(p->dual.u, share, p->dual.step, n);
         kern_add(p->dual.way, share, p->dual.turn, 2 * p->own);
@@ -4201,8 +4184,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
     int i;
     if (!kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 4))
         return 0;
-    if (!kern_part_begin(p, m, m->graph.groups, &m->rest))
-        return 0;
+    kern_part_begin(p, m, m->graph.groups, &m->rest);
     p->contact = kern_take_ints(&p->rest, m->s->contacts);
     p->ends = kern_take_ints(&p->rest, 2 * m->s->contacts);
     if (!kern_take_fits(&p->rest))
@@ -4232,33 +4214,28 @@ static void kern_norm_write(kern_part *p)
     }
 }
 
-/* Minimum-norm forces of all groups that prove that it stands. */
-static kern_status kern_norm_hold(kern_model *m, kern_part *p,
-                                  const kern_query *q)
-{
-    kern_status status;
-    kern_model_set(m, q);
-    kern_model_unload(m);
-    if (!kern_norm_open(p, m))
-        return KERN_NO_SPACE;
-    status = kern_norm_find(p, kern_part_load(p, q, p->dual.b), KERN_BOUND, 0,
-                            KERN_ROUNDS);
-    if (status == KERN_LIMIT)
-        return status;
-    if (status != KERN_STANDS)
-        return KERN_UNDECIDED;
-    kern_norm_write(p);
-    return kern_answer_holds(m, q) ? status : KERN_UNDECIDED;
-}
-
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                                  kern_force *force)
 {
     const kern_proof proof = {force, NULL};
     kern_call c;
+    kern_part *p = &c.part;
     kern_status status = kern_call_open(&c, task, shrink, force);
-    if (status == KERN_OK)
-        status = kern_ended(task, kern_norm_hold(&c.m, &c.part, &c.path.q));
+    if (status == KERN_OK) {
+        kern_model_set(&c.m, &c.path.q);
+        kern_model_unload(&c.m);
+        status = kern_norm_open(p, &c.m) ? kern_norm_find(
+            p, kern_part_load(p, &c.path.q, p->dual.b), KERN_BOUND, 0,
+            KERN_ROUNDS) : KERN_NO_SPACE;
+        if (status == KERN_FALLS) /* unproven */
+            status = KERN_UNDECIDED;
+        if (status == KERN_STANDS) {
+            kern_norm_write(p);
+            if (!kern_answer_holds(&c.m, &c.path.q))
+                status = KERN_UNDECIDED;
+        }
+        status = kern_ended(task, status);
+    }
     kern_proof_out(&c.m, &proof, status);
     return status;
 }
@@ -4313,25 +4290,25 @@ static inline void kern_pass_load(const kern_model *m, int g, kern_real *b)
     }
 }
 
-/* x := H^-1 b for the lower half h of a symmetric 3 x 3 matrix. The unknown of
+/* x := H^-1 b for the lower half of a symmetric 3 x 3 matrix h. The unknown of
    a pivot that is rounding becomes 0. Returns whether no pivot is small. */
-static int kern_pass_three(const kern_real h[6], const kern_real b[3],
+static int kern_pass_three(const kern_real h[9], const kern_real b[3],
                            kern_real x[3])
 {
-    const kern_real least = KERN_THREE_TOL * (h[0] + h[2] + h[5]);
+    const kern_real least = KERN_THREE_TOL * (h[0] + h[4] + h[8]);
     const kern_real i0 = h[0] > least ? 1 / h[0] : KERN_R(0);
-    const kern_real l1 = h[1] * i0, l3 = h[3] * i0;
-    const kern_real d1 = h[2] - l1 * h[1], e = h[4] - l3 * h[1];
+    const kern_real l1 = h[3] * i0, l3 = h[6] * i0;
+    const kern_real d1 = h[4] - l1 * h[3], e = h[7] - l3 * h[3];
     const kern_real i1 = d1 > least ? 1 / d1 : KERN_R(0);
     const kern_real l4 = e * i1;
-    const kern_real d2 = h[5] - l3 * h[3] - l4 * e;
+    const kern_real d2 = h[8] - l3 * h[6] - l4 * e;
     const kern_real i2 = d2 > least ? 1 / d2 : KERN_R(0);
     const kern_real y1 = b[1] - l1 * b[0];
     const kern_real y2 = b[2] - l3 * b[0] - l4 * y1;
     x[2] = y2 * i2;
     x[1] = y1 * i1 - l4 * x[2];
     x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
-    return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[2] + h[5]);
+    return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[4] + h[8]);
 }
 
 typedef struct kern_support { /* a contact that carries the group */
@@ -4345,42 +4322,12 @@ typedef struct kern_support { /* a contact that carries the group */
 static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* Moves the group, which has moved by u, a step farther. */
-static inline void kern_support_move(kern_support *c, int n,
-                                     const kern_real step[3], kern_real u[3])
-{
-    int k;
-    for (k = 0; k < n; k++)
-        kern_row_speed(&c[k].row, step, c[k].way);
-    for (k = 0; k < 3; k++)
-        u[k] += step[k];
-}
-
-/* Lists what carries group g; returns how many, or one more than fit. */
-static int kern_pass_supports(const kern_model *m, int g,
-                              kern_support c[KERN_ROWS_MOST])
-{
-    int e, n = 0;
-    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-        if (m->graph.ends[e ^ 1] < g)
-            continue;
-        if (n == KERN_ROWS_MOST)
-            return n + 1;
-        c[n].row = kern_model_row(m, e);
-        c[n].end = e;
-        c[n].mu = kern_model_prior(m, e >> 1, c[n].way);
-        n++;
-    }
-    return n;
-}
-
 /* What the rays in the masks exert, less b; and their matrix. */
 static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
-                             kern_real left[3], kern_real h[6])
+                             kern_real left[3], kern_real h[9])
 {
     int k, j;
-    for (j = 0; j < 6; j++)
-        h[j] = KERN_R(0);
+    kern_zero(h, 9);
     left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
     for (k = 0; k < n; k++, c++) {
         const kern_row *row = &c->row;
@@ -4391,14 +4338,10 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
         if (c->mask == 0)
             continue;
         kern_row_answer(row, &s, v, w);
-        for (j = 0; j < 3; j++)
+        for (j = 0; j < 3; j++) {
             left[j] -= v[j] * c->way[0] + w[j] * c->way[1];
-        h[0] += v[0] * row->n[0] - w[0] * row->n[1];
-        h[1] += v[1] * row->n[0] - w[1] * row->n[1];
-        h[2] += v[1] * row->n[1] + w[1] * row->n[0];
-        h[3] += v[2] * row->n[0] - w[2] * row->n[1];
-        h[4] += v[2] * row->n[1] + w[2] * row->n[0];
-        h[5] += v[2] * row->n[2] + w[2] * row->turn;
+            kern_row_exert(row, v[j], w[j], h + 3 * j);
+        }
     }
 }
 
@@ -4407,52 +4350,60 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
 static kern_status kern_pass_solve(kern_support *c, int n,
                                    const kern_real b[3], kern_real tolerance)
 {
-    kern_real left[3], h[6], step[3], most, u[3] = {0, 0, 0};
-    int k, round, changed = 1, good = 0;
+    kern_real left[3], h[9], step[3], u[3] = {0, 0, 0};
+    int k, round, same = 0; /* rounds in which the same rays pressed */
     for (k = 0; k < n; k++)
         c[k].mask = 3;
-    for (round = 0; round < KERN_FEW_ROUNDS && changed; round++) {
+    for (round = 0; round < KERN_FEW_ROUNDS + 2; round++) {
+        int good, changed = 0;
         kern_support_sum(c, n, b, left, h);
-        good = kern_pass_three(h, left, step);
-        kern_support_move(c, n, step, u);
-        changed = 0;
-        for (k = 0; k < n; k++) {
-            const kern_real wn = c[k].way[0], wt = c[k].mu * c[k].way[1];
-            const int mask = (wn + wt > 0 ? 1 : 0) + (wn - wt > 0 ? 2 : 0);
-            changed |= mask != c[k].mask;
-            c[k].mask = mask;
-        }
-    }
-    for (round = 0; round < 3 && !(good && !changed); round++) {
-        kern_support_sum(c, n, b, left, h);
-        most = kern_largest(u, 3);
-        if (kern_largest(left, 3) <= tolerance + 4 * KERN_EPS * most)
-            break;
-        if (changed)
-            return KERN_UNDECIDED;
-        if (round == 2)
+        if (same > 0 && kern_largest(left, 3)
+                        <= tolerance + 4 * KERN_EPS * kern_largest(u, 3))
+            return KERN_STANDS;
+        if (same == 3)
             return KERN_FALLS;
-        kern_pass_three(h, left, step);
-        kern_support_move(c, n, step, u);
+        good = kern_pass_three(h, left, step);
+        kern_add(u, KERN_R(1), step, 3);
+        for (k = 0; k < n; k++) {
+            kern_real *way = c[k].way, slip;
+            int mask;
+            kern_row_speed(&c[k].row, step, way);
+            slip = c[k].mu * way[1];
+            mask = (way[0] + slip > 0 ? 1 : 0) + (way[0] - slip > 0 ? 2 : 0);
+            if (same == 0 && mask != c[k].mask) {
+                c[k].mask = mask;
+                changed = 1;
+            }
+        }
+        if (good && !changed)
+            return KERN_STANDS;
+        same = changed ? 0 : same + 1;
     }
-    return KERN_STANDS;
+    return KERN_UNDECIDED;
 }
 
 /* Balances group g alone. KERN_FALLS or KERN_UNDECIDED where it cannot be. */
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
+    const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_support c[KERN_ROWS_MOST];
     kern_real b[3];
-    const kern_real tolerance = KERN_PASS_TOL * m->size[g];
     kern_status status;
-    int n = kern_pass_supports(m, g, c), k;
-    if (n > KERN_ROWS_MOST)
-        return KERN_UNDECIDED;
+    int e, k, n = 0;
+    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        if (m->graph.ends[e ^ 1] < g)
+            continue;
+        if (n == KERN_ROWS_MOST)
+            return KERN_UNDECIDED;
+        c[n].row = kern_model_row(m, e);
+        c[n].end = e;
+        c[n].mu = kern_model_prior(m, e >> 1, c[n].way);
+        n++;
+    }
     kern_pass_load(m, g, b);
     status = kern_pass_solve(c, n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_real *w = c[k].way;
-        const kern_law s = kern_law_pressed(w[0], w[1], c[k].mu);
+        const kern_law s = kern_law_pressed(c[k].way[0], c[k].way[1], c[k].mu);
         kern_pass_write(m, c[k].end >> 1, m->graph.ends[c[k].end ^ 1],
                         s.force, tolerance);
     }
@@ -4487,20 +4438,27 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
     return n;
 }
 
-/* Adds the clusters that rest on g's, which is marked; takes marks back. */
-static void kern_pass_grow(kern_model *m, int last)
+/* Adds the clusters that rest on that of `last`, which cannot be balanced, and
+   leaves it open. Returns 0 if there are none, or it is too large now; one with
+   a group below `last` waits for the turn of that. */
+static int kern_pass_grow(kern_model *m, int last)
 {
-    int g, e;
-    for (g = last; g >= 0; g--) {
-        if (m->graph.local[g] == KERN_OUT)
-            continue;
+    const kern_clusters *c = &m->cluster;
+    int g = last, after, e, grown = 0;
+    do {
+        after = c->next[g];
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
             const int h = m->graph.ends[e ^ 1];
-            if (h < g && m->cluster.last[h] != m->cluster.last[g])
+            if (h < g && c->last[h] != c->last[g]) {
                 kern_pass_join(m, g, h);
+                grown = 1;
+            }
         }
-    }
-    kern_pass_mark(m, last, KERN_OUT);
+        g = after;
+    } while (g != last);
+    kern_pass_mark_open(m, last);
+    return grown && (c->last[last] > last
+                     || kern_pass_mark(m, last, KERN_OUT) <= c->most);
 }
 
 /* Opens group `last`, which cannot be balanced, with all that rests on it, if
@@ -4513,10 +4471,8 @@ static int kern_pass_stack(kern_model *m, kern_part *p, int last)
         int on = 0, off = 0;
         for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
             const int other = m->graph.ends[e ^ 1];
-            if (other > g && m->graph.local[other] != KERN_OUT)
-                on = 1;
-            else if (other > g || m->graph.local[other] != KERN_OUT)
-                off = 1;
+            if (other > g)
+                *(m->graph.local[other] == KERN_OUT ? &off : &on) = 1;
         }
         if (on && off)
             break;
@@ -4579,16 +4535,17 @@ static int kern_pass_parts(kern_part *p)
 /* Opens the part of a cluster, and writes its minimum-norm forces if they
    balance it. KERN_FALLS where no forces would, all else held. */
 KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
-                                              int groups, int last)
+                                              int last)
 {
     kern_real load = KERN_R(0), least = KERN_INFINITY;
     kern_status status;
     kern_take take;
     int n;
-    if (!kern_part_open(p, m, groups, last))
+    if (!kern_part_open(p, m, kern_pass_mark(m, last, 0), last))
         return KERN_NO_SPACE;
     take = p->rest;
-    if (!kern_norm_lay(p, &take) || p->dual.cost > m->cluster.budget)
+    if (!kern_norm_lay(p, &take)
+        || m->task->work->units + p->dual.cost > m->cluster.until)
         return KERN_NO_SPACE;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
@@ -4599,7 +4556,6 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         load += kern_abs(p->dual.b[n]);
     status = kern_norm_find(p, KERN_PASS_TOL * least, KERN_NORM_MOST * load, 0,
                             KERN_ROUNDS);
-    m->cluster.budget -= p->dual.rounds * p->dual.cost;
     if (status == KERN_STANDS)
         kern_pass_keep(p, KERN_PASS_TOL * least);
     if (status == KERN_FALLS && p->own < p->contacts && !kern_pass_parts(p))
@@ -4607,33 +4563,19 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     return status;
 }
 
-/* Balances the cluster of `last`. A cluster that cannot be balanced grows until
-   it can, or falls. Where it has grown to a group below `last`, it waits for
-   the turn of that. `failed`: it is one group that cannot be balanced. */
-static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
-                                     int failed)
+/* Balances the cluster of `last`. KERN_FALLS: a part that falls is open. */
+static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
-    for (;;) {
-        const int groups = kern_pass_mark(m, last, 0);
-        const kern_status status = failed
-            ? KERN_UNDECIDED : kern_pass_part(p, m, groups, last);
-        int grown;
-        if (status == KERN_FALLS)
-            return status;
-        if (status != KERN_UNDECIDED) { /* it stands, or space or work ends */
+    kern_status status = m->cluster.next[last] == last
+        ? kern_pass_alone(m, last) : KERN_UNDECIDED;
+    if (status == KERN_FALLS)
+        return kern_pass_stack(m, p, last) ? status : KERN_UNDECIDED;
+    if (status == KERN_UNDECIDED) {
+        status = kern_pass_part(p, m, last);
+        if (status != KERN_FALLS)
             kern_pass_mark(m, last, KERN_OUT);
-            return status == KERN_STANDS ? status : KERN_UNDECIDED;
-        }
-        kern_pass_grow(m, last);
-        if (m->cluster.last[last] > last) {
-            kern_pass_mark_open(m, last);
-            return KERN_STANDS;
-        }
-        grown = kern_pass_mark(m, last, KERN_OUT);
-        if (grown == groups || grown > m->cluster.most)
-            return KERN_UNDECIDED;
-        failed = 0;
     }
+    return status;
 }
 
 /* Replaces the forces of the line that begins with contact i, whose ends are
@@ -4691,28 +4633,29 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
         i += kern_force_transfer(m, i, known->holds, shrink);
 }
 
-/* Balances all groups that must be, alone or with others in clusters. */
+/* Balances all groups that must be, alone or with others in clusters, which
+   grow until they can be balanced, or fall. */
 static kern_status kern_pass(kern_model *m, kern_part *p)
 {
     kern_clusters *c = &m->cluster;
-    const int size = m->s->contacts + m->graph.groups;
-    kern_status alone, found = KERN_STANDS;
-    int g;
-    c->budget = KERN_PASS_BUDGET * size;
-    while (c->at < m->graph.groups && found == KERN_STANDS) {
-        g = c->at++;
+    c->until = m->task->work->units
+               + KERN_PASS_UNITS * (m->s->contacts + m->graph.groups);
+    while (c->at < m->graph.groups) {
+        const int g = c->at++;
+        kern_status status;
         if (!(c->open[g] & KERN_OPEN))
             continue;
-        c->budget -= 300;
-        if (c->budget < 0 || !kern_model_spend(m, 1))
+        if (m->task->work->units > c->until || !kern_model_spend(m, 1))
             return KERN_UNDECIDED;
         c->open[g] -= KERN_OPEN;
-        alone = c->next[g] == g ? kern_pass_alone(m, g) : KERN_UNDECIDED;
-        found = alone == KERN_STANDS
-                || (alone == KERN_FALLS && kern_pass_stack(m, p, g))
-                ? alone : kern_pass_cluster(m, p, g, alone == KERN_FALLS);
+        status = kern_pass_cluster(m, p, g);
+        if (status == KERN_FALLS)
+            return status;
+        if (status != KERN_STANDS
+            && !(status == KERN_UNDECIDED && kern_pass_grow(m, g)))
+            return KERN_UNDECIDED; /* or space or work ends */
     }
-    return found;
+    return KERN_STANDS;
 }
 
 /* ---- Interior point ---------------------------------------------- >>ipm */
@@ -4835,7 +4778,7 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real ds;
     int i;
-    kern_add(p->dual.grad, KERN_R(1), in->over, n);
+    kern_copy(p->dual.grad, in->over, n);
     kern_ipm_carry(p, in->dx, p->dual.grad);
     kern_skyline_solve(&p->dual.matrix, p->dual.grad, p->dual.step);
     ds = (1 - kern_dot(in->g, p->y, n) - kern_dot(in->g, p->dual.step, n))
@@ -4850,49 +4793,42 @@ static kern_real kern_ipm_solve(kern_ipm *in)
     return ds;
 }
 
-/* The predictor: leaves in dx and dual.grad what the corrector begins with. */
-static void kern_ipm_predict(kern_ipm *in)
-{
-    kern_part *p = in->p;
-    const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x, of_z, left = KERN_R(0), mu;
-    int i;
-    kern_ipm_ways(p, p->y, p->dual.way);
-    kern_zero(p->dual.grad, n);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = -in->d[i] * p->dual.way[i];
-    kern_ipm_solve(in);
-    of_x = kern_ipm_share(p->x, in->dx, rays);
-    of_z = kern_ipm_share(in->z, in->dz, rays);
-    for (i = 0; i < rays; i++)
-        left += (p->x[i] + of_x * in->dx[i]) * (in->z[i] + of_z * in->dz[i]);
-    left = in->s < 0 ? kern_max(left / in->gap, 1 - of_x)
-                     : KERN_R(1); /* nothing is left to maximise */
-    mu = in->gap * left * left * left / KERN_R(rays);
-    kern_zero(p->dual.grad, n);
-    for (i = 0; i < rays; i++)
-        in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
-                    - in->d[i] * p->dual.way[i];
-}
-
-/* One step of the method; 0: the limit or the digits do not reach for one. */
+/* One step of the method: the predictor's, and the corrector's with what that
+   tells. 0: the limit or the digits do not reach for one. */
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
-    kern_real of_x, of_z, ds;
-    int i;
-    if (!(in->gap <= KERN_BOUND) || !kern_norm_spend(p))
+    kern_real of_x = KERN_R(0), of_z = of_x, mu = of_x, left = of_x, ds;
+    int i, corrects;
+    if (!(in->gap <= KERN_BOUND) || !kern_model_spend(p->m, p->dual.cost))
         return 0;
-    for (i = 0; i < rays; i++)
+    for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
+        in->dx[i] = in->dz[i] = KERN_R(0);
+    }
     kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
     if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
         kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
-    kern_ipm_predict(in);
-    ds = kern_ipm_solve(in);
-    of_x = KERN_IPM_SHARE * kern_ipm_share(p->x, in->dx, rays);
-    of_z = KERN_IPM_SHARE * kern_ipm_share(in->z, in->dz, rays);
+    kern_ipm_ways(p, p->y, p->dual.way);
+    for (corrects = 0; ; corrects = 1) {
+        for (i = 0; i < rays; i++)
+            in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
+                        - in->d[i] * p->dual.way[i];
+        ds = kern_ipm_solve(in);
+        of_x = kern_ipm_share(p->x, in->dx, rays);
+        of_z = kern_ipm_share(in->z, in->dz, rays);
+        if (corrects)
+            break;
+        for (i = 0; i < rays; i++)
+            left += (p->x[i] + of_x * in->dx[i])
+                    * (in->z[i] + of_z * in->dz[i]);
+        left = in->s < 0 ? kern_max(left / in->gap, 1 - of_x)
+                         : KERN_R(1); /* nothing is left to maximise */
+        mu = in->gap * left * left * left / KERN_R(rays);
+    }
+    of_x *= KERN_IPM_SHARE;
+    of_z *= KERN_IPM_SHARE;
     if (in->s + ds >= 0 && of_x >= KERN_IPM_SHARE)
         of_x = KERN_R(1);
     in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
@@ -4942,7 +4878,7 @@ static int kern_ipm_begin(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real power;
     int i;
-    if (!kern_norm_spend(p))
+    if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
     in->s = KERN_R(-1);
     for (i = 0; i < rays; i++) {
@@ -4971,33 +4907,33 @@ static int kern_ipm_begin(kern_ipm *in)
 static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
                          const kern_query *q)
 {
-    int rays, n, i;
+    int rays, n;
     if (m->whole)
         kern_model_group(m, q);
     kern_model_set(m, q);
     if (!kern_norm_open(p, m) || p->contacts == 0)
         return 0;
     rays = 2 * p->contacts;
-    n = 3 * p->groups;
+    n = 3 * p->groups + 3;
     in->p = p;
     in->gap = KERN_INFINITY; /* of no question so far */
     p->found = KERN_UNDECIDED;
-    p->x = kern_take_reals(&p->rest, rays);
-    p->y = kern_take_reals(&p->rest, n + 3);
-    p->eq.rhs = kern_take_reals(&p->rest, n);
-    p->eq.rate = p->dual.grad;
-    p->eq.shrink = KERN_INFINITY; /* there are no columns */
-    in->z = kern_take_reals(&p->rest, rays);
-    in->dx = kern_take_reals(&p->rest, rays);
-    in->dz = kern_take_reals(&p->rest, rays);
-    in->d = kern_take_reals(&p->rest, rays);
-    in->over = kern_take_reals(&p->rest, n + 3);
-    in->g = kern_take_reals(&p->rest, n + 3);
-    in->gain = kern_take_reals(&p->rest, n + 3);
+    p->x = kern_take_reals(&p->rest, 5 * rays + 5 * n - 3);
     if (!kern_take_fits(&p->rest))
         return 0;
-    for (i = n; i < n + 3; i++) /* what is held rests */
-        p->y[i] = p->dual.step[i] = in->gain[i] = KERN_R(0);
+    in->z = p->x + rays;
+    in->dx = in->z + rays;
+    in->dz = in->dx + rays;
+    in->d = in->dz + rays;
+    p->y = in->d + rays;
+    in->over = p->y + n;
+    in->g = in->over + n;
+    in->gain = in->g + n;
+    p->eq.rhs = in->gain + n;
+    p->eq.rate = p->dual.grad;
+    p->eq.shrink = KERN_INFINITY; /* there are no columns */
+    kern_zero(p->y, 4 * n); /* what is held rests */
+    kern_zero(p->dual.step, n);
     return 1;
 }
 
