@@ -67,23 +67,21 @@
 
    CONVENTIONS                                                  >>conventions
 
-   Length, mass and time are in units of your choice, used throughout; comments
-   say m, kg, s. Angles are in radians, counter-clockwise positive. The world
-   is a plane: think of one unit of depth, and of a density per area. Blocks
-   are polygons in world coordinates. Contacts are found from polygons, or
-   given. Those of a new stone (kern_touch()) are appended; to take the last
+   Units of length, mass and time are your choice; comments say m, kg, s. Angles
+   are in radians, counter-clockwise positive. Blocks are polygons in world
+   coordinates of a plane: think of one unit of depth, and of a density per
+   area. Contacts of a new stone (kern_touch()) are appended; to take the last
    stone back, make `blocks` and `contacts` smaller.
 
    MEMORY                                                            >>memory
 
    The library allocates nothing, has no globals and no recursion, and keeps
-   nothing between calls: threads need no locks, each with its own work memory.
-   Work memory is two arrays, sized by the constant expressions
-   KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts) or, at run
-   time, by kern_work_need(). Contacts are counted as contact points: a running
-   bond has seven a block, twelve with joints between neighbours.
-   KERN_CONTACTS(blocks) has room for these; stones with many short edges may
-   need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
+   nothing between calls: threads need no locks, each with its own work memory:
+   two arrays, sized by the constant expressions KERN_REALS(blocks, contacts) and
+   KERN_INTS(blocks, contacts), or by kern_work_need(). Contacts are counted as
+   contact points: a running bond has seven a block, twelve with joints between
+   neighbours. KERN_CONTACTS(blocks) has room for these; stones with many short
+   edges may need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
@@ -96,10 +94,9 @@
 
    VERDICTS AND PROOFS                                             >>verdicts
 
-   A call that returns KERN_STANDS found forces which pass kern_check_forces(),
-   one that returns KERN_FALLS a motion which passes kern_check_motion(). The
-   checks use nothing of the solver. What passes neither is KERN_UNDECIDED:
-   never a guess. >>limits says when that happens.
+   KERN_STANDS: forces were found that pass kern_check_forces(); KERN_FALLS: a
+   motion that passes kern_check_motion(). The checks use nothing of the solver.
+   What passes neither is KERN_UNDECIDED (>>limits), never a guess.
 
    options.limit bounds the work of one call. Work that would exceed the limit,
    to read the input included, is not begun: the call returns KERN_LIMIT and
@@ -235,9 +232,9 @@
    margin      comparing structures and places for a stone: how far the worst
                stone is from the edge of what carries it, in metres, so that
                large stones weigh more; relative: a share. level: the paper's
-   load factor the largest sideways acceleration, in units of gravity
+   load factor the largest sideways acceleration, in units of gravity; raised
+               load: without dilatant sliding, see >>limits
    tilt        how far the ground may turn: without loads atan(load factor)
-   raised load the load factor without dilatant sliding: see >>limits
    deficit     how much is missing, where it falls
    bearing     the length of the shortest contact that it needs
    mechanism   which stones go first, and how
@@ -267,17 +264,9 @@
    tip, as in low walls, all load factors end at mu and rank less well. Near
    contacts are not for verdicts: a gap carries nothing yet.
 
-   Whether a stone stays where it is let go. kern_stays() gives the chance: let
-   go from 0.5 on. 969 placements that stand, of 100 walls, were let go six
-   times in another simulator (tests/truth.c): 630 stay, 205 move, 134 depend on
-   its noise and count as not staying. Each half, by the scale of the other:
-
-       let go from a chance of      0.3    0.5    0.7    0.9
-       stays, and is let go        0.96   0.95   0.93   0.85
-       moves, and is not           0.94   0.97   0.98  0.995
-       is unclear, and is not      0.75   0.78   0.87   0.95
-
-   Both halves chose the form of the law. ROC curve, and fit of chances: README.
+   Whether a stone stays where it is let go. kern_stays() gives the chance. Let
+   go from 0.5 on, that keeps 0.95 of what stays and rejects 0.97 of what moves;
+   from 0.3 on 0.96, 0.94; from 0.9 on 0.85, 0.995 (README, tests/TRUST.md).
 
    Forces. Many sets of forces hold a structure; no measure depends on which,
    and a proof has the first that was found. To look at, take the minimum-norm
@@ -293,22 +282,18 @@
    else set options.gap to a pixel and a half. The density is that of the
    material times the thickness. examples/copy/contour.c shows these steps.
 
-   Error. Tell kern_measured_options() the standard error e of a stone's place
-   (pixel, simplification and registration together, as squares) and theta of
-   its angle. The margin of a stone of 40, 200 or 1000 vertices is then the same
-   within 2 %; else the discretisation decides it. Overlaps beyond the error are
-   modelling errors (kern_overlaps()): measure again, or set options.overlap.
+   Error. kern_measured_options() takes the standard errors of places (pixel,
+   simplification, registration: as squares) and angles. Margins of a stone of
+   40, 200 or 1000 vertices then agree within 2 %; else the discretisation
+   decides them. Overlaps beyond the error are modelling errors
+   (kern_overlaps()): measure again, or set options.overlap.
 
    Certainty. kern_certain() tells whether the verdict is certain within the
    error, and between what the margin lies. A gap below the error may be open,
-   so what needs two supports of a block never stands for certain: 236 of 278
-   settled structures fall without one support that is not its block's widest,
-   and with that support half an error short they fall and look the same. With
-   noise of 0.5 % (2 %) of the mean size on every pose and half of it on every
-   vertex 99.5 (98.2) % of what stands and 99.1 (89.2) % of what falls has the
-   right verdict; what of it is certain, and what the interval holds: README.
-   Near misses, which lack a support by 0.5 to 10 errors, stand for certain in
-   0.7 % at most (tests/noise.c).
+   so what needs two supports of a block never stands for certain: with one of
+   them half an error short it may fall and looks the same. How often it is
+   right: README; with noise of 0.5 % of the mean size 99 % of the verdicts are,
+   and of near misses 0.7 % at most stand for certain (tests/TRUST.md).
 
    LIMITS                                                            >>limits
 
@@ -321,15 +306,13 @@
              (sliding is dilatant). Where a wall's own joints slide, load factor
              and tilt are too high: against a simulator by 11 to 26 % on four
              published brick walls with openings (tests/PUBLISHED.md), once 2.5
-             times on random ones; settled rubble never collapsed below its load
-             factor. kern_raised_load() has no dilatancy (both: README). It
-             answers for one path of loading. Use the lower one for what must
-             hold. Bricks that hang in a flat arch are not raised.
+             times on random ones; never on settled rubble. kern_raised_load()
+             has no dilatancy (README) but one path of loading. Use the lower
+             one for what must hold. Bricks hanging in a flat arch are not
+             raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
-   forces    before: of 400 rows of one to five wedges between cliffs, with
-             nothing below, 181 fell in a simulator though forces exist; 179
-             were not raised, 2 had the largest reserve. Of 210 that rested 204
-             had a reserve of 0.0055 or more.
+   forces    before: of 181 rows of wedges between cliffs that fall in a
+             simulator though forces exist, 2 have the largest (tests/TRUST.md).
    Loads     stay: what kern_block_load() adds neither grows with a horizontal
              load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
@@ -453,10 +436,9 @@ typedef struct kern_vec { kern_real x, y; } kern_vec;
 /* Upright rectangle: its lower left and its upper right corner [m]. */
 typedef struct kern_box { kern_vec low, high; } kern_box;
 
-/* What a call returns: above zero a verdict, or the result of a linear program;
-   zero from a call that gives no verdict, when it is done. Below zero the call
-   failed, and of the caller's data only the counters and the fault of the work
-   memory have changed; with KERN_LIMIT also what the call says. */
+/* Above zero a verdict, or the result of a linear program; zero: it is done.
+   Below zero a call failed, and of the caller's data only counters and fault of
+   the work memory have changed; with KERN_LIMIT also what the call says. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
@@ -507,8 +489,7 @@ typedef struct kern_fault {
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
 typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 
-/* A stone, or a piece of ground. kern_block_init() fills it; mass, centre and
-   load may be changed afterwards. */
+/* A stone or ground: kern_block_init(). Mass, centre, load may be changed. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
     int vertices;           /* >= 3; 0 with vertex NULL; -1: it was refused   */
@@ -622,10 +603,9 @@ typedef struct kern_collapse {
     kern_real least;      /* the weakest block's: the margin, the load factor */
     kern_real mean;       /* progressive margin, or progressive load factor   */
     kern_real weak;       /* mean of the lower half                           */
-    kern_real drop;       /* loads: expected drop, the mean over blocks of
-                             h exp(-value / 0.07), h the height of the centre
-                             above the lowest block, in mean sizes, at least
-                             0.3: larger is worse. 0 for shrinking kerns      */
+    kern_real drop;       /* expected drop: mean of h exp(-value / 0.07), h
+                             the height of the centre above the lowest block
+                             in mean sizes, at least 0.3; without loads 0     */
 } kern_collapse;
 
 /* What a mechanism does at a contact point. */
@@ -636,8 +616,8 @@ typedef enum kern_meeting {
     KERN_OPENS            /* they part                                        */
 } kern_meeting;
 
-/* What limits a measure, and what moves first. Three arrays of the caller, each
-   may be NULL, and what kern_critical_of() finds. */
+/* What limits a measure, and what moves first: kern_critical_of(). Each array,
+   of the caller, may be NULL. */
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
     kern_real *limit;     /* one a contact point: how much it limits, as a
@@ -714,9 +694,9 @@ typedef struct kern_lp {
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions, for arrays: see >>memory. Blocks include fixed ones.
-   KERN_ROOM is for factors of so many columns with fill-in (>>lp): a wall has
-   KERN_LEAN_EXTRAS of these; KERN_LP_ROOM, of a dense program. */
+/* Constant expressions (>>memory). Blocks include fixed ones. KERN_ROOM is for
+   factors of so many columns with fill-in (>>lp): a wall has KERN_LEAN_EXTRAS of
+   these; KERN_LP_ROOM, of a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -769,15 +749,13 @@ KERN_API kern_options kern_near(const kern_options *options,
    defaults): e is the standard error of a stone's place [m], theta of its angle
    [rad]; vertices within their stone are as exact as half of e. Sets
      gap      5.25 e, and 1e-3 of the size; at a place r from the centre of its
-              block 3.4 theta r is added for both blocks, as squares: 3.4
-              standard deviations, which 99.9 % of true contacts stay below
+              block 3.4 theta r is added for both blocks, as squares (>>tol)
      angle    6.8 theta, at least 1 degree and below 0.5; a corner may stand 3 e
               beyond the end of an edge
      overlap  8 e, and 3.4 theta r for r half the diagonal of both boxes;
               contacts lie at half the depth. Set it higher to accept more
-   Verdicts are then those of the structure as it most likely rests. A stone
-   that hovers by more than the gap touches nothing. Every call that takes these
-   options returns KERN_BAD_OPTION unless e > 0 and theta >= 0. */
+   Verdicts are then those of the structure as it most likely rests. Every call
+   returns KERN_BAD_OPTION for these options unless e > 0 and theta >= 0. */
 KERN_API kern_options kern_measured_options(const kern_options *options,
                                             kern_real e, kern_real theta);
 
@@ -843,9 +821,8 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
 
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
    unless a later block lies so far out that the rounding of its coordinates
-   counts. Returns the same; KERN_STALE is found of block b and of blocks that
-   it may touch. options.lone: what carries a block is looked for among these
-   contacts alone. Time: O(b), and the edges as above. */
+   counts. Returns the same; KERN_STALE is found of block b and what it may
+   touch. options.lone sees these contacts alone. Time: O(b), edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
@@ -888,18 +865,16 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force);
 KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
                                   const kern_proof *proof);
 
-/* The interval of the margin of a measured structure, from the error that
-   kern_measured_options() was given, and the verdict that is certain:
-   KERN_STANDS (low is above 0 and its forces are raised), KERN_FALLS (it falls
-   with all that high allows), or KERN_OK: neither. `margin` is that of
-   kern_measure(), 0 where it falls.
+/* The interval of the margin of a measured structure, from the error in its
+   options, and the verdict that is certain: KERN_STANDS (low is above 0 and its
+   forces are raised), KERN_FALLS (it falls with all that high allows), or
+   KERN_OK: neither. `margin` is that of kern_measure(), 0 where it falls.
      low   Margin without doubtful contacts: of the blocks that carry a block
            only that with the widest bed, as gravity sees it, is kept; kerns are
            shorter by 3.5 e, friction angles less by 3 theta.
-     high  Margin with every contact that may exist: twice the error allowed in
-           gaps and angles, kerns longer by 3.5 e, friction angles more by 3
-           theta. Where it stands, at least `margin` + 3.5 e (relative:
-           `margin`).
+     high  Margin with every contact that may exist: gaps and angles of twice
+           the error, kerns longer by 3.5 e, friction angles more by 3 theta.
+           Where it stands, at least `margin` + 3.5 e (relative: `margin`).
    A larger error never makes a fall certain, and lowers `low` for the same
    contacts. Errors are absolute in relative mode too. contact[0..room) receives
    the contacts for `high`; work memory is for `room` contact points.
