@@ -6846,18 +6846,19 @@ KERN_API kern_status kern_ground_init(kern_block *block,
                                       const kern_vec *vertex, int vertices,
                                       kern_fault *fault)
 {
+    const kern_block made = {vertex, vertices, 1, 0, {{0, 0}, {0, 0}}, 0,
+                             {0, 0}, {0, 0, 0}};
     kern_fault ignored;
-    kern_block made = {vertex, vertices, 1, 0, {{0, 0}, {0, 0}}, 0, {0, 0},
-                       {0, 0, 0}};
     kern_status status = kern_vertices_check(vertex, vertices);
     fault = fault ? fault : &ignored;
     kern_fault_clear(fault);
+    if (!block)
+        return status == KERN_OK ? KERN_BAD_POINTER : status;
+    *block = made;
     if (status == KERN_OK)
-        status = block ? kern_polygon_measure(&made, fault) : KERN_BAD_POINTER;
+        status = kern_polygon_measure(block, fault);
     if (status != KERN_OK)
-        made.vertices = -1;
-    if (block)
-        *block = made;
+        block->vertices = -1;
     return status;
 }
 
@@ -7515,14 +7516,11 @@ static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
         kern_min(a->fixed ? KERN_INFINITY : kern_abs(a->area),
                  b->fixed ? KERN_INFINITY : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
-    pair->swing = KERN_ERROR_SWING * o->pose_turn;
     pair->deep = kern_max(pair->gap, o->overlap)
                  + pair->swing * (kern_box_half(a) + kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
     pair->foot = kern_max(KERN_SLIGHT * size, s->floor);
-    pair->over = KERN_ERROR_EDGE * o->pose_error;
-    pair->sine = kern_sine(o->angle);
     pair->of[0].step = kern_min(pair->gap, KERN_STEP_MOST * size) + s->floor;
     pair->of[1].step = pair->of[0].step;
     pair->of[0].spans = pair->of[1].spans = 0;
@@ -7641,9 +7639,11 @@ static kern_status kern_search_survey(kern_search *s)
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
+    s->pair.swing = KERN_ERROR_SWING * s->options->pose_turn;
+    s->pair.over = KERN_ERROR_EDGE * s->options->pose_error;
+    s->pair.sine = kern_sine(s->options->angle);
     s->floor = KERN_FLOOR * most;
-    s->reach = kern_search_gap(s, KERN_SQRT(area))
-               + KERN_ERROR_SWING * s->options->pose_turn * arm;
+    s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
