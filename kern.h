@@ -5984,6 +5984,24 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
+/* Whether what moved in the known structure, if it is a small part, falls with
+   the last block at s; its critical value is the path's. */
+static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_motion *motion = m->answer.known->motion;
+    int g, groups = 0, last = 0;
+    for (g = 0; g < m->graph.groups; g++) {
+        const int b = m->graph.block[g];
+        if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
+            m->graph.local[last = g] = 0;
+            groups++;
+        }
+    }
+    return groups > 1 && 2 * groups <= m->graph.groups
+           && kern_part_open(path->part, m, groups, last)
+           && kern_path_part(m, path, s) == KERN_FALLS;
+}
+
 /* Where a search begins: just before the known critical value, if its motion
    proves it, or a body's, up to a step on; else where it held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
@@ -6009,6 +6027,9 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         kern_start_falls(m, path);
         return warm->holds;
     }
+    if (known && m->answer.known && m->graph.groups <= KERN_SMALL
+        && kern_known_part(m, path, most))
+        return kern_max(path->start, path->critical - kern_aside(path));
     path->fails = KERN_INFINITY;
     return at;
 }
