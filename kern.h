@@ -5794,29 +5794,29 @@ static kern_real kern_body_critical(const kern_model *m, int g, int e,
     const kern_row row = kern_model_row(m, e), last = kern_model_row(m, e + 2);
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
-    const kern_real span = last.n[2] - row.n[2];
-    kern_real place, arm = KERN_R(0), least = KERN_INFINITY;
-    int k;
+    const kern_real travel = kern_travel(c, m->mean);
+    const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
+    /* of the arm of the first end, and less that of the other */
+    kern_real rate = travel / most * KERN_R(e & 1 ? 1 : -1) * m->unit[g];
+    kern_real place, crit, other;
     if (!(normal > 0)
         || kern_abs(along) > kern_friction(c, m->reduction) * normal)
         return KERN_INFINITY;
     place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
-    for (k = 0; k < 2; k++) {
-        const kern_real travel = kern_travel(c + k, m->mean);
-        const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
-        const kern_real rate = travel / most * KERN_R(e & 1 ? -1 : 1)
-                               * m->unit[g];
-        const kern_real crit = kern_min(at, most)
-            + (row.n[2] + KERN_R(k) * span - place) / rate;
-        if (crit < least && crit + aside <= most) {
-            least = crit;
-            arm = place - rate * aside;
-            u[2] = KERN_R((k ? -span : span) > 0 ? 1 : -1);
-        }
+    crit = (place - row.n[2]) / rate;
+    other = (last.n[2] - place) / rate;
+    if (other < crit) {
+        crit = other;
+        rate = -rate;
     }
-    u[0] = (row.turn * row.n[1] - arm * row.n[0]) * u[2];
-    u[1] = -(row.turn * row.n[0] + arm * row.n[1]) * u[2];
-    return least;
+    crit += kern_min(at, most);
+    if (!(crit + aside <= most))
+        return KERN_INFINITY;
+    place += rate * aside;
+    u[2] = KERN_R(rate > 0 ? 1 : -1);
+    u[0] = (row.turn * row.n[1] - place * row.n[0]) * u[2];
+    u[1] = -(row.turn * row.n[0] + place * row.n[1]) * u[2];
+    return crit;
 }
 
 /* The motion u of a body, to all its blocks; the fastest has speed 1. */
@@ -5849,12 +5849,14 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
    the shrinkage `at`. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
-    kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
+    kern_known *warm = &path->warm;
     const kern_real aside = kern_aside(path);
+    kern_real u[3] = {0, 0, 0};
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
+    warm->margin = KERN_INFINITY;
     if (!kern_model_ask(m, 1))
-        return least;
+        return warm->margin;
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++, load += 3) {
         const int line = kern_body_line(m, g), on = m->graph.carrier[g];
@@ -5862,11 +5864,9 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
             : kern_body_critical(m, g, line, load, at, aside, u);
         if (crit <= path->start + 2 * aside)
             return path->start;
-        if (crit + aside < best) {
-            least = path->warm.margin = crit;
-            path->warm.holds = crit - aside;
-            path->warm.fails = best = crit + aside;
-            path->warm.motion = m->answer.motion;
+        if (crit < warm->margin) {
+            warm->margin = crit;
+            warm->motion = m->answer.motion;
             kern_body_moves(m, g, u);
         }
         if (on != KERN_OUT) {
@@ -5880,7 +5880,9 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
                       - arm.y * load[0]) * m->unit[on];
         }
     }
-    return least;
+    warm->holds = warm->margin - aside;
+    warm->fails = warm->margin + aside;
+    return warm->margin;
 }
 
 /* ---- the search: which method is asked when ---- */
@@ -5922,18 +5924,30 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step);
 }
 
-/* Begins a program of all groups with the known forces. */
+/* Begins a program of all groups with the known forces. Of the four columns of
+   a line three do: what pushes to one side at one end, and to the other at the
+   other, adds up to nothing. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
+    const kern_real least = KERN_NOISE * m->weight;
     int k;
     kern_copy(m->answer.force, m->answer.known->force, 2 * p->contacts);
-    for (k = 0; k < p->contacts; k++) {
+    for (k = p->contacts - 1; k >= 0; k--) {
         kern_real way[2], along = kern_model_prior(m, k, way);
+        kern_real *x = p->x + 2 * k;
         along *= way[1];
-        p->x[2 * k] = way[0] + along;
-        p->x[2 * k + 1] = way[0] - along;
+        x[0] = way[0] + along;
+        x[1] = way[0] - along;
+        if (kern_line_begins(m->s->contact, p->contacts, k)
+            && kern_min(x[0], x[3]) > least) {
+            const kern_real by = kern_min(x[1], x[2]);
+            x[0] += by;
+            x[1] -= by;
+            x[2] -= by;
+            x[3] += by;
+        }
     }
-    kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
+    kern_simplex_start(&p->eq.simplex, p->x, least);
 }
 
 /* The critical value of the whole beyond path->holds: of many groups by the
@@ -6003,7 +6017,8 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or a body's, up to a step on; else where it held, or a step on. */
+   proves it, or a body's, up to a step on, or that of the known part; else where
+   it held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -6012,14 +6027,12 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
                 && warm->holds <= warm->margin && warm->margin <= warm->fails;
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
-    const kern_real most = known ? kern_min(at + first, path->end)
-                                 : KERN_INFINITY;
+    const kern_real most = known ? kern_min(at + first, path->end) : path->end;
     const kern_query q = kern_path_at(path, at);
     kern_real place;
     kern_model_set(m, &q);
     if (known && kern_start_falls(m, path))
         return at;
-    warm->fails = KERN_INFINITY;
     place = kern_body_first(m, path, at);
     if (place <= path->start)
         return place;
@@ -6027,8 +6040,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         kern_start_falls(m, path);
         return warm->holds;
     }
-    if (known && m->answer.known && m->graph.groups <= KERN_SMALL
-        && kern_known_part(m, path, most))
+    if (m->answer.known && kern_known_part(m, path, most))
         return kern_max(path->start, path->critical - kern_aside(path));
     path->fails = KERN_INFINITY;
     return at;
