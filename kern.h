@@ -4645,34 +4645,34 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
     }
 }
 
-/* Replaces the forces of the line that begins with contact i, whose ends are
-   where `from` puts them, by forces of the same wrench with the ends where
-   `shrink` < `from` puts them. Returns whether contact i begins a line. */
-static int kern_force_transfer(kern_model *m, int i, kern_real from,
-                               kern_real shrink)
+/* Replaces the forces of all lines, whose ends are where `from` puts them, by
+   forces of the same wrenches with the ends where `shrink` < `from` puts them. */
+static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
-    const kern_contact *c = m->s->contact + i;
-    const int line = kern_line_begins(m->s->contact, m->s->contacts, i);
-    kern_force *f = m->answer.force + i;
-    const kern_real travel = kern_travel(c, m->mean);
-    const kern_real mu = kern_model_mu(m, i);
-    kern_real rate, was, is, sum, more, along;
-    int k;
-    sum = line ? f[0].normal + f[1].normal : KERN_R(0);
-    if (!(sum > 0))
-        return line;
-    was = travel - kern_shift(travel, from, m->relative, &rate);
-    is = travel - kern_shift(travel, shrink, m->relative, &rate);
-    along = (f[0].tangential + f[1].tangential) / sum;
-    along = kern_min(kern_max(along, -mu), mu);
-    more = f[0].normal - f[1].normal;
-    if (kern_abs(is) > 0)
-        more *= was / is;
-    for (k = 0; k < 2; k++, more = -more) {
-        f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
-        f[k].tangential = along * f[k].normal;
+    int i, k;
+    for (i = 0; i < m->s->contacts; i++) {
+        const kern_real mu = kern_model_mu(m, i);
+        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
+        kern_force *f = m->answer.force + i;
+        kern_real rate, is, sum, more, along;
+        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
+            continue;
+        i++;
+        sum = f[0].normal + f[1].normal;
+        if (!(sum > 0))
+            continue;
+        is = travel - kern_shift(travel, shrink, m->relative, &rate);
+        along = (f[0].tangential + f[1].tangential) / sum;
+        along = kern_min(kern_max(along, -mu), mu);
+        more = f[0].normal - f[1].normal;
+        if (kern_abs(is) > 0)
+            more *= (travel - kern_shift(travel, from, m->relative, &rate))
+                    / is;
+        for (k = 0; k < 2; k++, f++, more = -more) {
+            f->normal = kern_max((sum + more) / 2, KERN_R(0));
+            f->tangential = along * f->normal;
+        }
     }
-    return line;
 }
 
 /* Begins from no forces, all groups open, or from the known ones, which balance
@@ -4696,8 +4696,8 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
         kern_model_unload(m);
     else
         kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
-    for (i = 0; some && shrink < known->holds && i < m->s->contacts; i++)
-        i += kern_force_transfer(m, i, known->holds, shrink);
+    if (some && shrink < known->holds)
+        kern_force_transfer(m, known->holds, shrink);
 }
 
 /* Balances all groups that must be, alone or with others in clusters. */
@@ -5497,7 +5497,6 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     const kern_real same = KERN_NOISE * path->unit;
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
-    int i;
     if (status != KERN_FALLS || path->critical > at)
         path->critical = at;
     if (status != KERN_FALLS || path->critical >= at - same)
@@ -5505,8 +5504,7 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK) {
         const kern_real s = kern_max(at - under, path->start);
         const kern_query q = kern_path_at(path, s); /* with larger kerns */
-        for (i = 0; i < m->s->contacts; i++)
-            i += kern_force_transfer(m, i, path->critical, s);
+        kern_force_transfer(m, path->critical, s);
         if (kern_answer_holds(m, &q)) {
             kern_path_note(m, path, status, s);
             path->holds = s;
@@ -5782,22 +5780,22 @@ static int kern_body_line(kern_model *m, int g)
            ? first : KERN_OUT;
 }
 
-/* Where body g, on the line that begins with end e, tips about one of the
-   line's ends, and the motion u by which it does, `aside` beyond; infinity: it
-   is not pressed on the line, or slides, or stands until the kern is closed.
-   The model is that of the shrinkage `at`; b is the body's load. */
-static kern_real kern_body_critical(const kern_model *m, int g, int e,
+/* Where body g, on the line that begins with end *e, tips about one of the
+   line's ends, and *e which; infinity: it is not pressed on the line, or slides,
+   or stands until the kern is closed. The model is that of the shrinkage `at`;
+   b is the body's load. */
+static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real at,
-                                    kern_real aside, kern_real u[3])
+                                    kern_real aside)
 {
-    const kern_contact *c = m->s->contact + (e >> 1);
-    const kern_row row = kern_model_row(m, e), last = kern_model_row(m, e + 2);
+    const kern_contact *c = m->s->contact + (*e >> 1);
+    const kern_row row = kern_model_row(m, *e), last = kern_model_row(m, *e + 2);
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
     const kern_real travel = kern_travel(c, m->mean);
     const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
     /* of the arm of the first end, and less that of the other */
-    kern_real rate = travel / most * KERN_R(e & 1 ? 1 : -1) * m->unit[g];
+    const kern_real rate = travel / most * KERN_R(*e & 1 ? 1 : -1) * m->unit[g];
     kern_real place, crit, other;
     if (!(normal > 0)
         || kern_abs(along) > kern_friction(c, m->reduction) * normal)
@@ -5807,22 +5805,21 @@ static kern_real kern_body_critical(const kern_model *m, int g, int e,
     other = (last.n[2] - place) / rate;
     if (other < crit) {
         crit = other;
-        rate = -rate;
+        *e += 2;
     }
     crit += kern_min(at, most);
-    if (!(crit + aside <= most))
-        return KERN_INFINITY;
-    place += rate * aside;
-    u[2] = KERN_R(rate > 0 ? 1 : -1);
-    u[0] = (row.turn * row.n[1] - place * row.n[0]) * u[2];
-    u[1] = -(row.turn * row.n[0] + place * row.n[1]) * u[2];
-    return crit;
+    return crit + aside <= most ? crit : KERN_INFINITY;
 }
 
-/* The motion u of a body, to all its blocks; the fastest has speed 1. */
-static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
+/* How a body turns about the end e of its line, where that is at s, for all its
+   blocks; the fastest has speed 1. */
+static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
-    const kern_real spin = u[2] * m->unit[body];
+    const kern_contact *c = m->s->contact + (e >> 1);
+    const kern_real spin = KERN_R((c->travel > 0) == (e & 1) ? 1 : -1);
+    const kern_real one = m->relative ? KERN_R(1) : kern_abs(c->travel);
+    const kern_vec way = kern_vec_scale(kern_vec_turn(c->n),
+                                        c->travel / one * s);
     kern_real most = KERN_R(0);
     int g, h;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
@@ -5834,10 +5831,9 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
             ;
         if (h != body)
             continue;
-        arm = kern_vec_sub(b->centre,
-                           m->s->block[m->graph.block[body]].centre);
-        v->vx = u[0] - spin * arm.y;
-        v->vy = u[1] + spin * arm.x;
+        arm = kern_vec_add(kern_vec_sub(c->p, b->centre), way);
+        v->vx = spin * arm.y;
+        v->vy = -spin * arm.x;
         v->spin = spin;
         most = kern_max(most, kern_block_speed(b, v));
     }
@@ -5851,7 +5847,6 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
     kern_known *warm = &path->warm;
     const kern_real aside = kern_aside(path);
-    kern_real u[3] = {0, 0, 0};
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
     warm->margin = KERN_INFINITY;
@@ -5859,15 +5854,16 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
         return warm->margin;
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++, load += 3) {
-        const int line = kern_body_line(m, g), on = m->graph.carrier[g];
-        const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, load, at, aside, u);
+        int end = kern_body_line(m, g);
+        const int on = m->graph.carrier[g];
+        const kern_real crit = end == KERN_OUT ? KERN_INFINITY
+            : kern_body_critical(m, g, &end, load, at, aside);
         if (crit <= path->start + 2 * aside)
             return path->start;
         if (crit < warm->margin) {
             warm->margin = crit;
             warm->motion = m->answer.motion;
-            kern_body_moves(m, g, u);
+            kern_body_moves(m, g, end, crit + aside);
         }
         if (on != KERN_OUT) {
             kern_real *to = load + 3 * (on - g);
@@ -6003,16 +5999,16 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_motion *motion = m->answer.known->motion;
-    int g, groups = 0, last = 0;
+    int g, groups = 0;
     for (g = 0; g < m->graph.groups; g++) {
         const int b = m->graph.block[g];
         if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
-            m->graph.local[last = g] = 0;
+            m->graph.local[g] = 0;
             groups++;
         }
     }
-    return groups > 1 && 2 * groups <= m->graph.groups
-           && kern_part_open(path->part, m, groups, last)
+    return groups > 1 && 2 * groups <= g
+           && kern_part_open(path->part, m, groups, g - 1)
            && kern_path_part(m, path, s) == KERN_FALLS;
 }
 
