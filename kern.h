@@ -4646,7 +4646,7 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last,
 }
 
 /* Replaces the forces of all lines, whose ends are where `from` puts them, by
-   forces of the same wrenches with the ends where `shrink` < `from` puts them. */
+   those of the same wrenches at the ends where `shrink` < `from` puts them. */
 static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
@@ -5780,21 +5780,20 @@ static int kern_body_line(kern_model *m, int g)
            ? first : KERN_OUT;
 }
 
-/* Where body g, on the line that begins with end *e, tips about one of the
-   line's ends, and *e which; infinity: it is not pressed on the line, or slides,
-   or stands until the kern is closed. The model is that of the shrinkage `at`;
-   b is the body's load. */
+/* Where body g tips on the line that begins with end *e, and *e about which of
+   its ends; infinity: it is not pressed on it, or slides, or stands until the
+   kern is closed. The model is that of the shrinkage `at`; b: the load. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real at,
                                     kern_real aside)
 {
     const kern_contact *c = m->s->contact + (*e >> 1);
-    const kern_row row = kern_model_row(m, *e), last = kern_model_row(m, *e + 2);
+    const kern_row row = kern_model_row(m, *e);
+    const kern_row last = kern_model_row(m, *e + 2);
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
     const kern_real travel = kern_travel(c, m->mean);
     const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
-    /* of the arm of the first end, and less that of the other */
     const kern_real rate = travel / most * KERN_R(*e & 1 ? 1 : -1) * m->unit[g];
     kern_real place, crit, other;
     if (!(normal > 0)
@@ -5811,15 +5810,13 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     return crit + aside <= most ? crit : KERN_INFINITY;
 }
 
-/* How a body turns about the end e of its line, where that is at s, for all its
-   blocks; the fastest has speed 1. */
+/* The motion of a body about the end e of its line at s; the fastest is 1. */
 static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
     const kern_contact *c = m->s->contact + (e >> 1);
     const kern_real spin = KERN_R((c->travel > 0) == (e & 1) ? 1 : -1);
-    const kern_real one = m->relative ? KERN_R(1) : kern_abs(c->travel);
-    const kern_vec way = kern_vec_scale(kern_vec_turn(c->n),
-                                        c->travel / one * s);
+    const kern_real all = m->relative ? KERN_R(1) : kern_abs(c->travel);
+    const kern_vec t = kern_vec_scale(kern_vec_turn(c->n), c->travel / all);
     kern_real most = KERN_R(0);
     int g, h;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
@@ -5831,7 +5828,7 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
             ;
         if (h != body)
             continue;
-        arm = kern_vec_add(kern_vec_sub(c->p, b->centre), way);
+        arm = kern_vec_step(kern_vec_sub(c->p, b->centre), s, t);
         v->vx = spin * arm.y;
         v->vy = -spin * arm.x;
         v->spin = spin;
@@ -5920,27 +5917,22 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step);
 }
 
-/* Begins a program of all groups with the known forces. Of the four columns of
-   a line three do: what pushes to one side at one end, and to the other at the
-   other, adds up to nothing. */
+/* Begins a program of all groups with the known forces. Three columns of a line
+   do for four: opposite pushes along it at its two ends add up to nothing. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
     const kern_real least = KERN_NOISE * m->weight;
     int k;
     kern_copy(m->answer.force, m->answer.known->force, 2 * p->contacts);
     for (k = p->contacts - 1; k >= 0; k--) {
-        kern_real way[2], along = kern_model_prior(m, k, way);
-        kern_real *x = p->x + 2 * k;
-        along *= way[1];
+        kern_real *x = p->x + 2 * k, way[2], by = kern_model_prior(m, k, way);
+        const kern_real along = by * way[1];
         x[0] = way[0] + along;
         x[1] = way[0] - along;
         if (kern_line_begins(m->s->contact, p->contacts, k)
             && kern_min(x[0], x[3]) > least) {
-            const kern_real by = kern_min(x[1], x[2]);
-            x[0] += by;
-            x[1] -= by;
-            x[2] -= by;
-            x[3] += by;
+            by = kern_min(x[1], x[2]);
+            x[0] += by; x[1] -= by; x[2] -= by; x[3] += by;
         }
     }
     kern_simplex_start(&p->eq.simplex, p->x, least);
@@ -5994,27 +5986,8 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
-/* Whether what moved in the known structure, if it is a small part, falls with
-   the last block at s; its critical value is the path's. */
-static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_motion *motion = m->answer.known->motion;
-    int g, groups = 0;
-    for (g = 0; g < m->graph.groups; g++) {
-        const int b = m->graph.block[g];
-        if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
-            m->graph.local[g] = 0;
-            groups++;
-        }
-    }
-    return groups > 1 && 2 * groups <= g
-           && kern_part_open(path->part, m, groups, g - 1)
-           && kern_path_part(m, path, s) == KERN_FALLS;
-}
-
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or a body's, up to a step on, or that of the known part; else where
-   it held, or a step on. */
+   proves it, or a body's, up to a step on; else where it held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -6036,8 +6009,6 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         kern_start_falls(m, path);
         return warm->holds;
     }
-    if (m->answer.known && kern_known_part(m, path, most))
-        return kern_max(path->start, path->critical - kern_aside(path));
     path->fails = KERN_INFINITY;
     return at;
 }
@@ -6077,7 +6048,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
         else if (at >= path->end)
             return kern_path_saturate(path);
         else {
-            at = at + step < path->end * KERN_R(0.95) ? at + step : path->end;
+            at = kern_min(at + step, path->end);
             step *= KERN_CLIMB_GROWS;
         }
     }
