@@ -4553,34 +4553,34 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     return status;
 }
 
-/* Replaces the forces of the line that begins with contact i, whose ends are
-   where `from` puts them, by forces of the same wrench with the ends where
-   `shrink` < `from` puts them. Returns whether contact i begins a line. */
-static int kern_force_transfer(kern_model *m, int i, kern_real from,
-                               kern_real shrink)
+/* Replaces the forces of all lines, whose ends are where `from` puts them, by
+   those of the same wrenches at the ends where `shrink` < `from` puts them. */
+static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
-    const kern_contact *c = m->s->contact + i;
-    const int line = kern_line_begins(m->s->contact, m->s->contacts, i);
-    kern_force *f = m->answer.force + i;
-    const kern_real travel = kern_travel(c, m->mean);
-    const kern_real mu = kern_model_mu(m, i);
-    kern_real rate, was, is, sum, more, along;
-    int k;
-    sum = line ? f[0].normal + f[1].normal : KERN_R(0);
-    if (!(sum > 0))
-        return line;
-    was = travel - kern_shift(travel, from, m->relative, &rate);
-    is = travel - kern_shift(travel, shrink, m->relative, &rate);
-    along = (f[0].tangential + f[1].tangential) / sum;
-    along = kern_min(kern_max(along, -mu), mu);
-    more = f[0].normal - f[1].normal;
-    if (kern_abs(is) > 0)
-        more *= was / is;
-    for (k = 0; k < 2; k++, more = -more) {
-        f[k].normal = kern_max((sum + more) / 2, KERN_R(0));
-        f[k].tangential = along * f[k].normal;
+    int i, k;
+    for (i = 0; i < m->s->contacts; i++) {
+        const kern_real mu = kern_model_mu(m, i);
+        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
+        kern_force *f = m->answer.force + i;
+        kern_real rate, is, sum, more, along;
+        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
+            continue;
+        i++;
+        sum = f[0].normal + f[1].normal;
+        if (!(sum > 0))
+            continue;
+        is = travel - kern_shift(travel, shrink, m->relative, &rate);
+        along = (f[0].tangential + f[1].tangential) / sum;
+        along = kern_min(kern_max(along, -mu), mu);
+        more = f[0].normal - f[1].normal;
+        if (kern_abs(is) > 0)
+            more *= (travel - kern_shift(travel, from, m->relative, &rate))
+                    / is;
+        for (k = 0; k < 2; k++, f++, more = -more) {
+            f->normal = kern_max((sum + more) / 2, KERN_R(0));
+            f->tangential = along * f->normal;
+        }
     }
-    return line;
 }
 
 /* Begins from no forces, all groups open, or from the known ones, which balance
@@ -4604,8 +4604,8 @@ KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
         kern_model_unload(m);
     else
         kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
-    for (i = 0; some && shrink < known->holds && i < m->s->contacts; i++)
-        i += kern_force_transfer(m, i, known->holds, shrink);
+    if (some && shrink < known->holds)
+        kern_force_transfer(m, known->holds, shrink);
 }
 
 /* Balances all groups that must be, alone or with others in clusters, which
@@ -5383,7 +5383,6 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
 {
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
-    int i;
     if (status != KERN_FALLS || path->critical > at)
         path->critical = at;
     if (path->critical >= at - KERN_NOISE * path->unit)
@@ -5391,8 +5390,7 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK) {
         const kern_real s = kern_max(at - under, path->start);
         const kern_query q = kern_path_at(path, s); /* with larger kerns */
-        for (i = 0; i < m->s->contacts; i++)
-            i += kern_force_transfer(m, i, path->critical, s);
+        kern_force_transfer(m, path->critical, s);
         if (kern_answer_holds(m, &q)) {
             kern_path_note(m, path, status, s);
             path->holds = s;
@@ -5632,47 +5630,43 @@ static int kern_body_line(kern_model *m, int g)
            ? first : KERN_OUT;
 }
 
-/* Where body g, on the line that begins with end e, tips about one of the
-   line's ends, and the motion u by which it does, `aside` beyond; infinity: it
-   is not pressed on the line, or slides, or stands until the kern is closed.
-   The model is that of the shrinkage `at`; b is the body's load. */
-static kern_real kern_body_critical(const kern_model *m, int g, int e,
+/* Where body g tips on the line that begins with end *e, and *e about which of
+   its ends; infinity: it is not pressed on it, or slides, or stands until the
+   kern is closed. The model is that of the shrinkage `at`; b: the load. */
+static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real at,
-                                    kern_real aside, kern_real u[3])
+                                    kern_real aside)
 {
-    const kern_contact *c = m->s->contact + (e >> 1);
-    const kern_row row = kern_model_row(m, e), last = kern_model_row(m, e + 2);
+    const kern_contact *c = m->s->contact + (*e >> 1);
+    const kern_row row = kern_model_row(m, *e);
+    const kern_row last = kern_model_row(m, *e + 2);
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
-    const kern_real span = last.n[2] - row.n[2];
-    kern_real place, arm = KERN_R(0), least = KERN_INFINITY;
-    int k;
+    const kern_real travel = kern_travel(c, m->mean);
+    const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
+    const kern_real rate = travel / most * KERN_R(*e & 1 ? 1 : -1) * m->unit[g];
+    kern_real place, crit, other;
     if (!(normal > 0)
         || kern_abs(along) > kern_friction(c, m->reduction) * normal)
         return KERN_INFINITY;
     place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
-    for (k = 0; k < 2; k++) {
-        const kern_real travel = kern_travel(c + k, m->mean);
-        const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
-        const kern_real rate = travel / most * KERN_R(e & 1 ? -1 : 1)
-                               * m->unit[g];
-        const kern_real crit = kern_min(at, most)
-            + (row.n[2] + KERN_R(k) * span - place) / rate;
-        if (crit < least && crit + aside <= most) {
-            least = crit;
-            arm = place - rate * aside;
-            u[2] = KERN_R((k ? -span : span) > 0 ? 1 : -1);
-        }
+    crit = (place - row.n[2]) / rate;
+    other = (last.n[2] - place) / rate;
+    if (other < crit) {
+        crit = other;
+        *e += 2;
     }
-    u[0] = (row.turn * row.n[1] - arm * row.n[0]) * u[2];
-    u[1] = -(row.turn * row.n[0] + arm * row.n[1]) * u[2];
-    return least;
+    crit += kern_min(at, most);
+    return crit + aside <= most ? crit : KERN_INFINITY;
 }
 
-/* The motion u of a body, to all its blocks; the fastest has speed 1. */
-static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
+/* The motion of a body about the end e of its line at s; the fastest is 1. */
+static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 {
-    const kern_real spin = u[2] * m->unit[body];
+    const kern_contact *c = m->s->contact + (e >> 1);
+    const kern_real spin = KERN_R((c->travel > 0) == (e & 1) ? 1 : -1);
+    const kern_real all = m->relative ? KERN_R(1) : kern_abs(c->travel);
+    const kern_vec t = kern_vec_scale(kern_vec_turn(c->n), c->travel / all);
     kern_real most = KERN_R(0);
     int g, h;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
@@ -5684,10 +5678,9 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
             ;
         if (h != body)
             continue;
-        arm = kern_vec_sub(b->centre,
-                           m->s->block[m->graph.block[body]].centre);
-        v->vx = u[0] - spin * arm.y;
-        v->vy = u[1] + spin * arm.x;
+        arm = kern_vec_step(kern_vec_sub(c->p, b->centre), s, t);
+        v->vx = spin * arm.y;
+        v->vy = -spin * arm.x;
         v->spin = spin;
         most = kern_max(most, kern_block_speed(b, v));
     }
@@ -5698,23 +5691,23 @@ static void kern_body_moves(kern_model *m, int body, const kern_real u[3])
    it, or infinity. The model is that of the shrinkage `at`. */
 static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
 {
-    kern_real least = KERN_INFINITY, best = path->end, u[3] = {0, 0, 0};
+    kern_known *warm = &path->warm;
     const kern_real aside = kern_aside(path);
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g;
+    warm->margin = KERN_INFINITY;
     if (!kern_model_ask(m, 1))
-        return least;
+        return warm->margin;
     kern_copy(load, m->load, 3 * m->graph.groups);
     for (g = 0; g < m->graph.groups; g++, load += 3) {
-        const int line = kern_body_line(m, g), on = m->graph.carrier[g];
-        const kern_real crit = line == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, line, load, at, aside, u);
-        if (crit + aside < best) {
-            least = path->warm.margin = crit;
-            path->warm.holds = crit - aside;
-            path->warm.fails = best = crit + aside;
-            path->warm.motion = m->answer.motion;
-            kern_body_moves(m, g, u);
+        int end = kern_body_line(m, g);
+        const int on = m->graph.carrier[g];
+        const kern_real crit = end == KERN_OUT ? KERN_INFINITY
+            : kern_body_critical(m, g, &end, load, at, aside);
+        if (crit < warm->margin) {
+            warm->margin = crit;
+            warm->motion = m->answer.motion;
+            kern_body_moves(m, g, end, crit + aside);
         }
         if (on != KERN_OUT) {
             kern_real *to = load + 3 * (on - g);
@@ -5727,7 +5720,9 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
                       - arm.y * load[0]) * m->unit[on];
         }
     }
-    return least;
+    warm->holds = warm->margin - aside;
+    warm->fails = warm->margin + aside;
+    return warm->margin;
 }
 
 /* ---- the search: which method is asked when ---- */
@@ -5764,18 +5759,25 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
-/* Begins a program of all groups with the known forces. */
+/* Begins a program of all groups with the known forces. Three columns of a line
+   do for four: opposite pushes along it at its two ends add up to nothing. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
+    const kern_real least = KERN_NOISE * m->weight;
     int k;
     kern_copy(m->answer.force, m->answer.known->force, 2 * p->contacts);
-    for (k = 0; k < p->contacts; k++) {
-        kern_real way[2], along = kern_model_prior(m, k, way);
-        along *= way[1];
-        p->x[2 * k] = way[0] + along;
-        p->x[2 * k + 1] = way[0] - along;
+    for (k = p->contacts - 1; k >= 0; k--) {
+        kern_real *x = p->x + 2 * k, way[2], by = kern_model_prior(m, k, way);
+        const kern_real along = by * way[1];
+        x[0] = way[0] + along;
+        x[1] = way[0] - along;
+        if (kern_line_begins(m->s->contact, p->contacts, k)
+            && kern_min(x[0], x[3]) > least) {
+            by = kern_min(x[1], x[2]);
+            x[0] += by; x[1] -= by; x[2] -= by; x[3] += by;
+        }
     }
-    kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
+    kern_simplex_start(&p->eq.simplex, p->x, least);
 }
 
 /* The critical value of the whole beyond path->holds: of many groups by the
@@ -5836,14 +5838,12 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
                 && warm->holds <= warm->margin && warm->margin <= warm->fails;
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
-    const kern_real most = known ? kern_min(at + first, path->end)
-                                 : KERN_INFINITY;
+    const kern_real most = known ? kern_min(at + first, path->end) : path->end;
     const kern_query q = kern_path_at(path, at);
     kern_real place;
     kern_model_set(m, &q);
     if (known && kern_start_falls(m, path))
         return at;
-    warm->fails = KERN_INFINITY;
     place = kern_body_first(m, path, at);
     if (!(place < most))
         return at;
@@ -5887,7 +5887,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
         else if (at >= path->end)
             return kern_path_saturate(path);
         else {
-            at = at + step < path->end * KERN_R(0.95) ? at + step : path->end;
+            at = kern_min(at + step, path->end);
             step *= KERN_CLIMB_GROWS;
         }
     }
