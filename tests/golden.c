@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x05f8a88e20bb1bc3u },
-    { 1000, 0xb8b0fe0c35623fb5u },
-    { 5000, 0xd404ac045004eba4u },
+    { 200, 0x48a7f99d2313b89cu },
+    { 1000, 0x36d5b6b7622230e9u },
+    { 5000, 0xce52a7ac499258a7u },
 #else
-    { 200, 0x136c29780ab95ba6u },
-    { 1000, 0xb07f4a493e470e44u },
-    { 5000, 0x9e411946610daf90u },
+    { 200, 0xd5d0c519d4f5be4fu },
+    { 1000, 0x875ccdd7b26b36a1u },
+    { 5000, 0x095134d0ba511711u },
 #endif
 };
 
