@@ -5828,6 +5828,24 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
+/* Whether what moved in the known structure, if it is a small part, falls with
+   the last block at s; its critical value is the path's. */
+static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_motion *motion = m->answer.known->motion;
+    int g, groups = 0;
+    for (g = 0; g < m->graph.groups; g++) {
+        const int b = m->graph.block[g];
+        if (b == m->s->blocks - 1 || kern_speed(motion + b) > 0) {
+            m->graph.local[g] = 0;
+            groups++;
+        }
+    }
+    return groups > 1 && 2 * groups <= g
+           && kern_part_open(path->part, m, groups, g - 1)
+           && kern_path_part(m, path, s) == KERN_FALLS;
+}
+
 /* Where a search begins: just before the known critical value, if its motion
    proves it, or a body's, up to a step on; else where it held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
@@ -5845,11 +5863,16 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     if (known && kern_start_falls(m, path))
         return at;
     place = kern_body_first(m, path, at);
-    if (!(place < most))
-        return at;
-    if (warm->holds > path->start) /* else it falls, or is asked, at the start */
-        kern_start_falls(m, path);
-    return kern_max(path->start, warm->holds);
+    if (place < most) {
+        if (warm->holds > path->start) /* else it falls, or is asked, there */
+            kern_start_falls(m, path);
+        return kern_max(path->start, warm->holds);
+    }
+    path->part->found = KERN_UNDECIDED;
+    if (m->answer.known && kern_known_part(m, path, most))
+        return kern_max(path->start, path->critical - kern_aside(path));
+    path->fails = KERN_INFINITY;
+    return path->part->found == KERN_STANDS ? most : at; /* it holds so far */
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
