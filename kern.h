@@ -5847,7 +5847,8 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or a body's, up to a step on; else where it held, or a step on. */
+   proves it, or that of a body, or of what moved, up to a step on; else where it
+   held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
