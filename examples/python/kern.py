@@ -2145,9 +2145,9 @@ def lp_solve(a: Sequence[Sequence[float]], rhs: Sequence[float],
                          % (len(a), rows))
     columns, right = _numbers(zip(*a)), _numbers(rhs)
     prices = _numbers(cost) if cost is not None else None
-    room = (rows + rows // 2 + 8) * ((rows + 2) // 3)
-    real = (c_double * (3 * room + 4 * rows + 16))()     # KERN_LP_REALS
-    index = (c_int * (room + 9 * rows + cols + 20))()    # KERN_LP_INTS
+    room = (rows + rows // 2 + 8) * (rows + 2)      # KERN_LP_ROOM
+    real = (c_double * (room + 5 * rows + 16))()    # KERN_LP_REALS
+    index = (c_int * (9 * rows + cols + 30))()      # KERN_LP_INTS
     work = _Work(addressof(real), len(real), addressof(index), len(index))
     x, y = (c_double * cols)(), (c_double * rows)()
     lp = _Lp(rows, cols, addressof(columns), addressof(right),
