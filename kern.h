@@ -77,11 +77,12 @@
 
    The library allocates nothing, has no globals and no recursion, and keeps
    nothing between calls: threads need no locks, each with its own work memory:
-   two arrays, sized by the constant expressions KERN_REALS(blocks, contacts) and
-   KERN_INTS(blocks, contacts), or by kern_work_need(). Contacts are counted as
-   contact points: a running bond has seven a block, twelve with joints between
-   neighbours. KERN_CONTACTS(blocks) has room for these; stones with many short
-   edges may need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
+   two arrays, sized by the constant expressions KERN_REALS(blocks, contacts)
+   and KERN_INTS(blocks, contacts), or by kern_work_need(). Contacts are counted
+   as contact points: a running bond has seven a block, twelve with joints
+   between neighbours. KERN_CONTACTS(blocks) has room for these; stones with
+   many short edges may need twice as many (KERN_NO_SPACE). Bytes in double
+   (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
@@ -282,11 +283,11 @@
    else set options.gap to a pixel and a half. The density is that of the
    material times the thickness. examples/copy/contour.c shows these steps.
 
-   Error. kern_measured_options() takes the standard errors of places (pixel,
-   simplification, registration: as squares) and angles. Margins of a stone of
-   40, 200 or 1000 vertices then agree within 2 %; else the discretisation
-   decides them. Overlaps beyond the error are modelling errors
-   (kern_overlaps()): measure again, or set options.overlap.
+   Error. kern_measured_options() takes the standard errors of a stone's place
+   (of pixel, simplification and registration the squares are added) and angle.
+   Margins of a stone of 40, 200 or 1000 vertices then agree within 2 %; else
+   the discretisation decides them. Overlaps beyond the error are modelling
+   errors (kern_overlaps()): measure again, or set options.overlap.
 
    Certainty. kern_certain() tells whether the verdict is certain within the
    error, and between what the margin lies. A gap below the error may be open,
@@ -307,9 +308,9 @@
              and tilt are too high: against a simulator by 11 to 26 % on four
              published brick walls with openings (tests/PUBLISHED.md), once 2.5
              times on random ones; never on settled rubble. kern_raised_load()
-             has no dilatancy (README) but one path of loading. Use the lower
-             one for what must hold. Bricks hanging in a flat arch are not
-             raised.
+             has no dilatancy (README), but answers for one path of loading.
+             Use the lower one for what must hold. Bricks that hang in a flat
+             arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 181 rows of wedges between cliffs that fall in a
              simulator though forces exist, 2 have the largest (tests/TRUST.md).
@@ -436,9 +437,10 @@ typedef struct kern_vec { kern_real x, y; } kern_vec;
 /* Upright rectangle: its lower left and its upper right corner [m]. */
 typedef struct kern_box { kern_vec low, high; } kern_box;
 
-/* Above zero a verdict, or the result of a linear program; zero: it is done.
-   Below zero a call failed, and of the caller's data only counters and fault of
-   the work memory have changed; with KERN_LIMIT also what the call says. */
+/* Above zero a call returns a verdict, or the result of a linear program; zero,
+   when a call that gives no verdict is done. Below zero it failed, and of the
+   caller's data only counters and fault of the work memory have changed; with
+   KERN_LIMIT also what the call says. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
@@ -489,7 +491,8 @@ typedef struct kern_fault {
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
 typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 
-/* A stone or ground: kern_block_init(). Mass, centre, load may be changed. */
+/* A stone, or a piece of ground. kern_block_init() fills it; mass, centre and
+   load may be changed afterwards. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
     int vertices;           /* >= 3; 0 with vertex NULL; -1: it was refused   */
@@ -695,8 +698,8 @@ typedef struct kern_lp {
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
 /* Constant expressions (>>memory). Blocks include fixed ones. KERN_ROOM is for
-   factors of so many columns with fill-in (>>lp): a wall has KERN_LEAN_EXTRAS of
-   these; KERN_LP_ROOM, of a dense program. */
+   factors of so many columns with fill-in (>>lp): a wall has KERN_LEAN_EXTRAS
+   of these; KERN_LP_ROOM, of a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -2791,8 +2794,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     return kern_ended(task, status);
 }
 
-/* The margin, and with it the level. Where kerns are not nested it stands at all
-   levels up to the margin: some of the even steps are levels. */
+/* The margin, and with it the level. Where kerns are not nested it stands at
+   all levels up to the margin: some of the even steps are levels. */
 static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
                                      int last, kern_margin *out)
 {
@@ -5066,8 +5069,9 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
 }
 
-/* Where normal forces are larger in sum than is allowed, the least there are, by
-   costs of 1: if these are too large their prices are a motion that shows it. */
+/* Where normal forces are larger in sum than is allowed, the least that there
+   are, by costs of 1: if these are too large their prices are a motion that
+   shows it. */
 static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
@@ -5400,8 +5404,9 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
 }
 
 /* The next place: where the basis may stop to fall; `aside` beyond the critical
-   value, to fall; `under` before it, to stand; at it, to be verified; where none
-   is inside, at a part of the bracket. Infinity: it is narrow, or of a part. */
+   value, to fall; `under` before it, to stand; at it, to be verified; where
+   none is inside, at a part of the bracket. Infinity: it is narrow, or of a
+   part. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
                                             kern_real aside, kern_real under)
 {
@@ -5847,8 +5852,8 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or that of a body, or of what moved, up to a step on; else where it
-   held, or a step on. */
+   proves it, or that of a body, or of what moved, up to a step on; else where
+   it held, or a step on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -8404,8 +8409,8 @@ static kern_real kern_violations(kern_simplex *sx)
     return sum;
 }
 
-/* Corrects y so that y.A_j of basic columns is what sx->alpha says, and of their
-   logicals: by what a solution that lost digits leaves of it. */
+/* Corrects y so that y.A_j of basic columns is what sx->alpha says, and of
+   their logicals: by what a solution that lost digits leaves of it. */
 static void kern_prices_refine(kern_simplex *sx, kern_real *y)
 {
     const kern_program *lp = sx->lp;

