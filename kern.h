@@ -8464,7 +8464,7 @@ static kern_real kern_prices(kern_simplex *sx, kern_real sum, int fine)
 
 /* The variable outside of the basis that lowers what the prices stand for
    fastest, or the first that does: by sx->gain = y.A_j - cost_j. */
-static int kern_entering(kern_simplex *sx, kern_real sum, int first)
+static int kern_entering(kern_simplex *sx, kern_real sum, int first, int fine)
 {
     const kern_program *lp = sx->lp;
     const int costs = !sx->violated, all = lp->cols + lp->follow;
@@ -8472,7 +8472,7 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first)
     int j, best = KERN_OUT;
     if (costs && !kern_lp_costs(lp))
         return KERN_OUT;
-    least = kern_prices(sx, sum, first);
+    least = kern_prices(sx, sum, fine);
     sx->gain = KERN_R(0);
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -8579,11 +8579,11 @@ static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero, unless prices are rounding;
-   when the budget is used up they are refined, and the smallest indices are
-   taken (Bland), which cannot cycle. Returns KERN_LP_OPTIMAL,
-   KERN_LP_UNBOUNDED with the column *ray, KERN_LP_INFEASIBLE (prices are in
-   sx->price), or KERN_UNDECIDED. */
+   falls with every step that is not of length zero, unless prices are rounding:
+   when the budget is used up they are refined; beyond five the smallest indices
+   are taken (Bland), which cannot cycle. The limit ends what rounding might
+   keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED with the column *ray,
+   KERN_LP_INFEASIBLE (prices are in sx->price), or KERN_UNDECIDED. */
 static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 {
     const kern_program *lp = sx->lp;
@@ -8591,9 +8591,9 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
     const int budget = 50 + 2 * lp->rows;
     int count;
     for (count = 0; count < limit; ) {
-        const int first = count > budget;
+        const int fine = count > budget, first = count > 5 * budget;
         const kern_real sum = kern_violations(sx);
-        const int q = kern_entering(sx, sum, first);
+        const int q = kern_entering(sx, sum, first, fine);
         kern_real step = KERN_R(0);
         kern_status status;
         int p = KERN_OUT;
@@ -8621,7 +8621,7 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 
 /* ---- opening, starting, reading ---- */
 
-/* Lays out the arrays of a simplex, with room for so many groups of entries. */
+/* Lays out the arrays of a simplex, with room for so many entries. */
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
