@@ -824,8 +824,9 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
 
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
    unless a later block lies so far out that the rounding of its coordinates
-   counts. Returns the same; KERN_STALE is found of block b and what it may
-   touch. options.lone sees these contacts alone. Time: O(b), edges as above. */
+   counts. Returns the same; KERN_STALE is found of block b and of what it may
+   touch. options.lone: what carries a block is looked for among these contacts
+   alone. Time: O(b), and the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
@@ -8783,9 +8784,8 @@ static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
     return 1;
 }
 
-/* Whether x, or y, proves the status, by products with the matrix alone: of the
-   lowest cost by complementary slackness. What is not a number proves nothing.
-   */
+/* Whether x, or y, proves the status by products with the matrix alone, a least
+   cost by complementary slackness. What is not a number proves nothing. */
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
