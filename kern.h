@@ -734,8 +734,8 @@ typedef struct kern_lp {
    squared or multiplied safely are refused, with the block in the fault: a mass
    or area out of the range of kern_block_init() (KERN_BAD_MASS, KERN_NO_AREA);
    as KERN_BAD_NUMBER an option, centre, place or travel above 1e60 m, an area
-   above 1e120 m^2, weight and load of a free block together above 1e100 N, or
-   below 1e-100 N and not 0 (float: 1e10 m, 1e15 N, 1e-15 N). */
+   above 1e120 m^2, pattern or weight with load of a block above 1e100 N, or
+   the latter below 1e-100 N and not 0 (float: 1e10 m, 1e15 N, 1e-15 N). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -2889,11 +2889,11 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
         task->known.fails = KERN_R(0);
     if (status >= 0 && proof && proof->force)
         kern_copy(proof->force, kept.force, 2 * task->s.contacts);
-    if (status == KERN_STANDS && out->saturated)
-        kern_zero(kept.motion, 3 * task->s.blocks);
-    else if (status >= 0 && proof && proof->motion)
+    if (status >= 0 && !out->saturated && proof && proof->motion)
         kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
     if (status == KERN_STANDS) {
+        if (out->saturated)
+            kern_zero(kept.motion, 3 * task->s.blocks);
         task->known.holds = out->holds;
         task->known.margin = out->margin;
         task->known.fails = out->fails;
@@ -3013,7 +3013,7 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 KERN_SHARED static int kern_has_side(const kern_structure *s, kern_side side)
 {
     return (side == KERN_RIGHT || side == KERN_LEFT)
-           && kern_abs(s->gravity.x) + kern_abs(s->gravity.y) > 0;
+           && kern_vec_largest(s->gravity) > 0;
 }
 
 /* The angle whose tangent is s >= 0: halved three times, then the series. */
@@ -3038,7 +3038,7 @@ static kern_status kern_growth_check(const kern_task *task,
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < task->s.blocks; i++)
         if (!task->s.block[i].fixed
-            && !kern_is_finite(kern_wrench_sum(pattern + i))) {
+            && !(kern_wrench_sum(pattern + i) <= KERN_HEAVY)) {
             task->work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
@@ -3564,6 +3564,7 @@ KERN_SHARED static int kern_part_begin(kern_part *p, kern_model *m, int groups,
     p->rest = *rest;
     p->groups = groups;
     p->ahead = KERN_R(0);
+    p->found = KERN_UNDECIDED;
     p->group = kern_take_ints(&p->rest, groups);
     return kern_take_fits(&p->rest);
 }
@@ -5110,7 +5111,6 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
 {
     kern_status status = KERN_UNDECIDED;
     int builtin;
-    p->found = KERN_UNDECIDED;
     if (!kern_model_ask(p->m, 1))
         return KERN_LIMIT;
     kern_part_set(p, q);
@@ -8176,8 +8176,8 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n,
                 }
             }
         }
-    if (!(best >= -pull * (kern_abs(load[0]) + kern_abs(load[1]))))
-        return 0;
+    if (!(best + pull * (kern_abs(load[0]) + kern_abs(load[1])) >= 0))
+        return 0; /* also where best is infinite, and nothing was taken */
     for (k = 0; k < 3; k++) {
         sx->base[3 * g + k] = take[k];
         kern_lp_subtract(sx->lp, take[k], kern_max(share[k], KERN_R(0)),

@@ -8911,7 +8911,7 @@ static void bad_pointers(void)
     CHECK(kern_check_motion(task_of(&s, &w.options, &work), 0, NULL) > 1);
 }
 
-/* Shrinkages and load patterns that are no numbers. */
+/* Shrinkages and load patterns that are no numbers, patterns that are too large. */
 static void bad_arguments(void)
 {
     static world w;
@@ -8929,12 +8929,13 @@ static void bad_arguments(void)
         CHECK_INT(kern_load_factor(world_task(&w, &work), bad,
                                    KERN_RIGHT, &out, NULL),
                   KERN_BAD_NUMBER);
-        for (i = 0; i < 3; i++) {
+        for (i = 0; i < 6; i++) {
             kern_wrench pattern[3];
             memset(pattern, 0, sizeof pattern);
-            *(i == 0   ? &pattern[1].fx
-              : i == 1 ? &pattern[1].fy
-                       : &pattern[1].torque) = bad;
+            *(i % 3 == 0   ? &pattern[1].fx
+              : i % 3 == 1 ? &pattern[1].fy
+                           : &pattern[1].torque) =
+                i < 3 ? bad : R(SINGLE ? 1e16 : 1e101);
             CHECK_INT(kern_load_factor_of(world_task(&w, &work), 0,
                                           pattern, &out, NULL),
                       KERN_BAD_NUMBER);
