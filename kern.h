@@ -1217,8 +1217,7 @@ extern "C" {
 /* What a row of a proof may lose by rounding, as a share of its terms; by how
    much a certificate is lifted off the columns that it touches, since the check
    of a motion adds as much; and what is added to the diagonal of the matrix of
-   >>norm, as a share of its mean: without it a group that no ray presses has no
-   pivot. */
+   >>norm, as a share of its mean: else a group without rays has no pivot. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1801,8 +1800,7 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
 
 /* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
    no longer; last + 1 if they always do, -1 if a verdict is undecided. Up to
-   path->holds they do, where kerns are nested from path->fails on they do
-   not. */
+   path->holds they do, where kerns are nested not from path->fails on. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -5199,9 +5197,11 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
             return status;
     }
     status = kern_part_evaluate(p, q);
-    /* other rounding; in float it would prove what is critical (KERN_TOL) */
-    if (status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL
-        && KERN_PICK(1, 0) > 0) {
+    /* other rounding, and where no memory would hold the factors; in float it
+       would prove what is critical (KERN_TOL) */
+    if (KERN_PICK(1, 0) > 0
+        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
+            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
         status = kern_ipm_verdict(m, p, q);
         p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
     }

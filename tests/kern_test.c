@@ -7403,6 +7403,39 @@ static void jams_are_bounded(void)
     CHECK(most <= 5000);
 }
 
+/* Flat arches of many voussoirs between two walls: just below half of their
+   height their thrust is at its bound. Factors of their basis fill all the room
+   that there is for them, which is no lack of memory. */
+static void jams_fill_the_factors(void)
+{
+    static const double slender[][2] = {{40, 30}, {52, 60}, {58, 30}};
+    static world w;
+    int i, k, side;
+    for (k = 0; k < COUNT_OF(slender) && !SINGLE; k++) {
+        const int n = (int)slender[k][0];
+        const double high = n / slender[k][1], lean = 0.45 / n;
+        kern_margin m;
+        sprintf(context, "(flat arch of %d)", n);
+        world_reset(&w);
+        w.options.mu = R(0.5);
+        for (i = 0; i < n; i++) {
+            const double a = i - n / 2.0, b = a + 1;
+            const double xy[] = {a, 0, b, 0, b + b * lean * high, high,
+                                 a + a * lean * high, high};
+            world_polygon(&w, 1, xy, 4);
+        }
+        for (side = -1; side <= 1; side += 2) {
+            const double a = side * n / 2.0, b = a + side * n;
+            const double xy[] = {a, 0, b, 0, b, high, a + a * lean * high, high};
+            world_polygon(&w, 0, xy, 4);
+        }
+        world_touch(&w);
+        CHECK_INT(measure(&w, &m), KERN_STANDS);
+        CHECK_NEAR(m.margin, high / 2, 0.02 * high);
+    }
+    context[0] = 0;
+}
+
 /* Two small stones on a large one, turned, far from the origin: both proofs hold
    at one place, where a collapse took nothing away for ever. */
 static void profile_ends(void)
@@ -11357,6 +11390,7 @@ static const test tests[] = {
     TEST(plan_out_of_date),
     TEST(plan_fuzz),
     TEST(jams_are_bounded),
+    TEST(jams_fill_the_factors),
     TEST(profile_ends),
     TEST(bearing_of_lips),
     TEST(bearing_by_definition),
