@@ -5197,8 +5197,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
             return status;
     }
     status = kern_part_evaluate(p, q);
-    /* other rounding, and where no memory would hold the factors; in float it
-       would prove what is critical (KERN_TOL) */
+    /* other rounding, other room; in float it would prove what is critical */
     if (KERN_PICK(1, 0) > 0
         && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
             || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
