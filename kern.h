@@ -62,8 +62,8 @@
 
    Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
    count of contacts is a status, which the next call returns. With all checks
-   it is examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION is
-   in two files; "undefined reference": in none, or of the other precision.
+   it is examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION
+   is in two files; "undefined reference": in none, or of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
@@ -876,9 +876,10 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
      low   Margin without doubtful contacts: of the blocks that carry a block
            only that with the widest bed, as gravity sees it, is kept; kerns are
            shorter by 3.5 e, friction angles less by 3 theta.
-     high  Margin with every contact that may exist: gaps and angles of twice
-           the error, kerns longer by 3.5 e, friction angles more by 3 theta.
-           Where it stands, at least `margin` + 3.5 e (relative: `margin`).
+     high  Margin with every contact that may exist, found anew (given ones and
+           friction of their own do not count): gaps and angles of twice the
+           error, kerns longer by 3.5 e, friction angles more by 3 theta. Where
+           it stands, at least `margin` + 3.5 e (relative: `margin`).
    A larger error never makes a fall certain, and lowers `low` for the same
    contacts. Errors are absolute in relative mode too. contact[0..room) receives
    the contacts for `high`; work memory is for `room` contact points.
@@ -1034,10 +1035,10 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
    kern_measure(): out.margin and its proof; where it falls, 0 and the motion
    alone. A contact point limits by the power that the mechanism gains per
    length by which the point moves inward; without forces, or where none gains,
-   by its turning, and where nothing turns, by its sliding. Slower than 1e-4 of
-   the fastest counts as rest. KERN_OK: out's arrays are filled, contact and
-   groups are set. KERN_BAD_POINTER also for no motion, KERN_BAD_NUMBER for one
-   that is not finite (the block). Time: O(C), and O(B) for each group. */
+   by its turning, and where nothing turns, by its sliding. Slower than 1e-4
+   (the fastest is 1) counts as rest. KERN_OK: out's arrays are filled, contact
+   and groups are set. KERN_BAD_POINTER also for no motion, KERN_BAD_NUMBER for
+   one that is not finite (the block). Time: O(C), and O(B) for each group. */
 KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
                                       const kern_proof *proof,
                                       kern_critical *out);
@@ -1074,10 +1075,10 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
-   What stands with every kern closed bears any margin. Where kerns are not
-   nested, kern_plan_try() decides, with its proof. KERN_BAD_NUMBER also for a
-   margin below 0. Time: that of one verdict; O(B + C) beyond the measured
-   margin where the block does not touch what limits that. */
+   What stands with every kern closed bears any margin, unless options.narrow is
+   set. Where kerns are not nested, kern_plan_try() decides, with its proof.
+   KERN_BAD_NUMBER also for a margin below 0. Time: that of a verdict; O(B + C)
+   beyond the measured margin where it does not touch what limits that. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
@@ -1093,11 +1094,11 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 /* -- proofs -- */
 
 /* The error of a proof as a share of what is allowed: up to 1 it holds.
-   KERN_INFINITY where it proves nothing, and for bad input: NULL, what is not
-   a number. Allowed is: for forces, 1e-9 (float: 1e-4) of what acts on a block
-   in each of its equilibrium equations; for a motion, that forces up to 1e6
-   (1e3) times the weight could not stop it, whatever rounding does to the sums
-   of the check. Time: O(B + C). Work memory: for forces 4 B reals. */
+   KERN_INFINITY where it proves nothing, and for bad input: NULL, what is not a
+   number. Allowed is: for forces, 1e-9 (float: 1e-4) of what acts on a block in
+   each of its equations, and roundings of the largest force there, in sum 1e6
+   (1e3) weights; for a motion, that such forces could not stop it, whatever
+   rounding does. Time: O(B + C). Work memory: for forces 4 B reals. */
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force);
 KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
