@@ -2519,7 +2519,7 @@ static void kern_model_load(kern_model *m, const kern_query *q, int g)
     load[2] = -w.torque * m->unit[g];
 }
 
-/* The loads of all groups, and the unit of force. */
+/* The loads of all groups, none in a part, and the unit of force. */
 static void kern_model_weigh(kern_model *m, const kern_query *q)
 {
     kern_real weight = KERN_R(0);
@@ -2529,17 +2529,16 @@ static void kern_model_weigh(kern_model *m, const kern_query *q)
         kern_model_unit(m, q, g);
         kern_model_load(m, q, g);
         weight += m->size[g];
+        m->graph.local[g] = KERN_OUT;
     }
+    m->graph.local[g] = KERN_OUT;
     m->weight = weight > 0 ? weight : KERN_R(1);
 }
 
 /* All of the model for a query. */
 static void kern_model_set(kern_model *m, const kern_query *q)
 {
-    int g;
     kern_model_weigh(m, q);
-    for (g = 0; g <= m->graph.groups; g++)
-        m->graph.local[g] = KERN_OUT;
     kern_model_arms(m, q);
 }
 
@@ -4329,17 +4328,18 @@ static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
 static kern_status kern_pass_solve(kern_support *c, int n,
                                    const kern_real b[3], kern_real tolerance)
 {
-    kern_real left[3], h[9], step[3], u[3] = {0, 0, 0};
-    int k, round, same = 0; /* rounds in which the same rays pressed */
+    kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
+    int k, round, same = 0; /* nonzero: the same rays press as before */
     for (k = 0; k < n; k++)
         c[k].mask = 3;
     for (round = 0; round < KERN_FEW_ROUNDS + 2; round++) {
+        const kern_real before = last / 8;
         int good, changed = 0;
         kern_support_sum(c, n, b, left, h);
-        if (same > 0 && kern_largest(left, 3)
-                        <= tolerance + 4 * KERN_EPS * kern_largest(u, 3))
+        last = kern_largest(left, 3);
+        if (same && last <= tolerance + 4 * KERN_EPS * kern_largest(u, 3))
             return KERN_STANDS;
-        if (same == 3)
+        if (same && last > before)
             return KERN_FALLS;
         good = kern_pass_three(h, left, step);
         kern_add(u, KERN_R(1), step, 3);
@@ -4349,14 +4349,14 @@ static kern_status kern_pass_solve(kern_support *c, int n,
             kern_row_speed(&c[k].row, step, way);
             slip = c[k].mu * way[1];
             mask = (way[0] + slip > 0 ? 1 : 0) + (way[0] - slip > 0 ? 2 : 0);
-            if (same == 0 && mask != c[k].mask) {
+            if (!same && mask != c[k].mask) {
                 c[k].mask = mask;
                 changed = 1;
             }
         }
         if (good && !changed)
             return KERN_STANDS;
-        same = changed ? 0 : same + 1;
+        same = !changed;
     }
     return KERN_UNDECIDED;
 }
@@ -4440,33 +4440,6 @@ static int kern_pass_grow(kern_model *m, int last)
                      || kern_pass_mark(m, last, KERN_OUT) <= c->most);
 }
 
-/* Opens group `last`, which cannot be balanced, with all that rests on it, if
-   that rests on nothing else: then it falls whatever the forces above are. */
-static int kern_pass_stack(kern_model *m, kern_part *p, int last)
-{
-    int g, e, groups = 1;
-    m->graph.local[last] = 0;
-    for (g = last - 1; g >= 0; g--) {
-        int on = 0, off = 0;
-        for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-            const int other = m->graph.ends[e ^ 1];
-            if (other > g)
-                *(m->graph.local[other] == KERN_OUT ? &off : &on) = 1;
-        }
-        if (on && off)
-            break;
-        if (on) {
-            m->graph.local[g] = 0;
-            groups++;
-        }
-    }
-    if (g < 0 && kern_part_open(p, m, groups, last))
-        return 1;
-    for (g = 0; g <= last; g++)
-        m->graph.local[g] = KERN_OUT;
-    return 0;
-}
-
 /* Writes the minimum-norm forces of a part. Groups that rest on it and carry it
    join it the second time: else they and it would be balanced in turns. */
 static void kern_pass_keep(kern_part *p, kern_real tolerance)
@@ -4547,13 +4520,15 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
 {
     kern_status status = m->cluster.next[last] == last
         ? kern_pass_alone(m, last) : KERN_UNDECIDED;
-    if (status == KERN_FALLS)
-        return kern_pass_stack(m, p, last) ? status : KERN_UNDECIDED;
-    if (status == KERN_UNDECIDED) {
+    if (status == KERN_FALLS) { /* whatever rests on it */
+        if (kern_part_open(p, m, kern_pass_mark(m, last, 0), last)
+            && p->own == p->contacts)
+            return status;
+        status = KERN_UNDECIDED;
+    } else if (status == KERN_UNDECIDED)
         status = kern_pass_part(p, m, last);
-        if (status != KERN_FALLS)
-            kern_pass_mark(m, last, KERN_OUT);
-    }
+    if (status != KERN_FALLS)
+        kern_pass_mark(m, last, KERN_OUT);
     return status;
 }
 
@@ -5424,10 +5399,12 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
         next = crit;
     if (hi - next > aside * KERN_R(1.15))
         return next + aside;
+    if (path->alone)
+        return KERN_INFINITY;
     if (!path->ipm && crit > lo
         && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
-    return crit - lo > under * KERN_R(1.05) && !path->alone
+    return crit - lo > under * KERN_R(1.05)
            ? kern_max(crit - under, path->start) : KERN_INFINITY;
 }
 
@@ -5638,14 +5615,15 @@ static int kern_body_line(kern_model *m, int g)
 
 /* Where body g tips on the line that begins with end *e, and *e about which of
    its ends; infinity: it is not pressed on it, or slides, or stands until the
-   kern is closed. The model is that of the shrinkage `at`; b: the load. */
+   kern is closed. b: the load. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
-                                    const kern_real *b, kern_real at,
-                                    kern_real aside)
+                                    const kern_real *b, kern_real aside)
 {
     const kern_contact *c = m->s->contact + (*e >> 1);
-    const kern_row row = kern_model_row(m, *e);
-    const kern_row last = kern_model_row(m, *e + 2);
+    const kern_vec at = m->s->block[m->graph.block[g]].centre;
+    const kern_vec n = kern_vec_scale(c->n, KERN_R(*e & 1 ? -1 : 1));
+    const kern_row row = kern_row_of(n, kern_vec_sub(c->p, at), m->unit[g]);
+    const kern_row last = kern_row_of(n, kern_vec_sub(c[1].p, at), m->unit[g]);
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
     const kern_real travel = kern_travel(c, m->mean);
@@ -5662,7 +5640,6 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
         crit = other;
         *e += 2;
     }
-    crit += kern_min(at, most);
     return crit + aside <= most ? crit : KERN_INFINITY;
 }
 
@@ -5694,13 +5671,13 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 }
 
 /* The smallest critical value of a body becomes the path's warm start. Returns
-   it, or infinity. The model is that of the shrinkage `at`. */
-static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
+   it, or infinity. */
+static kern_real kern_body_first(kern_model *m, kern_path *path)
 {
     kern_known *warm = &path->warm;
     const kern_real aside = kern_aside(path);
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
-    int g;
+    int g, first = KERN_OUT, about = 0;
     warm->margin = KERN_INFINITY;
     if (!kern_model_ask(m, 1))
         return warm->margin;
@@ -5709,11 +5686,11 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
         int end = kern_body_line(m, g);
         const int on = m->graph.carrier[g];
         const kern_real crit = end == KERN_OUT ? KERN_INFINITY
-            : kern_body_critical(m, g, &end, load, at, aside);
+            : kern_body_critical(m, g, &end, load, aside);
         if (crit < warm->margin) {
             warm->margin = crit;
-            warm->motion = m->answer.motion;
-            kern_body_moves(m, g, end, crit + aside);
+            first = g;
+            about = end;
         }
         if (on != KERN_OUT) {
             kern_real *to = load + 3 * (on - g);
@@ -5728,6 +5705,9 @@ static kern_real kern_body_first(kern_model *m, kern_path *path, kern_real at)
     }
     warm->holds = warm->margin - aside;
     warm->fails = warm->margin + aside;
+    warm->motion = m->answer.motion;
+    if (first != KERN_OUT)
+        kern_body_moves(m, first, about, warm->fails);
     return warm->margin;
 }
 
@@ -5831,6 +5811,8 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
                                                         : KERN_UNDECIDED;
     path->alone = 0;
     path->holds = holds;
+    if (status == KERN_FALLS) /* within a bracket, which is the whole's */
+        path->exact = path->critical;
     return status == KERN_STANDS ? KERN_UNDECIDED : status;
 }
 
@@ -5864,12 +5846,12 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
     const kern_real most = known ? kern_min(at + first, path->end) : path->end;
-    const kern_query q = kern_path_at(path, at);
     kern_real place;
-    kern_model_set(m, &q);
+    kern_model_weigh(m, &path->q); /* the same for all places */
+    m->reduction = kern_reduction(&path->q);
     if (known && kern_start_falls(m, path))
         return at;
-    place = kern_body_first(m, path, at);
+    place = kern_body_first(m, path);
     if (place < most) {
         if (warm->holds > path->start) /* else it falls, or is asked, there */
             kern_start_falls(m, path);
@@ -6704,7 +6686,7 @@ static int kern_edge_next(kern_edge *e, const kern_outline *o,
     const kern_block *block = o->block;
     int i, corner;
     for (i = e->at + 1; i < block->vertices; i++)
-        if (i % o->each == 0
+        if (o->each < block->vertices && i % o->each == 0
             && !kern_box_near(&o->box[i / o->each], box, gap)) {
             i += o->each - 1;
         } else if (!o->straight || kern_polygon_turn(block, i) != 0) {
