@@ -2617,7 +2617,7 @@ typedef struct kern_program {
     const kern_real *cost;  /* or NULL                                        */
     const int *ends;        /* network: head and tail group of columns 2 i and
                                2 i + 1, rows / 3 for none; NULL: dense        */
-    const kern_real *rate;  /* by which rhs grows with the place, or NULL     */
+    const kern_real *rate;  /* column of the place: less its growth of rhs    */
     int follow;             /* 0: the place is held; 1: it grows, from that of
                                rhs, as far as it can                          */
     kern_real most;         /* what a variable can be at the most; 0: all     */
@@ -2652,14 +2652,15 @@ typedef struct kern_simplex {
     int *base;              /* row: its variable                              */
     int *place;             /* column: its row, or KERN_OUT; then the place's */
     kern_real *value;       /* row: of its variable                           */
-    kern_real *slope;       /* row: c, what its variable adds to violations   */
+    kern_real *slope;       /* row: c, by what growth of its variable lowers
+                               violations, then costs                         */
     kern_real *price;       /* row: y                                         */
     kern_real *alpha;       /* row: of what is solved for, as the entering
                                column                                         */
     kern_real *ratio;       /* of the ratio test: steps                       */
     int *list;              /* its rows; or the columns to be factored        */
     kern_real least;        /* violation that counts                          */
-    kern_real gain;         /* largest y.A_j - cost_j                         */
+    kern_real gain;         /* largest c_j - y.A_j                            */
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables                                      */
 } kern_simplex;
@@ -2688,7 +2689,7 @@ typedef struct kern_dual {
 typedef struct kern_equations {
     kern_program lp;
     kern_real *arc, *rhs;
-    kern_real *rate;          /* of rhs along a path                          */
+    kern_real *rate;          /* less that of rhs along a path                */
     kern_real shrink;         /* of its columns                               */
     kern_simplex simplex;
 } kern_equations;
@@ -2712,7 +2713,7 @@ struct kern_part {
 
 /* The engine, in >>lp. */
 
-static int kern_proof_mend(kern_simplex *sx, kern_real *y);
+static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift);
 static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x);
 static void kern_simplex_change(kern_simplex *sx, kern_basis to);
 static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
@@ -3443,13 +3444,12 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
                                       && off[end] <= off[!end]
                                                      + KERN_TRAVEL * size);
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
-        const kern_real turn = pair != i ? KERN_R(0.5) : 1 - owns;
         const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
                                            part * across, c->n);
         kern_block_rate *to = out + (end ? c->b : c->a);
         if (b->vertex) {
             to->place = kern_vec_add(to->place, way);
-            to->turn += kern_vec_cross(r, way) + turn * rate[i].turn;
+            to->turn += kern_vec_cross(r, way) + (1 - part) * rate[i].turn;
         }
     }
 }
@@ -5032,7 +5032,7 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
     if (status == KERN_STANDS && !kern_part_is_whole(p))
         return status;
     for (again = 0; status == KERN_FALLS && !(error <= 1) && again < 2; again++)
-        if (!again || kern_proof_mend(&p->eq.simplex, p->y)) {
+        if (!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_ROUNDING)) {
             kern_part_motion(p);
             error = kern_prove_motion(m->s, q, m->answer.motion);
         }
@@ -5063,7 +5063,6 @@ static kern_status kern_part_norm(kern_part *p, int builtin)
     p->eq.lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
-    kern_scale(p->y, p->eq.lp.rows, KERN_R(-1));
     return kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND ? KERN_FALLS
                                                            : KERN_STANDS;
 }
@@ -5268,7 +5267,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
     return at;
 }
 
-/* By what rhs grows at a query with the load, or with the tangent of the angle
+/* By what rhs falls at a query with the load, or with the tangent of the angle
    by which gravity turns, which is a load too. */
 static void kern_path_rate(const kern_part *p, const kern_query *q,
                            kern_real *to)
@@ -5278,9 +5277,9 @@ static void kern_path_rate(const kern_part *p, const kern_query *q,
     int n;
     for (n = 0; n < p->groups; n++) {
         kern_pattern_on(m->s, q, m->graph.block[p->group[n]], &w);
-        *to++ = -w.fx / m->weight;
-        *to++ = -w.fy / m->weight;
-        *to++ = -w.torque * m->unit[p->group[n]] / m->weight;
+        *to++ = w.fx / m->weight;
+        *to++ = w.fy / m->weight;
+        *to++ = w.torque * m->unit[p->group[n]] / m->weight;
     }
 }
 
@@ -5322,7 +5321,7 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
     if (path->kind == KERN_PATH_SHRINK)
         return kern_shrink_critical(path, q, power);
     kern_path_rate(p, q, rate);
-    return kern_path_pushed(path, s, -power / kern_dot(p->y, rate, n));
+    return kern_path_pushed(path, s, power / kern_dot(p->y, rate, n));
 }
 
 /* The verdict at s. The critical value of a mechanism, proven or not, becomes
@@ -5869,15 +5868,18 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 static kern_status kern_path_search(kern_model *m, kern_path *path)
 {
     kern_status status = KERN_UNDECIDED;
-    kern_real at, step = path->unit
+    kern_real at, then = KERN_R(0), step = path->unit
         * (path->kind == KERN_PATH_SHRINK ? KERN_CLIMB : KERN_CLIMB_PUSH);
     int round;
     path->start = path->holds;
     path->fails = path->exact = KERN_INFINITY;
     if (m->whole || path->kind != KERN_PATH_SHRINK)
         return kern_path_whole(m, path, step, step);
-    if (m->graph.groups <= KERN_SMALL) /* a part that falls ends it soon */
+    if (m->graph.groups <= KERN_SMALL) { /* a part that falls ends it soon; what
+            stands at the first place mostly stands to the end, or nearly */
         step *= KERN_CLIMB_GROWS;
+        then = m->answer.known ? then : path->end;
+    }
     at = kern_path_first(m, path, step);
     for (round = 0; round < KERN_FEW_ROUNDS; ) {
         const kern_query q = kern_path_at(path, at);
@@ -5899,7 +5901,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
         else if (at >= path->end)
             return kern_path_saturate(path);
         else {
-            at = kern_min(at + step, path->end);
+            at = kern_min(kern_max(at + step, then), path->end);
             step *= KERN_CLIMB_GROWS;
         }
     }
@@ -7970,7 +7972,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
 
 /* ---- columns ---- */
 
-/* Column j where it is dense: of the place what its growth adds to rhs. */
+/* Column j where it is dense. */
 static const kern_real *kern_lp_dense(const kern_program *lp, int j)
 { return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows; }
 
@@ -7985,8 +7987,7 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
         return c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
                + c[3] * t[2];
     }
-    return kern_dot(kern_lp_dense(lp, j), y, lp->rows)
-           * KERN_R(j == lp->cols ? -1 : 1);
+    return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
 
 /* v -= s * variable j */
@@ -8002,7 +8003,7 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
         h[0] -= x; h[1] -= y; h[2] -= s * c[2];
         t[0] += x; t[1] += y; t[2] -= s * c[3];
     } else
-        kern_add(v, j == lp->cols ? s : -s, kern_lp_dense(lp, j), lp->rows);
+        kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
 }
 
 /* Column j's entries in the rows of the group whose own it is, the first of its
@@ -8098,12 +8099,10 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     const kern_real one = 1 / sx->alpha[p];
     kern_real *entry = f->entry + f->first[f->count];
     int from = 0, to = 3 * sx->groups, i;
-    while (kern_abs(sx->alpha[from]) <= 0)
-        from++;
-    while (kern_abs(sx->alpha[to - 1]) <= 0)
-        to--;
-    from -= from % 3;
-    to += 2 - (to + 2) % 3;
+    while (kern_largest(sx->alpha + from, 3) <= 0)
+        from += 3;
+    while (kern_largest(sx->alpha + to - 3, 3) <= 0)
+        to -= 3;
     for (i = from; i < to; i++)
         *entry++ = i == p ? one : -sx->alpha[i] * one;
     f->from[f->count] = from;
@@ -8123,20 +8122,32 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
            + (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
-/* Of the n columns `mine` of group g the three that carry its load with the
-   largest least share: they become basic, and pass on what they exert. 0: there
-   are none, or one would have to pull more than so many loads. */
-static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n,
-                             kern_real pull)
+/* Of the columns of group g, a list from j, three become basic and pass on what
+   they exert: those that carry its load with the largest least share. If not
+   `all` they must push against it, and none pull more than so many loads; else
+   one may be the logical of its torque. 0: there are none. */
+static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
 {
+    const int *logical = sx->base + 3 * g + 2;
     const kern_real *load = sx->alpha + 3 * g;
-    kern_real part[KERN_ROWS_MOST][3], best = -KERN_INFINITY, share[3];
-    int i, j, k, take[3];
-    for (i = 0; i < n; i++) {
-        part[i][0] = part[i][1] = KERN_R(0); /* a logical of the torque */
-        part[i][2] = KERN_R(1);
-        if (mine[i] < sx->lp->cols)
-            kern_lp_part(sx->lp, mine[i], 0, part[i]);
+    const kern_real x = load[0], y = load[1];
+    kern_real part[KERN_ROWS_MOST][3], share[3];
+    kern_real best = all ? -KERN_INFINITY
+                         : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
+    int mine[KERN_ROWS_MOST], take[3] = {KERN_OUT, 0, 0}, n = 0, i, k;
+    for (; j != KERN_OUT && n < KERN_ROWS_MOST - 1; j = sx->place[j]) {
+        const kern_real *a = part[n];
+        kern_real along;
+        kern_lp_part(sx->lp, j, 0, part[n]);
+        along = a[0] * x + a[1] * y;
+        mine[n] = j;
+        n += all || (along > 0 && 4 * along * along
+                     >= (a[0] * a[0] + a[1] * a[1]) * (x * x + y * y));
+    }
+    if (all) {
+        part[n][0] = part[n][1] = KERN_R(0);
+        part[n][2] = KERN_R(1);
+        mine[n++] = *logical;
     }
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
@@ -8144,39 +8155,27 @@ static int kern_crash_choose(kern_simplex *sx, int g, const int *mine, int n,
             const kern_real last = kern_three_det(a, b, load);
             for (k = j + 1; k < n; k++) {
                 const kern_real *c = part[k], det = kern_three_det(a, b, c);
+                const kern_real lc = last / det;
                 kern_real la, lb, least;
-                if (kern_abs(det) < KERN_PIVOT
-                    || (det > 0 ? last <= best * det : last >= best * det))
-                    continue; /* last / det would be no better */
+                if (kern_abs(det) < KERN_PIVOT || lc <= best)
+                    continue;
                 la = kern_three_det(b, c, load) / det;
                 lb = kern_three_det(c, a, load) / det;
-                least = kern_min(last / det, kern_min(la, lb));
+                least = kern_min(kern_min(la, lb),
+                                 mine[k] == *logical ? -kern_abs(lc) : lc);
                 if (least > best) {
                     best = least;
                     take[0] = mine[i]; take[1] = mine[j]; take[2] = mine[k];
-                    share[0] = la; share[1] = lb; share[2] = last / det;
+                    share[0] = la; share[1] = lb; share[2] = lc;
                 }
             }
         }
-    if (!(best + pull * (kern_abs(load[0]) + kern_abs(load[1])) >= 0))
-        return 0; /* also where best is infinite, and nothing was taken */
-    for (k = 0; k < 3; k++) {
+    for (k = 0; k < 3 && take[0] != KERN_OUT; k++) {
         sx->base[3 * g + k] = take[k];
         kern_lp_subtract(sx->lp, take[k], kern_max(share[k], KERN_R(0)),
                          sx->alpha);
     }
-    return 1;
-}
-
-/* Whether column j pushes its group against its load. */
-static int kern_crash_faces(const kern_simplex *sx, int j)
-{
-    kern_real part[3], along;
-    const kern_real *load = sx->alpha + kern_lp_part(sx->lp, j, 0, part);
-    along = part[0] * load[0] + part[1] * load[1];
-    return along > 0 && 4 * along * along
-           >= (part[0] * part[0] + part[1] * part[1])
-              * (load[0] * load[0] + load[1] * load[1]);
+    return k;
 }
 
 /* Begins from the columns that x uses, if they may be a basis, and the last. */
@@ -8198,13 +8197,12 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
 }
 
 /* Logicals, but for a network: from top to bottom three columns of each group
-   carry what it bears, those that face its load if they can; else two, which
-   leave the torque to a logical. */
+   carry what it bears. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int *next = sx->place, *first = sx->list; /* columns of a group */
-    int mine[KERN_ROWS_MOST], g, j, any, done;
+    int g, j;
     for (j = 0; j < lp->rows; j++) {
         sx->base[j] = lp->cols + 1 + j; /* its logical */
         sx->alpha[j] = lp->rhs[j];
@@ -8217,17 +8215,8 @@ static void kern_simplex_crash(kern_simplex *sx)
         first[g] = j;
     }
     for (g = 0; g < sx->factors.groups; g++)
-        for (any = done = 0; any < 2 && !done; any++) {
-            int n = 0;
-            for (j = first[g]; j != KERN_OUT && n < KERN_ROWS_MOST; j = next[j])
-                if (any || kern_crash_faces(sx, j))
-                    mine[n++] = j;
-            done = kern_crash_choose(sx, g, mine, n, KERN_CRASH_PULL);
-            if (any && !done && n > 1) {
-                mine[2] = sx->base[3 * g + 2];
-                kern_crash_choose(sx, g, mine, 3, KERN_BOUND);
-            }
-        }
+        if (!kern_crash_choose(sx, g, first[g], 0))
+            kern_crash_choose(sx, g, first[g], 1);
     sx->state = KERN_BASIS_STALE;
 }
 
@@ -8304,13 +8293,11 @@ static kern_real kern_basis_residual(kern_simplex *sx)
    and one solve may lose half of the digits. Returns 0 where it is not. */
 static int kern_basis_values(kern_simplex *sx)
 {
-    kern_real left = kern_basis_residual(sx), last = KERN_INFINITY;
+    kern_real left = kern_basis_residual(sx);
     int round;
-    for (round = 0; round < 4 && left > 4 * KERN_EPS
-                    && (left < last || round < 2); round++) {
+    for (round = 0; round < 3 && left > 4 * KERN_EPS; round++) {
         kern_basis_solve(sx, sx->alpha);
         kern_add(sx->value, KERN_R(1), sx->alpha, sx->lp->rows);
-        last = left;
         left = kern_basis_residual(sx);
     }
     sx->refined = 1;
@@ -8349,111 +8336,98 @@ static void kern_basis_refactorise(kern_simplex *sx)
 
 /* ---- pivots ---- */
 /* Every basis gives x with A x = rhs. While a variable violates x >= 0 (or is a
-   logical that is not zero) what is lowered is the sum of all violations. Its
-   prices
+   logical that is not zero) what is lowered is the sum of all violations. With
 
-       y = B^-T c,    c = -1 or +1 for what violates, else 0,
+       y = B^-T c,    c = +1 or -1 for what violates, else 0,
 
-   tell by y.A_j > 0 how fast the sum falls when column j enters. When no
-   column lowers it and it is not zero, -y is a Farkas certificate, and the one
-   that shows the largest sum of violations: what a step of Newton's method
-   needs. Where nothing violates the costs take the place of violations. */
+   y.A_j < 0 tells how fast the sum falls when column j enters. When no column
+   lowers it and it is not zero, y is a Farkas certificate, and the one that
+   shows the largest sum of violations: what a step of Newton's method needs.
+   Where nothing violates c is less the costs, and y less their prices. */
 
 /* Whether variable j must be zero: a logical, or the place where it is held. */
 static int kern_lp_fixed(const kern_program *lp, int j)
 { return j >= lp->cols + lp->follow; }
 
-static int kern_lp_costs(const kern_program *lp)
-{ return lp->cost || lp->follow; }
-
-/* A free place grows as far as it can. */
-static kern_real kern_lp_cost(const kern_program *lp, int j)
+/* By what the costs fall where variable j grows. A free place does as far as it
+   can. */
+static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
-    return lp->cost && j < lp->cols ? lp->cost[j]
-           : KERN_R(j == lp->cols ? -lp->follow : 0);
+    return lp->cost && j < lp->cols ? -lp->cost[j]
+           : KERN_R(j == lp->cols ? lp->follow : 0);
 }
 
 /* c to sx->slope; returns the sum of violations. */
 static kern_real kern_violations(kern_simplex *sx)
 {
+    const kern_program *lp = sx->lp;
     const kern_real least = sx->least;
     kern_real sum = KERN_R(0);
     int p;
     sx->violated = 0;
-    for (p = 0; p < sx->lp->rows; p++) {
+    for (p = 0; p < lp->rows; p++) {
         const kern_real v = sx->value[p];
         sx->slope[p] = KERN_R(0);
-        if (v < -least || (v > least && kern_lp_fixed(sx->lp, sx->base[p]))) {
-            sx->slope[p] = KERN_R(v < 0 ? -1 : 1);
+        if (v < -least || (v > least && kern_lp_fixed(lp, sx->base[p]))) {
+            sx->slope[p] = KERN_R(v < 0 ? 1 : -1);
             sx->violated++;
             sum += kern_abs(v);
         }
     }
+    for (p = 0; p < lp->rows && !sx->violated; p++)
+        sx->slope[p] = kern_lp_worth(lp, sx->base[p]);
     return sum;
 }
 
-/* Corrects y so that y.A_j of basic columns is what sx->alpha says, and of
-   their logicals: by what a solution that lost digits leaves of it. */
-static void kern_prices_refine(kern_simplex *sx, kern_real *y)
+/* Corrects y by what a solution that lost digits leaves of y.A_j = c of basic
+   columns and of logicals; and lifts it, as a certificate, off the columns, by
+   a share of its size. Rounding puts it a little below zero there as often as
+   above; a few roundings higher it costs of its power no more than all of x is
+   worth, times those roundings. 0: no basis, since the backend has answered. */
+static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
     int p;
+    lift *= kern_largest(y, lp->rows);
+    if (sx->state == KERN_BASIS_NONE)
+        return 0;
     for (p = 0; p < lp->rows; p++) {
         const int j = sx->base[p];
-        sx->alpha[p] -= j > lp->cols ? y[j - lp->cols - 1]
-                                     : kern_lp_dot(lp, j, y);
+        sx->alpha[p] = sx->slope[p] + (j < lp->cols ? lift : KERN_R(0))
+                       - (j > lp->cols ? y[j - lp->cols - 1]
+                                       : kern_lp_dot(lp, j, y));
     }
     kern_basis_solve_t(sx, sx->alpha);
     kern_add(y, KERN_R(1), sx->alpha, lp->rows);
-}
-
-/* Lifts a certificate y off the columns that it touches; 0: there is no basis,
-   since the backend has answered. Rounding puts it a little below zero there as
-   often as above; a few roundings higher it costs of its power no more than all
-   of x is worth, times those roundings. */
-static int kern_proof_mend(kern_simplex *sx, kern_real *y)
-{
-    const kern_program *lp = sx->lp;
-    const kern_real above = KERN_ROUNDING * kern_largest(y, lp->rows);
-    int p;
-    if (sx->state == KERN_BASIS_NONE)
-        return 0;
-    for (p = 0; p < lp->rows; p++)
-        sx->alpha[p] = (sx->base[p] < lp->cols ? above : KERN_R(0))
-                       - sx->slope[p];
-    kern_prices_refine(sx, y);
     return 1;
 }
 
-/* The prices, and the gain below which no column enters. One that would have to
-   carry more than lp->most to undo the violations is no help: the bound on
+/* The prices y, and the gain below which no column enters. One that would have
+   to carry more than lp->most to undo the violations is no help: the bound on
    forces of a jam. */
 static kern_real kern_prices(kern_simplex *sx, kern_real sum, int fine)
 {
     const kern_program *lp = sx->lp;
     kern_real size, least;
-    int p;
-    kern_copy(sx->alpha, sx->slope, lp->rows);
-    for (p = 0; p < lp->rows && !sx->violated; p++)
-        sx->alpha[p] = kern_lp_cost(lp, sx->base[p]);
-    kern_copy(sx->price, sx->alpha, lp->rows);
+    kern_copy(sx->price, sx->slope, lp->rows);
     kern_basis_solve_t(sx, sx->price);
     if (fine)
-        kern_prices_refine(sx, sx->price);
+        kern_prices_mend(sx, sx->price, KERN_R(0));
     size = kern_largest(sx->price, lp->rows);
     least = sx->violated && lp->most > 0 ? sum / lp->most : KERN_NOISE * size;
     return kern_max(least, KERN_ROUNDING * size);
 }
 
 /* The variable outside of the basis that lowers what the prices stand for
-   fastest, or the first that does: by sx->gain = y.A_j - cost_j. */
+   fastest, or the first that does: by sx->gain = c_j - y.A_j. */
 static int kern_entering(kern_simplex *sx, kern_real sum, int first, int fine)
 {
     const kern_program *lp = sx->lp;
     const int costs = !sx->violated, all = lp->cols + lp->follow;
     kern_real least;
     int j, best = KERN_OUT;
-    if (costs && !kern_lp_costs(lp))
+    kern_zero(sx->price, lp->rows);
+    if (costs && !lp->cost && !lp->follow)
         return KERN_OUT;
     least = kern_prices(sx, sum, fine);
     sx->gain = KERN_R(0);
@@ -8461,9 +8435,8 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first, int fine)
         kern_real d;
         if (sx->place[j] != KERN_OUT)
             continue;
-        d = kern_lp_dot(lp, j, sx->price);
-        if (costs)
-            d -= kern_lp_cost(lp, j);
+        d = (costs ? kern_lp_worth(lp, j) : KERN_R(0))
+            - kern_lp_dot(lp, j, sx->price);
         if (d > sx->gain) {
             best = j;
             sx->gain = d;
@@ -8480,7 +8453,8 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first, int fine)
 static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 {
     const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
-    const kern_real a = sx->alpha[p], falls = sx->slope[p] * a;
+    const kern_real a = sx->alpha[p];
+    const kern_real falls = sx->violated ? -sx->slope[p] * a : KERN_R(0);
     if (falls < 0 || (!fixed && a < 0 && !(falls > 0)))
         return KERN_R(0);
     *at = falls > 0 ? sx->value[p] / a
@@ -8497,7 +8471,6 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
                         kern_work *work)
 {
-    const kern_real enough = sx->gain * KERN_R(64) * KERN_EPS;
     const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
     const int once = first || !sx->violated;
     kern_real *at = sx->ratio, left = sx->gain;
@@ -8507,7 +8480,8 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
             list[n] = i;
             n += kern_break(sx, i, at + n) > 0;
         }
-    while (n > 0 && (best == KERN_OUT || (!once && left > enough))) {
+    while (n > 0 && (best == KERN_OUT
+                     || (!once && left > 2 * KERN_ROUNDING * sx->gain))) {
         int next = 0;
         seen += n;
         kern_spend(work, sx->lp->limit, seen / 128); /* the pivot is refused */
@@ -8650,7 +8624,6 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
 {
     const kern_program *lp = sx->lp;
     sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
-    sx->least = sx->least > 0 ? sx->least : KERN_NOISE;
     if (sx->state != KERN_BASIS_READY
         && !kern_spend(work, lp->limit, lp->ends ? (lp->rows + lp->cols) / 2
                                                  : lp->rows * (lp->cols / 64)))
@@ -8688,16 +8661,15 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
    kern_simplex_crash(). x is written for every verdict: one that falls leaves
    A x = rhs in it, with what is negative about it, which tells how the verdict
    changes with the matrix; where the costs fall without end x is the ray. y is
-   written for KERN_LP_INFEASIBLE, and with costs for KERN_LP_OPTIMAL. `builtin`
-   keeps it from the backend. */
+   a certificate for KERN_LP_INFEASIBLE, less the prices for KERN_LP_OPTIMAL.
+   `builtin` keeps it from the backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
-    const int costs = kern_lp_costs(lp);
     kern_status status;
-    int i, ray = KERN_OUT;
+    int ray = KERN_OUT;
     work->solves++;
 #ifdef KERN_USE_GLPK
     if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
@@ -8716,15 +8688,14 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
         kern_scale(x, lp->cols + lp->follow, KERN_R(-1));
         x[ray] = KERN_R(1);
     }
-    for (i = 0; i < lp->rows; i++)
-        y[i] = status == KERN_LP_INFEASIBLE ? -sx->price[i]
-               : costs ? sx->price[i] : KERN_R(0);
+    kern_copy(y, sx->price, lp->rows);
     return status;
 }
 
 /* Takes what is rounding out of the n numbers of a proof: those below a share
    of the largest, and with `sign` what is negative. */
-static void kern_lp_clean(kern_real *v, int n, kern_real share, int sign)
+KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
+                                      int sign)
 {
     const kern_real least = share * kern_largest(v, n);
     int i;
@@ -8786,12 +8757,14 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
-    kern_lp_clean(x, lp->cols, KERN_R(0), 1);
-    if (kern_lp_holds(lp, x, y, status))
-        return 1;
-    kern_lp_clean(x, lp->cols, KERN_ROUNDING, 1);
-    kern_lp_clean(y, lp->rows, KERN_ROUNDING, 0);
-    return kern_lp_holds(lp, x, y, status);
+    int again;
+    for (again = 0; again < 2; again++) {
+        kern_lp_clean(x, lp->cols, again * KERN_ROUNDING, 1);
+        kern_lp_clean(y, lp->rows, again * KERN_ROUNDING, 0);
+        if (kern_lp_holds(lp, x, y, status))
+            return 1;
+    }
+    return 0;
 }
 
 /* What is wrong with a program, if anything. */
@@ -8850,6 +8823,8 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
         return KERN_LIMIT;
     if (status < 0)
         return status;
+    if (status == KERN_LP_OPTIMAL)
+        kern_scale(y, p.rows, KERN_R(-1));
     return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
 }
 

@@ -157,7 +157,7 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
 {
     glp_prob *p = kern_glpk_make(lp);
     kern_status status = KERN_UNDECIDED;
-    int i, sign = -1, code = kern_glpk_run(p, lp, work);
+    int i, code = kern_glpk_run(p, lp, work);
     double size = 0.0;
     for (i = 0; i < lp->rows; i++)
         size = size > (double)kern_abs(lp->rhs[i])
@@ -175,12 +175,11 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
         code = kern_glpk_run(p, lp, work);
         status = code == GLP_OPT ? KERN_LP_OPTIMAL
                  : code == GLP_UNBND ? KERN_LP_UNBOUNDED : KERN_UNDECIDED;
-        sign = 1;
     }
     for (i = 0; i < lp->cols; i++)
         x[i] = (kern_real)glp_get_col_prim(p, i + 1);
     for (i = 0; i < lp->rows; i++)
-        y[i] = (kern_real)(sign * glp_get_row_dual(p, i + 1));
+        y[i] = (kern_real)-glp_get_row_dual(p, i + 1);
     if (status == KERN_LP_UNBOUNDED && !kern_glpk_ray(p, lp, x))
         status = KERN_UNDECIDED;
     work->pivots += glp_get_it_cnt(p);

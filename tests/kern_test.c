@@ -4440,14 +4440,14 @@ static void engine_basis(void)
     }
 }
 
-/* The place of a program: x = rhs + s rate stays above 0 up to s = 4 / 1.5, and
+/* The place of a program: x = rhs - s rate stays above 0 up to s = 4 / 1.5, and
    without the second row for ever; held beyond that it is infeasible. */
 static void engine_place(void)
 {
     static const kern_real a[4] = {1, 0, 0, 1};
     static kern_real real[400];
     static int index[400];
-    kern_real rhs[2] = {1, 4}, rate[2] = {R(0.5), R(-1.5)};
+    kern_real rhs[2] = {1, 4}, rate[2] = {R(-0.5), R(1.5)};
     kern_real x[3], y[2];
     kern_work work = kern_work_of(real, 400, index, 400);
     kern_simplex sx;
