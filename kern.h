@@ -3839,24 +3839,22 @@ static void kern_skyline_factor(kern_skyline *a)
             kern_skyline_common(c, row + 3 * (from - a->first[g]), wide,
                               other + 3 * (from - a->first[h]), wide_h,
                               3 * (h - from));
-            for (r = 0; h < g && r < 3; r++, c += wide) {
-                c[0] /= l[0];
-                c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
-                c[2] = (c[2] - c[0] * l[2 * wide_h]
-                        - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
+            for (r = 0; r < 3; r++, c += wide) {
+                if (h < g || r > 0)
+                    c[0] /= l[0];
+                if (h < g || r > 1)
+                    c[1] = (c[1] - c[0] * l[wide_h]) / l[wide_h + 1];
+                if (h < g) {
+                    c[2] = (c[2] - c[0] * l[2 * wide_h]
+                            - c[1] * l[2 * wide_h + 1]) / l[2 * wide_h + 2];
+                    continue;
+                }
+                for (k = 0; k < r; k++)
+                    c[r] -= c[k] * c[k];
+                c[r] = KERN_SQRT(kern_max(c[r], KERN_EPS
+                                                * (KERN_EPS + was[r])));
             }
         }
-        for (r = 0; r < 3; r++)
-            for (k = 0; k <= r; k++) {
-                kern_real *e = d + r * wide + k;
-                for (h = 0; h < k; h++)
-                    *e -= d[r * wide + h] * d[k * wide + h];
-                if (k < r)
-                    *e /= d[k * wide + k];
-                else
-                    *e = KERN_SQRT(kern_max(*e, KERN_EPS * (KERN_EPS
-                                                            + was[r])));
-            }
     }
     KERN_AUDIT(factor, a);
 }
@@ -4418,8 +4416,7 @@ static int kern_pass_mark(kern_model *m, int g, int mark)
 }
 
 /* Adds the clusters that rest on that of `last`, which cannot be balanced, and
-   leaves it open. Returns 0 if there are none, or it is too large now; one with
-   a group below `last` waits for the turn of that. */
+   leaves it open. Returns 0 if there are none, or it is too large now. */
 static int kern_pass_grow(kern_model *m, int last)
 {
     const kern_clusters *c = &m->cluster;
@@ -4436,8 +4433,7 @@ static int kern_pass_grow(kern_model *m, int last)
         g = after;
     } while (g != last);
     kern_pass_mark_open(m, last);
-    return grown && (c->last[last] > last
-                     || kern_pass_mark(m, last, KERN_OUT) <= c->most);
+    return grown && kern_pass_mark(m, last, KERN_OUT) <= c->most;
 }
 
 /* Writes the minimum-norm forces of a part. Groups that rest on it and carry it
@@ -4777,8 +4773,7 @@ static int kern_ipm_step(kern_ipm *in)
         for (i = 0; i < rays; i++)
             left += (p->x[i] + of_x * in->dx[i])
                     * (in->z[i] + of_z * in->dz[i]);
-        left = in->s < 0 ? kern_max(left / in->gap, 1 - of_x)
-                         : KERN_R(1); /* nothing is left to maximise */
+        left = kern_max(left / in->gap, 1 - of_x);
         mu = in->gap * left * left * left / KERN_R(rays);
     }
     of_x *= KERN_IPM_SHARE;
@@ -5336,8 +5331,6 @@ static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
                       : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
-    if (status == KERN_UNDECIDED)
-        p->ahead = path->critical; /* no farther than is shown */
     return status;
 }
 
@@ -5358,7 +5351,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 /* The verdict at the critical value, which leaves the bracket as it is. Where
    another mechanism falls, its value is the path's; else the value is exact. */
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
-                                    kern_real under)
+                                    kern_real aside)
 {
     const kern_real at = path->critical;
     const kern_status status = kern_path_ask(m, path, at);
@@ -5367,7 +5360,7 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     if (path->critical >= at - KERN_NOISE * path->unit)
         path->exact = path->critical;
     if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK) {
-        const kern_real s = kern_max(at - under, path->start);
+        const kern_real s = kern_max(at - aside, path->start);
         const kern_query q = kern_path_at(path, s); /* with larger kerns */
         kern_force_transfer(m, path->critical, s);
         if (kern_answer_holds(m, &q)) {
@@ -5379,21 +5372,20 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
 }
 
 /* The next place: where the basis may stop to fall; `aside` beyond the critical
-   value, to fall; `under` before it, to stand; at it, to be verified; where
-   none is inside, at a part of the bracket. Infinity: it is narrow, or of a
-   part. */
+   value, to fall; so far before it, to stand; at it, to be verified; where none
+   is inside, at a part of the bracket. Infinity: it is narrow, or of a part. */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
-                                            kern_real aside, kern_real under)
+                                            kern_real aside)
 {
     const kern_real lo = path->holds, hi = path->fails, crit = path->critical;
     kern_real next = path->part->ahead;
     if (!path->alone && path->proven.low < lo
-        && kern_min(crit, hi) < lo + 2 * under)
+        && kern_min(crit, hi) < lo + 2 * aside)
         return lo; /* not proven yet */
-    if (hi - lo <= under / 8 || aside + under > kern_width(path) * KERN_WIDEST)
+    if (hi - lo <= aside / 8 || 2 * aside > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / under);
+        return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / aside);
     if (!(next > lo && hi - next > aside * KERN_R(1.15)))
         next = crit;
     if (hi - next > aside * KERN_R(1.15))
@@ -5403,32 +5395,32 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (!path->ipm && crit > lo
         && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
-    return crit - lo > under * KERN_R(1.05)
-           ? kern_max(crit - under, path->start) : KERN_INFINITY;
+    return crit - lo > aside * KERN_R(1.05)
+           ? kern_max(crit - aside, path->start) : KERN_INFINITY;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
    verdict changes. Each verdict may find a mechanism with a smaller value. The
    interior point knows the value no better than its bracket. In a jam no proof
-   comes near it: then the distances double. KERN_FALLS where the structure
+   comes near it: then the distance doubles. KERN_FALLS where the structure
    falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    kern_real aside = kern_aside(path), under = aside;
+    kern_real aside = kern_aside(path);
     int round;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
-        const kern_real at = kern_path_next(path, aside, under);
+        const kern_real at = kern_path_next(path, aside);
         const int verify = at > lo && at >= crit && at <= crit;
         kern_status status;
         if (!(at < KERN_INFINITY))
             break;
-        status = verify ? kern_path_verify(m, path, under)
+        status = verify ? kern_path_verify(m, path, aside)
                         : kern_path_evaluate(m, path, at);
         if (status < KERN_UNDECIDED || (at <= lo && status != KERN_STANDS))
             return status;
         if (status == KERN_UNDECIDED)
-            *(crit > lo && at > crit ? &aside : &under) *= 2;
+            aside *= 2;
     }
     if (path->fails - path->holds > kern_width(path) * KERN_WIDEST
         && !path->alone)
@@ -5613,8 +5605,8 @@ static int kern_body_line(kern_model *m, int g)
 }
 
 /* Where body g tips on the line that begins with end *e, and *e about which of
-   its ends; infinity: it is not pressed on it, or slides, or stands until the
-   kern is closed. b: the load. */
+   its ends; infinity: it is not pressed on it, or stands until the kern is
+   closed. b: the load. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real aside)
 {
@@ -5629,8 +5621,7 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
     const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
     const kern_real rate = travel / most * KERN_R(*e & 1 ? 1 : -1) * m->unit[g];
     kern_real place, crit, other;
-    if (!(normal > 0)
-        || kern_abs(along) > kern_friction(c, m->reduction) * normal)
+    if (!(normal > 0))
         return KERN_INFINITY;
     place = (b[2] - along * row.turn) / normal; /* of the load, as an arm */
     crit = (place - row.n[2]) / rate;
@@ -5744,23 +5735,17 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
     return kern_path_climb(m, path, first, step, KERN_R(0));
 }
 
-/* Begins a program of all groups with the known forces. Three columns of a line
-   do for four: opposite pushes along it at its two ends add up to nothing. */
+/* Begins a program of all groups with the known forces. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
     const kern_real least = KERN_NOISE * m->weight;
     int k;
     kern_copy(m->answer.force, m->answer.known->force, 2 * p->contacts);
     for (k = p->contacts - 1; k >= 0; k--) {
-        kern_real *x = p->x + 2 * k, way[2], by = kern_model_prior(m, k, way);
-        const kern_real along = by * way[1];
+        kern_real *x = p->x + 2 * k, way[2];
+        const kern_real along = kern_model_prior(m, k, way) * way[1];
         x[0] = way[0] + along;
         x[1] = way[0] - along;
-        if (kern_line_begins(m->s->contact, p->contacts, k)
-            && kern_min(x[0], x[3]) > least) {
-            by = kern_min(x[1], x[2]);
-            x[0] += by; x[1] -= by; x[2] -= by; x[3] += by;
-        }
     }
     kern_simplex_start(&p->eq.simplex, p->x, least);
 }
@@ -5770,7 +5755,6 @@ static void kern_known_start(kern_model *m, kern_part *p)
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
-    const kern_real fails = path->fails, crit = path->critical;
     const kern_query q = kern_path_at(path, path->holds);
     kern_ipm in;
     kern_status status;
@@ -5781,8 +5765,6 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
         path->ipm = NULL;
         if (status != KERN_UNDECIDED)
             return status;
-        path->fails = fails;
-        path->critical = crit; /* that of the interior point may not be exact */
     }
     status = m->whole ? KERN_OK : kern_model_whole(m, path->part, &q);
     if (status == KERN_OK && m->answer.known)
@@ -5856,11 +5838,10 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
             kern_start_falls(m, path);
         return kern_max(path->start, warm->holds);
     }
-    path->part->found = KERN_UNDECIDED;
     if (m->answer.known && kern_known_part(m, path, most))
         return kern_max(path->start, path->critical - kern_aside(path));
     path->fails = KERN_INFINITY;
-    return path->part->found == KERN_STANDS ? most : at; /* it holds so far */
+    return at;
 }
 
 /* The critical value of a path on which the verdict changes but once: the pass
