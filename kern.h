@@ -1351,31 +1351,16 @@ extern "C" {
 
 /* ---- raised ---- */
 
-/* How much stiffer contacts are along t than along n: what sticks then slides
-   by 1/KERN_STIFF of its approach at the most. */
-#define KERN_STIFF         KERN_PICK(550, 10)
-#define KERN_SLID          KERN_R(100) /* farthest slide, in approaches       */
-#define KERN_RAISE_ROUNDS  24      /* prices of contacts: from nothing        */
-#define KERN_RAISE_WARM    10      /* from those of a smaller push            */
-#define KERN_RAISE_STEPS   6       /* of Newton's method, for each            */
-/* Rounds, beside as many as before, in which squared changes of prices fall by
-   no fifth: along a load; in a step over a gap, twice as many in one from rest,
-   anew. */
-#define KERN_RAISE_STILL   ((int)KERN_PICK(5, 13))
-#define KERN_RAISE_JUMP    ((int)KERN_PICK(18, 25))
-/* Steps of a load up to the load factor; once one has failed; over a gap below
-   a share of the load factor. Share of its fall that a price makes a round. */
-#define KERN_LOAD_STEPS    9
-#define KERN_LOAD_FINE     150
-#define KERN_LOAD_JUMP     40
-#define KERN_LOAD_NEAR     KERN_R(0.94)
-#define KERN_LOAD_FALL     KERN_R(0.3)
+/* Rounds of prices from nothing; from those of a smaller push or load a third,
+   near a block a half. More show more that moves, fewer less that stays. */
+#define KERN_RAISE_ROUNDS  21
+/* Steps of a load up to the load factor, before any is halved, to a 64th. */
+#define KERN_LOAD_STEPS    8
 /* kern_stays(): from block to block, how many contacts away from the stone what
-   is not held may be: with 3 and 5 it tells less. No proof is asked for: the
-   contacts are less stiff along t, and more is left of the least load. */
+   is not held may be: with 3 and 5 it tells less. No proof is asked for,
+   so that contacts may be less stiff along t. */
 #define KERN_STAYS_NEAR    4
 #define KERN_STAYS_STIFF   KERN_R(4)
-#define KERN_STAYS_TOL     KERN_R(3e-4)
 /* Its law, fitted to placements: the largest reserve that it asks for, since
    more says no more; what is added to it; and its scale. */
 #define KERN_STAYS_MOST    KERN_R(0.01)
@@ -5900,18 +5885,21 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
    approaches, forces and displacement are a proof, for other stiffnesses.
    Prices are extrapolated (Anderson's method with one difference): where no
    contact opens or begins to slide, the map from prices to prices is linear.
-   Along a load it takes two differences, and prices fall slowly: else those of
-   joints that lean on each other alternate. */
+   Along a load they fall slowly: else those of joints that lean on each other
+   alternate. */
 
-static kern_real kern_prove_raised(const kern_structure *s,
-                                   const kern_query *q,
+static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
                                    const kern_motion *motion, kern_real *sum)
 {
     kern_real error = kern_prove_forces(s, q, force, sum);
-    int i, end;
+    kern_real least = KERN_INFINITY;
+    kern_wrench w;
+    int i;
     for (i = 0; i < s->blocks; i++)
-        if (s->block[i].fixed && !(kern_speed(motion + i) <= 0))
+        if (!s->block[i].fixed)
+            least = kern_min(least, kern_wrench_on(s, q, i, &w));
+        else if (!(kern_speed(motion + i) <= 0))
             return KERN_INFINITY;
     for (i = 0; i < s->contacts && error <= 1; i++) {
         const kern_contact *c = s->contact + i;
@@ -5920,13 +5908,6 @@ static kern_real kern_prove_raised(const kern_structure *s,
         const kern_real mu = kern_friction(c, kern_reduction(q));
         const kern_real press = -kern_vec_dot(c->n, u);
         const kern_real slide = kern_vec_cross(c->n, u);
-        kern_real least = KERN_INFINITY;
-        for (end = 0; end < 2 && f > 0; end++) {
-            const int b = end ? c->b : c->a;
-            kern_wrench w;
-            if (!s->block[b].fixed)
-                least = kern_min(least, kern_wrench_on(s, q, b, &w));
-        }
         if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
             continue;
         if (!(press > KERN_ROUNDING * kern_speeds(c, motion)))
@@ -5938,61 +5919,44 @@ static kern_real kern_prove_raised(const kern_structure *s,
 }
 
 /* Takes those blocks out of the set (value >= 0) that are fixed or loaded, or
-   that a block outside presses against gravity. Returns how many. */
-static int kern_hang_pass(const kern_structure *s, kern_real *value)
+   that a block outside presses against gravity. Returns how many are left. */
+static int kern_hang(const kern_structure *s, kern_real *value)
 {
     const kern_real pull = kern_vec_length(s->gravity);
-    int k, out = 0;
-    for (k = 0; k < s->blocks; k++)
-        if (value[k] >= 0 && (s->block[k].fixed || !(pull > 0)
-                              || kern_wrench_sum(&s->block[k].load) > 0)) {
+    int k, left = 0, held = 1;
+    for (k = 0; k < s->blocks; k++) {
+        if (s->block[k].fixed || !(pull > 0)
+            || kern_wrench_sum(&s->block[k].load) > 0)
             value[k] = KERN_R(-1);
-            out++;
-        }
-    for (k = 0; k < s->contacts; k++) {
-        const kern_contact *c = s->contact + k;
-        const kern_real up = -kern_vec_dot(c->n, s->gravity);
-        const int held = up > 0 ? c->b : c->a, by = up > 0 ? c->a : c->b;
-        if (kern_abs(up) > KERN_R(1e-9) * pull && value[held] >= 0
-            && !(value[by] >= 0)) {
-            value[held] = KERN_R(-1);
-            out++;
-        }
+        left += value[k] >= 0;
     }
-    return out;
+    while (held)
+        for (k = held = 0; k < s->contacts; k++) {
+            const kern_contact *c = s->contact + k;
+            const kern_real up = -kern_vec_dot(c->n, s->gravity);
+            const int on = up > 0 ? c->a : c->b, b = up > 0 ? c->b : c->a;
+            if (kern_abs(up) > KERN_R(1e-9) * pull && value[b] >= 0
+                && !(value[on] >= 0)) {
+                value[b] = KERN_R(-1);
+                held++;
+                left--;
+            }
+        }
+    return left;
 }
 
 typedef struct kern_raise {
     kern_part *p;             /* all groups, or those near a block            */
     kern_real tolerance;      /* of a group's equilibrium                     */
-    kern_real *last;          /* of each contact: what its last price led to,
-                                 and the difference of the two; how both differ
-                                 from those before                            */
+    kern_real *last;          /* two a contact: what its last price led to, and
+                                 the difference of the two                    */
     int size;                 /* numbers of u and prices, one after the other */
     kern_real *begin, *best;  /* both: without a push, with the largest so far;
                                  the last two along a load                    */
-    int along;                /* a load: rounds without a gain, or 0; what
-                                 parts is kept apart                          */
+    int along;                /* nonzero: a load; what parts is kept apart    */
     int around;               /* the block asked about, or KERN_OUT           */
     const kern_proof *proof;  /* that each step along a load writes, or NULL  */
 } kern_raise;
-
-/* Sets the stiffness of contacts: as long as they are in mean sizes, and a
-   tenth; along a load the cube of that and a twentieth, by which the long ones
-   carry most before anything slides. Of laws that were tried it comes nearest
-   to a simulator. */
-static void kern_raise_stiffen(const kern_raise *r, int along)
-{
-    const kern_part *p = r->p;
-    int k;
-    for (k = 0; k < p->contacts; k++) {
-        const kern_contact *c = p->m->s->contact + p->contact[k];
-        const kern_real size = c->line ? kern_abs(c->travel) / p->m->mean
-                                       : KERN_R(0);
-        p->dual.price[p->contacts + k] =
-            along ? KERN_R(0.05) + size * size * size : KERN_R(0.1) + size;
-    }
-}
 
 /* Marks all but the n groups near block i, and the ground, as place n. */
 static void kern_raise_near(kern_model *m, int i)
@@ -6013,41 +5977,48 @@ static void kern_raise_near(kern_model *m, int i)
         local[g] = local[g] > 0 ? KERN_OUT : n;
 }
 
-/* Opens the groups as one part, with prices. 0 if there is no room. */
+/* Opens the groups as one part, without prices. Contacts are stiffer the longer
+   they are in mean sizes, and by a tenth: of the laws that were tried it comes
+   nearest to a simulator. 0 if there is no room. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
+    int k;
+    r->along = 0;
     if (r->around >= 0)
         kern_raise_near(m, r->around);
     if (!kern_norm_open(p, m))
         return 0;
     p->y = p->dual.step;
-    p->dual.stiff = r->around < 0 ? KERN_STIFF : KERN_STAYS_STIFF;
+    p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
+                                  : KERN_STAYS_STIFF;
     r->size = 3 * p->groups + 3 + p->contacts;
-    p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 5 * p->contacts);
+    p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 3 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
     p->dual.price = p->dual.u + r->size - p->contacts;
     r->last = p->dual.price + 2 * p->contacts;
-    r->begin = r->last + 4 * p->contacts;
+    r->begin = r->last + 2 * p->contacts;
     r->best = r->begin + r->size;
     kern_zero(p->dual.price, p->contacts);
-    kern_raise_stiffen(r, 0);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_contact *c = m->s->contact + p->contact[k];
+        p->dual.price[p->contacts + k] = KERN_R(0.1)
+            + (c->line ? kern_abs(c->travel) / m->mean : KERN_R(0));
+    }
     return 1;
 }
 
 /* Writes the forces, and what prices lead to. Returns whether every loaded
-   contact approaches, and none slides so far as only a stone that falls into a
-   jam. Along a load a contact that parts keeps its price where forces were
-   found, and where that is too low to open it, the price grows by twice what is
-   missing: else a joint that slides and no longer presses loses its force as
-   slowly as prices settle. */
+   contact approaches. Along a load prices fall by half, and a contact that
+   parts keeps its price where forces were found; where that is too low to open
+   it, the price grows by twice what is missing: else a joint that slides and no
+   longer presses loses its force as slowly as prices settle. */
 static int kern_raise_price(kern_raise *r, int found)
 {
     kern_part *p = r->p;
     kern_model *m = p->m;
-    kern_real slid = KERN_R(0), most = KERN_R(0);
-    int k, pressed = r->along || found;
+    int k, pressed = found;
     kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
         const int i = p->contact[k];
@@ -6055,70 +6026,41 @@ static int kern_raise_price(kern_raise *r, int found)
         kern_real *to = p->dual.turn + 2 * (size_t)k;
         const kern_real mu = kern_model_mu(m, i), price = p->dual.price[k];
         const kern_real approach = w[0] + price;
-        const kern_real slip = kern_abs(w[1]) - kern_max(approach, KERN_R(0))
-                                                / p->dual.stiff;
-        if (m->answer.force[i].normal > r->tolerance * m->weight) {
+        if (m->answer.force[i].normal > r->tolerance * m->weight)
             pressed &= approach > 0;
-            slid = kern_max(slid, slip);
-            most = kern_max(most, approach);
-        }
-        to[0] = mu * kern_max(slip, 0);
+        to[0] = mu * kern_max(kern_abs(w[1]) - kern_max(approach, 0)
+                                               / p->dual.stiff, 0);
         if (r->along && found && !(approach > 0))
             to[0] = kern_max(to[0], price)
                  + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
         if (r->along && to[0] < price)
-            to[0] = price + KERN_LOAD_FALL * (to[0] - price);
+            to[0] = (to[0] + price) / 2;
         to[1] = to[0] - price;
     }
-    return pressed && slid <= KERN_SLID * most;
+    return pressed;
 }
 
-/* Makes new prices, by Anderson's method: how much of the last two differences
-   is taken back makes the next change least if the map is linear; more, and it
-   cycles. Returns the sum of squares of this change. */
-static kern_real kern_raise_extrapolate(kern_raise *r, int round)
+/* Makes new prices, by Anderson's method: how much of the last difference is
+   taken back makes the next change least if the map is linear; more, and it
+   cycles. */
+static void kern_raise_extrapolate(kern_raise *r, int round)
 {
-    kern_part *p = r->p;
-    kern_real up[2] = {0, 0}, down[2] = {0, 0}, back[2] = {0, 0};
-    kern_real both = KERN_R(0), all = KERN_R(0), area;
+    const kern_part *p = r->p;
     const kern_real *to = p->dual.turn;
-    kern_real *last = r->last;
+    kern_real up = KERN_R(0), down = KERN_R(0), back;
     int k;
-    for (k = 0; k < p->contacts; k++, to += 2, last += 4) {
-        kern_real change;
-        if (round == 0) {
-            last[0] = to[0];
-            last[1] = to[1];
-            last[2] = last[3] = KERN_R(0);
-        }
-        change = to[1] - last[1];
-        all += to[1] * to[1];
-        up[0] += to[1] * change;
-        up[1] += to[1] * last[3];
-        down[0] += change * change;
-        down[1] += last[3] * last[3];
-        both += change * last[3];
+    if (round == 0)
+        kern_copy(r->last, to, 2 * p->contacts);
+    for (k = 1; k < 2 * p->contacts; k += 2) {
+        const kern_real change = to[k] - r->last[k];
+        up += to[k] * change;
+        down += change * change;
     }
-    area = down[0] * down[1] - both * both;
-    if (r->along && area > KERN_R(1e-4) * down[0] * down[1]) {
-        back[0] = (up[0] * down[1] - both * up[1]) / area;
-        back[1] = (up[1] * down[0] - both * up[0]) / area;
-    } else if (down[0] > 0)
-        back[0] = up[0] / down[0];
-    area = kern_max(1, kern_max(kern_abs(back[0]), kern_abs(back[1])));
-    back[0] /= area;
-    back[1] /= area;
-    while (k-- > 0) {
-        to -= 2;
-        last -= 4;
-        p->dual.price[k] = kern_max(to[0] - back[0] * (to[0] - last[0])
-                                    - back[1] * last[2], 0);
-        last[2] = to[0] - last[0];
-        last[3] = to[1] - last[1];
-        last[0] = to[0];
-        last[1] = to[1];
-    }
-    return all;
+    back = down > 0 ? kern_max(-1, kern_min(up / down, 1)) : KERN_R(0);
+    for (k = 0; k < p->contacts; k++)
+        p->dual.price[k] = kern_max(
+            to[2 * k] - back * (to[2 * k] - r->last[2 * k]), 0);
+    kern_copy(r->last, to, 2 * p->contacts);
 }
 
 /* Whether forces and u prove it; near a block, where none asks, always. */
@@ -6138,90 +6080,67 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     return 1;
 }
 
-/* Looks for a proof, from nothing or from u and prices as they are; along a
-   load until prices do not gain in `along` rounds, which is 0 else. */
-static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
-                             int along)
+/* Looks for a proof, from nothing or from u and prices as they are. Near a
+   block in half the rounds: slow prices are a sign that it moves. */
+static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold)
 {
     kern_part *p = r->p;
-    kern_real least = KERN_INFINITY;
-    int rounds = along ? KERN_ROUNDS : cold ? KERN_RAISE_ROUNDS
-                                            : KERN_RAISE_WARM;
-    int round, gained = 0;
-    r->along = along;
+    const int rounds = KERN_RAISE_ROUNDS / (cold ? 1 : 3);
+    int round;
     r->tolerance = kern_part_load(p, q, p->dual.b);
-    if (r->around >= 0) {
-        r->tolerance *= KERN_STAYS_TOL / KERN_NOISE;
-        rounds = 3 + 7 * cold; /* ten from nothing */
-    }
     if (!kern_model_ask(p->m, r->around < 0 ? 4 : 1))
         return 0;
-    for (round = 0; round < rounds; round++) {
-        const int first = cold && round == 0;
-        const kern_status found = kern_norm_find(p, r->tolerance,
-            4 * KERN_NORM_MOST, !first, KERN_RAISE_STEPS + (first ? 10 : 1));
-        kern_real all;
-        int presses;
+    for (round = 0; round < (r->around < 0 ? rounds : rounds / 2); round++) {
+        const kern_status found = kern_norm_find(
+            p, r->tolerance, 4 * KERN_NORM_MOST, !cold || round > 0,
+            KERN_FEW_ROUNDS + 2);
+        int pressed;
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
-        presses = kern_raise_price(r, found == KERN_STANDS);
-        all = kern_raise_extrapolate(r, round);
-        if (presses && kern_raise_proves(r, q))
+        pressed = kern_raise_price(r, found == KERN_STANDS);
+        kern_raise_extrapolate(r, round);
+        if (pressed && kern_raise_proves(r, q))
             return 1;
-        if (all < KERN_R(0.8) * least) {
-            least = all;
-            gained = round;
-        }
-        if (along && round >= 2 * gained + along)
-            return 0;
     }
     return 0;
 }
 
-/* Whether it stays raised where it is pushed to the side of q by a share of
-   gravity, and its kerns shrink by the same share of the mean size: the worst
-   that errors of places, and of angles over that size, do; where kerns are not
-   nested without the second too. Keeps u and prices that show it. */
-static int kern_raise_bears(kern_raise *r, kern_query *q, kern_real shrink,
-                            kern_real share)
-{
-    kern_model *m = r->p->m;
-    kern_real range[2];
-    int k;
-    q->factor = share;
-    kern_copy(r->p->dual.u, r->best, r->size);
-    for (k = kern_is_nested(m->s, q, range); k < 2; k++) {
-        q->shrink = shrink + (kern_real)k * share
-                             * (q->relative ? KERN_R(1) : m->mean);
-        kern_model_arms(m, q);
-        if (!kern_raise_settle(r, q, 0, 0))
-            return 0;
-    }
-    kern_copy(r->best, r->p->dual.u, r->size);
-    return 1;
-}
-
-/* The largest of a sequence of shares that it bears to either side, up to
-   `enough` unless that is 0; each from the largest found before. */
+/* The largest of a sequence of shares of gravity, none above `most` unless that
+   is 0, that it bears to either side as kerns shrink by the same share of the
+   mean size, where they are not nested without that too: the worst that errors
+   of places, and of angles over that size, do. Each is looked for from the
+   largest that was found before. */
 static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
-                                    kern_real enough)
+                                    kern_real most)
 {
     static const short share[] = {0, 10, 20, 30, 40, 50, 55, 60, 70, 80, 100,
                                   150, 200, 300, 500, 1000}; /* of 10,000 */
+    kern_model *m = r->p->m;
+    kern_real range[2];
+    const int nested = kern_is_nested(m->s, asked, range);
     kern_query q = *asked;
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
-    while (enough > 0 && KERN_R(share[low]) / 10000 > enough)
+    while (most > 0 && KERN_R(share[low]) / 10000 > most)
         low--;
-    at = enough > 0 ? low : (low + 1) / 2;
     kern_copy(r->begin, r->p->dual.u, r->size);
-    for (q.side = 1; q.side >= -1; q.side -= 2, at = low) {
+    for (q.side = 1; q.side >= -1; q.side -= 2) {
         kern_copy(r->best, r->begin, r->size);
-        for (high = low + 1, low = 0; high - low > 1; at = (low + high) / 2)
-            if (kern_raise_bears(r, &q, asked->shrink,
-                                 KERN_R(share[at]) / 10000))
-                low = at;
-            else
-                high = at;
+        for (at = low, high = low + 1, low = 0; high - low > 1;
+             at = (low + high) / 2) {
+            int k, good = 1;
+            q.factor = KERN_R(share[at]) / 10000;
+            kern_copy(r->p->dual.u, r->best, r->size);
+            for (k = nested; k < 2 && good; k++) {
+                q.shrink = asked->shrink + (kern_real)k * q.factor
+                           * (q.relative ? KERN_R(1) : m->mean);
+                kern_model_arms(m, &q);
+                good = kern_raise_settle(r, &q, 0);
+            }
+            if (good)
+                kern_copy(r->best, r->p->dual.u, r->size);
+            low = good ? at : low;
+            high = good ? high : at;
+        }
     }
     return KERN_R(share[low]) / 10000;
 }
@@ -6237,7 +6156,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     kern_query q = c->path.q;
     kern_status status = KERN_STANDS;
     kern_real *value;
-    int i, left = m->s->blocks, gone = 1; /* the largest set that can hang */
+    int i, left;
     r->p = &c->part;
     *out = KERN_NOT_SHOWN;
     m->rest.reals -= m->s->blocks; /* at the end of the work memory */
@@ -6245,10 +6164,9 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     value = m->rest.real + m->rest.reals;
-    for (i = 0; i < left; i++)
+    for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
-    for (; gone > 0; left -= gone)
-        gone = kern_hang_pass(m->s, value);
+    left = kern_hang(m->s, value);
     if (left > 0 || r->around >= 0)
         status = kern_model_evaluate(m, r->p, &q);
     if (left > 0 && status == KERN_STANDS) {
@@ -6258,7 +6176,6 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         if (m->graph.groups == 0
             || kern_model_evaluate(m, r->p, &q) == KERN_STANDS)
             *out = KERN_HANGS;
-        q.fallen = c->path.q.fallen;
         for (i = 0; i < m->s->blocks; i++) {
             const kern_motion rests = {0, 0, 0}, falls = {way.x, way.y, 0};
             m->answer.motion[i] = value[i] >= 0 ? falls : rests;
@@ -6266,28 +6183,28 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     }
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    kern_model_group(m, &q);
-    kern_model_set(m, &q);
+    kern_model_group(m, &c->path.q);
+    kern_model_set(m, &c->path.q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
-   the last two in the same direction. The end of the path doubles where nothing
-   is known to end it before. Returns the last share that was proven, below 0 if
-   none. */
+   the last two in the same direction, and half as long once one fails. The end
+   of the path doubles where nothing is known to end it before. Returns the last
+   share that was proven, below 0 if none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
 {
-    static const int nth[] = {KERN_LOAD_STEPS, KERN_LOAD_FINE, KERN_LOAD_JUMP};
     kern_real end = most < KERN_FACTOR_MOST ? most : KERN_R(1);
     kern_real stood = *share = KERN_R(0), taken = KERN_R(1), *u = r->p->dual.u;
-    int i, pace = 0, good;
-    kern_raise_stiffen(r, 1);
-    if (!kern_raise_settle(r, q, 1, KERN_RAISE_JUMP))
+    kern_real step = end / KERN_LOAD_STEPS;
+    int i, good = 1;
+    r->along = 1;
+    if (!kern_raise_settle(r, q, 1))
         return KERN_R(-1);
     kern_copy(r->best, u, r->size);
-    for (good = 1; stood < end && pace < 3;) {
-        *share = kern_min(stood + end / (kern_real)nth[pace], end);
+    while (stood < end && step >= end / (64 * KERN_LOAD_STEPS)) {
+        *share = kern_min(stood + step, end);
         for (i = 0; i < r->size; i++) {
             if (good) {
                 r->begin[i] = r->best[i];
@@ -6298,63 +6215,58 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
             if (u + i >= r->p->dual.price)
                 u[i] = kern_max(u[i], 0);
         }
-        good = kern_raise_settle(r, q, 0, pace == 2 ? KERN_RAISE_JUMP
-                                                    : KERN_RAISE_STILL)
+        good = kern_raise_settle(r, q, 0)
             || (!(stood > 0) /* from rest nothing leads there */
-                && kern_raise_settle(r, q, 1, 2 * KERN_RAISE_JUMP));
+                && kern_raise_settle(r, q, 1));
         if (good) {
             taken = *share - stood;
             stood = *share;
-            pace = pace > 0;
         } else
-            pace += pace == 1 && !(stood < KERN_LOAD_NEAR * end) ? 2 : 1;
+            step /= 2;
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
-            pace = 0;
+            step = end / KERN_LOAD_STEPS;
         }
     }
     return stood;
 }
 
-/* Whether it is raised: at once, where the blocks' loads grow from 0, or from
-   the last of these that it is raised with, or with patience. */
+/* Whether it is raised: at once, or where the blocks' loads grow from 0. */
 static int kern_raise_shows(kern_raise *r, const kern_query *q)
 {
     kern_query grown = *q;
-    kern_real last = KERN_R(-1);
-    if (kern_raise_settle(r, q, 1, 0))
-        return 1;
-    if (kern_model_loaded(r->p->m))
-        last = kern_raise_climb(r, &grown, &grown.loads, KERN_R(1));
-    if (!(last >= 0 && last < 1))
-        return last >= 1;
-    kern_copy(r->p->dual.u, r->best, r->size);
-    kern_raise_stiffen(r, 0); /* prices settle sooner than along the load */
-    return kern_raise_settle(r, q, 0, KERN_ROUNDS)
-        || kern_raise_settle(r, q, 1, KERN_ROUNDS);
+    const int shown = kern_raise_settle(r, q, 1)
+        || (kern_model_loaded(r->p->m) && kern_raise_climb(
+                r, &grown, &grown.loads, KERN_R(1)) >= 1);
+    r->along = 0; /* prices settle sooner than along the load */
+    return shown;
 }
 
-/* Whether it is raised, in *out. And unless sag is NULL how far the block asked
-   about goes until its forces are raised, for a stiffness and a mean weight of
-   1; a turn by half of what it moves a point a size away. */
+/* How far the block asked about goes until its forces are raised, for a
+   stiffness and a mean weight of 1; a turn by half of what it moves a point a
+   size away. */
+static kern_real kern_raise_sag(const kern_raise *r)
+{
+    const kern_graph *graph = &r->p->m->graph;
+    const kern_real *u = r->p->dual.u
+                         + 3 * graph->local[graph->group[r->around]];
+    return (kern_real)graph->groups * (kern_abs(u[2]) / 2
+           + kern_vec_length(kern_vec_make(u[0], u[1])));
+}
+
+/* Whether it is raised, in *out; unless sag is NULL how far the block goes. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
-    const kern_query *q = &c->path.q;
     const kern_status status = kern_raise_begin(r, c, out);
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    if (kern_raise_shows(r, q))
+    if (kern_raise_shows(r, &c->path.q))
         *out = KERN_RAISED;
-    if (sag) {
-        const kern_graph *graph = &r->p->m->graph;
-        const kern_real *u = r->p->dual.u
-                             + 3 * graph->local[graph->group[r->around]];
-        *sag = (kern_real)graph->groups * (kern_abs(u[2]) / 2
-               + kern_vec_length(kern_vec_make(u[0], u[1])));
-    }
-    return *out == KERN_RAISED || sag ? status
-        : kern_model_evaluate(&c->m, &c->part, q);
+    if (sag)
+        *sag = kern_raise_sag(r);
+    return *out == KERN_RAISED || sag
+           ? status : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
 
 /* kern_raised(); with a sag of what is near block i, for kern_stays(). */
@@ -6461,18 +6373,18 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
         return KERN_INFINITY;
     s = &task->s;
     kern_take_open(&take, task->work);
-    sum = kern_take_reals(&take, 4 * s->blocks);
-    value = kern_take_reals(&take, s->blocks);
+    sum = kern_take_reals(&take, 5 * s->blocks);
     if (!kern_take_fits(&take) || raising == KERN_NOT_SHOWN)
         return KERN_INFINITY;
     if (raising == KERN_RAISED)
         return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
+    value = sum + 4 * s->blocks;
     for (i = 0; i < s->blocks; i++) { /* what moves must hang */
         const int falls = kern_speed(proof->motion + i) > 0;
         value[i] = falls ? KERN_R(1) : KERN_R(-1);
         n += falls;
     }
-    if (n == 0 || kern_hang_pass(s, value) != 0)
+    if (n == 0 || kern_hang(s, value) != n)
         return KERN_INFINITY;
     q.fallen = value;
     return kern_prove_forces(s, &q, proof->force, sum);

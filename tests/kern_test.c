@@ -4240,16 +4240,16 @@ static void engine_laws(void)
     s = kern_law_pressed(R(1), R(4), R(0.5)); /* one by 3 */
     CHECK_NEAR(s.force.normal, 3, 8 * EPS);
     CHECK_NEAR(s.force.tangential, 1.5, 8 * EPS);
-    s = kern_law_stiff(R(2), 0, R(0.5), R(3), KERN_STIFF);
+    s = kern_law_stiff(R(2), 0, R(0.5), R(3), 1 / KERN_STICKS);
     CHECK_NEAR(s.force.normal, 6, 16 * EPS);
-    s = kern_law_stiff(R(-2), R(1), R(0.5), R(3), KERN_STIFF); /* parts */
+    s = kern_law_stiff(R(-2), R(1), R(0.5), R(3), 1 / KERN_STICKS); /* parts */
     CHECK_NEAR(s.force.normal, 0, 0);
     for (i = 0; i < 2000; i++) {
         const double wn = uniform(-1, 1), mu = uniform(0.05, 1);
         const double wt = uniform(-1, 1) * (i % 2 ? 1 : 1e-3);
         engine_law(kern_law_pressed(R(wn), R(wt), R(mu)), wn, wt, mu);
         engine_law(kern_law_stiff(R(wn), R(wt), R(mu), R(2),
-                                  KERN_STIFF), wn, wt, mu);
+                                  1 / KERN_STICKS), wn, wt, mu);
     }
 }
 
