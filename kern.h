@@ -1351,11 +1351,12 @@ extern "C" {
 
 /* ---- raised ---- */
 
-/* Rounds of prices from nothing; from those of a smaller push or load a third,
-   near a block a half. More show more that moves, fewer less that stays. */
+/* Rounds of prices from nothing or along a load; from those of a smaller push a
+   third, near a block a half. More show more that moves, fewer what stays. */
 #define KERN_RAISE_ROUNDS  21
 /* Steps of a load up to the load factor, before any is halved, to a 64th. */
 #define KERN_LOAD_STEPS    8
+#define KERN_LOAD_FALL     KERN_R(0.3) /* share of a price's fall in a round */
 /* kern_stays(): from block to block, how many contacts away from the stone what
    is not held may be: with 3 and 5 it tells less. No proof is asked for,
    so that contacts may be less stiff along t. */
@@ -6010,7 +6011,7 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 }
 
 /* Writes the forces, and what prices lead to. Returns whether every loaded
-   contact approaches. Along a load prices fall by half, and a contact that
+   contact approaches. Along a load prices fall slowly, and a contact that
    parts keeps its price where forces were found; where that is too low to open
    it, the price grows by twice what is missing: else a joint that slides and no
    longer presses loses its force as slowly as prices settle. */
@@ -6034,7 +6035,7 @@ static int kern_raise_price(kern_raise *r, int found)
             to[0] = kern_max(to[0], price)
                  + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
         if (r->along && to[0] < price)
-            to[0] = (to[0] + price) / 2;
+            to[0] = price + KERN_LOAD_FALL * (to[0] - price);
         to[1] = to[0] - price;
     }
     return pressed;
@@ -6085,7 +6086,7 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold)
 {
     kern_part *p = r->p;
-    const int rounds = KERN_RAISE_ROUNDS / (cold ? 1 : 3);
+    const int rounds = KERN_RAISE_ROUNDS / (r->along || cold ? 1 : 3);
     int round;
     r->tolerance = kern_part_load(p, q, p->dual.b);
     if (!kern_model_ask(p->m, r->around < 0 ? 4 : 1))
