@@ -734,8 +734,8 @@ typedef struct kern_lp {
    squared or multiplied safely are refused, with the block in the fault: a mass
    or area out of the range of kern_block_init() (KERN_BAD_MASS, KERN_NO_AREA);
    as KERN_BAD_NUMBER an option, centre, place or travel above 1e60 m, an area
-   above 1e120 m^2, pattern or weight with load of a block above 1e100 N, or
-   the latter below 1e-100 N and not 0 (float: 1e10 m, 1e15 N, 1e-15 N). */
+   above 1e120 m^2, pattern or weight with load of a block above 1e60 N, or the
+   latter below 1e-60 N and not 0 (float: 1e10 in place of 1e60). */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -752,10 +752,10 @@ KERN_API kern_options kern_near(const kern_options *options,
    defaults): e is the standard error of a stone's place [m], theta of its angle
    [rad]; vertices within their stone are as exact as half of e. Sets
      gap      5.25 e, and 1e-3 of the size; at a place r from the centre of its
-              block 3.4 theta r is added for both blocks, as squares (>>tol)
-     angle    6.8 theta, at least 1 degree and below 0.5; a corner may stand 3 e
+              block 3.5 theta r is added for both blocks, as squares (>>tol)
+     angle    7 theta, at least 1 degree and below 0.5; a corner may stand 3 e
               beyond the end of an edge
-     overlap  8 e, and 3.4 theta r for r half the diagonal of both boxes;
+     overlap  8 e, and 3.5 theta r for r half the diagonal of both boxes;
               contacts lie at half the depth. Set it higher to accept more
    Verdicts are then those of the structure as it most likely rests. Every call
    returns KERN_BAD_OPTION for these options unless e > 0 and theta >= 0. */
@@ -781,7 +781,7 @@ KERN_API void kern_work_need(int blocks, int contacts,
    above 1e60, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
    [m^2]), KERN_CROSSING (also where the last vertex repeats the first, as in
    closed rings of other formats), KERN_BAD_MASS (density not above 0, or a mass
-   below 1e-100 or above 1e100 [kg]; float: 1e-15, 1e15). Time: O(n) for n
+   below 1e-60 or above 1e60 [kg]; float: 1e-10, 1e10). Time: O(n) for n
    vertices of a convex polygon, else a test of boxes for each two edges. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
@@ -1179,6 +1179,13 @@ extern "C" {
 #endif
 
 #define KERN_R(x) ((kern_real)(x))
+#ifdef KERN_SINGLE
+#define KERN_EPS FLT_EPSILON
+#define KERN_PICK(in_double, in_float) KERN_R(in_float)
+#else
+#define KERN_EPS DBL_EPSILON
+#define KERN_PICK(in_double, in_float) KERN_R(in_double)
+#endif
 
 #define KERN_OUT (-1)
 
@@ -1192,15 +1199,7 @@ extern "C" {
 /* ---- Constants -------------------------------------------------- >>tune */
 /* All of Parts III, IV and VI; those of the geometry are in >>tol. Lengths are
    in units of a block's size, forces in units of the weight of all, so where no
-   unit is given there is none. First double, then float. */
-
-#ifdef KERN_SINGLE
-#define KERN_EPS FLT_EPSILON
-#define KERN_PICK(in_double, in_float) ((kern_real)(in_float))
-#else
-#define KERN_EPS DBL_EPSILON
-#define KERN_PICK(in_double, in_float) ((kern_real)(in_double))
-#endif
+   unit is given there is none. KERN_PICK: in double, in float. */
 
 /* ---- what a proof allows ---- */
 
@@ -1211,28 +1210,36 @@ extern "C" {
    its power divided by it. A larger gap leaves the interior point no digits. */
 #define KERN_BOUND         KERN_PICK(1e6, 1e3)
 /* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
-   a variable below zero, as a share of the largest, a pivot or a gain; and the
-   difference of two critical values, in mean block sizes. Less, and the simplex
-   chases rounding, a search does not end. */
+   a variable below zero, as a share of the largest, a pivot or a gain, and what
+   >>ipm adds to a diagonal without pivots; and the difference of two critical
+   values, in mean block sizes. Less, and the simplex chases rounding, a search
+   does not end. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms; by how
    much a certificate is lifted off the columns that it touches, since the check
    of a motion adds as much; and what is added to the diagonal of the matrix of
-   >>norm, as a share of its mean: else a group without rays has no pivot. */
+   >>norm, as a share of its mean: without it a group that no ray presses has no
+   pivot. Twice as much, of the largest coordinate, and places are the same: no
+   gap is less, or cubes that were turned and moved would not touch; nor is a
+   normal farther off its length. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
 
 /* ---- what may be asked ---- */
 
-/* Largest mass [kg] and sum of all that acts on a block [N], largest coordinate
-   and option [m]. Inverse, they are the least mass, sum and size of a block;
-   1 / KERN_HEAVY^2 is the least power of a motion [W]. Of these the squares,
-   moments and products with KERN_BOUND are numbers, and keep all digits. */
-#define KERN_HEAVY         KERN_PICK(1e100, 1e15)
+/* Largest coordinate and option [m], mass [kg] and sum of all that acts on a
+   block [N]. Inverse, it is the least size, mass and sum of a block; its
+   inverse square is the least area [m^2] and power of a motion [W]. Of these
+   the squares, moments and products with KERN_BOUND are numbers, and keep all
+   digits. */
 #define KERN_FAR           KERN_PICK(1e60, 1e10)
-/* Share of the mean block size below which a travel is rounding. */
-#define KERN_TRAVEL        KERN_R(1e-9)
+/* Turn [rad] below which a vertex is no corner, and within which of a half turn
+   it is a spike: much larger, and round stones would lose their shape. And
+   share of the size by which a foot must lie inside its edge, so that rounding
+   makes no contacts between diagonal neighbours; of the shortest line, below
+   which a travel is none. */
+#define KERN_SLIGHT        KERN_R(1e-6)
 /* Share of the size: the default gap, the length of the shortest line, and how
    far off a corner ends a contact; of an area, by how much it may differ, by
    rounding at large coordinates, from what the block says. */
@@ -1241,22 +1248,23 @@ extern "C" {
    corner for a face, and the series of kern_sine() would lose digits. */
 #define KERN_ANGLE_MOST    KERN_R(0.5)
 /* Counts whose work memory, and products in it, are still an int. */
-#define KERN_BLOCKS_MOST   20000
-#define KERN_POINTS_MOST   1000000 /* contact points, vertices; levels      */
-#define KERN_COUNT_MOST    100000000
-#define KERN_WORK_MOST     2000000000 /* units of one call                    */
+#define KERN_BLOCKS_MOST   20000   /* blocks of a task; rows of a program     */
+#define KERN_POINTS_MOST   1000000 /* contact points, vertices, levels, blocks
+                                      of a search; columns                    */
+#define KERN_WORK_MOST     2000000000 /* units of a call; entries of a matrix */
+/* Entries of sparse columns that a unit of work adds up (of a dense factor 8/3
+   as many): 650 to 2,000 instructions, as >>verdicts says. */
+#define KERN_UNIT          64
 
 /* ---- measures ---- */
 
-/* Width of the bracket of a measure [mean block size; load factor; tangent of
-   a quarter of the angle]. Narrower, fewer verdicts near critical have a
-   proof; wider, the bracket is no longer within the 2e-6 that are promised. */
-#define KERN_WIDTH         KERN_PICK(1.4e-6, 2e-3)
+/* Width of the bracket of a measure, the critical value in its middle [mean
+   block size; load factor; tangent of a quarter of the angle]. Narrower, fewer
+   verdicts near critical have a proof; wider, the bracket is no longer within
+   the 2e-6 that are promised. */
+#define KERN_WIDTH         KERN_PICK(1.26e-6, 1.8e-3)
 /* How many times wider it may get near what has no proof; wider: undecided. */
 #define KERN_WIDEST        KERN_R(20)
-/* From the critical value to either end of its bracket, as a share of
-   KERN_WIDTH: at 0.5 rounding could make the bracket wider than that. */
-#define KERN_ASIDE         KERN_R(0.45)
 /* Groups up to which one linear program is solved: margins are then exact.
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL         64
@@ -1290,8 +1298,9 @@ extern "C" {
 /* ---- minimum-norm forces, top-down pass ---- */
 
 /* Residual of equilibrium that a method leaves, of a group as a share of its
-   load. A proof allows far more, and so residuals of many groups may add up.
-   Where a basis leaves more it is made anew. */
+   load. A proof allows far more, and so residuals of many groups may add up. At
+   1e-10 in double a light stone beside heavy ones stands that falls. Where a
+   basis leaves more it is made anew. */
 #define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
 /* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
    1e-11 in double a profile of rubble begins beyond the margin. */
@@ -1304,17 +1313,15 @@ extern "C" {
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
    steps: without the bound trying a stone costs 4 % more. */
-#define KERN_NORM_MOST     KERN_R(50)
+#define KERN_NORM_MOST     KERN_R(100)
 #define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
                                       are tried for the crash basis           */
-/* Groups of a cluster: a share of few groups, in a verdict, in a search, and in
-   one that knows forces; of many this, and one more for so many. At 5 verdicts
-   take 7 % more, at 4 measures 6 %, at 5 tries 6 %. */
-#define KERN_CLUSTER_ONCE  4
-#define KERN_CLUSTER_AGAIN 5
-#define KERN_CLUSTER_KNOWN 7
-#define KERN_CLUSTER_MOST  20
-#define KERN_CLUSTER_SHARE 32
+/* Groups of a cluster: a quarter of all in a verdict, a fifth in a search, a
+   seventh in one that knows forces; of more than KERN_SMALL that share of
+   these, and two more for each KERN_SMALL of all. With a fifth verdicts take
+   7 % more, with a quarter measures 6 %, and tries from known forces 6 % with a
+   fifth. */
+#define KERN_CLUSTER       4
 /* Units of work of a pass for each group and contact. With 30 measures of
    bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS    9
@@ -1325,29 +1332,30 @@ extern "C" {
    angle], by the corpus' odd half and by walls of 100 to 200 blocks. */
 #define KERN_CLIMB         KERN_R(0.1)
 #define KERN_CLIMB_PUSH    KERN_R(0.5)
-#define KERN_NEAR          KERN_R(4)   /* parts of a bracket, unpredicted     */
-#define KERN_AHEAD         KERN_R(0.4) /* Newton's step in Halley's, at least */
+#define KERN_NEAR          KERN_R(4)   /* parts of a bracket, unpredicted; of
+                                          Newton's steps Halley's, at most    */
 #define KERN_CLIMB_GROWS   KERN_R(1.5) /* a step, in the one before           */
 
 /* ---- interior point ---- */
 
-/* What is added to a diagonal without pivots, as a share of its mean. */
-#define KERN_IPM_SHIFT     KERN_PICK(1e-13, 1e-6)
-#define KERN_IPM_SHARE     KERN_R(0.9995) /* of the way to x, z = 0 in a step */
+/* A little: what a step leaves of the way to x, z = 0, at least; what x and z
+   are lifted by to begin, in their largest, and may shrink to where forces are
+   balanced; least gap, and s below 0, with which a query begins where another
+   ended. At 3e-3 tilts take 5 % more. */
+#define KERN_IPM_LITTLE    KERN_R(1e-3)
 #define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means: without it,
                                              float decides fewer verdicts     */
-/* Least gap, and s below 0, with which a query begins where another ended. */
-#define KERN_IPM_AGAIN     KERN_R(3e-3)
 /* What its gap shrinks to in a step at least, in the mean, or it begins anew:
    without that some walls take three times the work. */
 #define KERN_IPM_PACE      KERN_R(0.95)
 
 /* ---- simplex method ---- */
 
-/* Least pivot of a column in its own group, where its entries are about 1. Less
-   makes the inverse grow from course to course, more fills it. */
-#define KERN_OWN_TOL       KERN_R(0.03)
 #define KERN_CRASH_PULL    KERN_R(2) /* loads that a crash column may pull    */
+/* Least pivot of a column in its own group, where its entries are about 1. Less
+   makes the inverse grow from course to course, more fills it: at 0.01 a call
+   may take more than 2,000 instructions for a unit of its limit. */
+#define KERN_OWN_TOL       KERN_R(0.03)
 
 /* ---- raised ---- */
 
@@ -1561,9 +1569,9 @@ static inline kern_real kern_friction(const kern_contact *c, kern_real by)
 static inline int kern_is_gone(const kern_query *q, int a, int b)
 { return q->fallen && (q->fallen[a] >= 0 || q->fallen[b] >= 0); }
 
-/* A travel too short to be one counts as none. */
+/* A travel too short to be one counts as none: slight beside the least line. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
-{ return kern_abs(c->travel) < KERN_TRAVEL * mean ? KERN_R(0) : c->travel; }
+{ return kern_abs(c->travel) < KERN_SLIGHT * KERN_GAP * mean ? 0 : c->travel; }
 
 /* Length of its line, or about that of its points; 0: it is a lone point. */
 static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
@@ -1725,7 +1733,7 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
 { return KERN_WIDTH * path->unit; }
 
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
-{ return KERN_ASIDE * kern_width(path); }
+{ return kern_width(path) / 2; }
 
 /* Whether kerns are nested, as those of lines are: what a smaller one can carry
    a larger one can. Points that move toward each other along different tangents
@@ -1925,10 +1933,10 @@ static kern_status kern_block_check(const kern_block *b, kern_vec gravity,
         return KERN_OK;
     if (!(size >= 1 / KERN_FAR))
         return KERN_NO_AREA;
-    if (!(b->mass >= 1 / KERN_HEAVY) || b->mass > KERN_HEAVY)
+    if (!(b->mass >= 1 / KERN_FAR) || b->mass > KERN_FAR)
         return kern_is_finite(b->mass) ? KERN_BAD_MASS : KERN_BAD_NUMBER;
     *loaded |= acts > 0;
-    return acts <= KERN_HEAVY && (acts >= 1 / KERN_HEAVY || !(acts > 0))
+    return acts <= KERN_FAR && (acts >= 1 / KERN_FAR || !(acts > 0))
            ? KERN_OK : KERN_BAD_NUMBER;
 }
 
@@ -1952,7 +1960,7 @@ static kern_status kern_structure_check(const kern_structure *s,
         const kern_contact *c = s->contact + i;
         status = kern_contact_check(c, s->blocks);
         if (status == KERN_OK && kern_abs(kern_vec_dot(c->n, c->n) - 1)
-                                 > KERN_R(64) * KERN_EPS)
+                                 > 2 * KERN_ROUNDING)
             status = KERN_BAD_NORMAL;
         if (status != KERN_OK) {
             fault->index = i;
@@ -2122,7 +2130,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
     lost.y += 5 * kern_abs(v.y);
     gap = nx * lost.x + ny * lost.y + mu * (nx * lost.y + ny * lost.x);
     return mu * kern_abs(kern_vec_cross(c->n, v)) - kern_vec_dot(c->n, v)
-           + KERN_EPS / 2 * gap + 1 / (KERN_HEAVY * KERN_HEAVY);
+           + KERN_EPS / 2 * gap + 1 / (KERN_FAR * KERN_FAR);
 }
 
 /* The speed of a block that rests is 0. */
@@ -2163,7 +2171,7 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
         terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
     }
     weight *= KERN_BOUND;
-    if (!(power > 1 / (KERN_HEAVY * KERN_HEAVY))
+    if (!(power > 1 / (KERN_FAR * KERN_FAR))
         || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
     /* a stone laid last is the first that may stop it */
@@ -3023,7 +3031,7 @@ static kern_status kern_growth_check(const kern_task *task,
         return KERN_BAD_OPTION;
     for (i = 0; pattern && i < task->s.blocks; i++)
         if (!task->s.block[i].fixed
-            && !(kern_wrench_sum(pattern + i) <= KERN_HEAVY)) {
+            && !(kern_wrench_sum(pattern + i) <= KERN_FAR)) {
             task->work->fault.block = i;
             return KERN_BAD_NUMBER;
         }
@@ -3096,7 +3104,7 @@ KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
 
 typedef struct kern_fall {
     int weak;                 /* places in the weaker half that are not taken */
-    kern_real sum, weak_sum;  /* of the values of all, and of that half       */
+    kern_real sum;            /* of the values of that half                   */
     kern_real *value;         /* of each block, -1 as long as it stands       */
 } kern_fall;
 
@@ -3110,9 +3118,8 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
         if (kern_is_free(m, i)
             && (all || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
             fall->value[i] = at;
-            fall->sum += at;
             if (fall->weak-- > 0)
-                fall->weak_sum += at;
+                fall->sum += at;
         }
 }
 
@@ -3120,12 +3127,12 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
 static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
 {
     kern_real beyond = path->fails;
-    kern_status status = KERN_UNDECIDED;
-    int tries;
-    for (tries = 0; status == KERN_UNDECIDED && tries < 9; tries++) {
+    kern_status status;
+    int more = KERN_FEW_ROUNDS;
+    do {
         status = kern_path_evaluate(m, path, beyond);
         beyond += kern_width(path);
-    }
+    } while (status == KERN_UNDECIDED && more-- > 0);
     return status;
 }
 
@@ -3202,7 +3209,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 {
     kern_call c;
     kern_fall fall;
-    kern_real range[2], least = KERN_INFINITY;
+    kern_real range[2], least = KERN_INFINITY, sum = KERN_R(0);
     int i, free_blocks, half;
     kern_status status = kern_call_open(&c, task, KERN_R(0),
                                         value ? out : NULL);
@@ -3220,19 +3227,21 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
     fall.weak = half = (free_blocks + 1) / 2;
-    fall.sum = fall.weak_sum = KERN_R(0);
+    fall.sum = sum;
     fall.value = value;
     status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
     for (i = 0; i < task->s.blocks; i++) {
         if (task->s.block[i].fixed)
             value[i] = KERN_INFINITY;
+        else
+            sum += value[i];
         least = kern_min(least, value[i]);
     }
     if (status != KERN_OK)
         return status;
     out->least = least;
-    out->mean = fall.sum / KERN_R(free_blocks);
-    out->weak = fall.weak_sum / KERN_R(half);
+    out->mean = sum / KERN_R(free_blocks);
+    out->weak = fall.sum / KERN_R(half);
     out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
                      : KERN_R(0);
     return KERN_OK;
@@ -3428,7 +3437,7 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
         const kern_real size = kern_block_size(b);
         const kern_real owns = KERN_R(off[end] <= KERN_GAP * size
                                       && off[end] <= off[!end]
-                                                     + KERN_TRAVEL * size);
+                                                     + KERN_SLIGHT * size);
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
         const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
                                            part * across, c->n);
@@ -3909,7 +3918,8 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     p->dual.way = kern_take_reals(take, 4 * p->contacts);
     p->dual.turn = p->dual.way + 2 * p->contacts;
     p->dual.cost = 1 + (100 * p->contacts + kern_skyline_open(
-        &p->dual.matrix, p->groups, p->ends, p->own, take)) / 170;
+        &p->dual.matrix, p->groups, p->ends, p->own, take))
+        / (8 * KERN_UNIT / 3);
     return kern_take_fits(take);
 }
 
@@ -3940,7 +3950,7 @@ static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
 }
 
 /* Approach of contacts along n and t: by u and the prior forces, or a step. */
-static void kern_norm_ways(kern_part *p, int step)
+KERN_SHARED static void kern_norm_ways(kern_part *p, int step)
 {
     kern_real *way = step ? p->dual.turn : p->dual.way;
     int k;
@@ -4390,7 +4400,7 @@ static void kern_pass_join(kern_model *m, int g, int h)
 }
 
 /* Marks, or unmarks, every group of g's cluster; returns how many there are. */
-static int kern_pass_mark(kern_model *m, int g, int mark)
+KERN_SHARED static int kern_pass_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
     do {
@@ -4546,16 +4556,14 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 
 /* Begins from no forces, all groups open, or from the known ones, which balance
    all but the last block where kerns are no smaller. `share`: of a cluster. */
-KERN_SHARED static void kern_pass_begin(kern_model *m, int share,
-                                        kern_real shrink)
+static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
     const int groups = m->graph.groups, last = m->s->blocks - 1;
     const int some = known && shrink <= known->holds;
     int i;
     m->cluster.most = groups > KERN_SMALL
-        ? KERN_CLUSTER_MOST + groups / KERN_CLUSTER_SHARE
-        : groups / share + 1;
+        ? KERN_SMALL / share + 2 * groups / KERN_SMALL : groups / share + 1;
     for (i = m->cluster.at = 0; i < groups; i++) {
         m->cluster.last[i] = m->cluster.next[i] = i;
         m->cluster.open[i] = !some || m->graph.block[i] == last ? KERN_OPEN : 0;
@@ -4745,7 +4753,7 @@ static int kern_ipm_step(kern_ipm *in)
     }
     kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
     if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
-        kern_ipm_factor(in, KERN_IPM_SHIFT, in->g, in->gain);
+        kern_ipm_factor(in, KERN_NOISE, in->g, in->gain);
     kern_ipm_ways(p, p->y, p->dual.way);
     for (corrects = 0; ; corrects = 1) {
         for (i = 0; i < rays; i++)
@@ -4762,9 +4770,9 @@ static int kern_ipm_step(kern_ipm *in)
         left = kern_max(left / in->gap, 1 - of_x);
         mu = in->gap * left * left * left / KERN_R(rays);
     }
-    of_x *= KERN_IPM_SHARE;
-    of_z *= KERN_IPM_SHARE;
-    if (in->s + ds >= 0 && of_x >= KERN_IPM_SHARE)
+    of_x *= 1 - KERN_IPM_LITTLE;
+    of_z *= 1 - KERN_IPM_LITTLE;
+    if (in->s + ds >= 0 && of_x >= 1 - KERN_IPM_LITTLE)
         of_x = KERN_R(1);
     in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
     for (i = 0; i < rays; i++) {
@@ -4789,18 +4797,18 @@ static void kern_ipm_balance(kern_ipm *in)
     kern_ipm_factor(in, KERN_R(0), in->over, p->dual.step);
     kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++)
-        p->x[i] = kern_max(p->x[i] - in->d[i] * turn[i], p->x[i] / 1024);
+        p->x[i] *= kern_max(1 - turn[i], KERN_IPM_LITTLE);
     kern_ipm_over(in);
 }
 
-/* v += 1.5 times what its least entry is below 0, and a bit of its largest */
+/* v += 1.5 times what its least entry is below 0, a little of its largest */
 static void kern_ipm_lift(kern_real *v, int n)
 {
     kern_real lift = KERN_R(0);
     int i;
     for (i = 0; i < n; i++)
         lift = kern_max(lift, KERN_R(-1.5) * v[i]);
-    lift += KERN_R(1e-3) * kern_largest(v, n);
+    lift += KERN_IPM_LITTLE * kern_largest(v, n);
     for (i = 0; i < n; i++)
         v[i] += lift;
 }
@@ -4821,7 +4829,7 @@ static int kern_ipm_begin(kern_ipm *in)
         in->d[i] = KERN_R(1);
     }
     kern_zero(in->g, n);
-    kern_ipm_factor(in, KERN_IPM_SHIFT, p->eq.rhs, p->y);
+    kern_ipm_factor(in, KERN_NOISE, p->eq.rhs, p->y);
     kern_ipm_ways(p, p->y, p->x);
     kern_ipm_lift(p->x, rays);
     kern_ipm_over(in);
@@ -4915,8 +4923,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
     kern_model_arms(m, q);
     kern_part_load(p, q, p->eq.rhs);
     if (in->gap <= KERN_BOUND) {
-        in->s = kern_min(in->s, -KERN_IPM_AGAIN);
-        kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_AGAIN));
+        in->s = kern_min(in->s, -KERN_IPM_LITTLE);
+        kern_ipm_centre(in, kern_max(in->gap, KERN_IPM_LITTLE));
         status = kern_ipm_run(in, q, KERN_R(1.1) * in->gap);
     }
     if (status == KERN_UNDECIDED && kern_ipm_begin(in))
@@ -5004,8 +5012,8 @@ static int kern_part_is_whole(const kern_part *p)
 
 /* The proof of a verdict, and the verdict itself only if the proof holds. That
    a part stands is no verdict, and needs no proof. */
-static kern_status kern_part_prove(kern_part *p, const kern_query *q,
-                                   kern_status status)
+KERN_SHARED static kern_status kern_part_prove(
+    kern_part *p, const kern_query *q, kern_status status)
 {
     kern_model *m = p->m;
     kern_real error = KERN_INFINITY;
@@ -5029,7 +5037,7 @@ static kern_status kern_part_prove(kern_part *p, const kern_query *q,
 /* Where normal forces are larger in sum than is allowed, the least that there
    are, by costs of 1: if these are too large their prices are a motion that
    shows it. */
-static kern_status kern_part_norm(kern_part *p, int builtin)
+KERN_SHARED static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_status status;
@@ -5138,7 +5146,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     p->found = KERN_UNDECIDED;
     if (!m->whole) {
         kern_model_set(m, q);
-        status = kern_model_pass(m, p, q, KERN_CLUSTER_ONCE);
+        status = kern_model_pass(m, p, q, KERN_CLUSTER);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
         if (status == KERN_FALLS && kern_part_lay(p) == KERN_OK
@@ -5244,7 +5252,7 @@ static kern_real kern_shrink_critical(kern_path *path, const kern_query *q,
         && kern_simplex_along(&p->eq.simplex, p->eq.rate, x))
         p->ahead = q->shrink + (at - q->shrink)
             / kern_max(1 - kern_shrink_power(p, q, at, x, &rate) / power,
-                       KERN_AHEAD);
+                       1 / KERN_NEAR);
     return at;
 }
 
@@ -5280,8 +5288,8 @@ KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
 
 /* The place beyond s at which a load has grown by t, or gravity turned by
    atan(t). */
-static kern_real kern_path_pushed(const kern_path *path, kern_real s,
-                                  kern_real t)
+KERN_SHARED static kern_real kern_path_pushed(const kern_path *path,
+                                              kern_real s, kern_real t)
 {
     if (path->kind == KERN_PATH_LOAD)
         return s + t;
@@ -5852,8 +5860,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
         const kern_query q = kern_path_at(path, at);
         kern_model_arms(m, &q);
         status = kern_model_pass(m, path->part, &q,
-                                 m->answer.known ? KERN_CLUSTER_KNOWN
-                                                 : KERN_CLUSTER_AGAIN);
+                             KERN_CLUSTER + 1 + 2 * (m->answer.known != NULL));
         if (status == KERN_STANDS) {
             kern_path_note(m, path, status, at);
             path->holds = at;
@@ -6093,7 +6100,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold)
         return 0;
     for (round = 0; round < (r->around < 0 ? rounds : rounds / 2); round++) {
         const kern_status found = kern_norm_find(
-            p, r->tolerance, 4 * KERN_NORM_MOST, !cold || round > 0,
+            p, r->tolerance, 2 * KERN_NORM_MOST, !cold || round > 0,
             KERN_FEW_ROUNDS + 2);
         int pressed;
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
@@ -6396,56 +6403,41 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
 /* Shares of a length of the user's: a gap, a block's size, a coordinate. */
 
-/* Share of the largest coordinate below which places are the same: no gap is
-   less. Smaller, and cubes that were turned and moved would not touch. */
-#define KERN_FLOOR      (KERN_R(64) * KERN_EPS)
 /* An outline of more vertices has boxes for so many runs of its edges at most,
-   of half as many edges at least. More take stack, shorter runs time. */
+   of half as many edges at least; so many nested spans of it are kept. More
+   take stack, fewer take time. */
 #define KERN_RUNS       16
-#define KERN_SPANS      16 /* nested, of an outline, that are kept            */
-/* Turn [rad] below which a vertex is no corner, and within which of a half
-   turn it is a spike: much larger, and round stones would lose their shape. And
-   share of the size by which a foot must lie inside its edge, so that rounding
-   makes no contacts between diagonal neighbours. */
-#define KERN_SLIGHT     KERN_R(1e-6)
 /* The default angle [rad]; and from a contact's line to the widest cone. */
 #define KERN_ANGLE      KERN_R(0.0174533)
 /* Gap, as a share of the mean size, and angle [rad] of contacts that a little
    rocking closes: 0.03 to 0.1 and 0.1 to 0.2 predict shaking tests as well. */
 #define KERN_NEAR_GAP   KERN_R(0.04)
 #define KERN_NEAR_ANGLE KERN_R(0.15)
-/* Measured structures, in errors of place and of angle: 3.4 standard
+/* Measured structures, in errors of place and of angle: 3.5 standard
    deviations, so that of 30 contacts which carry none is missed in 98 % of
    structures. The gap of a corner and an edge of two stones varies by 2 e^2 for
-   their places, 3/8 e^2 for their vertices and theta^2 r^2 for each; the angle
-   of two edges, 0.7 sizes long, by 2 theta^2, and as much for their ends. */
-#define KERN_ERROR_GAP     KERN_R(5.25)
-#define KERN_ERROR_SWING   KERN_R(3.4)  /* gap, by the distance from a centre;
-                                           twice that, with the ends: angles  */
+   their places, 3/8 e^2 for their vertices, so 1.5 times as much, and theta^2
+   r^2 for each; the angle of two edges, 0.7 sizes long, by 2 theta^2, and as
+   much for their ends, so twice as much. By so much of a place are kerns
+   smaller, or larger, to be certain. */
+#define KERN_ERRORS        KERN_R(3.5)
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 #define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; of angle: of cones */
-#define KERN_ERROR_KERN    KERN_R(3.5)  /* of place: of kerns, to be certain  */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
    an image of 900 a stone must not hold. At 2 a kerb of two gaps would go. */
 #define KERN_RISER      KERN_R(1.6)
-/* Deviation of stairs from a chord between two of their corners, in risers: the
-   square root of 2 where treads are as long. */
-#define KERN_STAIRS     KERN_R(1.4142135623730951)
-/* Length in steps of a way whose direction steps hardly change. */
-#define KERN_STEP_WAY   KERN_R(8.0)
-/* Sine of 10 degrees: by so much they still do; and by less do the normals of a
-   line contact and of a vertex that belongs to it, by more at a corner. */
+/* Sine of 10 degrees: by so much ways of steps may turn; and by less do the
+   normals of a line contact and of a vertex that belongs to it, by more at a
+   corner. */
 #define KERN_SAME_FACE  KERN_R(0.17364817766693036)
-/* Share of the size of the smaller free block: higher steps are not simplified
-   away, however wide the gap. */
+/* What a step may be the share of, to count as one: of the size of the smaller
+   free block, above which it is not simplified away, however wide the gap; and
+   of a way whose direction steps hardly change. */
 #define KERN_STEP_MOST  KERN_R(0.1)
-/* Cosine of 60 degrees: by so much a normal may be off that of its chord. */
-#define KERN_GOES_ON    KERN_R(0.5)
-/* Share of the gap that overlap may be deeper unseen: less takes more steps. */
-#define KERN_STRIDE     KERN_R(0.0625)
-/* By such a share of itself a stride grows; and most triangles of a size that
-   are tried for an inner point. */
-#define KERN_STRIDES    64
+/* Strides of the search for overlap to a gap, which may be so much deeper
+   unseen; and of a stride to that by which it grows. Fewer miss more, more take
+   time. And most triangles of a size that are tried for an inner point. */
+#define KERN_STRIDES    32
 
 /* ---- Polygons ------------------------------------------------- >>polygon */
 /* Vertices are counted as written, which may be clockwise: the area is below 0
@@ -6507,7 +6499,7 @@ typedef struct kern_outline {
     int each;               /* vertices of a run                     */
     kern_real step;         /* a corner is so far from its chord [m] */
     int spans;              /* so many; 0: not known yet             */
-    kern_span span[KERN_SPANS]; /* each lies in the one before       */
+    kern_span span[KERN_RUNS]; /* each lies in the one before        */
     kern_box box[KERN_RUNS];
 } kern_outline;
 
@@ -6730,7 +6722,7 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
             return KERN_BAD_NUMBER;
     fault->index = -1;
     spread = kern_polygon_area(block);
-    least = KERN_FLOOR * kern_box_largest(&block->box) *
+    least = 2 * KERN_ROUNDING * kern_box_largest(&block->box) *
             kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
     if (!(spread > least)) /* all vertices on one line */
@@ -6778,7 +6770,7 @@ KERN_API kern_status kern_block_init(kern_block *block, const kern_vec *vertex,
     if (status != KERN_OK)
         return status;
     block->mass = density * kern_abs(block->area);
-    if (!(block->mass >= 1 / KERN_HEAVY) || block->mass > KERN_HEAVY) {
+    if (!(block->mass >= 1 / KERN_FAR) || block->mass > KERN_FAR) {
         block->vertices = -1;
         return KERN_BAD_MASS;
     }
@@ -6850,7 +6842,7 @@ static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
     int nearest = 0;
     e.at = -1;
     while (kern_edge_next(&e, a, &b->block->box, -*deep)) {
-        kern_real s, step, low, stride = *deep * KERN_STRIDE;
+        kern_real s, step, low, stride = *deep / KERN_STRIDES;
         for (s = 0; s < e.length; s += step) {
             const kern_vec at = kern_vec_step(e.p, s, e.d);
             const kern_real depth = kern_polygon_depth(b, at, &nearest);
@@ -6979,8 +6971,9 @@ static int kern_span_split(const kern_outline *o, const kern_span *span,
 }
 
 /* The whole outline is a span from the corner farthest from the centre. Stairs
-   of risers that are low take what they deviate from their chords: at a reflex
-   corner the riser is the shorter edge. */
+   of risers that are low take what they deviate from the chord between two of
+   their corners: the square root of 2 times a riser where treads are as long.
+   At a reflex corner the riser is the shorter edge. */
 static void kern_outline_whole(kern_outline *o)
 {
     const kern_block *block = o->block;
@@ -7002,7 +6995,7 @@ static void kern_outline_whole(kern_outline *o)
         before = after;
         i = k;
     } while (i != whole->start);
-    o->step = kern_max(o->step, KERN_STAIRS * riser);
+    o->step = kern_max(o->step, KERN_SQRT(KERN_R(2)) * riser);
 }
 
 /* 1: the chord that stands for an edge; 0: itself, as in a convex outline. */
@@ -7032,7 +7025,7 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
             half.end = span->end;
         }
         span->steps = -1;
-        if (o->spans == KERN_SPANS) /* all but the whole are found anew */
+        if (o->spans == KERN_RUNS) /* all but the whole are found anew */
             o->spans = 1;
         o->span[o->spans++] = half;
     }
@@ -7112,7 +7105,7 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
     do {
         i = kern_polygon_next(block, i, back == (block->area > 0));
         way = kern_vec_sub(block->vertex[i], *p);
-    } while (i != corner && kern_vec_length(way) < KERN_STEP_WAY * o->step);
+    } while (i != corner && KERN_STEP_MOST * kern_vec_length(way) < o->step);
     return kern_vec_cross(chord, e->d) >= -KERN_SAME_FACE
            && kern_vec_cross(way, e->d)
               >= -KERN_SAME_FACE * kern_vec_length(way);
@@ -7174,7 +7167,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
         return;
     }
     t = kern_vec_scale(kern_vec_turn(t), -1); /* the outer normal */
-    if (kern_vec_dot(t, n) > KERN_GOES_ON)
+    if (2 * kern_vec_dot(t, n) > 1) /* less than 60 degrees off */
         kern_pair_put(pair, q, t, half * kern_vec_dot(t, n));
 }
 
@@ -7281,7 +7274,7 @@ static void kern_pair_edges(kern_pair *pair)
    first leads the next face. */
 
 /* Makes a face of contact i and all that join it. */
-static void kern_pair_face(kern_pair *pair, int i)
+KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
 {
     kern_contact *at = pair->out;
     const kern_contact *const lead = &at[i];
@@ -7518,7 +7511,7 @@ static int kern_search_close(const kern_search *s)
 
 /* Looks at every block, but at the vertices of those before s->from when a pair
    does; what the tolerances of all pairs depend on. */
-static kern_status kern_search_survey(kern_search *s)
+KERN_SHARED static kern_status kern_search_survey(kern_search *s)
 {
     kern_real most = KERN_R(0); /* largest coordinate                 */
     kern_real area = KERN_R(0); /* largest of a free block            */
@@ -7547,10 +7540,10 @@ static kern_status kern_search_survey(kern_search *s)
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
-    s->pair.swing = KERN_ERROR_SWING * s->options->pose_turn;
+    s->pair.swing = KERN_ERRORS * s->options->pose_turn;
     s->pair.over = KERN_ERROR_EDGE * s->options->pose_error;
     s->pair.sine = kern_sine(s->options->angle);
-    s->floor = KERN_FLOOR * most;
+    s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
@@ -7564,7 +7557,7 @@ static kern_status kern_search_asked(const kern_block *block, int blocks,
                                        : KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
-    if (blocks < least || blocks > KERN_COUNT_MOST || room < 0)
+    if (blocks < least || blocks > KERN_POINTS_MOST || room < 0)
         return KERN_BAD_COUNT;
     return (blocks > 0 && !block) || (room > 0 && !out) ? KERN_BAD_POINTER
                                                         : KERN_OK;
@@ -7639,7 +7632,7 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     out->travel = KERN_R(0);
     status = kern_options_check(options);
     if (status >= 0)
-        status = kern_contact_check(out, KERN_COUNT_MOST);
+        status = kern_contact_check(out, KERN_POINTS_MOST);
     if (status < 0)
         return (int)status;
     if (!kern_vec_is_moderate(q))
@@ -7651,8 +7644,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
     normal = kern_vec_unit(kern_vec_scale(out->n, 1 / longest));
     d = kern_vec_sub(q, out->p);
     length = kern_vec_length(d);
-    line = length > KERN_FLOOR * kern_max(kern_vec_largest(out->p),
-                                          kern_vec_largest(q));
+    line = length > 2 * KERN_ROUNDING * kern_max(kern_vec_largest(out->p),
+                                                 kern_vec_largest(q));
     if (line && kern_abs(kern_vec_dot(d, normal)) >
                 kern_sine(options->angle) * length)
         return (int)KERN_BAD_LINE;
@@ -8361,7 +8354,7 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
    long as the sum of violations still falls: a long step, which passes through
    degenerate corners. With `first`, and for costs, it stops at the first. Of
    equals it takes that of the largest pivot, with `first` of the least index
-   (Bland). */
+   (Bland). Where its work is refused, so is the pivot. */
 static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
                         kern_work *work)
 {
@@ -8378,8 +8371,8 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
                      || (!once && left > 2 * KERN_ROUNDING * sx->gain))) {
         int next = 0;
         seen += n;
-        kern_spend(work, sx->lp->limit, seen / 128); /* the pivot is refused */
-        seen %= 128;
+        kern_spend(work, sx->lp->limit, seen / (2 * KERN_UNIT));
+        seen %= 2 * KERN_UNIT;
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
                 || (at[i] <= at[next]
@@ -8402,8 +8395,9 @@ static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
     const int rows = sx->lp->rows, cols = sx->lp->cols;
     return kern_spend(work, sx->lp->limit,
                       1 + (sx->factors.first[sx->factors.count]
-                           + 6 * sx->factors.groups) / 64
-                      + (sx->lp->ends ? cols / 48 : rows * (cols / 256)))
+                           + 6 * sx->factors.groups) / KERN_UNIT
+                      + (sx->lp->ends ? 4 * cols / (3 * KERN_UNIT)
+                                      : rows * (cols / (4 * KERN_UNIT))))
            ? KERN_OK : KERN_LIMIT;
 }
 
@@ -8519,8 +8513,9 @@ static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
     const kern_program *lp = sx->lp;
     sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
-        && !kern_spend(work, lp->limit, lp->ends ? (lp->rows + lp->cols) / 2
-                                                 : lp->rows * (lp->cols / 64)))
+        && !kern_spend(work, lp->limit,
+                       lp->ends ? (lp->rows + lp->cols) / 2
+                                : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
@@ -8667,8 +8662,8 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
     int i, n;
     if (!lp || !lp->a || !lp->rhs)
         return KERN_BAD_POINTER;
-    if (lp->rows < 1 || lp->cols < 1 || lp->rows > KERN_COUNT_MOST / lp->cols
-        || lp->rows > KERN_COUNT_MOST / lp->rows)
+    if (lp->rows < 1 || lp->cols < 1 || lp->rows > KERN_BLOCKS_MOST
+        || lp->cols > KERN_POINTS_MOST || lp->rows > KERN_WORK_MOST / lp->cols)
         return KERN_BAD_COUNT;
     if (lp->limit < 0 || lp->limit > KERN_WORK_MOST)
         return KERN_BAD_OPTION;
@@ -8756,8 +8751,8 @@ KERN_API kern_options kern_measured_options(const kern_options *options,
     kern_options o = kern_options_of(options);
     o.pose_error = e > 0 ? e : KERN_R(-1); /* refused by every call */
     o.pose_turn = theta;
-    o.gap = KERN_ERROR_GAP * e;
-    o.angle = kern_max(KERN_ANGLE, 2 * KERN_ERROR_SWING * theta);
+    o.gap = KERN_R(1.5) * KERN_ERRORS * e;
+    o.angle = kern_max(KERN_ANGLE, 2 * KERN_ERRORS * theta);
     o.angle = kern_min(o.angle, KERN_R(0.99) * KERN_ANGLE_MOST);
     o.overlap = kern_max(o.overlap, KERN_ERROR_OVERLAP * e);
     return o;
@@ -8862,7 +8857,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     kern_status status = kern_certain_check(task, margin, out, contact, room);
     if (status != KERN_OK)
         return status;
-    by = KERN_ERROR_KERN * task->options.pose_error;
+    by = KERN_ERRORS * task->options.pose_error;
     turn = KERN_ERROR_EDGE * task->options.pose_turn;
     out->low = KERN_R(0);
     out->high = KERN_INFINITY;
@@ -8962,10 +8957,12 @@ KERN_API kern_options kern_near(const kern_options *options,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
           takes the margin and fills in a kern_interval. kern_known and
           kern_plan have fewer fields. options.limit is 10,000,000 by default,
-          was 0. New refusals: a relative shrinkage above 1, in double a length
-          above 1e60 m, a block that kern_block_init() refused. Steps in
-          outlines carry as their chords. New: kern_stays(), kern_plan_stays(),
-          kern_raised_load(), options.reserve and .lone, KERN_NO_INTERIOR.
+          was 0. kern_collapse.drop has no least height. New refusals: a
+          relative shrinkage above 1, in double a length above 1e60 m, a mass or
+          load out of 1e-60 to 1e60 (float: 1e-10 to 1e10), a block that
+          kern_block_init() refused. Steps in outlines carry as their chords.
+          New: kern_stays(), kern_plan_stays(), kern_raised_load(),
+          options.reserve and .lone, KERN_NO_INTERIOR.
    0.1.0  First version.                                                   */
 
 /*
