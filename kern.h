@@ -1317,11 +1317,12 @@ extern "C" {
 #define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
                                       are tried for the crash basis           */
 /* Groups of a cluster: a quarter of all in a verdict, a fifth in a search, a
-   seventh in one that knows forces; of more than KERN_SMALL that share of
-   these, and two more for each KERN_SMALL of all. With a fifth verdicts take
-   7 % more, with a quarter measures 6 %, and tries from known forces 6 % with a
-   fifth. */
+   seventh in one that knows forces. With a fifth verdicts take 7 % more, with a
+   quarter measures 6 %, and tries from known forces 6 % with a fifth. Of more
+   than KERN_SMALL so many, and two more for each KERN_SMALL: with fewer some
+   measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER       4
+#define KERN_CLUSTER_MOST  20
 /* Units of work of a pass for each group and contact. With 30 measures of
    bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS    9
@@ -4563,7 +4564,7 @@ static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
     const int some = known && shrink <= known->holds;
     int i;
     m->cluster.most = groups > KERN_SMALL
-        ? KERN_SMALL / share + 2 * groups / KERN_SMALL : groups / share + 1;
+        ? KERN_CLUSTER_MOST + 2 * groups / KERN_SMALL : groups / share + 1;
     for (i = m->cluster.at = 0; i < groups; i++) {
         m->cluster.last[i] = m->cluster.next[i] = i;
         m->cluster.open[i] = !some || m->graph.block[i] == last ? KERN_OPEN : 0;
