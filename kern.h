@@ -1363,7 +1363,7 @@ extern "C" {
 /* Rounds of prices from nothing or along a load; from those of a smaller push a
    third, near a block a half. More show more that moves, fewer what stays. */
 #define KERN_RAISE_ROUNDS  21
-/* Steps of a load up to the load factor, before any is halved, to a 64th. */
+/* Steps of a load up to the load factor, before any is halved, to a 32nd. */
 #define KERN_LOAD_STEPS    8
 #define KERN_LOAD_FALL     KERN_R(0.3) /* share of a price's fall in a round */
 /* kern_stays(): from block to block, how many contacts away from the stone what
@@ -1977,7 +1977,7 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
 {
     const kern_structure *s;
     kern_status status;
-    if (!task || !task->work || !task->work->real || !task->work->index)
+    if (!task || !task->work || !task->work->real || !task->work->index || !out)
         return KERN_BAD_POINTER;
     s = &task->s;
     /* what kern_contacts() returned, and the fault that it left */
@@ -1991,8 +1991,7 @@ static kern_status kern_task_check(const kern_task *task, kern_real shrink,
     if ((unsigned)s->blocks > KERN_BLOCKS_MOST
         || (unsigned)s->contacts > KERN_POINTS_MOST)
         return KERN_BAD_COUNT;
-    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0)
-        || !out)
+    if ((!s->block && s->blocks > 0) || (!s->contact && s->contacts > 0))
         return KERN_BAD_POINTER;
     return kern_is_finite(s->gravity.x + s->gravity.y + shrink)
            ? KERN_OK : KERN_BAD_NUMBER;
@@ -3424,7 +3423,7 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
     for (end = 0; end < 2; end++) {
         const kern_block *b = task->s.block + (end ? c->b : c->a);
         off[end] = KERN_INFINITY;
-        for (k = 0; k < b->vertices; k++) {
+        for (k = 0; b->vertex && k < b->vertices; k++) {
             const kern_vec r = kern_vec_sub(b->vertex[k], c->p);
             const kern_real at = kern_abs(kern_vec_cross(c->n, r));
             if (at < off[end] && kern_abs(kern_vec_dot(c->n, r))
@@ -3713,16 +3712,18 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 
 /* Takes room for the matrix of so many groups, with what the two groups of each
    of n contacts exert on each other: the later one's row reaches to the column
-   of the other. Returns the products of a factor, if there is room. */
-static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
-                             int n, kern_take *take)
+   of the other. Returns the products of a factor, if there is room: more than an
+   int holds where a row is long. */
+static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
+                                   int n, kern_take *take)
 {
-    int g, k, end = 0, products = 0;
+    kern_real products = KERN_R(0);
+    int g, k, end = 0;
     a->groups = groups;
     a->first = kern_take_ints(take, groups);
     a->offset = kern_take_ints(take, groups);
     if (!kern_take_fits(take))
-        return 0;
+        return products;
     for (g = 0; g < groups; g++)
         a->first[g] = g;
     for (k = 0; k < 2 * n; k++) {
@@ -3734,7 +3735,7 @@ static int kern_skyline_open(kern_skyline *a, int groups, const int *ends,
         const int width = g - a->first[g] + 1;
         a->offset[g] = end;
         end += 9 * width;
-        products += 14 * width * width;
+        products += 14 * KERN_R(width) * KERN_R(width);
     }
     a->entry = kern_take_reals(take, end);
     return products;
@@ -3911,6 +3912,7 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
 static int kern_norm_lay(kern_part *p, kern_take *take)
 {
     const int n = 3 * p->groups + 3;
+    kern_real products = KERN_R(100) * KERN_R(p->contacts);
     p->dual.price = NULL;
     p->dual.u = kern_take_reals(take, 4 * n);
     p->dual.step = p->dual.u + n;
@@ -3918,9 +3920,10 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     p->dual.b = p->dual.grad + n;
     p->dual.way = kern_take_reals(take, 4 * p->contacts);
     p->dual.turn = p->dual.way + 2 * p->contacts;
-    p->dual.cost = 1 + (100 * p->contacts + kern_skyline_open(
-        &p->dual.matrix, p->groups, p->ends, p->own, take))
-        / (8 * KERN_UNIT / 3);
+    products += kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own,
+                                  take);
+    p->dual.cost = 1 + (int)kern_min(products / KERN_R(8 * KERN_UNIT / 3),
+                                     KERN_R(KERN_WORK_MOST));
     return kern_take_fits(take);
 }
 
@@ -4490,7 +4493,7 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
         return KERN_NO_SPACE;
     take = p->rest;
     if (!kern_norm_lay(p, &take)
-        || m->task->work->units + p->dual.cost > m->cluster.until)
+        || p->dual.cost > m->cluster.until - m->task->work->units)
         return KERN_NO_SPACE;
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
@@ -4525,38 +4528,9 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     return status;
 }
 
-/* Replaces the forces of all lines, whose ends are where `from` puts them, by
-   those of the same wrenches at the ends where `shrink` < `from` puts them. */
-static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
-{
-    int i, k;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_real mu = kern_model_mu(m, i);
-        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
-        kern_force *f = m->answer.force + i;
-        kern_real rate, is, sum, more, along;
-        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
-            continue;
-        i++;
-        sum = f[0].normal + f[1].normal;
-        if (!(sum > 0))
-            continue;
-        is = travel - kern_shift(travel, shrink, m->relative, &rate);
-        along = (f[0].tangential + f[1].tangential) / sum;
-        along = kern_min(kern_max(along, -mu), mu);
-        more = f[0].normal - f[1].normal;
-        if (kern_abs(is) > 0)
-            more *= (travel - kern_shift(travel, from, m->relative, &rate))
-                    / is;
-        for (k = 0; k < 2; k++, f++, more = -more) {
-            f->normal = kern_max((sum + more) / 2, KERN_R(0));
-            f->tangential = along * f->normal;
-        }
-    }
-}
-
 /* Begins from no forces, all groups open, or from the known ones, which balance
-   all but the last block where kerns are no smaller. `share`: of a cluster. */
+   all but the last block where kerns are no smaller (kern_known_forces()).
+   `share`: of a cluster. */
 static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -4572,10 +4546,6 @@ static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
     }
     if (!known)
         kern_model_unload(m);
-    else
-        kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
-    if (some && shrink < known->holds)
-        kern_force_transfer(m, known->holds, shrink);
 }
 
 /* Balances all groups that must be, alone or with others in clusters, which
@@ -5343,6 +5313,46 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
+/* Replaces the forces of all lines, whose ends are where `from` puts them, by
+   those of the same wrenches at the ends where `shrink` < `from` puts them. */
+static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
+{
+    int i, k;
+    for (i = 0; i < m->s->contacts; i++) {
+        const kern_real mu = kern_model_mu(m, i);
+        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
+        kern_force *f = m->answer.force + i;
+        kern_real rate, is, sum, more, along;
+        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
+            continue;
+        i++;
+        sum = f[0].normal + f[1].normal;
+        if (!(sum > 0))
+            continue;
+        is = travel - kern_shift(travel, shrink, m->relative, &rate);
+        along = (f[0].tangential + f[1].tangential) / sum;
+        along = kern_min(kern_max(along, -mu), mu);
+        more = f[0].normal - f[1].normal;
+        if (kern_abs(is) > 0)
+            more *= (travel - kern_shift(travel, from, m->relative, &rate))
+                    / is;
+        for (k = 0; k < 2; k++, f++, more = -more) {
+            f->normal = kern_max((sum + more) / 2, KERN_R(0));
+            f->tangential = along * f->normal;
+        }
+    }
+}
+
+/* Writes known forces for a pass, which begins with them, at a shrinkage. */
+static void kern_known_forces(kern_model *m, kern_real shrink)
+{
+    const kern_known *known = m->answer.known;
+    if (known)
+        kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
+    if (known && shrink < known->holds)
+        kern_force_transfer(m, known->holds, shrink);
+}
+
 /* The verdict at the critical value, which leaves the bracket as it is. Where
    another mechanism falls, its value is the path's; else the value is exact. */
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
@@ -5860,6 +5870,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
     for (round = 0; round < KERN_FEW_ROUNDS; ) {
         const kern_query q = kern_path_at(path, at);
         kern_model_arms(m, &q);
+        kern_known_forces(m, at);
         status = kern_model_pass(m, path->part, &q,
                              KERN_CLUSTER + 1 + 2 * (m->answer.known != NULL));
         if (status == KERN_STANDS) {
@@ -6212,7 +6223,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     if (!kern_raise_settle(r, q, 1))
         return KERN_R(-1);
     kern_copy(r->best, u, r->size);
-    while (stood < end && step >= end / (64 * KERN_LOAD_STEPS)) {
+    while (stood < end && step >= end / (32 * KERN_LOAD_STEPS)) {
         *share = kern_min(stood + step, end);
         for (i = 0; i < r->size; i++) {
             if (good) {
@@ -6297,8 +6308,10 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         return KERN_BAD_BLOCK;
     r.around = i;
     r.proof = NULL;
-    if (sag)
+    if (sag) {
         kern_model_know(&c.m, &task->known);
+        kern_known_forces(&c.m, shrink);
+    }
     status = kern_raise_show(&r, &c, &raising, sag);
     kern_proof_out(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)

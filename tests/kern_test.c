@@ -7414,6 +7414,7 @@ static void jams_fill_the_factors(void)
     for (k = 0; k < COUNT_OF(slender) && !SINGLE; k++) {
         const int n = (int)slender[k][0];
         const double high = n / slender[k][1], lean = 0.45 / n;
+        kern_work work;
         kern_margin m;
         sprintf(context, "(flat arch of %d)", n);
         world_reset(&w);
@@ -7430,8 +7431,10 @@ static void jams_fill_the_factors(void)
             world_polygon(&w, 0, xy, 4);
         }
         world_touch(&w);
-        CHECK_INT(measure(&w, &m), KERN_STANDS);
+        work = work_of(&w);
+        CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_STANDS);
         CHECK_NEAR(m.margin, high / 2, 0.02 * high);
+        CHECK(m.fails - m.holds <= 2e-5); /* of a jam */
     }
     context[0] = 0;
 }
