@@ -2144,6 +2144,17 @@ static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
                     kern_abs(v->spin) * kern_block_size(b));
 }
 
+/* Scales a motion, so that the speed of the fastest block is 1. */
+static void kern_motion_scale(const kern_structure *s, kern_motion *v)
+{
+    kern_real most = KERN_R(0);
+    int i;
+    for (i = 0; i < s->blocks; i++)
+        most = kern_max(most, kern_block_speed(s->block + i, v + i));
+    if (most > 0)
+        kern_scale(v, 3 * s->blocks, 1 / most);
+}
+
 /* Of both blocks of a contact. */
 static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
 { return kern_speed(motion + c->a) + kern_speed(motion + c->b); }
@@ -3590,11 +3601,10 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
     return 1;
 }
 
-/* y as a motion of the part, its fastest block at speed 1. */
+/* y as a motion of the part. */
 static void kern_part_motion(kern_part *p)
 {
     kern_model *m = p->m;
-    kern_real most = KERN_R(0);
     int n;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (n = 0; n < p->groups; n++) {
@@ -3603,10 +3613,8 @@ static void kern_part_motion(kern_part *p)
         v->vx = p->y[3 * n];
         v->vy = p->y[3 * n + 1];
         v->spin = p->y[3 * n + 2] * m->unit[p->group[n]];
-        most = kern_max(most, kern_block_speed(m->s->block + b, v));
     }
-    if (most > 0)
-        kern_scale(m->answer.motion, 3 * m->s->blocks, 1 / most);
+    kern_motion_scale(m->s, m->answer.motion);
 }
 
 /* The forces of a program of all groups; 0 where rounding made them less. */
@@ -4528,9 +4536,38 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     return status;
 }
 
+/* Replaces the forces of all lines, whose ends are where `from` puts them, by
+   those of the same wrenches at the ends where `shrink` < `from` puts them. */
+static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
+{
+    int i, k;
+    for (i = 0; i < m->s->contacts; i++) {
+        const kern_real mu = kern_model_mu(m, i);
+        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
+        kern_force *f = m->answer.force + i;
+        kern_real rate, is, sum, more, along;
+        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
+            continue;
+        i++;
+        sum = f[0].normal + f[1].normal;
+        if (!(sum > 0))
+            continue;
+        is = travel - kern_shift(travel, shrink, m->relative, &rate);
+        along = (f[0].tangential + f[1].tangential) / sum;
+        along = kern_min(kern_max(along, -mu), mu);
+        more = f[0].normal - f[1].normal;
+        if (kern_abs(is) > 0)
+            more *= (travel - kern_shift(travel, from, m->relative, &rate))
+                    / is;
+        for (k = 0; k < 2; k++, f++, more = -more) {
+            f->normal = kern_max((sum + more) / 2, KERN_R(0));
+            f->tangential = along * f->normal;
+        }
+    }
+}
+
 /* Begins from no forces, all groups open, or from the known ones, which balance
-   all but the last block where kerns are no smaller (kern_known_forces()).
-   `share`: of a cluster. */
+   all but the last block where kerns are no smaller. `share`: of a cluster. */
 static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
@@ -4546,6 +4583,10 @@ static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
     }
     if (!known)
         kern_model_unload(m);
+    else
+        kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
+    if (some && shrink < known->holds)
+        kern_force_transfer(m, known->holds, shrink);
 }
 
 /* Balances all groups that must be, alone or with others in clusters, which
@@ -5313,46 +5354,6 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Replaces the forces of all lines, whose ends are where `from` puts them, by
-   those of the same wrenches at the ends where `shrink` < `from` puts them. */
-static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
-{
-    int i, k;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_real mu = kern_model_mu(m, i);
-        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
-        kern_force *f = m->answer.force + i;
-        kern_real rate, is, sum, more, along;
-        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
-            continue;
-        i++;
-        sum = f[0].normal + f[1].normal;
-        if (!(sum > 0))
-            continue;
-        is = travel - kern_shift(travel, shrink, m->relative, &rate);
-        along = (f[0].tangential + f[1].tangential) / sum;
-        along = kern_min(kern_max(along, -mu), mu);
-        more = f[0].normal - f[1].normal;
-        if (kern_abs(is) > 0)
-            more *= (travel - kern_shift(travel, from, m->relative, &rate))
-                    / is;
-        for (k = 0; k < 2; k++, f++, more = -more) {
-            f->normal = kern_max((sum + more) / 2, KERN_R(0));
-            f->tangential = along * f->normal;
-        }
-    }
-}
-
-/* Writes known forces for a pass, which begins with them, at a shrinkage. */
-static void kern_known_forces(kern_model *m, kern_real shrink)
-{
-    const kern_known *known = m->answer.known;
-    if (known)
-        kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
-    if (known && shrink < known->holds)
-        kern_force_transfer(m, known->holds, shrink);
-}
-
 /* The verdict at the critical value, which leaves the bracket as it is. Where
    another mechanism falls, its value is the path's; else the value is exact. */
 static kern_status kern_path_verify(kern_model *m, kern_path *path,
@@ -5870,7 +5871,6 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
     for (round = 0; round < KERN_FEW_ROUNDS; ) {
         const kern_query q = kern_path_at(path, at);
         kern_model_arms(m, &q);
-        kern_known_forces(m, at);
         status = kern_model_pass(m, path->part, &q,
                              KERN_CLUSTER + 1 + 2 * (m->answer.known != NULL));
         if (status == KERN_STANDS) {
@@ -6308,10 +6308,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         return KERN_BAD_BLOCK;
     r.around = i;
     r.proof = NULL;
-    if (sag) {
+    if (sag)
         kern_model_know(&c.m, &task->known);
-        kern_known_forces(&c.m, shrink);
-    }
     status = kern_raise_show(&r, &c, &raising, sag);
     kern_proof_out(&c.m, proof, status);
     if (raising != KERN_NOT_SHOWN)
@@ -7762,6 +7760,8 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
     }
     s->contacts = n;
     s->blocks--;
+    if (plan->task.known.fails > 0)
+        kern_motion_scale(s, plan->task.known.motion);
     return KERN_OK;
 }
 
