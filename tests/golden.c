@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x9af97fda42fe4bfdu },
-    { 1000, 0x5d56ca1d526b80dcu },
-    { 5000, 0xd518cfe7e84eb22cu },
+    { 200, 0x1408257cb8385970u },
+    { 1000, 0xe3593afc52f5c220u },
+    { 5000, 0x6657636887bd95ebu },
 #else
-    { 200, 0xc08fc4d324606912u },
-    { 1000, 0xff31088bc832f82fu },
-    { 5000, 0x3c5c221bdff595a7u },
+    { 200, 0x340a6a09cb52195du },
+    { 1000, 0x63c281cda07e0409u },
+    { 5000, 0x6dbb476ffba6998eu },
 #endif
 };
 

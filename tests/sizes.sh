@@ -14,12 +14,12 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9053
-lines of the engine|3500|3853
-text of the library|54000|54724
-text, kern_measure with contacts given|32000|30776
-text, kern_verdict with contacts given|22000|23428
-text of the library, KERN_NO_INTERIOR|54000|52104
+limits="lines of kern.h|8800|9003
+lines of the engine|3500|3794
+text of the library|54000|54136
+text, kern_measure with contacts given|32000|30208
+text, kern_verdict with contacts given|22000|23040
+text of the library, KERN_NO_INTERIOR|54000|51516
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
 deepest stack|2700|2600"
