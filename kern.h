@@ -1363,7 +1363,8 @@ extern "C" {
 /* Rounds of prices from nothing or along a load; from those of a smaller push a
    third, near a block a half. More show more that moves, fewer what stays. */
 #define KERN_RAISE_ROUNDS  21
-/* Steps of a load up to the load factor, before any is halved, to a 32nd. */
+/* Steps of a load up to the load factor; where one fails, a fifth of it, and of
+   that: with halves, to as little, loads take 1.4 times as long. */
 #define KERN_LOAD_STEPS    8
 #define KERN_LOAD_FALL     KERN_R(0.3) /* share of a price's fall in a round */
 /* kern_stays(): from block to block, how many contacts away from the stone what
@@ -3720,8 +3721,8 @@ static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 
 /* Takes room for the matrix of so many groups, with what the two groups of each
    of n contacts exert on each other: the later one's row reaches to the column
-   of the other. Returns the products of a factor, if there is room: more than an
-   int holds where a row is long. */
+   of the other. Returns the products of a factor, if there is room: more than
+   an int holds where a row is long. */
 static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
                                    int n, kern_take *take)
 {
@@ -4945,8 +4946,8 @@ static kern_status kern_ipm_evaluate(kern_ipm *in, const kern_query *q)
 }
 
 /* The verdict on all groups for a query. */
-KERN_SHARED static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
-                                                const kern_query *q)
+static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
+                                    const kern_query *q)
 {
     kern_ipm in;
     return p->found = kern_ipm_open(&in, m, p, q)
@@ -6242,7 +6243,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
             taken = *share - stood;
             stood = *share;
         } else
-            step /= 2;
+            step /= 5;
         if (!(stood < end) && end < most) {
             end = kern_min(2 * end, most);
             step = end / KERN_LOAD_STEPS;
@@ -6934,8 +6935,8 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
    the way serve the next edge, which is a neighbour as a rule. */
 
 /* Does the edge that starts at corner i lie in the span? */
-static int kern_span_holds(const kern_block *block, const kern_span *span,
-                           int i)
+KERN_SHARED static int kern_span_holds(const kern_block *block,
+                                       const kern_span *span, int i)
 {
     const int n = block->vertices;
     return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n;
