@@ -103,7 +103,7 @@
    to read the input included, is not begun: the call returns KERN_LIMIT and
    writes what is proven by then. Below the limit the answer is the same, to the
    last bit, as without. A call takes at most 3,000 instructions and 2,000 for
-   each unit of its limit, a whole answer 650 to 2,000 for each unit that it
+   each unit of its limit, a whole answer 600 to 2,000 for each unit that it
    took (tests/work.sh limits): 0.1 to 0.6 microseconds of a desktop computer.
 
    CONFIGURATION                                                     >>config
@@ -1253,7 +1253,7 @@ extern "C" {
                                       of a search; columns                    */
 #define KERN_WORK_MOST     2000000000 /* units of a call; entries of a matrix */
 /* Entries of sparse columns that a unit of work adds up (of a dense factor 8/3
-   as many): 650 to 2,000 instructions, as >>verdicts says. */
+   as many): 600 to 2,000 instructions, as >>verdicts says. */
 #define KERN_UNIT          64
 
 /* ---- measures ---- */
@@ -1312,7 +1312,8 @@ extern "C" {
 #define KERN_PIVOT         KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
-   steps: without the bound trying a stone costs 4 % more. */
+   steps: without the bound trying a stone costs 4 % more. And slide of a stone
+   that falls into a jam, in approaches. */
 #define KERN_NORM_MOST     KERN_R(100)
 #define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
                                       are tried for the crash basis           */
@@ -1360,8 +1361,9 @@ extern "C" {
 
 /* ---- raised ---- */
 
-/* Rounds of prices from nothing or along a load; from those of a smaller push a
-   third, near a block a half. More show more that moves, fewer what stays. */
+/* Rounds of prices from nothing or along a load; from those of a smaller push,
+   or near a block, half as many, near it from a smaller push a sixth. More show
+   more that moves, fewer less that stays. */
 #define KERN_RAISE_ROUNDS  21
 /* Steps of a load up to the load factor; where one fails, a fifth of it, and of
    that: with halves, to as little, loads take 1.4 times as long. */
@@ -1797,7 +1799,7 @@ static kern_query kern_path_at(const kern_path *path, kern_real s)
 
 /* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
    no longer; last + 1 if they always do, -1 if a verdict is undecided. Up to
-   path->holds they do, where kerns are nested not from path->fails on. */
+   path->holds they do; where kerns are nested, none does from path->fails. */
 static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
                             int last, kern_margin *out)
 {
@@ -6031,14 +6033,16 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 }
 
 /* Writes the forces, and what prices lead to. Returns whether every loaded
-   contact approaches. Along a load prices fall slowly, and a contact that
-   parts keeps its price where forces were found; where that is too low to open
-   it, the price grows by twice what is missing: else a joint that slides and no
-   longer presses loses its force as slowly as prices settle. */
+   contact approaches, and none slides so far as only a stone that falls into a
+   jam. Along a load prices fall slowly, and a contact that parts keeps its
+   price where forces were found; where that is too low to open it, the price
+   grows by twice what is missing: else a joint that slides and no longer
+   presses loses its force as slowly as prices settle. */
 static int kern_raise_price(kern_raise *r, int found)
 {
     kern_part *p = r->p;
     kern_model *m = p->m;
+    kern_real slid = KERN_R(0), most = KERN_R(0);
     int k, pressed = found;
     kern_norm_write(p);
     for (k = 0; k < p->contacts; k++) {
@@ -6047,10 +6051,14 @@ static int kern_raise_price(kern_raise *r, int found)
         kern_real *to = p->dual.turn + 2 * (size_t)k;
         const kern_real mu = kern_model_mu(m, i), price = p->dual.price[k];
         const kern_real approach = w[0] + price;
-        if (m->answer.force[i].normal > r->tolerance * m->weight)
+        const kern_real slip = kern_abs(w[1]) - kern_max(approach, 0)
+                                                / p->dual.stiff;
+        if (m->answer.force[i].normal > r->tolerance * m->weight) {
             pressed &= approach > 0;
-        to[0] = mu * kern_max(kern_abs(w[1]) - kern_max(approach, 0)
-                                               / p->dual.stiff, 0);
+            slid = kern_max(slid, slip);
+            most = kern_max(most, approach);
+        }
+        to[0] = mu * kern_max(slip, 0);
         if (r->along && found && !(approach > 0))
             to[0] = kern_max(to[0], price)
                  + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
@@ -6058,7 +6066,7 @@ static int kern_raise_price(kern_raise *r, int found)
             to[0] = price + KERN_LOAD_FALL * (to[0] - price);
         to[1] = to[0] - price;
     }
-    return pressed;
+    return pressed && slid <= KERN_NORM_MOST * most;
 }
 
 /* Makes new prices, by Anderson's method: how much of the last difference is
@@ -6102,16 +6110,17 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 }
 
 /* Looks for a proof, from nothing or from u and prices as they are. Near a
-   block in half the rounds: slow prices are a sign that it moves. */
+   block in fewer rounds: slow prices are a sign that it moves. */
 static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold)
 {
     kern_part *p = r->p;
-    const int rounds = KERN_RAISE_ROUNDS / (r->along || cold ? 1 : 3);
+    const int rounds = KERN_RAISE_ROUNDS / (r->around >= 0 ? cold ? 2 : 6
+                                            : r->along || cold ? 1 : 2);
     int round;
     r->tolerance = kern_part_load(p, q, p->dual.b);
     if (!kern_model_ask(p->m, r->around < 0 ? 4 : 1))
         return 0;
-    for (round = 0; round < (r->around < 0 ? rounds : rounds / 2); round++) {
+    for (round = 0; round < rounds; round++) {
         const kern_status found = kern_norm_find(
             p, r->tolerance, 2 * KERN_NORM_MOST, !cold || round > 0,
             KERN_FEW_ROUNDS + 2);
@@ -6210,7 +6219,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
 }
 
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
-   the last two in the same direction, and half as long once one fails. The end
+   the last two in the same direction, a fifth as long once one fails. The end
    of the path doubles where nothing is known to end it before. Returns the last
    share that was proven, below 0 if none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
@@ -8663,8 +8672,8 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
 {
     int again;
     for (again = 0; again < 2; again++) {
-        kern_lp_clean(x, lp->cols, again * KERN_ROUNDING, 1);
-        kern_lp_clean(y, lp->rows, again * KERN_ROUNDING, 0);
+        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_ROUNDING, 1);
+        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_ROUNDING, 0);
         if (kern_lp_holds(lp, x, y, status))
             return 1;
     }

@@ -40,11 +40,11 @@ static const struct {
 #ifdef KERN_SINGLE
     { 200, 0x94b3abad056a5f13u },
     { 1000, 0xe930730f50641057u },
-    { 5000, 0x22e090c35a6a11f5u },
+    { 5000, 0xc0e3ec27f10890afu },
 #else
     { 200, 0x340a6a09cb52195du },
-    { 1000, 0xa215962ce7cf123bu },
-    { 5000, 0xaa1cd0e7e386a0b0u },
+    { 1000, 0xdbd26aa35f509738u },
+    { 5000, 0x32ed3e3f1e10e0c8u },
 #endif
 };
 

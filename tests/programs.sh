@@ -224,7 +224,7 @@ undecided() { # by the limit of work: what is missing is named; of what is asked
     local tower=examples/structures/tower.kern axle kern
     kern=$(program kern examples/kern.c) && axle=$out/axle.kern &&
         { cat examples/structures/arch.kern; echo live v7 0 -9 -5 9; } >"$axle"
-    open raised raised --raised --limit 200 $tower &&
+    open raised raised --raised --limit 120 $tower &&
         open raised_load_left raised_load_left --raised --limit 300 $tower &&
         open certain certain --measured .001 --limit 100 $tower &&
         open bears bears --error .01 --limit 1 $tower &&

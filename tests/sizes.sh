@@ -14,12 +14,12 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9004
-lines of the engine|3500|3794
-text of the library|54000|54112
+limits="lines of kern.h|8800|9013
+lines of the engine|3500|3801
+text of the library|54000|54200
 text, kern_measure with contacts given|32000|30196
 text, kern_verdict with contacts given|22000|23028
-text of the library, KERN_NO_INTERIOR|54000|51506
+text of the library, KERN_NO_INTERIOR|54000|51594
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
 deepest stack|2700|2600"
