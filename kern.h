@@ -103,7 +103,7 @@
    to read the input included, is not begun: the call returns KERN_LIMIT and
    writes what is proven by then. Below the limit the answer is the same, to the
    last bit, as without. A call takes at most 3,000 instructions and 2,000 for
-   each unit of its limit, a whole answer 600 to 2,000 for each unit that it
+   each unit of its limit, a whole answer 650 to 2,000 for each unit that it
    took (tests/work.sh limits): 0.1 to 0.6 microseconds of a desktop computer.
 
    CONFIGURATION                                                     >>config
@@ -325,9 +325,10 @@
              undecided only if the verdict at a step that it depends on is.
              Bricks held by loads up to 1000 times their weight: none of 288
              with mu up to 100, with mu 1000 2 of 96.
-   Brackets  At most 2e-6 mean sizes wide; in jams of 4 to 15 blocks up to 2e-5
-             in one of a thousand; above 256 blocks of which many move at once
-             up to 3e-5. Above 64 such blocks a value may lie anywhere in it.
+   Brackets  At most 2e-6 mean sizes wide; in jams up to 2e-5 (one of a thousand
+             of 4 to 15 blocks; flat arches of 50); above 256 blocks of which
+             many move at once up to 3e-5. Above 64 such blocks a value may lie
+             anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (constants: >>tune), a deficit is exact to 3e-6
@@ -1253,7 +1254,7 @@ extern "C" {
                                       of a search; columns                    */
 #define KERN_WORK_MOST     2000000000 /* units of a call; entries of a matrix */
 /* Entries of sparse columns that a unit of work adds up (of a dense factor 8/3
-   as many): 600 to 2,000 instructions, as >>verdicts says. */
+   as many): 650 to 2,000 instructions, as >>verdicts says. */
 #define KERN_UNIT          64
 
 /* ---- measures ---- */
@@ -6118,7 +6119,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold)
                                             : r->along || cold ? 1 : 2);
     int round;
     r->tolerance = kern_part_load(p, q, p->dual.b);
-    if (!kern_model_ask(p->m, r->around < 0 ? 4 : 1))
+    if (!kern_model_ask(p->m, r->around < 0 ? 3 : 1))
         return 0;
     for (round = 0; round < rounds; round++) {
         const kern_status found = kern_norm_find(
@@ -8981,12 +8982,11 @@ KERN_API kern_options kern_near(const kern_options *options,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
           takes the margin and fills in a kern_interval. kern_known and
           kern_plan have fewer fields. options.limit is 10,000,000 by default,
-          was 0. kern_collapse.drop has no least height. New refusals: a
-          relative shrinkage above 1, in double a length above 1e60 m, a mass or
-          load out of 1e-60 to 1e60 (float: 1e-10 to 1e10), a block that
-          kern_block_init() refused. Steps in outlines carry as their chords.
-          New: kern_stays(), kern_plan_stays(), kern_raised_load(),
-          options.reserve and .lone, KERN_NO_INTERIOR.
+          was 0. New refusals: a relative shrinkage above 1, in double a length
+          above 1e60 m, a mass or load out of 1e-60 to 1e60 (float: 1e-10 to
+          1e10), a block that kern_block_init() refused. Steps in outlines carry
+          as their chords. New: kern_stays(), kern_plan_stays(),
+          kern_raised_load(), options.reserve and .lone, KERN_NO_INTERIOR.
    0.1.0  First version.                                                   */
 
 /*

@@ -7434,7 +7434,7 @@ static void jams_fill_the_factors(void)
         work = work_of(&w);
         CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_STANDS);
         CHECK_NEAR(m.margin, high / 2, 0.02 * high);
-        CHECK(m.fails - m.holds <= 2e-5); /* of a jam */
+        CHECK(m.fails - m.holds <= 2e-5); /* >>limits: a jam */
     }
     context[0] = 0;
 }
