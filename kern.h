@@ -5650,7 +5650,6 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
     const kern_real spin = KERN_R((c->travel > 0) == (e & 1) ? 1 : -1);
     const kern_real all = m->relative ? KERN_R(1) : kern_abs(c->travel);
     const kern_vec t = kern_vec_scale(kern_vec_turn(c->n), c->travel / all);
-    kern_real most = KERN_R(0);
     int g, h;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (g = 0; g <= body; g++) {
@@ -5665,9 +5664,8 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
         v->vx = spin * arm.y;
         v->vy = -spin * arm.x;
         v->spin = spin;
-        most = kern_max(most, kern_block_speed(b, v));
     }
-    kern_scale(m->answer.motion, 3 * m->s->blocks, 1 / most);
+    kern_motion_scale(m->s, m->answer.motion);
 }
 
 /* The smallest critical value of a body becomes the path's warm start. Returns

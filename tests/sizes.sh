@@ -14,12 +14,12 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|9013
-lines of the engine|3500|3801
-text of the library|54000|54200
-text, kern_measure with contacts given|32000|30196
+limits="lines of kern.h|8800|9011
+lines of the engine|3500|3799
+text of the library|54000|54160
+text, kern_measure with contacts given|32000|30152
 text, kern_verdict with contacts given|22000|23028
-text of the library, KERN_NO_INTERIOR|54000|51594
+text of the library, KERN_NO_INTERIOR|54000|51550
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
 deepest stack|2700|2600"
