@@ -2428,9 +2428,6 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     return KERN_OK;
 }
 
-/* A block of its own group: neither ground, nor taken away. */
-static int kern_is_free(const kern_model *m, int block)
-{ return m->graph.group[block] < m->graph.groups; }
 
 /* The row of a contact at one of its ends: three equations of the group there.
    All that look for forces use it by two verbs, motion to speed and force to
@@ -2803,34 +2800,16 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     return kern_ended(task, status);
 }
 
-/* The margin, and with it the level. Where kerns are not nested it stands at
-   all levels up to the margin: some of the even steps are levels. */
-static kern_status kern_measure_path(kern_model *m, kern_path *path, int nested,
-                                     int last, kern_margin *out)
-{
-    const kern_real first = kern_min(out->epsilon, out->most);
-    kern_status status = nested ? kern_path_search(m, path)
-                                : kern_path_evaluate(m, path, KERN_R(0));
-    if (!nested && status == KERN_STANDS)
-        status = kern_path_walk(
-            m, path, first / KERN_R(1 + (int)(KERN_SCAN * first / out->most)));
-    if (status != KERN_STANDS)
-        return status;
-    out->margin = path->critical;
-    out->holds = path->holds;
-    out->fails = path->fails;
-    out->saturated = path->never;
-    kern_level_scan(m, path, nested, last, out);
-    return status;
-}
 
-/* The measure of an open task, with what is known of one like it or NULL. */
+/* The measure of an open task, with what is known of one like it or NULL. Where
+   kerns are not nested it stands at all levels up to the margin: some of the
+   even steps are levels. */
 static kern_status kern_measure_task(kern_call *c, const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
 {
     kern_path *const path = &c->path;
-    kern_real range[2], steps;
+    kern_real range[2], steps, first;
     const int nested = kern_is_nested(&task->s, &path->q, range);
     kern_margin r = {0, 0, 0, range[1], task->options.epsilon, 0, 0};
     kern_status status;
@@ -2848,7 +2827,20 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
         return KERN_BAD_STEP;
     last = (int)steps;
     last += KERN_R(last) < steps; /* until every kern is closed */
-    status = kern_ended(task, kern_measure_path(&c->m, path, nested, last, &r));
+    first = kern_min(r.epsilon, r.most);
+    status = nested ? kern_path_search(&c->m, path)
+                    : kern_path_evaluate(&c->m, path, KERN_R(0));
+    if (!nested && status == KERN_STANDS)
+        status = kern_path_walk(
+            &c->m, path, first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
+    if (status == KERN_STANDS) {
+        r.margin = path->critical;
+        r.holds = path->holds;
+        r.fails = path->fails;
+        r.saturated = path->never;
+        kern_level_scan(&c->m, path, nested, last, &r);
+    }
+    status = kern_ended(task, status);
     if (status == KERN_LIMIT) {
         r.fails = kern_min(path->proven.high, r.most);
         r.margin = r.holds = kern_min(path->proven.low, r.fails);
@@ -2993,23 +2985,22 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
     kern_status status = kern_number_open(&c, task, at, length);
     if (status != KERN_OK)
         return status;
-    status = KERN_STANDS;
-    for (round = 0; status == KERN_STANDS && (round < 2 || at > 0); round++) {
+    for (round = 0; round < 2 || at > 0; round++) {
         c.path.q.shortest = at;
         kern_model_group(&c.m, &c.path.q);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
         kern_proof_out(&c.m, proof, status);
         if (status == KERN_STANDS)
             lo = at;
-        else if (round > 0
-                 && (status == KERN_FALLS || status == KERN_UNDECIDED)) {
-            if (status == KERN_UNDECIDED && proof && proof->motion)
-                kern_zero(proof->motion, 3 * task->s.blocks);
+        else if (lo < 0 || status < KERN_UNDECIDED)
+            break;
+        else
             hi = at;
-            status = KERN_STANDS;
-        }
+        if (status == KERN_UNDECIDED && proof && proof->motion)
+            kern_zero(proof->motion, 3 * task->s.blocks);
         at = round == 0 ? KERN_INFINITY
                         : kern_length_between(&task->s, c.path.q.mean, lo, hi);
+        status = KERN_STANDS;
     }
     status = kern_ended(task, status);
     if (status == KERN_STANDS || status == KERN_LIMIT)
@@ -3130,7 +3121,7 @@ static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
     const kern_motion *v = m->answer.motion;
     int i;
     for (i = 0; i < m->s->blocks; i++)
-        if (kern_is_free(m, i)
+        if (m->graph.group[i] < m->graph.groups
             && (all || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
             fall->value[i] = at;
             if (fall->weak-- > 0)
@@ -3159,27 +3150,25 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
 {
     kern_real range[2], at = KERN_R(0);
     kern_status status = kern_path_evaluate(m, path, at);
-    int rounds = 2 * m->graph.groups + KERN_FEW_ROUNDS;
+    int rounds = 3 * m->graph.groups + KERN_FEW_ROUNDS;
     while (m->graph.groups > 0 && !path->never) {
         if (rounds-- == 0)
             return KERN_UNDECIDED;
-        while (status == KERN_FALLS) { /* the rest, just beyond the proof */
+        if (status == KERN_FALLS) { /* the rest, just beyond the proof */
             kern_fall_add(m, fall, at, 0);
             kern_model_group(m, &path->q);
-            status = m->graph.groups > 0 ? kern_fall_beyond(m, path)
-                                         : KERN_STANDS;
-        }
-        if (status != KERN_STANDS)
+            if (m->graph.groups > 0)
+                status = kern_fall_beyond(m, path);
+        } else if (status == KERN_STANDS) {
+            status = path->kind != KERN_PATH_SHRINK
+                     || kern_is_nested(m->s, &path->q, range)
+                     ? kern_path_search(m, path)
+                     : kern_path_walk(m, path, path->end / KERN_SCAN);
+            at = path->critical;
+            if (status == KERN_STANDS && !path->never)
+                status = kern_fall_beyond(m, path);
+        } else
             return status;
-        if (m->graph.groups == 0)
-            break;
-        status = path->kind != KERN_PATH_SHRINK
-                 || kern_is_nested(m->s, &path->q, range)
-                 ? kern_path_search(m, path)
-                 : kern_path_walk(m, path, path->end / KERN_SCAN);
-        at = path->critical;
-        if (status == KERN_STANDS && !path->never)
-            status = kern_fall_beyond(m, path);
     }
     kern_fall_add(m, fall, path->end, 1);
     return KERN_OK;
@@ -6260,40 +6249,31 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     return stood;
 }
 
-/* Whether it is raised: at once, or where the blocks' loads grow from 0. */
-static int kern_raise_shows(kern_raise *r, const kern_query *q)
-{
-    kern_query grown = *q;
-    const int shown = kern_raise_settle(r, q, 1)
-        || (kern_model_loaded(r->p->m) && kern_raise_climb(
-                r, &grown, &grown.loads, KERN_R(1)) >= 1);
-    r->along = 0; /* prices settle sooner than along the load */
-    return shown;
-}
 
-/* How far the block asked about goes until its forces are raised, for a
-   stiffness and a mean weight of 1; a turn by half of what it moves a point a
-   size away. */
-static kern_real kern_raise_sag(const kern_raise *r)
-{
-    const kern_graph *graph = &r->p->m->graph;
-    const kern_real *u = r->p->dual.u
-                         + 3 * graph->local[graph->group[r->around]];
-    return (kern_real)graph->groups * (kern_abs(u[2]) / 2
-           + kern_vec_length(kern_vec_make(u[0], u[1])));
-}
 
-/* Whether it is raised, in *out; unless sag is NULL how far the block goes. */
+/* Whether it is raised, in *out: at once, or where the blocks' loads grow from
+   0. Unless sag is NULL, how far the block asked about goes until its forces
+   are raised, for a stiffness and a mean weight of 1; a turn by half of what it
+   moves a point a size away. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
+    kern_query grown = c->path.q;
     const kern_status status = kern_raise_begin(r, c, out);
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    if (kern_raise_shows(r, &c->path.q))
+    if (kern_raise_settle(r, &c->path.q, 1)
+        || (kern_model_loaded(&c->m)
+            && kern_raise_climb(r, &grown, &grown.loads, KERN_R(1)) >= 1))
         *out = KERN_RAISED;
-    if (sag)
-        *sag = kern_raise_sag(r);
+    r->along = 0; /* prices settle sooner than along the load */
+    if (sag) {
+        const kern_graph *graph = &c->m.graph;
+        const kern_real *u = r->p->dual.u
+                             + 3 * graph->local[graph->group[r->around]];
+        *sag = (kern_real)graph->groups * (kern_abs(u[2]) / 2
+               + kern_vec_length(kern_vec_make(u[0], u[1])));
+    }
     return *out == KERN_RAISED || sag
            ? status : kern_model_evaluate(&c->m, r->p, &c->path.q);
 }
