@@ -8,19 +8,18 @@
    SPDX-License-Identifier: MIT (text at the end of the file)
 
    CONTENTS: search for the tags
-     I    Manual            >>what >>use >>conventions >>memory >>verdicts
-                            >>config >>method >>rules >>measures >>measured
-                            >>limits >>determinism
-     II   Declarations      >>decl >>types >>sizes >>api
-     III  The argument      >>impl >>tune (constants) >>vec >>statics (Eq. 5)
-                            >>kern (Algorithm 1) >>work >>check >>proof >>model
-                            >>engine >>measure >>profile >>critical
-                            >>sensitivity
-     IV   Forces, motions   >>part >>skyline >>norm >>pass >>ipm >>verdict
-                            >>search >>raised
-     V    Geometry          >>tol (tolerances) >>polygon >>contact, and >>plan
-     VI   Linear programs   >>lp, and >>words
-     VII  Sources           >>references >>changes, and the licence
+     I    Manual           >>what >>use >>conventions >>memory >>verdicts
+                           >>config >>method >>rules >>measures >>measured
+                           >>limits >>determinism
+     II   Declarations     >>decl >>types >>sizes >>api
+     III  The argument     >>impl >>tune (constants) >>vec >>statics (Eq. 5)
+                           >>kern (Algorithm 1) >>work >>check >>proof >>model
+                           >>engine >>measure >>profile >>critical >>sensitivity
+     IV   Forces, motions  >>part >>skyline >>norm >>pass >>ipm >>verdict
+                           >>search >>raised
+     V    Geometry         >>tol (tolerances) >>polygon >>contact, and >>plan
+     VI   Linear programs  >>lp, and >>words
+     VII  Sources          >>references >>changes, and the licence
 
    WHAT IT COMPUTES                                                    >>what
 
@@ -30,12 +29,11 @@
       +------+ +------+             the same distance d from both ends:
       |   0  | |   1  |
       +------+ +------+             d = 0       |==========|   stands
-     ==================             d           |===    ===|   what is left in
-                                    d*             |====|      the middle is
-                                                               the kern
+     ==================             d             |======|     what is left: the
+                                    d*              |==|       kern of a contact
 
-   "Kern" is the paper's word for what is left of a shrunk contact, not for the
-   middle third of a section. Beyond the margin d* no forces are in equilibrium.
+   "Kern" is the paper's word for this, not for the middle third of a section.
+   Beyond the margin d* no forces are in equilibrium.
 
    HOW TO USE IT                                                        >>use
 
@@ -60,10 +58,9 @@
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
-   count of contacts is a status, which the next call returns. With all checks
-   it is examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION
-   is in two files; "undefined reference": in none, or of the other precision.
+   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. All checks:
+   see examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION is
+   in two files; "undefined reference": in none, or of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
@@ -77,21 +74,19 @@
 
    The library allocates nothing, has no globals and no recursion, and keeps
    nothing between calls: threads need no locks, each with its own work memory:
-   two arrays, sized by the constant expressions KERN_REALS(blocks, contacts)
-   and KERN_INTS(blocks, contacts), or by kern_work_need(). Contacts are counted
-   as contact points: a running bond has seven a block, twelve with joints
-   between neighbours. KERN_CONTACTS(blocks) has room for these; stones with
-   many short edges may need twice as many (KERN_NO_SPACE). Bytes in double
-   (float: about half):
+   two arrays, of KERN_REALS(blocks, contacts) and KERN_INTS(blocks, contacts)
+   numbers (kern_work_need() at run time). Contacts are counted as points: a
+   running bond has seven a block, twelve with joints between neighbours.
+   KERN_CONTACTS(blocks) has room for these; stones with many short edges may
+   need twice as many (KERN_NO_SPACE). Bytes in double (float: about half):
 
        blocks and contact points    5, 20    10, 60   30, 140  100, 600
        KERN_REALS and KERN_INTS     9,124    21,496    66,296   359,616
        both KERN_LEAN_ sizes        9,124    12,364    20,204    64,404
 
-   KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where a
-   few blocks decide the margin, as in most walls: 0.7 MB for 1000 blocks and
-   7000 points instead of 20. Where many blocks move at the margin, as in
-   arches, a call needs more and returns KERN_NO_SPACE.
+   KERN_LEAN_REALS and KERN_LEAN_INTS (from 10 blocks on) are enough where few
+   blocks move at the margin, as in most walls: 0.7 MB, not 20, for 1000 blocks
+   and 7000 points. Where many do, as in arches, a call returns KERN_NO_SPACE.
 
    VERDICTS AND PROOFS                                             >>verdicts
 
@@ -122,8 +117,7 @@
 
    METHOD                                                            >>method
 
-   Every free block is in equilibrium, Eqs. (1) to (3), under contact forces
-   without tension and within friction, Eq. (4):
+   Contact forces, Eq. (4), hold free blocks in equilibrium, Eqs. (1) to (3):
 
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
@@ -131,8 +125,7 @@
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
    (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
    none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
-   such that no contact closes and the weights do work: a mechanism. It proves
-   that the structure falls.
+   such that no contact closes and the weights do work: a mechanism.
 
    A verdict asks, in this order, until one gives a proof:
 
@@ -289,12 +282,11 @@
    the discretisation decides them. Overlaps beyond the error are modelling
    errors (kern_overlaps()): measure again, or set options.overlap.
 
-   Certainty. kern_certain() tells whether the verdict is certain within the
-   error, and between what the margin lies. A gap below the error may be open,
-   so what needs two supports of a block never stands for certain: with one of
-   them half an error short it may fall and looks the same. How often it is
-   right: README; with noise of 0.5 % of the mean size 99 % of the verdicts are,
-   and of near misses 0.7 % at most stand for certain (tests/TRUST.md).
+   Certainty: kern_certain(). A gap below the error may be open, so what needs
+   two supports of a block never stands for certain: with one of them half an
+   error short it may fall and looks the same. How often it is right: README;
+   with noise of 0.5 % of the mean size 99 % of the verdicts are, and of near
+   misses 0.7 % at most stand for certain (tests/TRUST.md).
 
    LIMITS                                                            >>limits
 
@@ -304,18 +296,15 @@
              friction alone counts as standing; kern_raised() tells whether the
              load raises such forces.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
-             (sliding is dilatant). Where a wall's own joints slide, load factor
+             (dilatant sliding). Where a wall's own joints slide, load factor
              and tilt are too high: against a simulator by 11 to 26 % on four
              published brick walls with openings (tests/PUBLISHED.md), once 2.5
              times on random ones; never on settled rubble. kern_raised_load()
-             has no dilatancy (README), but answers for one path of loading.
-             Use the lower one for what must hold. Bricks that hang in a flat
-             arch are not raised.
+             has no dilatancy (README), but answers for one path of loading:
+             take the lower. Bricks that hang in a flat arch are not raised.
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 181 rows of wedges between cliffs that fall in a
              simulator though forces exist, 2 have the largest (tests/TRUST.md).
-   Loads     stay: what kern_block_load() adds neither grows with a horizontal
-             load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
    nested    searched in steps <= d_max / 1001, tilts with loads in steps of
              pi / 1001: a fall narrower than that may be missed.
@@ -325,21 +314,18 @@
              undecided only if the verdict at a step that it depends on is.
              Bricks held by loads up to 1000 times their weight: none of 288
              with mu up to 100, with mu 1000 2 of 96.
-   Brackets  At most 2e-6 mean sizes wide; in jams up to 2e-5 (one of a thousand
-             of 4 to 15 blocks; flat arches of 50); above 256 blocks of which
-             many move at once up to 3e-5. Above 64 such blocks a value may lie
-             anywhere in it.
+   Brackets  At most 2e-6 mean sizes wide; in jams 2e-5 (one of a thousand of 4
+             to 15 blocks; flat arches of 50); where many of over 256 blocks
+             move at once 3e-5; of over 64 the value may lie anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
-   Float     Proofs are weaker (constants: >>tune), a deficit is exact to 3e-6
-             sizes, above 64 blocks values to 0.05; near to critical more is
-             undecided; where wedges jam a margin may be off by a third of a
-             size; stay near the origin.
+   Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
+             64 blocks values to 0.05; more is undecided near critical; where
+             wedges jam a margin may be off by 1/3 size. Stay near the origin.
 
    DETERMINISM                                                  >>determinism
 
-   The same input gives the same bits on every machine whose compiler keeps to
-   IEEE arithmetic:
+   Same input, same bits on every machine whose compiler keeps to IEEE rules:
 
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
                              PowerPC, s390x, x86 with -mfma); gcc contracts by
@@ -438,10 +424,10 @@ typedef struct kern_vec { kern_real x, y; } kern_vec;
 /* Upright rectangle: its lower left and its upper right corner [m]. */
 typedef struct kern_box { kern_vec low, high; } kern_box;
 
-/* Above zero a call returns a verdict, or the result of a linear program; zero,
-   when a call that gives no verdict is done. Below zero it failed, and of the
-   caller's data only counters and fault of the work memory have changed; with
-   KERN_LIMIT also what the call says. */
+/* Above zero a call returns a verdict, or the result of a linear program; zero
+   where it has none. Below zero it failed, and of the caller's data only
+   counters and fault of the work memory changed; with KERN_LIMIT also what it
+   says. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
     X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
@@ -492,14 +478,12 @@ typedef struct kern_fault {
 /* A force [N] and a counter-clockwise torque [N m] about a centre of mass. */
 typedef struct kern_wrench { kern_real fx, fy, torque; } kern_wrench;
 
-/* A stone, or a piece of ground. kern_block_init() fills it; mass, centre and
-   load may be changed afterwards. */
+/* A stone or ground: kern_block_init(). Mass, centre, load may change later. */
 typedef struct kern_block {
     const kern_vec *vertex; /* simple polygon, the caller's [m]; NULL: none   */
     int vertices;           /* >= 3; 0 with vertex NULL; -1: it was refused   */
     int fixed;              /* nonzero: ground, exerts whatever is needed     */
-    kern_real area;         /* [m^2], < 0 if the polygon runs clockwise; the
-                               block's size is the square root of |area|      */
+    kern_real area;         /* [m^2], < 0: clockwise; "size": sqrt(|area|)    */
     kern_box box;           /* of the polygon; read where there are vertices  */
     kern_real mass;         /* [kg] > 0; of fixed blocks not read             */
     kern_vec centre;        /* centre of mass [m]                             */
@@ -620,12 +604,10 @@ typedef enum kern_meeting {
     KERN_OPENS            /* they part                                        */
 } kern_meeting;
 
-/* What limits a measure, and what moves first: kern_critical_of(). Each array,
-   of the caller, may be NULL. */
+/* What limits and what moves first: kern_critical_of(). NULL: is not asked. */
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
-    kern_real *limit;     /* one a contact point: how much it limits, as a
-                             share of the one that does most                  */
+    kern_real *limit;     /* one a contact point: how much it limits, <= 1    */
     int *group;           /* one a block: number of the group that moves as one
                              with it, 0 the fastest; -1: it rests             */
     int contact;          /* the contact point that limits most; -1: none     */
@@ -698,9 +680,8 @@ typedef struct kern_lp {
 #endif
 
 /* ---- Sizes ------------------------------------------------------- >>sizes */
-/* Constant expressions (>>memory). Blocks include fixed ones. KERN_ROOM is for
-   factors of so many columns with fill-in (>>lp): a wall has KERN_LEAN_EXTRAS
-   of these; KERN_LP_ROOM, of a dense program. */
+/* Constant expressions (>>memory); blocks include fixed ones. KERN_ROOM is for
+   factors of columns with fill-in (>>lp), KERN_LP_ROOM of a dense program. */
 #define KERN_CONTACTS(blocks) (12 * (blocks) + 16)
 #define KERN_EXTRAS(blocks) ((blocks) < 4 ? 3 * (blocks) : 3 * (blocks) / 2 + 8)
 #define KERN_LEAN_EXTRAS(blocks) \
@@ -732,11 +713,11 @@ typedef struct kern_lp {
    KERN_LIMIT; where the number of contacts is below -1 it is the status of
    kern_contacts(), returned with its fault. A measure with KERN_LIMIT is the
    largest proven to stand by then, below 0 if none is. Numbers that cannot be
-   squared or multiplied safely are refused, with the block in the fault: a mass
-   or area out of the range of kern_block_init() (KERN_BAD_MASS, KERN_NO_AREA);
-   as KERN_BAD_NUMBER an option, centre, place or travel above 1e60 m, an area
-   above 1e120 m^2, pattern or weight with load of a block above 1e60 N, or the
-   latter below 1e-60 N and not 0 (float: 1e10 in place of 1e60). */
+   squared or multiplied safely are refused, with the block in the fault. With F
+   = 1e60 (float: 1e10): a mass out of 1 / F to F (KERN_BAD_MASS), an area below
+   1 / F^2 (KERN_NO_AREA), as KERN_BAD_NUMBER an option, vertex, centre, place
+   or travel above F [m], an area above F^2, pattern or weight with load of a
+   block above F [N], or the latter below 1 / F and not 0. */
 
 /* What a status means, in words. */
 KERN_API const char *kern_status_text(kern_status status);
@@ -778,12 +759,11 @@ KERN_API void kern_work_need(int blocks, int contacts,
    The vertices stay the caller's and must live as long as the block; after they
    have moved, call this again. fault may be NULL; its index is the vertex. A
    failed call leaves no block: others return KERN_NO_BLOCK for it.
-   KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER (also
-   above 1e60, float: 1e10), KERN_NO_AREA (also below 1e-120, float: 1e-20
-   [m^2]), KERN_CROSSING (also where the last vertex repeats the first, as in
-   closed rings of other formats), KERN_BAD_MASS (density not above 0, or a mass
-   below 1e-60 or above 1e60 [kg]; float: 1e-10, 1e10). Time: O(n) for n
-   vertices of a convex polygon, else a test of boxes for each two edges. */
+   KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER,
+   KERN_NO_AREA, KERN_CROSSING (also where the last vertex repeats the first, as
+   in closed rings of other formats), KERN_BAD_MASS (also a density not above
+   0): bounds as above. Time: O(n) for n vertices of a convex polygon, else a
+   test of boxes for each two edges. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
@@ -853,8 +833,7 @@ KERN_API kern_vec kern_contact_at(const kern_contact *contact,
                                   kern_real shrink, int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` [m] (relative: a share, at most 1): kerns are shrunk by so much, and
-   grown where it is negative. proof may be NULL. */
+/* `shrink` [m; relative: share <= 1]: below 0 kerns grow. proof may be NULL. */
 
 /* A structure under gravity (0, -9.81), kern_defaults(), nothing known. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
@@ -971,9 +950,8 @@ KERN_API kern_status kern_sensitivity(
     const kern_task *task, const kern_margin *margin, const kern_proof *proof,
     kern_contact_rate *contact, kern_block_rate *block);
 
-/* The deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0. KERN_FALLS: it
-   is written. KERN_LIMIT: how far kerns must grow at least, -1 where the
-   structure is not proven to fall yet. */
+/* The deficit (>>rules) [m; relative: 1], 0 with KERN_STANDS. KERN_LIMIT: what
+   it is at least, -1 where the structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
 /* The length [m] of the shortest contact that the structure needs: it stands on
@@ -1084,8 +1062,7 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin,
                                      const kern_proof *proof);
 
-/* kern_stays() and kern_raised() with a block added; for NULL of the plan as it
-   is, and of its last block. */
+/* kern_stays() of the last block, kern_raised(); block NULL: none is added. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1211,18 +1188,16 @@ extern "C" {
    its power divided by it. A larger gap leaves the interior point no digits. */
 #define KERN_BOUND         KERN_PICK(1e6, 1e3)
 /* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
-   a variable below zero, as a share of the largest, a pivot or a gain, and what
-   >>ipm adds to a diagonal without pivots; and the difference of two critical
-   values, in mean block sizes. Less, and the simplex chases rounding, a search
-   does not end. */
+   a variable below zero, as a share of the largest, a pivot or a gain, what
+   >>ipm adds to a diagonal without pivots; the difference of critical values,
+   in mean sizes. Less, and the simplex chases rounding, searches go on. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms; by how
    much a certificate is lifted off the columns that it touches, since the check
-   of a motion adds as much; and what is added to the diagonal of the matrix of
-   >>norm, as a share of its mean: without it a group that no ray presses has no
-   pivot. Twice as much, of the largest coordinate, and places are the same: no
-   gap is less, or cubes that were turned and moved would not touch; nor is a
-   normal farther off its length. */
+   of a motion adds as much; what is added to the diagonal of >>norm, as a share
+   of its mean: without it a group that no ray presses has no pivot. Twice as
+   much, of the largest coordinate, and places are the same: no gap is less, or
+   turned cubes would not touch; nor is a normal farther off its length. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1231,15 +1206,13 @@ extern "C" {
 
 /* Largest coordinate and option [m], mass [kg] and sum of all that acts on a
    block [N]. Inverse, it is the least size, mass and sum of a block; its
-   inverse square is the least area [m^2] and power of a motion [W]. Of these
-   the squares, moments and products with KERN_BOUND are numbers, and keep all
-   digits. */
+   inverse square is the least area [m^2] and power of a motion [W]. Squares,
+   moments and products with KERN_BOUND of these keep all digits. */
 #define KERN_FAR           KERN_PICK(1e60, 1e10)
 /* Turn [rad] below which a vertex is no corner, and within which of a half turn
-   it is a spike: much larger, and round stones would lose their shape. And
-   share of the size by which a foot must lie inside its edge, so that rounding
-   makes no contacts between diagonal neighbours; of the shortest line, below
-   which a travel is none. */
+   it is a spike: much larger, and round stones lose their shape. Share of the
+   size by which a foot lies inside its edge: no contacts of diagonal neighbours
+   by rounding; of the shortest line, the least travel. */
 #define KERN_SLIGHT        KERN_R(1e-6)
 /* Share of the size: the default gap, the length of the shortest line, and how
    far off a corner ends a contact; of an area, by how much it may differ, by
@@ -1261,8 +1234,7 @@ extern "C" {
 
 /* Width of the bracket of a measure, the critical value in its middle [mean
    block size; load factor; tangent of a quarter of the angle]. Narrower, fewer
-   verdicts near critical have a proof; wider, the bracket is no longer within
-   the 2e-6 that are promised. */
+   verdicts near critical have a proof; wider, it exceeds the promised 2e-6. */
 #define KERN_WIDTH         KERN_PICK(1.26e-6, 1.8e-3)
 /* How many times wider it may get near what has no proof; wider: undecided. */
 #define KERN_WIDEST        KERN_R(20)
@@ -1270,20 +1242,17 @@ extern "C" {
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL         64
 /* Steps to the largest travel where kerns are not nested, and of half a circle
-   of tilt under loads that stay: a range that falls, and is narrower than one,
-   may be missed. A walk in these steps, or a climb, takes no more than five
-   times as many verdicts. */
+   of tilt under loads that stay: a narrower range that falls may be missed. A
+   walk in these, or a climb, takes at most five times as many verdicts. */
 #define KERN_SCAN          1001
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
-   minimum-norm forces, a bracket (four to eight suffice), the interior point
-   (some ten), prices of contacts along a load. */
+   minimum-norm forces, a bracket, the interior point, prices along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole is asked; steps without
-   gain, of a collapse. */
+   from bend to bend, parts that fall before the whole, a collapse in place. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1308,25 +1277,20 @@ extern "C" {
 #define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
 /* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
    and the solution needs no refinement); of a column in a basis, as a share of
-   its largest entry, and determinant of three columns (less, and they count as
-   dependent). */
+   its largest entry, and determinant of three columns (less: dependent). */
 #define KERN_PIVOT         KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
-   infeasible. Larger, clusters grow later and Newton's method takes more
-   steps: without the bound trying a stone costs 4 % more. And slide of a stone
-   that falls into a jam, in approaches. */
+   infeasible. Larger, clusters grow later and Newton takes more steps: without
+   it trying a stone costs 4 % more. Also a slide into a jam, in approaches. */
 #define KERN_NORM_MOST     KERN_R(100)
-#define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
-                                      are tried for the crash basis           */
+#define KERN_ROWS_MOST     12 /* contacts of one group; its crash columns     */
 /* Groups of a cluster: a quarter of all in a verdict, a fifth in a search, a
    seventh in one that knows forces. With a fifth verdicts take 7 % more, with a
-   quarter measures 6 %, and tries from known forces 6 % with a fifth. Of more
-   than KERN_SMALL so many, and two more for each KERN_SMALL: with fewer some
-   measures of 100 blocks take four times the work. */
+   quarter measures 6 %. Of more than KERN_SMALL so many, and two more for each
+   KERN_SMALL: else some measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER       4
 #define KERN_CLUSTER_MOST  20
-/* Units of work of a pass for each group and contact. With 30 measures of
-   bricks take 1.4 times as long. */
+/* Units of a pass for each group and contact; with 30 bricks take 1.4 times. */
 #define KERN_PASS_UNITS    9
 
 /* ---- search ---- */
@@ -1343,11 +1307,9 @@ extern "C" {
 
 /* A little: what a step leaves of the way to x, z = 0, at least; what x and z
    are lifted by to begin, in their largest, and may shrink to where forces are
-   balanced; least gap, and s below 0, with which a query begins where another
-   ended. At 3e-3 tilts take 5 % more. */
+   balanced; least gap, and s below 0, with which a warm query begins. */
 #define KERN_IPM_LITTLE    KERN_R(1e-3)
-#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means: without it,
-                                             float decides fewer verdicts     */
+#define KERN_IPM_APART     KERN_R(0.03) /* least x z, in means, for float     */
 /* What its gap shrinks to in a step at least, in the mean, or it begins anew:
    without that some walls take three times the work. */
 #define KERN_IPM_PACE      KERN_R(0.95)
@@ -1370,9 +1332,8 @@ extern "C" {
    that: with halves, to as little, loads take 1.4 times as long. */
 #define KERN_LOAD_STEPS    8
 #define KERN_LOAD_FALL     KERN_R(0.3) /* share of a price's fall in a round */
-/* kern_stays(): from block to block, how many contacts away from the stone what
-   is not held may be: with 3 and 5 it tells less. No proof is asked for,
-   so that contacts may be less stiff along t. */
+/* kern_stays(): how many contacts away from the stone what is not held may be:
+   3, 5 tell less. No proof is asked for: contacts may be less stiff along t. */
 #define KERN_STAYS_NEAR    4
 #define KERN_STAYS_STIFF   KERN_R(4)
 /* Its law, fitted to placements: the largest reserve that it asks for, since
@@ -1726,8 +1687,7 @@ typedef struct kern_path {
     kern_proven proven;       /* places with a proof                          */
     int never;                /* nonzero: it stands to the end                */
     kern_part *part;          /* that fell last                               */
-    kern_known warm;          /* of a structure like it, or of the body that
-                                 falls first; `fails` 0: nothing              */
+    kern_known warm;          /* of one like it, or the body that falls first */
     int alone;                /* nonzero: the part is evaluated alone         */
     struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
@@ -2234,13 +2194,11 @@ typedef struct kern_graph {
     int groups;
     int *group;               /* of a block                                   */
     int *block;               /* of a group                                   */
-    int *ends;                /* of a contact: groups of its blocks b and a;
-                                 contact i has the ends 2 i and 2 i + 1       */
+    int *ends;                /* groups of b (2 i) and a (2 i + 1), contact i */
     int *touch, *after;       /* first end of a contact at a group, and the end
                                  at the same group that follows an end        */
     int *local;               /* of a group: its number in the open part      */
-    int *carrier;             /* of a group: the one that alone carries it: see
-                                 the bodies of >>search; or KERN_OUT          */
+    int *carrier;             /* of a group: what alone bears it; or KERN_OUT */
 } kern_graph;
 
 /* What was found for the last verdict. */
@@ -2624,8 +2582,7 @@ typedef struct kern_program {
     const int *ends;        /* network: head and tail group of columns 2 i and
                                2 i + 1, rows / 3 for none; NULL: dense        */
     const kern_real *rate;  /* column of the place: less its growth of rhs    */
-    int follow;             /* 0: the place is held; 1: it grows, from that of
-                               rhs, as far as it can                          */
+    int follow;             /* 1: the place grows from rhs's, 0: it is held   */
     kern_real most;         /* what a variable can be at the most; 0: all     */
     int limit;              /* of the work of the call                        */
 } kern_program;
@@ -2638,8 +2595,7 @@ typedef struct kern_factors {
     int *to;                /* row: the first of those rows                   */
     int most, room;         /* for factors, and for entries                   */
     int count;              /* factors                                        */
-    int *pivot, *from;      /* factor: the row in which it pivots, and the first
-                               that it has an entry of                        */
+    int *pivot, *from;      /* factor: its pivot's row, the first with entry  */
     int *first;             /* where its entries begin; one more              */
     kern_real *entry;       /* its column, in threes of rows                  */
 } kern_factors;
@@ -2661,8 +2617,7 @@ typedef struct kern_simplex {
     kern_real *slope;       /* row: c, by what growth of its variable lowers
                                violations, then costs                         */
     kern_real *price;       /* row: y                                         */
-    kern_real *alpha;       /* row: of what is solved for, as the entering
-                               column                                         */
+    kern_real *alpha;       /* row: of what is solved for, as what enters     */
     kern_real *ratio;       /* of the ratio test: steps                       */
     int *list;              /* its rows; or the columns to be factored        */
     kern_real least;        /* violation that counts                          */
@@ -2802,8 +2757,7 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
 
 
 /* The measure of an open task, with what is known of one like it or NULL. Where
-   kerns are not nested it stands at all levels up to the margin: some of the
-   even steps are levels. */
+   kerns are not nested, all levels are among the even steps. */
 static kern_status kern_measure_task(kern_call *c, const kern_task *task,
                                      const kern_known *known, kern_margin *out,
                                      const kern_proof *proof)
@@ -3290,20 +3244,20 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             const kern_real spin = proof->motion[c->b].spin
                                    - proof->motion[c->a].spin;
             const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
-            kern_real limit[3] = {0, 0, 0};
+            kern_real limit = KERN_R(0);
             kern_shift(c->travel, q->shrink, q->relative, &rate);
-            if (proof->force && meeting != KERN_OPENS)
-                limit[0] = kern_max(-spin * rate * proof->force[i].normal, 0);
-            if (meeting == KERN_HINGES)
-                limit[1] = kern_abs(spin);
-            if (meeting == KERN_SLIDES)
-                limit[2] = kern_vec_length(u);
+            if (by == 0 && proof->force && meeting != KERN_OPENS)
+                limit = kern_max(-spin * rate * proof->force[i].normal, 0);
+            if (by == 1 && meeting == KERN_HINGES)
+                limit = kern_abs(spin);
+            if (by == 2 && meeting == KERN_SLIDES)
+                limit = kern_vec_length(u);
             if (out->meeting)
                 out->meeting[i] = meeting;
             if (out->limit)
-                out->limit[i] = limit[by];
-            if (limit[by] > most * (1 + KERN_REST)) {
-                most = limit[by];
+                out->limit[i] = limit;
+            if (limit > most * (1 + KERN_REST)) {
+                most = limit;
                 out->contact = i;
             }
         }
@@ -5895,9 +5849,8 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
    Lemarechal and Malick). Prices need not be exact: where every loaded contact
    approaches, forces and displacement are a proof, for other stiffnesses.
    Prices are extrapolated (Anderson's method with one difference): where no
-   contact opens or begins to slide, the map from prices to prices is linear.
-   Along a load they fall slowly: else those of joints that lean on each other
-   alternate. */
+   contact opens or begins to slide, the map of prices is linear. Along a load
+   they fall slowly: else those of joints that lean on each other alternate. */
 
 static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
                                    const kern_force *force,
@@ -5959,8 +5912,7 @@ static int kern_hang(const kern_structure *s, kern_real *value)
 typedef struct kern_raise {
     kern_part *p;             /* all groups, or those near a block            */
     kern_real tolerance;      /* of a group's equilibrium                     */
-    kern_real *last;          /* two a contact: what its last price led to, and
-                                 the difference of the two                    */
+    kern_real *last;          /* two a contact: last outcome, and its change  */
     int size;                 /* numbers of u and prices, one after the other */
     kern_real *begin, *best;  /* both: without a push, with the largest so far;
                                  the last two along a load                    */
@@ -6023,9 +5975,8 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 /* Writes the forces, and what prices lead to. Returns whether every loaded
    contact approaches, and none slides so far as only a stone that falls into a
    jam. Along a load prices fall slowly, and a contact that parts keeps its
-   price where forces were found; where that is too low to open it, the price
-   grows by twice what is missing: else a joint that slides and no longer
-   presses loses its force as slowly as prices settle. */
+   price where forces were found; where that is too low to open it, it grows by
+   twice what is missing: else a joint that no longer presses stays loaded. */
 static int kern_raise_price(kern_raise *r, int found)
 {
     kern_part *p = r->p;
@@ -6058,8 +6009,7 @@ static int kern_raise_price(kern_raise *r, int found)
 }
 
 /* Makes new prices, by Anderson's method: how much of the last difference is
-   taken back makes the next change least if the map is linear; more, and it
-   cycles. */
+   taken back makes the next change least if the map is linear; more cycles. */
 static void kern_raise_extrapolate(kern_raise *r, int round)
 {
     const kern_part *p = r->p;
@@ -6126,8 +6076,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold)
 /* The largest of a sequence of shares of gravity, none above `most` unless that
    is 0, that it bears to either side as kerns shrink by the same share of the
    mean size, where they are not nested without that too: the worst that errors
-   of places, and of angles over that size, do. Each is looked for from the
-   largest that was found before. */
+   of places, and of angles over that size, do. Each begins at the last. */
 static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
                                     kern_real most)
 {
@@ -6164,8 +6113,7 @@ static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
 }
 
 /* Opens the question: whether blocks hang that nothing holds up, and the others
-   stand without them, in *out, with the proof, which is of the others and of
-   the fall of these; else room for prices. */
+   stand without them, in *out, with a proof; else room for prices. */
 static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
@@ -6252,9 +6200,8 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
 
 
 /* Whether it is raised, in *out: at once, or where the blocks' loads grow from
-   0. Unless sag is NULL, how far the block asked about goes until its forces
-   are raised, for a stiffness and a mean weight of 1; a turn by half of what it
-   moves a point a size away. */
+   0. Unless sag is NULL, how far the block goes until then, for a stiffness and
+   a mean weight of 1; a turn by half the way of a point a size off. */
 static kern_status kern_raise_show(kern_raise *r, kern_call *c,
                                    kern_raising *out, kern_real *sag)
 {
@@ -8922,32 +8869,23 @@ KERN_API kern_options kern_near(const kern_options *options,
 
    The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia, V.
    Thangavelu, N. Napp, Approximate Stability Analysis for Drystacked
-   Structures, IEEE/RSJ International Conference on Intelligent Robots and
-   Systems (IROS), 2019.
+   Structures, IEEE/RSJ Int. Conf. on Intelligent Robots and Systems, 2019.
 
    Limit analysis of masonry: J. Heyman, The stone skeleton, Int. J. Solids
-   Struct. 2 (1966). By linear programming: R. K. Livesley, Limit analysis of
-   structures formed from rigid blocks, Int. J. Numer. Meth. Engng 12 (1978).
-   Certificates: J. Farkas, Theorie der einfachen Ungleichungen, J. reine angew.
-   Math. 124 (1902). Minimum-norm forces: C. L. Lawson, R. J. Hanson, Solving
-   Least Squares Problems (1974), ch. 23; O. L. Mangasarian, A finite Newton
-   method for classification, Optim. Methods Softw. 17 (2002), for the dual of
-   piecewise constant curvature; S. Mehrotra, On the implementation of a
-   primal-dual interior point method, SIAM J. Optim. 2 (1992), for predictor and
-   corrector. Simplex method: R. G. Bland, New finite pivoting rules for the
-   simplex method, Math. Oper. Res. 2 (1977), against cycling; R. Fourer, A
-   simplex algorithm for piecewise-linear programming, Math. Programming 33
-   (1985), for long steps; G. B. Dantzig, W. Orchard-Hays, The product form for
-   the inverse in the simplex method, Math. Tables Aids Comput. 8 (1954); E.
-   Hellerman, D. Rarick, Reinversion with the preassigned pivot procedure, Math.
-   Programming 1 (1971), for the order of columns. Raised: V. Acary, F. Cadoux,
-   C. Lemarechal, J. Malick, A formulation of the linear discrete Coulomb
-   friction problem via convex optimization, ZAMM 91 (2011), for prices as a
-   fixed point of minimum-norm forces. Newton's method along a path: W.
-   Dinkelbach, On nonlinear fractional programming, Management Science 13
-   (1967). Outlines: D. H. Douglas, T. K. Peucker, Algorithms for the reduction
-   of the number of points required to represent a digitized line or its
-   caricature, Canadian Cartographer 10 (1973).
+   Struct. 2 (1966) 249; by linear programming: R. K. Livesley, Int. J. Numer.
+   Meth. Engng 12 (1978) 1853. Certificates: J. Farkas, J. reine angew. Math.
+   124 (1902) 1. Minimum-norm forces: C. L. Lawson, R. J. Hanson, Solving Least
+   Squares Problems (1974), ch. 23; O. L. Mangasarian, Optim. Methods Softw. 17
+   (2002) 913, for the dual of piecewise constant curvature; S. Mehrotra, SIAM
+   J. Optim. 2 (1992) 575, for predictor and corrector. Simplex method: R. G.
+   Bland, Math. Oper. Res. 2 (1977) 103, against cycling; R. Fourer, Math.
+   Programming 33 (1985) 204, for long steps; G. B. Dantzig, W. Orchard-Hays,
+   Math. Tables Aids Comput. 8 (1954) 64, for the product form; E. Hellerman, D.
+   Rarick, Math. Programming 1 (1971) 195, for the order of columns. Raised: V.
+   Acary, F. Cadoux, C. Lemarechal, J. Malick, ZAMM 91 (2011) 155, for prices as
+   a fixed point of minimum-norm forces. Newton's method along a path: W.
+   Dinkelbach, Management Science 13 (1967) 492. Outlines: D. H. Douglas, T. K.
+   Peucker, Canadian Cartographer 10 (1973) 112.
 
    CHANGES                                                          >>changes
 
@@ -8959,13 +8897,11 @@ KERN_API kern_options kern_near(const kern_options *options,
    0.2.0  kern_measured() is kern_measured_options() and has other tolerances,
           options.error and .turn are .pose_error and .pose_turn. kern_certain()
           takes the margin and fills in a kern_interval. kern_known and
-          kern_plan have fewer fields. options.limit is 10,000,000 by default,
-          was 0. New refusals: a relative shrinkage above 1, in double a length
-          above 1e60 m, a mass or load out of 1e-60 to 1e60 (float: 1e-10 to
-          1e10), a block that kern_block_init() refused. Steps in outlines carry
-          as their chords. New: kern_stays(), kern_plan_stays(),
-          kern_raised_load(), options.reserve and .lone, KERN_NO_INTERIOR.
-   0.1.0  First version.                                                   */
+          kern_plan have fewer fields. options.limit is 10,000,000, was 0. More
+          is refused (>>api). Steps in outlines carry as their chords. New:
+          kern_stays(), kern_plan_stays(), kern_raised_load(), options.reserve,
+          .lone, KERN_NO_INTERIOR.
+   0.1.0  First version. */
 
 /*
    MIT License
