@@ -769,9 +769,8 @@ KERN_API kern_status kern_block_init(kern_block *block,
                                      kern_real density, kern_fault *fault);
 
 /* The same for a fixed block: ground, a wall, a support. */
-KERN_API kern_status kern_ground_init(kern_block *block,
-                                      const kern_vec *vertex, int vertices,
-                                      kern_fault *fault);
+KERN_API kern_status kern_ground_init(kern_block *block, const kern_vec *vertex,
+                                      int vertices, kern_fault *fault);
 
 /* Adds a force [N] that acts at a point and a torque [N m] to the block's
    load, which acts at the centre: set the centre first. */
@@ -804,10 +803,9 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            int room, kern_work *work);
 
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
-   unless a later block lies so far out that the rounding of its coordinates
-   counts. Returns the same; KERN_STALE is found of block b and of what it may
-   touch. options.lone: what carries a block is looked for among these contacts
-   alone. Time: O(b), and the edges as above. */
+   unless a later block is so far out that its rounding counts. Returns the
+   same; KERN_STALE: block b, or what it may touch. options.lone: what carries a
+   block is sought among these. Time: O(b), edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
@@ -1059,8 +1057,7 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
    KERN_BAD_NUMBER also for a margin below 0. Time: that of a verdict; O(B + C)
    beyond the measured margin where it does not touch what limits that. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
-                                     kern_real margin,
-                                     const kern_proof *proof);
+                                     kern_real margin, const kern_proof *proof);
 
 /* kern_stays() of the last block, kern_raised(); block NULL: none is added. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
@@ -1739,8 +1736,7 @@ static kern_status kern_path_walk(kern_model *m, kern_path *path,
                                   kern_real even);
 static kern_status kern_path_search(kern_model *m, kern_path *path);
 
-/* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
-   through half a circle by arithmetic alone. */
+/* The query at s. Gravity turns by 4 atan(s): up to s = 1 by half a circle. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -2197,6 +2193,7 @@ typedef struct kern_graph {
     int *ends;                /* groups of b (2 i) and a (2 i + 1), contact i */
     int *touch, *after;       /* first end of a contact at a group, and the end
                                  at the same group that follows an end        */
+    kern_real *torque;        /* two an end: of n and t, as its row has them  */
     int *local;               /* of a group: its number in the open part      */
     int *carrier;             /* of a group: what alone bears it; or KERN_OUT */
 } kern_graph;
@@ -2222,11 +2219,6 @@ typedef struct kern_clusters {
     int until;                /* units of work at which the pass ends         */
 } kern_clusters;
 
-/* Torques of n and t at each end of the contacts, as their rows have them. */
-typedef struct kern_arm {
-    kern_real *torque;        /* two an end                                   */
-    kern_real shrink;         /* that they are of; infinity: none             */
-} kern_arm;
 
 struct kern_model {
     const kern_task *task;    /* that it is of                                */
@@ -2239,7 +2231,7 @@ struct kern_model {
     kern_real *unit;          /* of a group: 1 / the unit of its torques      */
     kern_real *load;          /* three a group: what contacts must exert [N]  */
     kern_real *size;          /* of a group: magnitude of all that acts       */
-    kern_arm arm;
+    kern_real shrunk;         /* shrinkage that torques are of, or infinity   */
     kern_real reduction;      /* of cones of friction, of the last question   */
     kern_clusters cluster;
     int whole;                /* nonzero: all groups are one part             */
@@ -2321,7 +2313,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
         if (!s->block[i].fixed && !kern_is_gone(q, i, i))
             m->graph.block[none++] = i;
     m->graph.groups = none;
-    m->arm.shrink = KERN_INFINITY;
+    m->shrunk = KERN_INFINITY;
     m->whole = 0;
     kern_model_order(m);
     for (i = 0; i < s->blocks; i++)
@@ -2374,7 +2366,7 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->cluster.open = kern_take_ints(take, groups);
     m->graph.carrier = kern_take_ints(take, groups);
     m->graph.local = kern_take_ints(take, groups + 1);
-    m->arm.torque = kern_take_reals(take, 4 * s->contacts);
+    m->graph.torque = kern_take_reals(take, 4 * s->contacts);
     if (!kern_take_fits(take))
         return KERN_NO_SPACE;
     m->task = task;
@@ -2436,7 +2428,7 @@ static inline void kern_model_rows(const kern_model *m, const kern_query *q,
 static inline kern_row kern_model_row(const kern_model *m, int end)
 {
     const kern_vec n = m->s->contact[end >> 1].n;
-    const kern_real *torque = m->arm.torque + 2 * (size_t)end;
+    const kern_real *torque = m->graph.torque + 2 * (size_t)end;
     const kern_row row = {{end & 1 ? -n.x : n.x, end & 1 ? -n.y : n.y,
                            torque[0]}, torque[1]};
     return row;
@@ -2445,12 +2437,12 @@ static inline kern_row kern_model_row(const kern_model *m, int end)
 /* The cones, and the torques of all rows unless they are those, of a query. */
 static void kern_model_arms(kern_model *m, const kern_query *q)
 {
-    kern_real *to = m->arm.torque;
+    kern_real *to = m->graph.torque;
     int i, end;
     m->reduction = kern_reduction(q);
-    if (m->arm.shrink >= q->shrink && m->arm.shrink <= q->shrink)
+    if (m->shrunk >= q->shrink && m->shrunk <= q->shrink)
         return;
-    m->arm.shrink = q->shrink;
+    m->shrunk = q->shrink;
     for (i = 0; i < m->s->contacts; i++) {
         kern_row row[2];
         kern_model_rows(m, q, i, row);
@@ -3334,9 +3326,8 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
    forces and the motion of the margin's proof. */
 
 /* G_q of contact i, and its share of G_d: 0 without a force or a motion. */
-static kern_real kern_contact_gain(const kern_structure *s,
-                                   const kern_query *q, int i,
-                                   const kern_proof *proof,
+static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
+                                   int i, const kern_proof *proof,
                                    kern_contact_rate *out)
 {
     const kern_contact *c = s->contact + i;
@@ -6266,8 +6257,7 @@ KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
                                  const kern_proof *proof)
 { return kern_raise_task(task, shrink, out, reserve, proof, KERN_OUT, NULL); }
 
-KERN_API kern_status kern_stays(const kern_task *task, int i,
-                                kern_real *chance)
+KERN_API kern_status kern_stays(const kern_task *task, int i, kern_real *chance)
 {
     kern_raising raising;
     kern_real reserve, sag = KERN_R(0), odds;
