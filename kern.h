@@ -5902,12 +5902,10 @@ static int kern_hang(const kern_structure *s, kern_real *value)
 
 typedef struct kern_raise {
     kern_part *p;             /* all groups, or those near a block            */
-    kern_real tolerance;      /* of a group's equilibrium                     */
     kern_real *last;          /* two a contact: last outcome, and its change  */
     int size;                 /* numbers of u and prices, one after the other */
     kern_real *begin, *best;  /* both: without a push, with the largest so far;
                                  the last two along a load                    */
-    int along;                /* nonzero: a load; what parts is kept apart    */
     int around;               /* the block asked about, or KERN_OUT           */
     const kern_proof *proof;  /* that each step along a load writes, or NULL  */
 } kern_raise;
@@ -5938,7 +5936,6 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
     int k;
-    r->along = 0;
     if (r->around >= 0)
         kern_raise_near(m, r->around);
     if (!kern_norm_open(p, m))
@@ -5968,7 +5965,8 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
    jam. Along a load prices fall slowly, and a contact that parts keeps its
    price where forces were found; where that is too low to open it, it grows by
    twice what is missing: else a joint that no longer presses stays loaded. */
-static int kern_raise_price(kern_raise *r, int found)
+static int kern_raise_price(kern_raise *r, kern_real tolerance, int along,
+                            int found)
 {
     kern_part *p = r->p;
     kern_model *m = p->m;
@@ -5983,16 +5981,16 @@ static int kern_raise_price(kern_raise *r, int found)
         const kern_real approach = w[0] + price;
         const kern_real slip = kern_abs(w[1]) - kern_max(approach, 0)
                                                 / p->dual.stiff;
-        if (m->answer.force[i].normal > r->tolerance * m->weight) {
+        if (m->answer.force[i].normal > tolerance * m->weight) {
             pressed &= approach > 0;
             slid = kern_max(slid, slip);
             most = kern_max(most, approach);
         }
         to[0] = mu * kern_max(slip, 0);
-        if (r->along && found && !(approach > 0))
+        if (along && found && !(approach > 0))
             to[0] = kern_max(to[0], price)
                  + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
-        if (r->along && to[0] < price)
+        if (along && to[0] < price)
             to[0] = price + KERN_LOAD_FALL * (to[0] - price);
         to[1] = to[0] - price;
     }
@@ -6038,25 +6036,26 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     return 1;
 }
 
-/* Looks for a proof, from nothing or from u and prices as they are. Near a
-   block in fewer rounds: slow prices are a sign that it moves. */
-static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold)
+/* Looks for a proof, from nothing (cold) or from u and prices as they are. Near
+   a block in fewer rounds: slow prices are a sign that it moves. */
+static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
+                             int along)
 {
     kern_part *p = r->p;
     const int rounds = KERN_RAISE_ROUNDS / (r->around >= 0 ? cold ? 2 : 6
-                                            : r->along || cold ? 1 : 2);
+                                            : along || cold ? 1 : 2);
+    const kern_real tolerance = kern_part_load(p, q, p->dual.b);
     int round;
-    r->tolerance = kern_part_load(p, q, p->dual.b);
     if (!kern_model_ask(p->m, r->around < 0 ? 3 : 1))
         return 0;
     for (round = 0; round < rounds; round++) {
         const kern_status found = kern_norm_find(
-            p, r->tolerance, 2 * KERN_NORM_MOST, !cold || round > 0,
+            p, tolerance, 2 * KERN_NORM_MOST, !cold || round > 0,
             KERN_FEW_ROUNDS + 2);
         int pressed;
         if (found != KERN_STANDS && found != KERN_UNDECIDED)
             return 0;
-        pressed = kern_raise_price(r, found == KERN_STANDS);
+        pressed = kern_raise_price(r, tolerance, along, found == KERN_STANDS);
         kern_raise_extrapolate(r, round);
         if (pressed && kern_raise_proves(r, q))
             return 1;
@@ -6092,7 +6091,7 @@ static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
                 q.shrink = asked->shrink + (kern_real)k * q.factor
                            * (q.relative ? KERN_R(1) : m->mean);
                 kern_model_arms(m, &q);
-                good = kern_raise_settle(r, &q, 0);
+                good = kern_raise_settle(r, &q, 0, 0);
             }
             if (good)
                 kern_copy(r->best, r->p->dual.u, r->size);
@@ -6156,8 +6155,7 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     kern_real stood = *share = KERN_R(0), taken = KERN_R(1), *u = r->p->dual.u;
     kern_real step = end / KERN_LOAD_STEPS;
     int i, good = 1;
-    r->along = 1;
-    if (!kern_raise_settle(r, q, 1))
+    if (!kern_raise_settle(r, q, 1, 1))
         return KERN_R(-1);
     kern_copy(r->best, u, r->size);
     while (stood < end && step >= end / (32 * KERN_LOAD_STEPS)) {
@@ -6172,9 +6170,9 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
             if (u + i >= r->p->dual.price)
                 u[i] = kern_max(u[i], 0);
         }
-        good = kern_raise_settle(r, q, 0)
+        good = kern_raise_settle(r, q, 0, 1)
             || (!(stood > 0) /* from rest nothing leads there */
-                && kern_raise_settle(r, q, 1));
+                && kern_raise_settle(r, q, 1, 1));
         if (good) {
             taken = *share - stood;
             stood = *share;
@@ -6200,11 +6198,10 @@ static kern_status kern_raise_show(kern_raise *r, kern_call *c,
     const kern_status status = kern_raise_begin(r, c, out);
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    if (kern_raise_settle(r, &c->path.q, 1)
+    if (kern_raise_settle(r, &c->path.q, 1, 0)
         || (kern_model_loaded(&c->m)
             && kern_raise_climb(r, &grown, &grown.loads, KERN_R(1)) >= 1))
         *out = KERN_RAISED;
-    r->along = 0; /* prices settle sooner than along the load */
     if (sag) {
         const kern_graph *graph = &c->m.graph;
         const kern_real *u = r->p->dual.u
