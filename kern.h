@@ -871,18 +871,16 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
 
 /* Whether the load, put on contacts without stress, raises forces that hold the
    structure: blocks approach wherever a force acts, stick where there is
-   friction to spare, and slide against it where there is not. Where the loads
-   of all blocks at once show nothing, they grow from 0, as in
-   kern_raised_load().
+   friction to spare, else slide against it. Where the loads of all blocks at
+   once show nothing, they grow from 0, as in kern_raised_load().
    KERN_STANDS: *out is written, and both arrays of the proof, which passes
    kern_check_raised() (KERN_NOT_SHOWN: forces alone). KERN_FALLS: the motion is
    that of kern_verdict(), *out as it was.
    *reserve (may be NULL) is the largest share of gravity, among 0, .001 ...
    .005, .0055, .006, .007, .008, .01, .015, .02, .03, .05 and .1, with which a
    push to either side, and kerns shrunk further by that share of the mean size
-   (relative: by that share), leave it raised; 0 where it is not raised. No
-   share above options.reserve is asked for; KERN_BAD_OPTION: a reserve without
-   gravity.
+   (relative: by that share), leave it raised; 0 where it is not. No share above
+   options.reserve is asked; KERN_BAD_OPTION: a reserve without gravity.
    KERN_NO_SPACE also where a structure is much wider than a wall of squares.
    Time: 3 margins in the mean of 969 walls; with the reserve 5. */
 KERN_API kern_status kern_raised(const kern_task *task, kern_real shrink,
@@ -921,16 +919,15 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
                     shrinkage proven to stand, -1: none yet; fails the smallest
                     proven to fall, `most`: none; these and epsilon infinity
                     where the input was not read. The proof means nothing.
-     KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon above 1,000,000): *out is as
-                    it was.
+     KERN_UNDECIDED, KERN_BAD_STEP (most / epsilon > 1,000,000): *out is kept.
    How wide [holds, fails] is: >>limits. The level is proven with the margin
    where kerns are nested, else by a proof of each step.
    options.narrow = k: at shrinkage d > 0 friction mu is max(0, (mu - k d) / (1
-   + mu k d)), the tangent of its angle less atan(k d), in every
-   question about shrunk kerns. A robot that places stones within e and theta
-   asks with k = tan(theta) / (2 e): margin / (2 e) is how many times its own
-   error the structure bears; a measure, not a bound. Where k is so large that
-   kerns hardly shrink, this mu at the margin is the least that it stands with.
+   + mu k d)), the tangent of its angle less atan(k d), in every question about
+   shrunk kerns. A robot that places stones within e and theta asks with k =
+   tan(theta) / (2 e): margin / (2 e) is how many times its own error the
+   structure bears; a measure, not a bound. Where k is so large that kerns
+   hardly shrink, this mu at the margin is the least that it stands with.
    Warm start: from task->known, where the result is remembered; after
    KERN_UNDECIDED and KERN_LIMIT nothing is known any longer. */
 KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
@@ -1690,12 +1687,9 @@ typedef struct kern_path {
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* Width of a bracket, as it is wanted; from the critical value to its ends. */
+/* Width of a bracket, as it is wanted, the critical value in its middle. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 { return KERN_WIDTH * path->unit; }
-
-KERN_SHARED static kern_real kern_aside(const kern_path *path)
-{ return kern_width(path) / 2; }
 
 /* Whether kerns are nested, as those of lines are: what a smaller one can carry
    a larger one can. Points that move toward each other along different tangents
@@ -2219,7 +2213,6 @@ typedef struct kern_clusters {
     int until;                /* units of work at which the pass ends         */
 } kern_clusters;
 
-
 struct kern_model {
     const kern_task *task;    /* that it is of                                */
     const kern_structure *s;
@@ -2361,9 +2354,9 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->common = *take;
     m->graph.touch = kern_take_ints(take, groups);
     m->graph.after = kern_take_ints(take, 2 * s->contacts);
-    m->cluster.last = kern_take_ints(take, groups);
-    m->cluster.next = kern_take_ints(take, groups);
-    m->cluster.open = kern_take_ints(take, groups);
+    m->cluster.last = kern_take_ints(take, 3 * groups);
+    m->cluster.next = m->cluster.last + groups;
+    m->cluster.open = m->cluster.next + groups;
     m->graph.carrier = kern_take_ints(take, groups);
     m->graph.local = kern_take_ints(take, groups + 1);
     m->graph.torque = kern_take_reals(take, 4 * s->contacts);
@@ -2377,7 +2370,6 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     kern_model_group(m, q);
     return KERN_OK;
 }
-
 
 /* The row of a contact at one of its ends: three equations of the group there.
    All that look for forces use it by two verbs, motion to speed and force to
@@ -2718,8 +2710,8 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->alone = path->never = 0;
     path->ipm = NULL;
     path->unit = task->options.relative ? 1 : path->q.mean;
-    path->start = path->end = path->warm.fails = KERN_R(0);
-    path->holds = path->fails = path->critical = KERN_R(0);
+    path->start = path->holds = path->critical = KERN_R(0);
+    path->warm.fails = KERN_R(0);
     path->proven.low = KERN_R(-1);
     path->proven.high = path->exact = KERN_INFINITY;
     return kern_model_open(&c->m, task, &path->q);
@@ -2746,7 +2738,6 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     kern_proof_out(&c.m, proof, status);
     return kern_ended(task, status);
 }
-
 
 /* The measure of an open task, with what is known of one like it or NULL. Where
    kerns are not nested, all levels are among the even steps. */
@@ -5329,7 +5320,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (hi - lo <= aside / 8 || 2 * aside > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / aside);
+        return lo + (hi - lo) / KERN_NEAR * (kern_width(path) / 2 / aside);
     if (!(next > lo && hi - next > aside * KERN_R(1.15)))
         next = crit;
     if (hi - next > aside * KERN_R(1.15))
@@ -5350,7 +5341,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
    falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    kern_real aside = kern_aside(path);
+    kern_real aside = kern_width(path) / 2;
     int round;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
@@ -5607,7 +5598,7 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
 static kern_real kern_body_first(kern_model *m, kern_path *path)
 {
     kern_known *warm = &path->warm;
-    const kern_real aside = kern_aside(path);
+    const kern_real aside = kern_width(path) / 2;
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g, first = KERN_OUT, about = 0;
     warm->margin = KERN_INFINITY;
@@ -5781,7 +5772,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return kern_max(path->start, warm->holds);
     }
     if (m->answer.known && kern_known_part(m, path, most))
-        return kern_max(path->start, path->critical - kern_aside(path));
+        return kern_max(path->start, path->critical - kern_width(path) / 2);
     path->fails = KERN_INFINITY;
     return at;
 }
@@ -5815,7 +5806,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path)
         } else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
         if (status == KERN_FALLS && path->fails > path->start) {
-            at = kern_max(path->critical - kern_aside(path), path->start);
+            at = kern_max(path->critical - kern_width(path) / 2, path->start);
             status = KERN_UNDECIDED;
             round++;
         } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
@@ -6185,8 +6176,6 @@ static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
     }
     return stood;
 }
-
-
 
 /* Whether it is raised, in *out: at once, or where the blocks' loads grow from
    0. Unless sag is NULL, how far the block goes until then, for a stiffness and
