@@ -2343,22 +2343,21 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     m->graph.group = kern_take_ints(take, s->blocks);
     m->graph.block = kern_take_ints(take, groups);
     m->graph.ends = kern_take_ints(take, 2 * s->contacts);
-    m->unit = kern_take_reals(take, groups + 1);
-    m->load = kern_take_reals(take, 3 * groups);
-    m->size = kern_take_reals(take, groups);
+    m->load = kern_take_reals(take, 5 * groups + 1);
+    m->size = m->load + 3 * groups;
+    m->unit = m->size + groups;
     m->answer.force = (kern_force *)(void *)
                       kern_take_reals(take, 2 * s->contacts);
-    m->answer.motion = (kern_motion *)(void *)
-                       kern_take_reals(take, 3 * s->blocks);
-    m->answer.sum = kern_take_reals(take, 4 * s->blocks);
+    m->answer.sum = kern_take_reals(take, 7 * s->blocks);
+    m->answer.motion = (kern_motion *)(void *)(m->answer.sum + 4 * s->blocks);
     m->common = *take;
-    m->graph.touch = kern_take_ints(take, groups);
-    m->graph.after = kern_take_ints(take, 2 * s->contacts);
-    m->cluster.last = kern_take_ints(take, 3 * groups);
+    m->graph.touch = kern_take_ints(take, 6 * groups + 1);
+    m->graph.carrier = m->graph.touch + groups;
+    m->cluster.last = m->graph.carrier + groups;
     m->cluster.next = m->cluster.last + groups;
     m->cluster.open = m->cluster.next + groups;
-    m->graph.carrier = kern_take_ints(take, groups);
-    m->graph.local = kern_take_ints(take, groups + 1);
+    m->graph.local = m->cluster.open + groups;
+    m->graph.after = kern_take_ints(take, 2 * s->contacts);
     m->graph.torque = kern_take_reals(take, 4 * s->contacts);
     if (!kern_take_fits(take))
         return KERN_NO_SPACE;
