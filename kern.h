@@ -2738,12 +2738,12 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
     return kern_ended(task, status);
 }
 
-/* The measure of an open task, with what is known of one like it or NULL. Where
+/* The measure of an open task, with what is known of one like it. Where
    kerns are not nested, all levels are among the even steps. */
-static kern_status kern_measure_task(kern_call *c, const kern_task *task,
-                                     const kern_known *known, kern_margin *out,
-                                     const kern_proof *proof)
+static kern_status kern_measure_task(kern_call *c, const kern_known *known,
+                                     kern_margin *out, const kern_proof *proof)
 {
+    const kern_task *const task = c->m.task;
     kern_path *const path = &c->path;
     kern_real range[2], steps, first;
     const int nested = kern_is_nested(&task->s, &path->q, range);
@@ -2751,10 +2751,8 @@ static kern_status kern_measure_task(kern_call *c, const kern_task *task,
     kern_status status;
     int last;
     path->proof = proof;
-    if (known) {
-        path->warm = *known;
-        kern_model_know(&c->m, known);
-    }
+    path->warm = *known;
+    kern_model_know(&c->m, known);
     path->end = r.most;
     if (!(r.epsilon > 0))
         r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * c->m.mean;
@@ -2796,7 +2794,7 @@ static kern_status kern_measure_anew(const kern_task *task,
     kern_call c;
     const kern_status status = kern_call_open(&c, task, KERN_R(0), out);
     if (status == KERN_OK)
-        return kern_measure_task(&c, task, known, out, proof);
+        return kern_measure_task(&c, known, out, proof);
     if (status != KERN_LIMIT)
         return status;
     out->margin = out->holds = KERN_R(-1);
@@ -2815,8 +2813,10 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     if (!task)
         return KERN_BAD_POINTER;
     known = task->known;
-    if (!known.motion || !known.force)
-        return kern_measure_anew(task, NULL, out, proof);
+    if (!known.motion || !known.force) {
+        known.fails = KERN_R(0);
+        return kern_measure_anew(task, &known, out, proof);
+    }
     kept.force = known.force;
     kept.motion = known.motion;
     known.force = NULL; /* what was remembered is overwritten on the way */
@@ -7723,7 +7723,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         return kern_ended(task, status);
     }
     c.path.q.shrink = KERN_R(0);
-    status = kern_measure_task(&c, task, known, &r, proof);
+    status = kern_measure_task(&c, known, &r, proof);
     return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS : status;
 }
 
