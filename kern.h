@@ -148,8 +148,7 @@
 
    RULES                                                               >>rules
 
-   What each number is, exactly, so that another program can reproduce it; the
-   tests of each rule: CONTENTS of tests/kern_test.c.
+   What each number is, exactly, to reproduce it; tests: see tests/kern_test.c.
 
    Contacts of two polygons that are not both fixed. `gap` and `angle` are
    those of the options; no tolerance is below 64 roundings of the largest
@@ -292,9 +291,8 @@
 
    Model     Two dimensions, rigid blocks that do not break, statics. "Stands"
              means that admissible forces exist: necessary for standing still,
-             with friction not sufficient. A cube held between two walls by
-             friction alone counts as standing; kern_raised() tells whether the
-             load raises such forces.
+             not sufficient: a cube held between two walls by friction alone
+             counts as standing. kern_raised() tells if the load raises them.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (dilatant sliding). Where a wall's own joints slide, load factor
              and tilt are too high: against a simulator by 11 to 26 % on four
@@ -424,40 +422,39 @@ typedef struct kern_vec { kern_real x, y; } kern_vec;
 /* Upright rectangle: its lower left and its upper right corner [m]. */
 typedef struct kern_box { kern_vec low, high; } kern_box;
 
-/* Above zero a call returns a verdict, or the result of a linear program; zero
-   where it has none. Below zero it failed, and of the caller's data only
-   counters and fault of the work memory changed; with KERN_LIMIT also what it
-   says. */
+/* Above zero a call returns a verdict, or a linear program's result; zero where
+   it has none. Below zero it failed, and of the caller's data only counters and
+   fault of the work memory changed; with KERN_LIMIT also what it says. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
-    X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
-    X(KERN_FALLS, 2, "falls: a motion was found that no forces can stop")     \
+    X(KERN_STANDS, 1, "stands: forces hold every block")                      \
+    X(KERN_FALLS, 2, "falls: a motion that no forces can stop")               \
     X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost")                \
     X(KERN_LP_INFEASIBLE, 4, "infeasible: no solution exists")                \
     X(KERN_LP_UNBOUNDED, 5, "unbounded: the cost falls without end")          \
-    X(KERN_UNDECIDED, -1, "undecided: neither proof was completed")           \
-    X(KERN_NO_SPACE, -2, "an array is too short for result or work")          \
+    X(KERN_UNDECIDED, -1, "undecided: neither is proven")                     \
+    X(KERN_NO_SPACE, -2, "a result or work array is too short")               \
     X(KERN_BAD_POINTER, -3, "a pointer is null")                              \
-    X(KERN_BAD_NUMBER, -4, "a number is not finite or out of bounds")         \
+    X(KERN_BAD_NUMBER, -4, "a number is out of bounds")                       \
     X(KERN_BAD_COUNT, -5, "a count is out of bounds")                         \
-    X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
+    X(KERN_FEW_VERTICES, -6, "a polygon has under three vertices")            \
     X(KERN_NO_AREA, -7, "a polygon has no area")                              \
     X(KERN_CROSSING, -8, "a polygon crosses itself or passes a point twice")  \
     X(KERN_BAD_MASS, -9, "a mass or density is out of range")                 \
     X(KERN_BAD_FRICTION, -10, "friction is negative")                         \
-    X(KERN_BAD_OPTION, -11, "an option or a side is out of range")            \
+    X(KERN_BAD_OPTION, -11, "an option or side is out of range")              \
     X(KERN_BAD_BLOCK, -12, "no block has that index")                         \
     X(KERN_SAME_BLOCK, -13, "a contact names one block twice")                \
-    X(KERN_BAD_NORMAL, -14, "a contact has no normal of length 1")            \
+    X(KERN_BAD_NORMAL, -14, "a normal is not of length 1")                    \
     X(KERN_BAD_LINE, -15, "a line contact is off its tangent")                \
     X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
     X(KERN_NO_FREE, -17, "no block is free")                                  \
     X(KERN_BAD_STEP, -18, "a step needs over 1,000,000 levels")               \
     X(KERN_LIMIT, -19, "the limit of work was reached")                       \
-    X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
-    X(KERN_NO_LOAD, -21, "neither gravity nor a load acts on a free block")   \
+    X(KERN_STALE, -20, "vertices moved after kern_block_init()")              \
+    X(KERN_NO_LOAD, -21, "no gravity or load acts on a free block")           \
     X(KERN_BAD_SHARE, -22, "relative: a shrinkage is above 1")                \
-    X(KERN_NO_BLOCK, -23, "a block was refused when it was made")
+    X(KERN_NO_BLOCK, -23, "a block was refused when made")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
@@ -604,7 +601,8 @@ typedef enum kern_meeting {
     KERN_OPENS            /* they part                                        */
 } kern_meeting;
 
-/* What limits and what moves first: kern_critical_of(). NULL: is not asked. */
+/* What limits a measure, and what moves first: kern_critical_of(). Each array,
+   of the caller, may be NULL. */
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
     kern_real *limit;     /* one a contact point: how much it limits, <= 1    */
@@ -690,8 +688,7 @@ typedef struct kern_lp {
 #define KERN_REALS(blocks, contacts) \
     (KERN_ROOM(KERN_EXTRAS(blocks)) + 54 * (blocks) \
      + 12 * (contacts) + 4 * ((contacts) < 400 ? (contacts) : 400) + 24)
-#define KERN_INTS(blocks, contacts) \
-    (45 * (blocks) + 9 * (contacts) + 48)
+#define KERN_INTS(blocks, contacts) (45 * (blocks) + 9 * (contacts) + 48)
 #define KERN_LEAN_PART(blocks) ((blocks) / 40 + 3)
 #define KERN_LEAN_REALS(blocks, contacts) \
     (12 * (blocks) + 6 * (contacts) \
@@ -1246,7 +1243,7 @@ extern "C" {
    minimum-norm forces, a bracket, the interior point, prices along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole, a collapse in place. */
+   from bend to bend, parts that fall before the whole, a stalled collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1262,9 +1259,8 @@ extern "C" {
 /* ---- minimum-norm forces, top-down pass ---- */
 
 /* Residual of equilibrium that a method leaves, of a group as a share of its
-   load. A proof allows far more, and so residuals of many groups may add up. At
-   1e-10 in double a light stone beside heavy ones stands that falls. Where a
-   basis leaves more it is made anew. */
+   load; a basis with more is made anew. Proofs allow far more: residuals add
+   up. At 1e-10 in double a light stone beside heavy ones stands that falls. */
 #define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
 /* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
    1e-11 in double a profile of rubble begins beyond the margin. */
@@ -2837,8 +2833,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
     return status;
 }
 
-/* Grows the kerns of what falls until it stands: the critical growth, at most
-   1000 times the longest side of the box around the free blocks. */
+/* Grows the kerns of what falls, to the bound in >>rules, until it stands. */
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
@@ -3311,9 +3306,8 @@ KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
 }
 
 /* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0,
-   and stays 0 when a datum q changes a little: d*' = -G_q / G_d, with the
-   forces and the motion of the margin's proof. */
+/* At the margin d* the power G of forces and loads on the mechanism is 0, also
+   if a datum q changes: d*' = -G_q / G_d, by forces and motion of the proof. */
 
 /* G_q of contact i, and its share of G_d: 0 without a force or a motion. */
 static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
@@ -5919,9 +5913,8 @@ static void kern_raise_near(kern_model *m, int i)
         local[g] = local[g] > 0 ? KERN_OUT : n;
 }
 
-/* Opens the groups as one part, without prices. Contacts are stiffer the longer
-   they are in mean sizes, and by a tenth: of the laws that were tried it comes
-   nearest to a simulator. 0 if there is no room. */
+/* Opens the groups as one part, without prices; 0: no room. Stiffness, a tenth
+   plus the length in mean sizes: of the laws tried nearest to a simulator. */
 static int kern_raise_open(kern_raise *r, kern_model *m)
 {
     kern_part *p = r->p;
@@ -5978,8 +5971,7 @@ static int kern_raise_price(kern_raise *r, kern_real tolerance, int along,
         }
         to[0] = mu * kern_max(slip, 0);
         if (along && found && !(approach > 0))
-            to[0] = kern_max(to[0], price)
-                 + 2 * kern_max(w[0] + mu * kern_abs(w[1]), 0);
+            to[0] = kern_max(to[0], price) + 2 * kern_max(w[0] + to[0], 0);
         if (along && to[0] < price)
             to[0] = price + KERN_LOAD_FALL * (to[0] - price);
         to[1] = to[0] - price;
@@ -6136,8 +6128,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
 
 /* Raises the load of q, by *share of it, from 0 to `most` in steps, each from
    the last two in the same direction, a fifth as long once one fails. The end
-   of the path doubles where nothing is known to end it before. Returns the last
-   share that was proven, below 0 if none. */
+   doubles if unknown. Returns the last share proven, below 0 if none. */
 static kern_real kern_raise_climb(kern_raise *r, const kern_query *q,
                                   kern_real *share, kern_real most)
 {
@@ -6258,11 +6249,9 @@ KERN_API kern_status kern_stays(const kern_task *task, int i, kern_real *chance)
     return status;
 }
 
-KERN_API kern_status kern_raised_load(const kern_task *task, kern_real shrink,
-                                      kern_side side,
-                                      const kern_wrench *pattern,
-                                      kern_real *factor,
-                                      const kern_proof *proof)
+KERN_API kern_status kern_raised_load(
+    const kern_task *task, kern_real shrink, kern_side side,
+    const kern_wrench *pattern, kern_real *factor, const kern_proof *proof)
 {
     kern_real most = KERN_R(-1), stood = most;
     kern_call c;
@@ -8844,7 +8833,7 @@ KERN_API kern_options kern_near(const kern_options *options,
 
    The paper, with the kern-based measure and Algorithm 1: Y. Liu, M. Saboia, V.
    Thangavelu, N. Napp, Approximate Stability Analysis for Drystacked
-   Structures, IEEE/RSJ Int. Conf. on Intelligent Robots and Systems, 2019.
+   Structures, IEEE/RSJ Int. Conf. Intelligent Robots and Systems (IROS), 2019.
 
    Limit analysis of masonry: J. Heyman, The stone skeleton, Int. J. Solids
    Struct. 2 (1966) 249; by linear programming: R. K. Livesley, Int. J. Numer.
