@@ -1722,9 +1722,8 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s);
 static kern_status kern_path_critical(kern_model *m, kern_path *path);
-static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                  kern_real even);
-static kern_status kern_path_search(kern_model *m, kern_path *path);
+static kern_status kern_path_search(kern_model *m, kern_path *path,
+                                    kern_real even);
 
 /* The query at s. Gravity turns by 4 atan(s): up to s = 1 by half a circle. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
@@ -2758,11 +2757,10 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     last = (int)steps;
     last += KERN_R(last) < steps; /* until every kern is closed */
     first = kern_min(r.epsilon, r.most);
-    status = nested ? kern_path_search(&c->m, path)
-                    : kern_path_evaluate(&c->m, path, KERN_R(0));
-    if (!nested && status == KERN_STANDS)
-        status = kern_path_walk(
-            &c->m, path, first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
+    status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, KERN_R(0));
+    if (status == KERN_STANDS)
+        status = kern_path_search(&c->m, path, nested ? KERN_R(0)
+            : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
     if (status == KERN_STANDS) {
         r.margin = path->critical;
         r.holds = path->holds;
@@ -2998,8 +2996,7 @@ static kern_status kern_run(kern_call *c, const kern_task *task,
         kern_model_whole(&c->m, path->part, &path->q);
     status = kern_path_evaluate(&c->m, path, KERN_R(0));
     if (status == KERN_STANDS)
-        status = loaded ? kern_path_walk(&c->m, path, KERN_R(1) / KERN_SCAN)
-                        : kern_path_search(&c->m, path);
+        status = kern_path_search(&c->m, path, KERN_R(loaded) / KERN_SCAN);
     status = kern_ended(task, status);
     if (status == KERN_LIMIT)
         path->critical = path->proven.low;
@@ -3091,10 +3088,10 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
             if (m->graph.groups > 0)
                 status = kern_fall_beyond(m, path);
         } else if (status == KERN_STANDS) {
-            status = path->kind != KERN_PATH_SHRINK
-                     || kern_is_nested(m->s, &path->q, range)
-                     ? kern_path_search(m, path)
-                     : kern_path_walk(m, path, path->end / KERN_SCAN);
+            status = kern_path_search(
+                m, path, path->kind != KERN_PATH_SHRINK
+                || kern_is_nested(m->s, &path->q, range)
+                ? KERN_R(0) : path->end / KERN_SCAN);
             at = path->critical;
             if (status == KERN_STANDS && !path->never)
                 status = kern_fall_beyond(m, path);
@@ -5477,14 +5474,6 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
     return KERN_UNDECIDED;
 }
 
-/* The critical value of a path on which verdicts may change more than once. */
-KERN_SHARED static kern_status kern_path_walk(kern_model *m, kern_path *path,
-                                              kern_real even)
-{
-    const kern_real step = path->unit * KERN_CLIMB;
-    return kern_path_climb(m, path, step, step, even);
-}
-
 /* Whether the known motion, then the answer's, proves that it falls. */
 static int kern_known_falls(kern_model *m, const kern_query *q,
                             const kern_known *known)
@@ -5770,14 +5759,19 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     return at;
 }
 
-/* The critical value of a path on which the verdict changes but once: the pass
+/* The critical value of a path; where verdicts may change more than once, even
+   is the width of a walk's steps. Where they change but once, it is 0: the pass
    is asked just before that of the part that fell last, until it finds none. */
-static kern_status kern_path_search(kern_model *m, kern_path *path)
+static kern_status kern_path_search(kern_model *m, kern_path *path,
+                                    kern_real even)
 {
     kern_status status = KERN_UNDECIDED;
-    kern_real at, then = KERN_R(0), step = path->unit
-        * (path->kind == KERN_PATH_SHRINK ? KERN_CLIMB : KERN_CLIMB_PUSH);
+    kern_real at, then = KERN_R(0), step = path->unit * KERN_CLIMB;
     int round;
+    if (even > 0)
+        return kern_path_climb(m, path, step, step, even);
+    if (path->kind != KERN_PATH_SHRINK)
+        step = path->unit * KERN_CLIMB_PUSH;
     path->start = path->holds;
     path->fails = path->exact = KERN_INFINITY;
     if (m->whole || path->kind != KERN_PATH_SHRINK)
