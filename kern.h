@@ -754,13 +754,12 @@ KERN_API void kern_work_need(int blocks, int contacts,
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
    The vertices stay the caller's and must live as long as the block; after they
-   have moved, call this again. fault may be NULL; its index is the vertex. A
-   failed call leaves no block: others return KERN_NO_BLOCK for it.
-   KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER,
-   KERN_NO_AREA, KERN_CROSSING (also where the last vertex repeats the first, as
-   in closed rings of other formats), KERN_BAD_MASS (also a density not above
-   0): bounds as above. Time: O(n) for n vertices of a convex polygon, else a
-   test of boxes for each two edges. */
+   have moved, call this again. fault may be NULL; its index is the vertex.
+   After a failed call others return KERN_NO_BLOCK. KERN_FEW_VERTICES,
+   KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA,
+   KERN_CROSSING (also a ring whose last vertex repeats the first),
+   KERN_BAD_MASS (also a density not above 0): bounds as above. Time: O(n) for n
+   vertices of a convex polygon, else a test of boxes for each two edges. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
@@ -1699,9 +1698,8 @@ static int kern_is_nested(const kern_structure *s, const kern_query *q,
     for (i = 0; i < s->contacts; i++) {
         const kern_contact *c = s->contact + i;
         const kern_real travel = kern_abs(kern_travel(c, q->mean));
-        if (!(travel > 0)
-            || ((s->block[c->a].fixed || kern_is_gone(q, c->a, c->a))
-                && (s->block[c->b].fixed || kern_is_gone(q, c->b, c->b))))
+        if (!(travel > 0) || kern_is_gone(q, c->a, c->b)
+            || (s->block[c->a].fixed && s->block[c->b].fixed))
             continue;
         range[0] = kern_min(range[0], travel);
         range[1] = kern_max(range[1], travel);
@@ -3211,7 +3209,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
 {
     kern_real most = KERN_R(0), rate;
     int by, i;
-    for (by = 0; by < 3 && out->contact < 0; by++)
+    for (by = !proof->force; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
             const kern_contact *c = s->contact + i;
             const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
@@ -3220,7 +3218,7 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
             kern_real limit = KERN_R(0);
             kern_shift(c->travel, q->shrink, q->relative, &rate);
-            if (by == 0 && proof->force && meeting != KERN_OPENS)
+            if (by == 0 && meeting != KERN_OPENS)
                 limit = kern_max(-spin * rate * proof->force[i].normal, 0);
             if (by == 1 && meeting == KERN_HINGES)
                 limit = kern_abs(spin);
