@@ -1686,30 +1686,6 @@ typedef struct kern_path {
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 { return KERN_WIDTH * path->unit; }
 
-/* Whether kerns are nested, as those of lines are: what a smaller one can carry
-   a larger one can. Points that move toward each other along different tangents
-   are not. range: the shortest of their travels, and the longest, d_max. */
-static int kern_is_nested(const kern_structure *s, const kern_query *q,
-                          kern_real range[2])
-{
-    int i, nested = 1;
-    range[0] = KERN_INFINITY;
-    range[1] = KERN_R(0);
-    for (i = 0; i < s->contacts; i++) {
-        const kern_contact *c = s->contact + i;
-        const kern_real travel = kern_abs(kern_travel(c, q->mean));
-        if (!(travel > 0) || kern_is_gone(q, c->a, c->b)
-            || (s->block[c->a].fixed && s->block[c->b].fixed))
-            continue;
-        range[0] = kern_min(range[0], travel);
-        range[1] = kern_max(range[1], travel);
-        nested &= c->line != 0;
-    }
-    if (q->relative)
-        range[1] = KERN_R(1);
-    return nested;
-}
-
 /* ---- what finds forces and motions ---- */
 /* Defined and told behind the argument: >>verdict, >>search. */
 
@@ -2492,6 +2468,29 @@ static int kern_model_loaded(const kern_model *m)
     return 0;
 }
 
+/* Whether kerns are nested, as those of lines are: what a smaller one can carry
+   a larger one can. Points that move toward each other along different tangents
+   are not. range: the shortest of their travels, and the longest, d_max. */
+static int kern_is_nested(const kern_model *m, kern_real range[2])
+{
+    const int *ends = m->graph.ends;
+    int i, nested = 1;
+    range[0] = KERN_INFINITY;
+    range[1] = KERN_R(0);
+    for (i = 0; i < m->s->contacts; i++, ends += 2) {
+        const kern_contact *c = m->s->contact + i;
+        const kern_real travel = kern_abs(kern_travel(c, m->mean));
+        if (!(travel > 0) || ends[0] + ends[1] == 2 * m->graph.groups)
+            continue;
+        range[0] = kern_min(range[0], travel);
+        range[1] = kern_max(range[1], travel);
+        nested &= c->line != 0;
+    }
+    if (m->relative)
+        range[1] = KERN_R(1);
+    return nested;
+}
+
 /* What is known of a structure like it, if anything is. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
 { m->answer.known = known->fails > 0 && known->force ? known : NULL; }
@@ -2739,7 +2738,7 @@ static kern_status kern_measure_task(kern_call *c, const kern_known *known,
     const kern_task *const task = c->m.task;
     kern_path *const path = &c->path;
     kern_real range[2], steps, first;
-    const int nested = kern_is_nested(&task->s, &path->q, range);
+    const int nested = kern_is_nested(&c->m, range);
     kern_margin r = {0, 0, 0, range[1], task->options.epsilon, 0, 0};
     kern_status status;
     int last;
@@ -2833,7 +2832,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
-    const kern_real growth = kern_is_nested(m->s, &path->q, range)
+    const kern_real growth = kern_is_nested(m, range)
                              ? KERN_R(4) : KERN_R(1.1);
     const kern_real none = KERN_INFINITY;
     kern_box whole = {{none, none}, {-none, -none}};
@@ -3088,7 +3087,7 @@ static kern_status kern_fall_follow(kern_model *m, kern_path *path,
         } else if (status == KERN_STANDS) {
             status = kern_path_search(
                 m, path, path->kind != KERN_PATH_SHRINK
-                || kern_is_nested(m->s, &path->q, range)
+                || kern_is_nested(m, range)
                 ? KERN_R(0) : path->end / KERN_SCAN);
             at = path->critical;
             if (status == KERN_STANDS && !path->never)
@@ -3152,7 +3151,7 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         return KERN_BAD_OPTION;
     if (side != KERN_SHRINK)
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
-    kern_is_nested(&task->s, &c.path.q, range);
+    kern_is_nested(&c.m, range);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
@@ -4212,53 +4211,57 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
     return kern_min(d1, d2) > KERN_PIVOT * (h[0] + h[4] + h[8]);
 }
 
-typedef struct kern_support { /* a contact that carries the group */
-    kern_row row;
-    kern_real mu;
-    kern_real way[2];         /* its motion along n and t                     */
-    int end;                  /* at the group                                 */
-    int mask;                 /* of the rays that press: 1 plus, 2 minus      */
-} kern_support;
+typedef struct kern_ray {     /* an edge of a friction cone at the group      */
+    kern_real a[3];           /* wrench of a unit of force along it           */
+    kern_real x;              /* its force; below 0: none                     */
+    int press;                /* nonzero: it is among those that carry        */
+} kern_ray;
 
 static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/* What the rays in the masks exert, less b; and their matrix. */
-static void kern_support_sum(const kern_support *c, int n, const kern_real b[3],
-                             kern_real left[3], kern_real h[9])
+/* The two rays of a row, with the forces of its motion along n and t. */
+static void kern_ray_pair(kern_ray *to, const kern_row *row, kern_real mu,
+                          const kern_real way[2])
 {
-    int k, j;
-    kern_zero(h, 9);
-    left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
-    for (k = 0; k < n; k++, c++) {
-        const kern_row *row = &c->row;
-        const kern_law s = kern_law_rays(
-            c->mask & 1 ? KERN_R(1) : KERN_R(0),
-            c->mask & 2 ? KERN_R(1) : KERN_R(0), c->mu);
-        kern_real v[3], w[3];
-        if (c->mask == 0)
-            continue;
-        kern_row_answer(row, &s, v, w);
-        for (j = 0; j < 3; j++) {
-            left[j] -= v[j] * c->way[0] + w[j] * c->way[1];
-            kern_row_exert(row, v[j], w[j], h + 3 * j);
-        }
+    int k;
+    for (k = 0; k < 2; k++, to++, mu = -mu) {
+        kern_zero(to->a, 3);
+        kern_row_exert(row, KERN_R(1), mu, to->a);
+        to->x = way[0] + mu * way[1];
     }
 }
 
-/* The least change that makes the rows exert b, by Newton's method with full
+/* b less what the rays exert that press; and the matrix of these. */
+static void kern_ray_sum(const kern_ray *c, int n, const kern_real b[3],
+                         kern_real left[3], kern_real h[9])
+{
+    kern_zero(h, 9);
+    left[0] = b[0]; left[1] = b[1]; left[2] = b[2];
+    for (; n > 0; n--, c++) {
+        const kern_real *a = c->a, x = c->x;
+        if (!c->press)
+            continue;
+        left[0] -= a[0] * x; left[1] -= a[1] * x; left[2] -= a[2] * x;
+        h[0] += a[0] * a[0];
+        h[3] += a[1] * a[0]; h[4] += a[1] * a[1];
+        h[6] += a[2] * a[0]; h[7] += a[2] * a[1]; h[8] += a[2] * a[2];
+    }
+}
+
+/* The least change that makes the rays exert b, by Newton's method with full
    steps. KERN_FALLS: something is left; KERN_UNDECIDED: it does not end. */
-static kern_status kern_pass_solve(kern_support *c, int n,
-                                   const kern_real b[3], kern_real tolerance)
+static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
+                                   kern_real tolerance)
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
     int k, round, same = 0; /* nonzero: the same rays press as before */
     for (k = 0; k < n; k++)
-        c[k].mask = 3;
+        c[k].press = 1;
     for (round = 0; round < KERN_FEW_ROUNDS + 2; round++) {
         const kern_real before = last / 8;
         int good, changed = 0;
-        kern_support_sum(c, n, b, left, h);
+        kern_ray_sum(c, n, b, left, h);
         last = kern_largest(left, 3);
         if (same && last <= tolerance + 4 * KERN_EPS * kern_largest(u, 3))
             return KERN_STANDS;
@@ -4267,13 +4270,9 @@ static kern_status kern_pass_solve(kern_support *c, int n,
         good = kern_pass_three(h, left, step);
         kern_add(u, KERN_R(1), step, 3);
         for (k = 0; k < n; k++) {
-            kern_real *way = c[k].way, slip;
-            int mask;
-            kern_row_speed(&c[k].row, step, way);
-            slip = c[k].mu * way[1];
-            mask = (way[0] + slip > 0 ? 1 : 0) + (way[0] - slip > 0 ? 2 : 0);
-            if (!same && mask != c[k].mask) {
-                c[k].mask = mask;
+            c[k].x += kern_three(c[k].a, step);
+            if (!same && (c[k].x > 0) != c[k].press) {
+                c[k].press = !c[k].press;
                 changed = 1;
             }
         }
@@ -4288,26 +4287,32 @@ static kern_status kern_pass_solve(kern_support *c, int n,
 static kern_status kern_pass_alone(kern_model *m, int g)
 {
     const kern_real tolerance = KERN_PASS_TOL * m->size[g];
-    kern_support c[KERN_ROWS_MOST];
+    kern_ray c[2 * KERN_ROWS_MOST];
+    int of[KERN_ROWS_MOST];   /* ends */
     kern_real b[3];
     kern_status status;
     int e, k, n = 0;
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        kern_real way[2], mu;
+        kern_row row;
         if (m->graph.ends[e ^ 1] < g)
             continue;
         if (n == KERN_ROWS_MOST)
             return KERN_UNDECIDED;
-        c[n].row = kern_model_row(m, e);
-        c[n].end = e;
-        c[n].mu = kern_model_prior(m, e >> 1, c[n].way);
-        n++;
+        row = kern_model_row(m, e);
+        mu = kern_model_prior(m, e >> 1, way);
+        kern_ray_pair(c + 2 * n, &row, mu, way);
+        of[n++] = e;
     }
     kern_pass_load(m, g, b);
-    status = kern_pass_solve(c, n, b, tolerance);
+    status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
-        const kern_law s = kern_law_pressed(c[k].way[0], c[k].way[1], c[k].mu);
-        kern_pass_write(m, c[k].end >> 1, m->graph.ends[c[k].end ^ 1],
-                        s.force, tolerance);
+        const kern_real plus = kern_max(c[2 * k].x, KERN_R(0));
+        const kern_real minus = kern_max(c[2 * k + 1].x, KERN_R(0));
+        kern_force f;
+        f.normal = plus + minus;
+        f.tangential = kern_model_mu(m, of[k] >> 1) * (plus - minus);
+        kern_pass_write(m, of[k] >> 1, m->graph.ends[of[k] ^ 1], f, tolerance);
     }
     return status;
 }
@@ -5368,8 +5373,9 @@ KERN_SHARED static int kern_walk_carries(const kern_model *m, int i, int j,
 {
     const kern_contact *c = m->s->contact + i;
     const kern_force *f = m->answer.force + i;
-    kern_support row[KERN_ROWS_MOST];
+    kern_ray ray[2 * KERN_ROWS_MOST];
     kern_real b[3] = {0, 0, 0};
+    const kern_real way[2] = {0, 0};
     int k, at;
     if (j - i > KERN_ROWS_MOST)
         return 0;
@@ -5378,16 +5384,16 @@ KERN_SHARED static int kern_walk_carries(const kern_model *m, int i, int j,
             const kern_contact *d = c + k;
             const kern_vec p = kern_contact_at(d, at ? place : from,
                                                m->relative);
-            row[k].row = kern_row_of(
+            const kern_row row = kern_row_of(
                 kern_vec_scale(d->n, KERN_R(d->a == c->a ? 1 : -1)),
                 kern_vec_sub(p, c->p), 1 / m->mean);
-            row[k].mu = kern_model_mu(m, i + k);
-            row[k].way[0] = row[k].way[1] = KERN_R(0);
-            if (!at)
-                kern_row_exert(&row[k].row, f->normal, f->tangential, b);
+            if (at)
+                kern_ray_pair(ray + 2 * k, &row, kern_model_mu(m, i + k), way);
+            else
+                kern_row_exert(&row, f->normal, f->tangential, b);
         }
-    return kern_pass_solve(row, j - i, b, KERN_PASS_TOL * kern_largest(b, 3))
-           == KERN_STANDS;
+    return kern_pass_solve(ray, 2 * (j - i), b,
+                           KERN_PASS_TOL * kern_largest(b, 3)) == KERN_STANDS;
 }
 
 /* Whether the forces of the answer that hold the structure at `from` hold it at
@@ -6048,7 +6054,7 @@ static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
                                   150, 200, 300, 500, 1000}; /* of 10,000 */
     kern_model *m = r->p->m;
     kern_real range[2];
-    const int nested = kern_is_nested(m->s, asked, range);
+    const int nested = kern_is_nested(m, range);
     kern_query q = *asked;
     int low = (int)(sizeof share / sizeof share[0]) - 1, at, high;
     while (most > 0 && KERN_R(share[low]) / 10000 > most)
@@ -7695,7 +7701,7 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
-    if (kern_is_nested(&task->s, &c.path.q, range)) {
+    if (kern_is_nested(&c.m, range)) {
         kern_model_know(&c.m, known);
         status = known->fails > 0 && margin >= known->fails
                  && kern_known_falls(&c.m, &c.path.q, known)
