@@ -2020,6 +2020,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         if (!(f >= 0) || !(kern_abs(r) <= kern_friction(c, by) * f
                                           * (1 + 8 * KERN_EPS)))
             return KERN_INFINITY; /* not in its cone */
+        if (!(f > 0))
+            continue;
         kern_arms(s, c, q, arm);
         kern_prove_end(sum + 4 * c->a, arm[0], -fx, -fy, f);
         kern_prove_end(sum + 4 * c->b, arm[1], fx, fy, f);
