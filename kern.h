@@ -1579,7 +1579,7 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
 
 /* All that acts on block i besides its contacts. Returns the sum of the
    magnitudes: what its equilibrium is measured by. */
-static kern_real kern_wrench_on(const kern_structure *s,
+static inline kern_real kern_wrench_on(const kern_structure *s,
                                 const kern_query *q, int i, kern_wrench *sum)
 {
     const kern_block *b = s->block + i;
@@ -1827,7 +1827,7 @@ static kern_status kern_options_check(const kern_options *o)
 }
 
 /* A contact whose normal may have any length. */
-static kern_status kern_contact_check(const kern_contact *c, int blocks)
+static inline kern_status kern_contact_check(const kern_contact *c, int blocks)
 {
     if ((unsigned)c->a >= (unsigned)blocks
         || (unsigned)c->b >= (unsigned)blocks)
@@ -2416,7 +2416,7 @@ static void kern_model_arms(kern_model *m, const kern_query *q)
 }
 
 /* The unit of a group's torques: its block's size plus how far kerns grew. */
-static void kern_model_unit(kern_model *m, const kern_query *q, int g)
+static inline void kern_model_unit(kern_model *m, const kern_query *q, int g)
 {
     const kern_real size = kern_block_size(m->s->block + m->graph.block[g]);
     const kern_real grown = kern_max(-q->shrink, KERN_R(0));
@@ -2427,7 +2427,7 @@ static inline kern_real kern_model_mu(const kern_model *m, int i)
 { return kern_friction(m->s->contact + i, m->reduction); }
 
 /* What contacts must exert on group g: Eq. (5)'s -w. */
-static void kern_model_load(kern_model *m, const kern_query *q, int g)
+static inline void kern_model_load(kern_model *m, const kern_query *q, int g)
 {
     kern_real *load = m->load + 3 * (size_t)g;
     kern_wrench w;
@@ -7810,7 +7810,7 @@ static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
 /* Column j's entries in the rows of the group whose own it is, the first of its
    ends in the order of carrying, or those of its other end; returns the first
    of these rows. */
-static int kern_lp_part(const kern_program *lp, int j, int other,
+static inline int kern_lp_part(const kern_program *lp, int j, int other,
                         kern_real out[3])
 {
     const int *ends = lp->ends + (j & ~1);
