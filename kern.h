@@ -4231,6 +4231,7 @@ static void kern_ray_pair(kern_ray *to, const kern_row *row, kern_real mu,
         kern_zero(to->a, 3);
         kern_row_exert(row, KERN_R(1), mu, to->a);
         to->x = way[0] + mu * way[1];
+        to->press = 1;
     }
 }
 
@@ -4258,8 +4259,6 @@ static kern_status kern_pass_solve(kern_ray *c, int n, const kern_real b[3],
 {
     kern_real left[3], h[9], step[3], u[3] = {0, 0, 0}, last = KERN_INFINITY;
     int k, round, same = 0; /* nonzero: the same rays press as before */
-    for (k = 0; k < n; k++)
-        c[k].press = 1;
     for (round = 0; round < KERN_FEW_ROUNDS + 2; round++) {
         const kern_real before = last / 8;
         int good, changed = 0;
@@ -4294,19 +4293,21 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     kern_real b[3];
     kern_status status;
     int e, k, n = 0;
+    kern_copy(b, m->load + 3 * (size_t)g, 3);
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+        const kern_row row = kern_model_row(m, e);
+        const kern_force *f = m->answer.force + (e >> 1);
         kern_real way[2], mu;
-        kern_row row;
-        if (m->graph.ends[e ^ 1] < g)
+        if (m->graph.ends[e ^ 1] < g) {
+            kern_row_exert(&row, -f->normal, -f->tangential, b);
             continue;
+        }
         if (n == KERN_ROWS_MOST)
             return KERN_UNDECIDED;
-        row = kern_model_row(m, e);
         mu = kern_model_prior(m, e >> 1, way);
         kern_ray_pair(c + 2 * n, &row, mu, way);
         of[n++] = e;
     }
-    kern_pass_load(m, g, b);
     status = kern_pass_solve(c, 2 * n, b, tolerance);
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real plus = kern_max(c[2 * k].x, KERN_R(0));
