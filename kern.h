@@ -2834,8 +2834,7 @@ KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
 static kern_status kern_grow(kern_model *m, kern_path *path)
 {
     kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
-    const kern_real growth = kern_is_nested(m, range)
-                             ? KERN_R(4) : KERN_R(1.1);
+    const kern_real growth = kern_is_nested(m, range) ? KERN_R(4) : KERN_R(1.1);
     const kern_real none = KERN_INFINITY;
     kern_box whole = {{none, none}, {-none, -none}};
     kern_status status;
@@ -4177,21 +4176,6 @@ static void kern_pass_write(kern_model *m, int i, int on, kern_force f,
     *to = f;
 }
 
-/* The load of group g and of what rests on it from outside of its cluster. */
-static inline void kern_pass_load(const kern_model *m, int g, kern_real *b)
-{
-    const kern_real *load = m->load + 3 * (size_t)g;
-    int e;
-    b[0] = load[0]; b[1] = load[1]; b[2] = load[2];
-    for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-        const kern_force *f = m->answer.force + (e >> 1);
-        const kern_row row = kern_model_row(m, e);
-        const int other = m->graph.ends[e ^ 1];
-        if (other < g && m->cluster.last[other] != m->cluster.last[g])
-            kern_row_exert(&row, -f->normal, -f->tangential, b);
-    }
-}
-
 /* x := H^-1 b for the lower half of a symmetric 3 x 3 matrix h. The unknown of
    a pivot that is rounding becomes 0. Returns whether no pivot is small. */
 static int kern_pass_three(const kern_real h[9], const kern_real b[3],
@@ -4312,9 +4296,8 @@ static kern_status kern_pass_alone(kern_model *m, int g)
     for (k = 0; k < n && status == KERN_STANDS; k++) {
         const kern_real plus = kern_max(c[2 * k].x, KERN_R(0));
         const kern_real minus = kern_max(c[2 * k + 1].x, KERN_R(0));
-        kern_force f;
-        f.normal = plus + minus;
-        f.tangential = kern_model_mu(m, of[k] >> 1) * (plus - minus);
+        const kern_force f = {
+            plus + minus, kern_model_mu(m, of[k] >> 1) * (plus - minus)};
         kern_pass_write(m, of[k] >> 1, m->graph.ends[of[k] ^ 1], f, tolerance);
     }
     return status;
@@ -4431,7 +4414,11 @@ KERN_SHARED static kern_status kern_pass_part(kern_part *p, kern_model *m,
     for (n = 0; n < p->groups; n++) {
         least = kern_min(least, m->size[p->group[n]]);
         load += m->size[p->group[n]];
-        kern_pass_load(m, p->group[n], p->dual.b + 3 * n);
+        kern_copy(p->dual.b + 3 * n, m->load + 3 * p->group[n], 3);
+    }
+    for (n = p->own; n < p->contacts; n++) { /* and of what rests on them */
+        const kern_force *f = m->answer.force + p->contact[n];
+        kern_part_exert(p, n, -f->normal, -f->tangential, p->dual.b);
     }
     for (n = 0; n < 3 * p->groups; n++)
         load += kern_abs(p->dual.b[n]);
