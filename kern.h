@@ -1333,8 +1333,7 @@ extern "C" {
 
 /* ---- Vectors ------------------------------------------------------ >>vec */
 
-/* Without its sign, also where it is -0: on most processors one instruction,
-   which compilers do not find by themselves. */
+/* Without its sign, also of -0; compilers do not find the one instruction. */
 static kern_real kern_abs(kern_real a)
 {
 #ifdef __GNUC__
@@ -1400,8 +1399,7 @@ KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
 KERN_SHARED static int kern_vec_is_moderate(kern_vec a)
 { return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
-/* The sine by its series: the last digit of libm's differs between machines;
-   angles below KERN_ANGLE_MOST are right to eight digits. */
+/* To eight digits below KERN_ANGLE_MOST; libm's differs between machines. */
 static kern_real kern_sine(kern_real angle)
 {
     const kern_real q = angle * angle;
@@ -1520,9 +1518,9 @@ KERN_SHARED static kern_real kern_reduction(const kern_query *q)
 static inline kern_real kern_friction(const kern_contact *c, kern_real by)
 { return by > 0 ? kern_max(c->mu - by, KERN_R(0)) / (1 + c->mu * by) : c->mu; }
 
-/* Whether one of two blocks has been taken away. */
-static inline int kern_is_gone(const kern_query *q, int a, int b)
-{ return q->fallen && (q->fallen[a] >= 0 || q->fallen[b] >= 0); }
+/* Whether a block has been taken away. */
+static inline int kern_is_gone(const kern_query *q, int i)
+{ return q->fallen && q->fallen[i] >= 0; }
 
 /* A travel too short to be one counts as none: slight beside the least line. */
 KERN_SHARED static kern_real kern_travel(const kern_contact *c, kern_real mean)
@@ -1535,9 +1533,9 @@ static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 /* Whether a contact carries nothing: too short, or one of its blocks gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
-    return kern_is_gone(q, c->a, c->b)
-           || (q->shortest > 0 && kern_contact_length(c, q->mean) > 0
-               && kern_contact_length(c, q->mean) < q->shortest);
+    const kern_real length = kern_contact_length(c, q->mean);
+    return (length > 0 && length < q->shortest)
+           || kern_is_gone(q, c->a) || kern_is_gone(q, c->b);
 }
 
 /* What gravity does to a mass. */
@@ -1587,11 +1585,10 @@ static inline kern_real kern_wrench_on(const kern_structure *s,
     kern_real size;
     kern_weigh(q->gravity, b->mass, sum);
     size = kern_force_size(sum) + kern_wrench_add(sum, b, &b->load, q->loads);
-    if (q->factor > 0) {
-        kern_pattern_on(s, q, i, &pattern);
-        size += kern_wrench_add(sum, b, &pattern, q->factor);
-    }
-    return size;
+    if (!(q->factor > 0))
+        return size;
+    kern_pattern_on(s, q, i, &pattern);
+    return size + kern_wrench_add(sum, b, &pattern, q->factor);
 }
 
 /* How far along t a contact point moves with a shrinkage, and how fast. */
@@ -1958,9 +1955,8 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
    contact: forces of that sum could not hold it. The speed includes all that
    rounding may have taken from it: the proof holds without rounding as well. */
 
-/* What is left over in the rows of all free blocks, under contact forces of
-   `sum`, four a block, as a share of what is allowed, and all normal forces,
-   `total`, as a share of the bound. */
+/* What is left in the rows of free blocks under contact forces of `sum`, four a
+   block, or all normal forces, `total`: the larger share of what is allowed. */
 static kern_real kern_prove_rows(const kern_structure *s,
                                  const kern_query *q, const kern_real *sum,
                                  kern_real total)
@@ -1968,7 +1964,7 @@ static kern_real kern_prove_rows(const kern_structure *s,
     kern_real error = KERN_R(0), weight = KERN_R(0);
     int i;
     for (i = 0; i < s->blocks; i++, sum += 4)
-        if (!s->block[i].fixed && !kern_is_gone(q, i, i)) {
+        if (!s->block[i].fixed && !kern_is_gone(q, i)) {
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
             const kern_real x = kern_abs(sum[0] + w.fx);
@@ -2274,7 +2270,7 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     const kern_structure *s = m->s;
     int i, g, none = 0;
     for (i = s->blocks - 1; i >= 0; i--)
-        if (!s->block[i].fixed && !kern_is_gone(q, i, i))
+        if (!s->block[i].fixed && !kern_is_gone(q, i))
             m->graph.block[none++] = i;
     m->graph.groups = none;
     m->shrunk = KERN_INFINITY;
@@ -6303,9 +6299,8 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
 /* Shares of a length of the user's: a gap, a block's size, a coordinate. */
 
-/* An outline of more vertices has boxes for so many runs of its edges at most,
-   of half as many edges at least; so many nested spans of it are kept. More
-   take stack, fewer take time. */
+/* Most runs of edges with a box, where an outline has more vertices, of half as
+   many edges at least; and most nested spans. More take stack, fewer time. */
 #define KERN_RUNS       16
 /* The default angle [rad]; and from a contact's line to the widest cone. */
 #define KERN_ANGLE      KERN_R(0.0174533)
@@ -6316,23 +6311,20 @@ KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
 /* Measured structures, in errors of place and of angle: 3.5 standard
    deviations, so that of 30 contacts which carry none is missed in 98 % of
    structures. The gap of a corner and an edge of two stones varies by 2 e^2 for
-   their places, 3/8 e^2 for their vertices, so 1.5 times as much, and theta^2
-   r^2 for each; the angle of two edges, 0.7 sizes long, by 2 theta^2, and as
-   much for their ends, so twice as much. By so much of a place are kerns
-   smaller, or larger, to be certain. */
+   their places, 3/8 e^2 for their vertices: 1.5 times as much, and theta^2 r^2
+   for each; the angle of two edges, 0.7 sizes long, by 2 theta^2, and as much
+   for their ends: twice as much. To be certain, kerns shrink or grow by it. */
 #define KERN_ERRORS        KERN_R(3.5)
 #define KERN_ERROR_OVERLAP KERN_R(8.0)
 #define KERN_ERROR_EDGE    KERN_R(3.0)  /* beyond its end; of angle: of cones */
 /* Gaps up to which a riser is one of a drawing and no shear key: the pixel of
    an image of 900 a stone must not hold. At 2 a kerb of two gaps would go. */
 #define KERN_RISER      KERN_R(1.6)
-/* Sine of 10 degrees: by so much ways of steps may turn; and by less do the
-   normals of a line contact and of a vertex that belongs to it, by more at a
-   corner. */
+/* Sine of 10 degrees: by so much ways of steps may turn; by less do the normals
+   of a line contact and of a vertex that belongs to it, by more at a corner. */
 #define KERN_SAME_FACE  KERN_R(0.17364817766693036)
-/* What a step may be the share of, to count as one: of the size of the smaller
-   free block, above which it is not simplified away, however wide the gap; and
-   of a way whose direction steps hardly change. */
+/* Largest share of a step: of the smaller free block's size, or it stays with
+   any gap; and of a way whose direction it hardly changes. */
 #define KERN_STEP_MOST  KERN_R(0.1)
 /* Strides of the search for overlap to a gap, which may be so much deeper
    unseen; and of a stride to that by which it grows. Fewer miss more, more take
@@ -6352,24 +6344,20 @@ static int kern_polygon_next(const kern_block *block, int i, int back)
 }
 
 /* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
-   (reflex), 0 hardly at all, 2 back: a spike, or a vertex that is repeated. */
+   (reflex), 0 hardly at all, -2 back: a spike, or a vertex that is repeated. */
 static int kern_polygon_turn(const kern_block *block, int i)
 {
-    const kern_vec p = block->vertex[i];
-    const kern_vec in = kern_vec_sub(
-        p, block->vertex[kern_polygon_next(block, i, 1)]);
-    const kern_vec out = kern_vec_sub(
-        block->vertex[kern_polygon_next(block, i, 0)], p);
+    const kern_vec *v = block->vertex;
+    const kern_vec in = kern_vec_sub(v[i], v[kern_polygon_next(block, i, 1)]);
+    const kern_vec out = kern_vec_sub(v[kern_polygon_next(block, i, 0)], v[i]);
     const kern_real turn = kern_vec_cross(in, out);
     const kern_real least = KERN_SLIGHT * kern_vec_dot(in, out);
     if (kern_abs(turn) < least)
         return 0;
     if (kern_abs(turn) <= -least)
-        return 2;
+        return -2;
     return (turn > 0) == (block->area >= 0) ? 1 : -1;
 }
-
-/* ---- boxes ---- */
 
 /* Are they no farther apart than the gap? Below 0: do they overlap by more? */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
@@ -6386,13 +6374,11 @@ static kern_real kern_box_largest(const kern_box *box)
 
 typedef struct kern_span {
     int start, end;         /* corners; equal: the whole outline         */
-    int steps;              /* nonzero: its chord stands for its edges;
-                               -1: it may be split                       */
+    int steps;              /* 1: its chord stands for edges; -1: unknown */
 } kern_span;
 
-/* A block's outline as it is looked at, in runs of `each` vertices with a box
-   around the edges from corner to corner that start there: what is far from the
-   box is far from these. A short outline is one run. */
+/* A block's outline in runs of `each` vertices with a box around the edges that
+   start there, from corner to corner. A short outline is one run. */
 typedef struct kern_outline {
     const kern_block *block;
     int straight, reflex;   /* are there such vertices, or spikes?   */
@@ -6422,7 +6408,7 @@ static void kern_outline_set(kern_outline *o, const kern_block *block)
     for (i = 0; i < n; i++) {
         const int turn = kern_polygon_turn(block, i);
         o->straight |= turn == 0;
-        o->reflex |= turn < 0 || turn == 2;
+        o->reflex |= turn < 0;
     }
     o->each = n > KERN_RUNS ? n / KERN_RUNS + KERN_RUNS / 2 : n;
     o->box[0] = block->box;
@@ -6555,37 +6541,33 @@ static int kern_one_side(const kern_edge *e, const kern_edge *f)
 
 /* ---- what a polygon must be ---- */
 
-/* A polygon that turns one way only and has one lowest place is convex. In any
-   other no edge may touch another but its neighbours, which may not turn back.
+/* The first edge that touches another but its neighbours, or turns back; -1:
+   none, as in a convex polygon: it turns one way only and has one lowest place.
    Edges whose boxes meet touch, unless one lies on one side of the other. */
-static kern_status kern_polygon_simple(const kern_block *block,
-                                       kern_fault *fault)
+static int kern_polygon_crossing(const kern_block *block)
 {
     const kern_vec *v = block->vertex;
     kern_outline o;
     kern_edge e, f;
-    int i, lowest = 0, up, rises = v[0].y > v[block->vertices - 1].y;
-    for (i = 0; i < block->vertices; i++, rises = up) {
-        up = v[kern_polygon_next(block, i, 0)].y > v[i].y;
-        lowest += up && !rises;
-    }
+    int i, lowest = 0;
+    for (i = 0; i < block->vertices; i++)
+        lowest += v[kern_polygon_next(block, i, 0)].y > v[i].y
+                  && v[kern_polygon_next(block, i, 1)].y >= v[i].y;
     kern_outline_set(&o, block);
     if (!o.reflex && lowest < 2)
-        return KERN_OK;
+        return -1;
     o.straight = 0; /* from vertex to vertex, which costs less */
     e.at = -1;
     while (kern_edge_next(&e, &o, &block->box, 0)) {
-        int touch = kern_polygon_turn(block, e.at) == 2;
+        int touch = kern_polygon_turn(block, e.at) == -2;
         f = e;
         while (!touch && kern_edge_next(&f, &o, &e.box, 0))
             touch = f.start != e.end && f.end != e.start
                     && !kern_one_side(&e, &f) && !kern_one_side(&f, &e);
-        if (touch) {
-            fault->index = e.at;
-            return KERN_CROSSING;
-        }
+        if (touch)
+            return e.at;
     }
-    return KERN_OK;
+    return -1;
 }
 
 /* Fills in area, centre and box, by the triangles between vertex 0 and the
@@ -6616,29 +6598,26 @@ static kern_real kern_polygon_area(kern_block *block)
 static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 {
     kern_real spread, least;
-    kern_status status;
     for (fault->index = 0; fault->index < block->vertices; fault->index++)
         if (!kern_vec_is_moderate(block->vertex[fault->index]))
             return KERN_BAD_NUMBER;
-    fault->index = -1;
     spread = kern_polygon_area(block);
     least = 2 * KERN_ROUNDING * kern_box_largest(&block->box) *
             kern_vec_largest(kern_vec_sub(block->box.high, block->box.low));
     least = kern_max(least, 1 / (KERN_FAR * KERN_FAR));
-    if (!(spread > least)) /* all vertices on one line */
-        return KERN_NO_AREA;
-    status = kern_polygon_simple(block, fault);
-    return status < 0 || kern_abs(block->area) > least ? status : KERN_NO_AREA;
+    /* or all vertices are on one line */
+    fault->index = spread > least ? kern_polygon_crossing(block) : -1;
+    return fault->index >= 0 ? KERN_CROSSING
+           : kern_abs(block->area) > least ? KERN_OK : KERN_NO_AREA;
 }
 
-KERN_SHARED static kern_status kern_vertices_check(const kern_vec *vertex,
-                                                   int vertices)
+KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
-    if (vertices < 0 || vertices > KERN_POINTS_MOST)
+    if (n < 0 || n > KERN_POINTS_MOST)
         return KERN_BAD_COUNT;
-    if (vertices < 3)
+    if (n < 3)
         return KERN_FEW_VERTICES;
-    return vertex ? KERN_OK : KERN_BAD_POINTER;
+    return v ? KERN_OK : KERN_BAD_POINTER;
 }
 
 /* Leaves a block that every call refuses where the polygon is none. */
@@ -6706,14 +6685,13 @@ KERN_API kern_real kern_mean_size(const kern_block *block, int blocks)
     ___o___________o___      _____\ /_____        a  |  two normals
        |     a         |       a   o              ___|  at one place
 
-   1. Each two blocks whose boxes are within the gap are a pair.
-   2. Overlap: the search fails (kern_overlap_depth()).
-   3. Edges: each two whose boxes are within the gap make a line contact
-      (kern_pair_line()) or a point contact (kern_pair_point()).
-   4. Steps: contacts go to the chords of an outline (kern_outline_chord()).
-   5. Faces: what lies on one line is merged (kern_pair_face()), and points
-      next to it are dropped.
-   6. Travels: kern_point_travels(). When what: >>rules.
+   Of each two blocks whose boxes are within the gap (kern_search_pair()), as
+   >>rules says:
+   1. Overlap: the search fails (kern_overlap_depth()).
+   2. Edges make lines (kern_pair_line()) and points (kern_pair_point()).
+   3. Steps: contacts go to the chords of an outline (kern_outline_chord()).
+   4. Faces: what lies on one line is merged (kern_pair_face()).
+   5. Travels: kern_point_travels().
    At the end each line becomes two contact points. */
 
 /* ---- overlap ---- */
@@ -6732,9 +6710,8 @@ static int kern_overlap_beside(const kern_edge *e, const kern_block *b,
     return 1;
 }
 
-/* Raises *deep to the depth in b of the boundary of a, but for a stride; beyond
-   `enough` it goes no further. Steps along an edge grow: a gap of a few
-   roundings takes no end of them otherwise. */
+/* Raises *deep to the depth in b of the boundary of a, but for a stride, or to
+   one beyond `enough`. Strides grow: a gap of few roundings takes too many. */
 static void kern_overlap_boundary(const kern_outline *a, const kern_outline *b,
                                   kern_real enough, kern_real *deep)
 {
@@ -6789,9 +6766,8 @@ static void kern_overlap_within(const kern_outline *a, const kern_outline *b,
 }
 
 /* Depth of the overlap of a and b, but for a stride, or one beyond `enough`; 0:
-   none deeper than the gap. As a rule the line of an edge separates a convex
-   pair, its own block left of it and the other right, but for half a gap. Two
-   blocks at one place have no deep boundary. */
+   none deeper than the gap. As a rule the line of an edge parts a convex pair,
+   but for half a gap. Two blocks at one place have no deep boundary. */
 KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
                                                 const kern_outline *b,
                                                 kern_real gap, kern_real enough)
@@ -6821,13 +6797,9 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
    until no corner is farther than a step from the chord. The nested spans on
    the way serve the next edge, which is a neighbour as a rule. */
 
-/* Does the edge that starts at corner i lie in the span? */
-KERN_SHARED static int kern_span_holds(const kern_block *block,
-                                       const kern_span *span, int i)
-{
-    const int n = block->vertices;
-    return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n;
-}
+/* Does the edge that starts at vertex i of n lie in the span? */
+KERN_SHARED static int kern_span_holds(const kern_span *span, int i, int n)
+{ return (i - span->start + n) % n <= (span->end - span->start - 1 + n) % n; }
 
 /* Length of the edge from corner i to k if it turns to both sides: a riser. */
 static kern_real kern_riser_length(const kern_block *block, int i, int k)
@@ -6840,25 +6812,24 @@ static kern_real kern_riser_length(const kern_block *block, int i, int k)
 /* Has the span a riser: of any length inside, of at most a step at its ends? */
 static int kern_span_has_steps(const kern_outline *o, const kern_span *span)
 {
-    int i = span->start, k;
+    int i, k = span->start;
     do {
-        const int inside = i != span->start;
+        i = k;
         k = kern_outline_corner(o, i);
         if (kern_riser_length(o->block, i, k)
-            < (inside && k != span->end ? KERN_INFINITY : o->step))
+            < (i == span->start || k == span->end ? o->step : KERN_INFINITY))
             return 1;
-        i = k;
-    } while (i != span->end);
+    } while (k != span->end);
     return 0;
 }
 
-/* The span's corner farthest from pq, by more than `most`; else its end. */
-static int kern_span_split(const kern_outline *o, const kern_span *span,
-                           kern_vec p, kern_vec q, kern_real most)
+/* The corner farthest from pq, in an open span by over a step; else the end. */
+static int kern_span_split(const kern_outline *o, int start, int end,
+                           kern_vec p, kern_vec q)
 {
     const kern_vec d = kern_vec_sub(q, p);
-    int i = span->start, at = span->end;
-    most *= most;
+    kern_real most = start == end ? KERN_R(0) : o->step * o->step;
+    int i = start, at = end;
     do {
         const kern_vec r = kern_vec_sub(p, o->block->vertex[i]);
         const kern_real square = kern_edge_square(r, kern_vec_add(r, d));
@@ -6866,14 +6837,13 @@ static int kern_span_split(const kern_outline *o, const kern_span *span,
             most = square;
             at = i;
         }
-    } while ((i = kern_outline_corner(o, i)) != span->end);
+    } while ((i = kern_outline_corner(o, i)) != end);
     return at;
 }
 
 /* The whole outline is a span from the corner farthest from the centre. Stairs
-   of risers that are low take what they deviate from the chord between two of
-   their corners: the square root of 2 times a riser where treads are as long.
-   At a reflex corner the riser is the shorter edge. */
+   of low risers, the shorter edges at reflex corners, take what they deviate
+   from their chord: the root of 2 times a riser where treads are as long. */
 static void kern_outline_whole(kern_outline *o)
 {
     const kern_block *block = o->block;
@@ -6881,8 +6851,7 @@ static void kern_outline_whole(kern_outline *o)
     kern_span *whole = o->span;
     kern_real riser = KERN_R(0), before = KERN_INFINITY;
     int i = kern_outline_corner(o, block->vertices - 1);
-    whole->start = whole->end = i;
-    i = kern_span_split(o, whole, c, c, KERN_R(0));
+    i = kern_span_split(o, i, i, c, c);
     whole->start = whole->end = i;
     whole->steps = -1;
     o->spans = 1;
@@ -6898,29 +6867,27 @@ static void kern_outline_whole(kern_outline *o)
     o->step = kern_max(o->step, KERN_SQRT(KERN_R(2)) * riser);
 }
 
-/* 1: the chord that stands for an edge; 0: itself, as in a convex outline. */
-static int kern_outline_chord(kern_outline *o, const kern_edge *e,
-                              kern_edge *chord)
+/* 1: the chord that stands for edge i; 0: itself, as in a convex outline. */
+static int kern_outline_chord(kern_outline *o, int i, kern_edge *chord)
 {
-    const kern_block *block = o->block;
+    const kern_vec *v = o->block->vertex;
+    const int n = o->block->vertices;
     kern_span *span, half;
-    *chord = *e;
     if (!o->reflex)
         return 0;
     if (!o->spans)
         kern_outline_whole(o);
-    while (!kern_span_holds(block, &o->span[o->spans - 1], e->at))
+    while (!kern_span_holds(&o->span[o->spans - 1], i, n))
         o->spans--;
     while ((span = &o->span[o->spans - 1])->steps < 0) {
         half = *span;
         span->steps = kern_span_has_steps(o, span);
         if (span->steps)
-            half.end = kern_span_split(
-                o, span, block->vertex[span->start], block->vertex[span->end],
-                span->start == span->end ? KERN_R(0) : o->step);
+            half.end = kern_span_split(o, half.start, half.end, v[half.start],
+                                       v[half.end]);
         if (half.end == span->end)
             break;
-        if (!kern_span_holds(block, &half, e->at)) {
+        if (!kern_span_holds(&half, i, n)) {
             half.start = half.end;
             half.end = span->end;
         }
@@ -6930,15 +6897,14 @@ static int kern_outline_chord(kern_outline *o, const kern_edge *e,
         o->span[o->spans++] = half;
     }
     if (span->steps)
-        kern_edge_set(chord, block, span->start, span->end);
+        kern_edge_set(chord, o->block, span->start, span->end);
     return span->steps;
 }
 
 /* ---- the pair ---- */
 
-/* Two blocks, and the contacts of all pairs so far, in the caller's array. A
-   line is one contact until the end: p is its middle, travel half its length,
-   above 0. Of a point travel is 0. */
+/* Two blocks, and the contacts of all pairs so far, in the caller's array. Here
+   a line is one: p is its middle, travel half its length; 0: it is a point. */
 typedef struct kern_pair {
     int a, b;               /* indices of the blocks, a before b           */
     kern_real gap;          /* widest [m], at the blocks' centres          */
@@ -6947,8 +6913,8 @@ typedef struct kern_pair {
     kern_real reach;        /* no gap or overlap is wider [m]              */
     kern_real least;        /* a line is longer [m]                        */
     kern_real foot;         /* a foot on an edge is so far inside [m]      */
-    kern_real over;         /* or, where places are measured, outside [m]  */
     kern_real sine;         /* of the angle of the options                 */
+    const kern_options *options;
     kern_contact *out;
     int room, count;        /* count may exceed the room: no more is stored */
     int first;              /* of the contacts of this pair                */
@@ -6956,17 +6922,15 @@ typedef struct kern_pair {
 } kern_pair;
 
 /* One end of a line: side is -1 or 1. */
-static kern_vec kern_line_end(const kern_contact *line, int side)
-{
-    return kern_vec_step(line->p, KERN_R(side) * line->travel,
-                         kern_vec_turn(line->n));
-}
+static kern_vec kern_line_end(const kern_contact *line, kern_real side)
+{ return kern_vec_step(line->p, side * line->travel, kern_vec_turn(line->n)); }
 
 /* Adds a contact behind those as long or longer; without room it is counted. */
 static void kern_pair_put(kern_pair *pair, kern_vec p, kern_vec n,
                           kern_real half)
 {
-    const kern_contact made = {pair->a, pair->b, half > 0, p, n, 0, half};
+    const kern_contact made = {pair->a, pair->b, half > 0, p, n,
+                               pair->options->mu, half};
     kern_contact *at = pair->out;
     int i = pair->count++;
     if (i >= pair->room)
@@ -7011,58 +6975,52 @@ static int kern_chord_stands(const kern_edge *e, const kern_edge *f,
               >= -KERN_SAME_FACE * kern_vec_length(way);
 }
 
-/* The chord of an edge. At a corner where it starts it may be that of the edge
-   before, where that is low: the end of a step. */
-static int kern_pair_chord(kern_outline *o, const kern_edge *edge, int corner,
-                           kern_edge *chord)
+/* The chord of an edge, in *chord, or the edge. At a corner where it starts it
+   may be that of the edge before, where that is low: the end of a step. */
+static const kern_edge *kern_pair_chord(kern_outline *o, const kern_edge *edge,
+                                        int corner, kern_edge *chord)
 {
     const kern_block *block = o->block;
     const int out = block->area > 0;
-    int last, steps = kern_outline_chord(o, edge, chord);
-    if (steps || !corner)
-        return steps;
-    last = kern_polygon_next(block, edge->start, out);
-    if (kern_vec_length(kern_vec_sub(block->vertex[last], edge->p))
-        <= o->step) {
-        kern_edge_set(chord, block, out ? last : edge->start,
-                      out ? edge->start : last);
-        steps = kern_outline_chord(o, chord, chord);
-        if (!steps)
-            *chord = *edge;
-    }
-    return steps;
+    const int last = kern_polygon_next(block, edge->start, out);
+    return kern_outline_chord(o, edge->at, chord)
+           || (corner && kern_vec_length(kern_vec_sub(block->vertex[last],
+                                                      edge->p)) <= o->step
+               && kern_outline_chord(o, out ? last : edge->start, chord))
+           ? chord : edge;
 }
 
 /* Adds a contact of two edges, on their chords: midway between two that run
    against each other, else on the one inside of whose ends it lies farther. A
-   point is a corner of a (0) or b (1): its own chord's end has no normal. */
+   point's corner is of a (0) or b (1): its own chord's end has no normal. */
 static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
                           kern_vec n, kern_real half, int corner)
 {
-    kern_edge e[2];
-    kern_real inside[2];
+    kern_edge chord[2];
+    const kern_edge *e[2] = {edge, edge + 1};
+    kern_real inside[2] = {0, 0};
     kern_vec t, q;
-    int on;
-    if (!(pair->of[0].reflex || pair->of[1].reflex)
-        || !(kern_pair_chord(&pair->of[0], edge, !(half > 0) && !corner, e)
-             | kern_pair_chord(&pair->of[1], edge + 1, corner, e + 1))) {
+    int on, reflex = pair->of[0].reflex | pair->of[1].reflex;
+    for (on = 0; on < 2 && reflex; on++) {
+        e[on] = kern_pair_chord(&pair->of[on], edge + on, corner == on,
+                                chord + on);
+        inside[on] = kern_edge_along(e[on], p);
+        inside[on] = kern_min(inside[on], e[on]->length - inside[on]);
+        if (corner == on && !(inside[on] > 0))
+            inside[on] = -KERN_INFINITY;
+    }
+    if (e[0] == edge && e[1] == edge + 1) {
         kern_pair_put(pair, p, n, half);
         return;
     }
-    for (on = 0; on < 2; on++) {
-        const kern_real along = kern_edge_along(&e[on], p);
-        inside[on] = kern_min(along, e[on].length - along);
-        if (!(half > 0 || corner != on || inside[on] > 0))
-            inside[on] = -KERN_INFINITY;
-    }
     on = inside[0] < inside[1];
-    if (kern_pair_opposed(pair, &e[0], &e[1])) {
-        t = kern_vec_unit(kern_vec_sub(e[0].d, e[1].d));
-        q = kern_vec_mid(kern_edge_foot(&e[0], p), kern_edge_foot(&e[1], p));
+    if (kern_pair_opposed(pair, e[0], e[1])) {
+        t = kern_vec_unit(kern_vec_sub(e[0]->d, e[1]->d));
+        q = kern_vec_mid(kern_edge_foot(e[0], p), kern_edge_foot(e[1], p));
     } else if (2 * half > pair->gap
-               || kern_chord_stands(&e[on], &e[!on], &pair->of[!on], &p)) {
-        t = on ? kern_vec_scale(e[1].d, -1) : e[0].d;
-        q = kern_edge_foot(&e[on], p);
+               || kern_chord_stands(e[on], e[!on], &pair->of[!on], &p)) {
+        t = on ? kern_vec_scale(e[1]->d, -1) : e[0]->d;
+        q = kern_edge_foot(e[on], p);
     } else {
         return;
     }
@@ -7078,8 +7036,6 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->of[0].block->centre);
     const kern_vec v = kern_vec_sub(p, pair->of[1].block->centre);
-    if (!(pair->swing > 0))
-        return pair->gap;
     return KERN_SQRT(pair->gap * pair->gap + pair->swing * pair->swing
                      * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
@@ -7109,25 +7065,28 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
         return;
     p = kern_vec_step(e->p, (low + high) / 2, t);
     p = kern_vec_step(p, gap / 2, n);
-    kern_pair_add(pair, edge, p, n, (high - low) / 2, 0);
+    kern_pair_add(pair, edge, p, n, (high - low) / 2, KERN_OUT);
 }
 
 /* Is the foot of p inside edge e, or does e end at p in a reflex corner? */
-static int kern_edge_bears(const kern_edge *e, const kern_block *block,
-                           kern_vec p, kern_real inside, kern_real gap)
+static int kern_pair_bears(const kern_pair *pair, const kern_edge *e, int on,
+                           kern_vec p, kern_real gap)
 {
     const kern_real along = kern_edge_along(e, p);
+    const kern_real inside =
+        pair->foot - KERN_ERROR_EDGE * pair->options->pose_error;
     int end, bears = along > inside && along < e->length - inside;
     for (end = 0; end < 2 && !bears; end++) {
         const kern_vec r = kern_vec_sub(p, end ? e->q : e->p);
         bears = kern_vec_dot(r, r) <= gap * gap
-                && kern_polygon_turn(block, end ? e->end : e->start) < 0;
+                && kern_polygon_turn(pair->of[on].block,
+                                     end ? e->end : e->start) < 0;
     }
     return bears;
 }
 
-/* The corner where edge f starts stands on edge e, of a (on 0) or of b (1): it
-   is convex and within the gap, e bears it, and both its edges lead outward. */
+/* The corner where f starts, which leads outward, stands on e, of a (on 0) or b
+   (1): convex, within the gap, borne by e, and its other edge leads outward. */
 static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
 {
     const kern_edge *e = &edge[on], *f = &edge[!on];
@@ -7135,15 +7094,13 @@ static void kern_pair_point(kern_pair *pair, const kern_edge *edge, int on)
     const kern_real high = kern_vec_cross(kern_vec_sub(f->p, e->p), e->d);
     const kern_block *own = pair->of[!on].block;
     kern_vec back, p = f->p;
-    if (high > wide || high < -kern_max(wide, pair->deep)
-        || kern_vec_cross(f->d, e->d) < -pair->sine)
+    if (high > wide || high < -kern_max(wide, pair->deep))
         return;
     back = kern_vec_unit(kern_vec_sub(own->vertex[kern_polygon_next(
         own, f->start, own->area > 0)], f->p));
     if (kern_vec_cross(back, f->d) > 0
         || kern_vec_cross(back, e->d) < -pair->sine
-        || !kern_edge_bears(e, pair->of[on].block, p, pair->foot - pair->over,
-                            wide))
+        || !kern_pair_bears(pair, e, on, p, wide))
         return;
     if (pair->deep > pair->gap) /* midway, as a line */
         p = kern_vec_step(p, high / 2, kern_vec_turn(e->d));
@@ -7160,18 +7117,20 @@ static void kern_pair_edges(kern_pair *pair)
     while (kern_edge_next(&edge[0], a, &b->block->box, pair->reach)) {
         edge[1].at = -1;
         while (kern_edge_next(&edge[1], b, &edge[0].box, pair->reach)) {
+            const kern_real turn = kern_vec_cross(edge[0].d, edge[1].d);
             kern_pair_line(pair, edge);
-            kern_pair_point(pair, edge, 1);
-            kern_pair_point(pair, edge, 0);
+            if (turn >= -pair->sine)
+                kern_pair_point(pair, edge, 1);
+            if (turn <= pair->sine)
+                kern_pair_point(pair, edge, 0);
         }
     }
 }
 
 /* ---- faces ---- */
 /* The longest contact leads a face; all others with its normal and on its line
-   join it, lines first. A point about as inclined, and within the gap of a line
-   with what has joined it, is left out. The rest moves up in order, and its
-   first leads the next face. */
+   join it, lines first. A point about as inclined and within the gap of a line
+   with what has joined it is left out. The rest's first leads the next face. */
 
 /* Makes a face of contact i and all that join it. */
 KERN_SHARED static void kern_pair_face(kern_pair *pair, int i)
@@ -7285,7 +7244,6 @@ typedef struct kern_search {
     const kern_block *block;
     int blocks;
     int from;               /* the first block that meets those before     */
-    const kern_options *options;
     kern_fault *fault;
     kern_real floor;        /* places closer than that are the same [m]    */
     kern_real reach;        /* widest gap of any pair [m]                  */
@@ -7299,10 +7257,9 @@ static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
 
 /* The widest gap of blocks of that size; the error's is added to the exact. */
-KERN_SHARED static kern_real kern_search_gap(const kern_search *s,
-                                             kern_real size)
+static kern_real kern_search_gap(const kern_search *s, kern_real size)
 {
-    const kern_options *o = s->options;
+    const kern_options *o = s->pair.options;
     const kern_real exact = o->gap > 0 && !(o->pose_error > 0) ? KERN_R(0)
                                                           : KERN_GAP * size;
     return kern_max(o->gap + exact, s->floor);
@@ -7311,7 +7268,7 @@ KERN_SHARED static kern_real kern_search_gap(const kern_search *s,
 /* The tolerances of the pair. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
-    const kern_options *o = s->options;
+    const kern_options *o = s->pair.options;
     const kern_block *a = pair->of[0].block, *b = pair->of[1].block;
     const kern_real size = KERN_SQRT(
         kern_min(a->fixed ? KERN_INFINITY : kern_abs(a->area),
@@ -7343,7 +7300,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
 {
     kern_pair *pair = &s->pair;
     const kern_block *a = &s->block[i], *b = &s->block[j];
-    kern_overlap found;
+    kern_real depth;
     int k;
     if (!a->vertices || (a->fixed && b->fixed)
         || (a->vertex != b->vertex /* else the first has lost its vertices */
@@ -7354,23 +7311,23 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
         return KERN_STALE;
     kern_outline_set(&pair->of[0], a);
     kern_pair_tolerances(pair, s);
-    pair->a = found.a = i;
-    pair->b = found.b = j;
-    found.allowed = pair->deep;
-    found.depth = kern_overlap_depth(&pair->of[0], &pair->of[1],
-                                     pair->deep, s->listing ? KERN_INFINITY
-                                                            : pair->deep);
-    if (found.depth > 0 && !s->listing) {
+    depth = kern_overlap_depth(&pair->of[0], &pair->of[1], pair->deep,
+                               s->listing ? KERN_INFINITY : pair->deep);
+    if (depth > 0 && !s->listing) {
         s->fault->other = j;
-        s->fault->value = found.depth;
-        s->fault->allowed = found.allowed;
+        s->fault->value = depth;
+        s->fault->allowed = pair->deep;
         return KERN_OVERLAP;
     }
     s->fault->block = -1;
-    if (found.depth > 0 && pair->count++ < pair->room)
-        s->overlap[pair->count - 1] = found;
-    if (s->listing)
+    if (s->listing) {
+        const kern_overlap found = {i, j, depth, pair->deep};
+        if (depth > 0 && pair->count++ < pair->room)
+            s->overlap[pair->count - 1] = found;
         return KERN_OK;
+    }
+    pair->a = i;
+    pair->b = j;
     pair->first = pair->count;
     kern_pair_edges(pair);
     if (pair->count > pair->room)
@@ -7397,17 +7354,14 @@ static int kern_search_close(const kern_search *s)
         for (side = 1; side >= -1; side -= 2) {
             kern_contact *end = &out[--to];
             *end = c;
-            end->mu = s->options->mu;
             if (!c.line)
                 break;
-            end->p = kern_line_end(&c, side);
             end->travel = -KERN_R(side) * c.travel;
+            end->p = kern_vec_step(c.p, -end->travel, kern_vec_turn(c.n));
         }
     }
     return points;
 }
-
-/* ---- input ---- */
 
 /* Looks at every block, but at the vertices of those before s->from when a pair
    does; what the tolerances of all pairs depend on. */
@@ -7440,31 +7394,29 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
-    s->pair.swing = KERN_ERRORS * s->options->pose_turn;
-    s->pair.over = KERN_ERROR_EDGE * s->options->pose_error;
-    s->pair.sine = kern_sine(s->options->angle);
+    s->pair.swing = KERN_ERRORS * s->pair.options->pose_turn;
+    s->pair.sine = kern_sine(s->pair.options->angle);
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
 }
 
 /* What the search was handed, but for the blocks themselves. */
-static kern_status kern_search_asked(const kern_block *block, int blocks,
-                                     int least, const kern_options *options,
-                                     const void *out, int room)
+static kern_status kern_search_asked(const kern_search *s)
 {
-    const kern_status status = options ? kern_options_check(options)
-                                       : KERN_BAD_POINTER;
+    const kern_options *o = s->pair.options;
+    const kern_status status = o ? kern_options_check(o) : KERN_BAD_POINTER;
     if (status != KERN_OK)
         return status;
-    if (blocks < least || blocks > KERN_POINTS_MOST || room < 0)
+    if (s->from < 0 || s->blocks < s->from || s->blocks > KERN_POINTS_MOST
+        || s->pair.room < 0)
         return KERN_BAD_COUNT;
-    return (blocks > 0 && !block) || (room > 0 && !out) ? KERN_BAD_POINTER
-                                                        : KERN_OK;
+    return (s->blocks > 0 && !s->block) || (s->pair.room > 0 && !s->pair.out)
+           ? KERN_BAD_POINTER : KERN_OK;
 }
 
-/* Contacts of all blocks, or of the last one alone, or a list of overlaps. */
-static int kern_search_run(const kern_block *block, int blocks, int last,
+/* Contacts of the blocks from one on, or a list of overlaps. */
+static int kern_search_run(const kern_block *block, int blocks, int from,
                            int listing, const kern_options *options, void *out,
                            int room, kern_work *work)
 {
@@ -7474,21 +7426,20 @@ static int kern_search_run(const kern_block *block, int blocks, int last,
     if (!work)
         return (int)KERN_BAD_POINTER;
     kern_fault_clear(&work->fault);
-    status = kern_search_asked(block, blocks, last, options, out, room);
-    if (status != KERN_OK)
-        return (int)status;
     s.block = block;
     s.blocks = blocks;
-    s.from = last ? blocks - 1 : 0;
-    s.options = options;
+    s.from = from;
+    s.pair.options = options;
     s.fault = &work->fault;
     s.listing = listing;
     s.overlap = (kern_overlap *)out;
     s.pair.out = (kern_contact *)out;
     s.pair.room = room;
     s.pair.count = 0;
-    status = kern_search_survey(&s);
-    for (b = s.from; b < blocks && status == KERN_OK; b++) {
+    status = kern_search_asked(&s);
+    if (status == KERN_OK)
+        status = kern_search_survey(&s);
+    for (b = from; b < blocks && status == KERN_OK; b++) {
         kern_outline_set(&s.pair.of[1], &block[b]);
         for (a = block[b].vertices ? 0 : b; a < b && status == KERN_OK; a++)
             status = kern_search_pair(&s, a, b);
@@ -7511,7 +7462,7 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work)
-{ return kern_search_run(block, b + 1, 1, 0, options, out, room, work); }
+{ return kern_search_run(block, b + 1, b, 0, options, out, room, work); }
 
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
@@ -7551,8 +7502,8 @@ KERN_API int kern_contact_make(kern_contact *out, kern_vec q,
         return (int)KERN_BAD_LINE;
     out->n = normal;
     out->line = line;
-    out->travel = line ? kern_vec_cross(normal, d) / 2 : KERN_R(0);
     if (line) {
+        out->travel = kern_vec_cross(normal, d) / 2;
         out[1] = *out;
         out[1].p = q;
         out[1].travel = -out->travel;
@@ -7664,8 +7615,10 @@ static int kern_plan_open(kern_plan *plan, const kern_block *block)
 static kern_status kern_plan_back(kern_plan *plan, const kern_block *block,
                                   int found, kern_status answer)
 {
-    plan->task.s.blocks -= block != NULL;
-    plan->task.s.contacts -= found;
+    if (found >= 0) {
+        plan->task.s.blocks -= block != NULL;
+        plan->task.s.contacts -= found;
+    }
     return answer;
 }
 
@@ -7673,9 +7626,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
                                    kern_margin *out, const kern_proof *proof)
 {
     const int found = kern_plan_add(plan, block);
-    return found < 0 ? (kern_status)found : kern_plan_back(
-        plan, block, found, kern_measure_anew(
-            &plan->task, &plan->task.known, out, proof));
+    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
+        : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
 /* Whether it stands at that margin; by its measure if kerns are not nested. */
@@ -7708,17 +7660,16 @@ KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof)
 {
     const int found = kern_plan_add(plan, block);
-    return found < 0 ? (kern_status)found : kern_plan_back(
-        plan, block, found, kern_plan_stands(&plan->task, margin, proof));
+    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
+        : kern_plan_stands(&plan->task, margin, proof));
 }
 
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance)
 {
     const int found = kern_plan_open(plan, block);
-    return found < 0 ? (kern_status)found : kern_plan_back(
-        plan, block, found,
-        kern_stays(&plan->task, plan->task.s.blocks - 1, chance));
+    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
+        : kern_stays(&plan->task, plan->task.s.blocks - 1, chance));
 }
 
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -7726,9 +7677,8 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
                                       const kern_proof *proof)
 {
     const int found = kern_plan_open(plan, block);
-    return found < 0 ? (kern_status)found : kern_plan_back(
-        plan, block, found, kern_raised(&plan->task, KERN_R(0), out, reserve,
-                                        proof));
+    return kern_plan_back(plan, block, found, found < 0 ? (kern_status)found
+        : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
 }
 
 /* ==== Part VI: Linear programs =========================================== */
