@@ -2562,6 +2562,7 @@ typedef struct kern_program {
 
 /* The inverse of a basis: B_0, by groups, and the factors E_i. */
 typedef struct kern_factors {
+    int size;               /* rows, to a multiple of three                   */
     int groups;             /* of B_0: all of a network, or 0                 */
     kern_real *block;       /* row: of the inverse of its group, three; then
                                what its column is in its other end's rows     */
@@ -2581,7 +2582,6 @@ typedef enum kern_basis {
 
 typedef struct kern_simplex {
     const kern_program *lp;
-    int groups;             /* of three rows; the last may be short           */
     kern_basis state;
     kern_factors factors;
     int *base;              /* row: its variable                              */
@@ -2593,6 +2593,7 @@ typedef struct kern_simplex {
     kern_real *alpha;       /* row: of what is solved for, as what enters     */
     kern_real *ratio;       /* of the ratio test: steps                       */
     int *list;              /* its rows; or the columns to be factored        */
+    int enters;             /* column                                         */
     kern_real least;        /* violation that counts                          */
     kern_real gain;         /* largest c_j - y.A_j                            */
     int refined;            /* no pivot since the values were refined         */
@@ -4546,7 +4547,7 @@ typedef struct kern_ipm {
     kern_real s;
     kern_real gap;            /* sum of x z: s is so near to the maximum      */
     kern_real *z;             /* of a ray: its opening speed                  */
-    kern_real *dx, *dz;       /* of a ray: the step                           */
+    kern_real *dx;            /* of a ray: its step; that of z is dual.turn   */
     kern_real *d;             /* of a ray: D                                  */
     kern_real *over;          /* of a row: A x - b + s g                      */
     kern_real *g;             /* of a row                                     */
@@ -4634,11 +4635,11 @@ static void kern_ipm_centre(kern_ipm *in, kern_real gap)
 }
 
 /* One solution of Newton's equations: dx, which has x~ - x without what dy
-   makes of it, dy = dual.step and dz; returns ds. */
+   makes of it, dy = dual.step and dz = dual.turn; returns ds. */
 static kern_real kern_ipm_solve(kern_ipm *in)
 {
     kern_part *p = in->p;
-    const kern_real *way = p->dual.way, *turn = p->dual.turn;
+    kern_real *way = p->dual.way, *turn = p->dual.turn;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real ds;
     int i;
@@ -4649,10 +4650,10 @@ static kern_real kern_ipm_solve(kern_ipm *in)
          / kern_dot(in->g, in->gain, n);
     ds = kern_min(ds, -in->s);
     kern_add(p->dual.step, ds, in->gain, n);
-    kern_ipm_ways(p, p->dual.step, p->dual.turn);
+    kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++) {
         in->dx[i] -= in->d[i] * turn[i];
-        in->dz[i] = way[i] + turn[i] - in->z[i];
+        turn[i] = way[i] + turn[i] - in->z[i];
     }
     return ds;
 }
@@ -4662,14 +4663,15 @@ static kern_real kern_ipm_solve(kern_ipm *in)
 static int kern_ipm_step(kern_ipm *in)
 {
     kern_part *p = in->p;
+    kern_real *dx = in->dx, *dz = p->dual.turn;
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x = KERN_R(0), of_z = of_x, mu = of_x, left = of_x, ds;
     int i, corrects;
-    if (!(in->gap <= KERN_BOUND) || !kern_model_spend(p->m, p->dual.cost))
+    if (!kern_model_spend(p->m, p->dual.cost))
         return 0;
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
-        in->dx[i] = in->dz[i] = KERN_R(0);
+        dx[i] = dz[i] = KERN_R(0);
     }
     kern_ipm_factor(in, KERN_R(0), in->g, in->gain);
     if (!kern_is_finite(kern_dot(in->g, in->gain, n)))
@@ -4677,16 +4679,15 @@ static int kern_ipm_step(kern_ipm *in)
     kern_ipm_ways(p, p->y, p->dual.way);
     for (corrects = 0; ; corrects = 1) {
         for (i = 0; i < rays; i++)
-            in->dx[i] = (mu - of_x * of_z * in->dx[i] * in->dz[i]) / in->z[i]
-                        - in->d[i] * p->dual.way[i];
+            dx[i] = (mu - of_x * of_z * dx[i] * dz[i]) / in->z[i]
+                    - in->d[i] * p->dual.way[i];
         ds = kern_ipm_solve(in);
-        of_x = kern_ipm_share(p->x, in->dx, rays);
-        of_z = kern_ipm_share(in->z, in->dz, rays);
+        of_x = kern_ipm_share(p->x, dx, rays);
+        of_z = kern_ipm_share(in->z, dz, rays);
         if (corrects)
             break;
         for (i = 0; i < rays; i++)
-            left += (p->x[i] + of_x * in->dx[i])
-                    * (in->z[i] + of_z * in->dz[i]);
+            left += (p->x[i] + of_x * dx[i]) * (in->z[i] + of_z * dz[i]);
         left = kern_max(left / in->gap, 1 - of_x);
         mu = in->gap * left * left * left / KERN_R(rays);
     }
@@ -4696,8 +4697,8 @@ static int kern_ipm_step(kern_ipm *in)
         of_x = KERN_R(1);
     in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
     for (i = 0; i < rays; i++) {
-        p->x[i] = kern_max(p->x[i] + of_x * in->dx[i], p->x[i] * KERN_EPS);
-        in->z[i] += of_z * in->dz[i];
+        p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_EPS);
+        in->z[i] += of_z * dz[i];
     }
     kern_add(p->y, of_z, p->dual.step, n);
     kern_ipm_centre(in, KERN_IPM_APART * kern_dot(p->x, in->z, rays));
@@ -4780,14 +4781,12 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     n = 3 * p->groups + 3;
     in->p = p;
     in->gap = KERN_INFINITY; /* of no question so far */
-    p->found = KERN_UNDECIDED;
-    p->x = kern_take_reals(&p->rest, 5 * rays + 5 * n - 3);
+    p->x = kern_take_reals(&p->rest, 4 * rays + 5 * n - 3);
     if (!kern_take_fits(&p->rest))
         return 0;
     in->z = p->x + rays;
     in->dx = in->z + rays;
-    in->dz = in->dx + rays;
-    in->d = in->dz + rays;
+    in->d = in->dx + rays;
     p->y = in->d + rays;
     in->over = p->y + n;
     in->g = in->over + n;
@@ -4800,35 +4799,27 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
     return 1;
 }
 
-/* What is proven: by forces where s is 0, or by a motion. */
-static kern_status kern_ipm_prove(kern_ipm *in, const kern_query *q)
-{
-    kern_part *p = in->p;
-    kern_model *m = p->m;
-    if (in->s >= 0) {
-        kern_ipm_balance(in);
-        kern_part_forces(p);
-        if (kern_answer_holds(m, q))
-            return KERN_STANDS;
-    }
-    kern_part_motion(p);
-    return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion))
-           ? KERN_FALLS : KERN_UNDECIDED;
-}
-
-/* Steps until a proof, while the gap is neither rounding nor above its pace. */
+/* Steps until forces, where s is 0, or the motion prove a verdict, while the
+   gap is neither rounding nor above its pace. */
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
-    kern_status status = KERN_UNDECIDED;
-    int round;
-    for (round = 0; round < KERN_ROUNDS && status == KERN_UNDECIDED
-                    && in->gap > KERN_NOISE * KERN_NOISE && in->gap <= pace
-                    && kern_ipm_step(in); round++) {
-        status = kern_ipm_prove(in, q);
+    kern_model *m = in->p->m;
+    int round = 0;
+    while (round++ < KERN_ROUNDS && in->gap > KERN_NOISE * KERN_NOISE
+           && in->gap <= pace && kern_ipm_step(in)) {
+        if (in->s >= 0) {
+            kern_ipm_balance(in);
+            kern_part_forces(in->p);
+            if (kern_answer_holds(m, q))
+                return KERN_STANDS;
+        }
+        kern_part_motion(in->p);
+        if (kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion)))
+            return KERN_FALLS;
         pace *= KERN_IPM_PACE;
     }
-    return status;
+    return KERN_UNDECIDED;
 }
 
 /* The verdict for a query: from what was found for the last, else anew. */
@@ -4857,8 +4848,8 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
     kern_ipm in;
-    return p->found = kern_ipm_open(&in, m, p, q)
-        ? kern_ipm_evaluate(&in, q) : KERN_UNDECIDED;
+    return kern_ipm_open(&in, m, p, q) ? kern_ipm_evaluate(&in, q)
+                                       : KERN_UNDECIDED;
 }
 #else /* it decides nothing */
 #define kern_ipm_open(in, m, p, q) 0
@@ -7729,27 +7720,10 @@ static inline kern_real kern_lp_dot(const kern_program *lp, int j,
     return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
 }
 
-/* v -= s * variable j */
-static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
-                             kern_real *v)
-{
-    if (j > lp->cols)
-        v[j - lp->cols - 1] -= s;
-    else if (lp->ends && j < lp->cols) {
-        const kern_real *c = lp->a + 4 * (size_t)j;
-        const kern_real x = s * c[0], y = s * c[1];
-        kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
-        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
-        t[0] += x; t[1] += y; t[2] -= s * c[3];
-    } else
-        kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
-}
-
-/* Column j's entries in the rows of the group whose own it is, the first of its
-   ends in the order of carrying, or those of its other end; returns the first
-   of these rows. */
+/* Column j's entries in the rows of the group whose own it is, or of its other
+   end; returns the first of these rows. */
 static inline int kern_lp_part(const kern_program *lp, int j, int other,
-                        kern_real out[3])
+                               kern_real out[3])
 {
     const int *ends = lp->ends + (j & ~1);
     const int end = (ends[1] < ends[0]) ^ other;
@@ -7758,6 +7732,23 @@ static inline int kern_lp_part(const kern_program *lp, int j, int other,
     out[1] = end ? -c[1] : c[1];
     out[2] = c[2 + end];
     return 3 * ends[end];
+}
+
+/* v -= s * variable j */
+static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
+                             kern_real *v)
+{
+    kern_real part[3];
+    int other;
+    if (j > lp->cols)
+        v[j - lp->cols - 1] -= s;
+    else if (!lp->ends || j == lp->cols)
+        kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
+    else
+        for (other = 0; other < 2; other++) {
+            kern_real *to = v + kern_lp_part(lp, j, other, part);
+            to[0] -= s * part[0]; to[1] -= s * part[1]; to[2] -= s * part[2];
+        }
 }
 
 /* ---- the basis ---- */
@@ -7799,7 +7790,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 {
     const kern_factors *f = &sx->factors;
     int e, g, k;
-    kern_zero(c + sx->lp->rows, 3 * sx->groups + 3 - sx->lp->rows);
+    kern_zero(c + sx->lp->rows, f->size + 3 - sx->lp->rows);
     for (e = f->count - 1; e >= 0; e--)
         c[f->pivot[e]] = kern_dot(f->entry + f->first[e], c + f->from[e],
                                   f->first[e + 1] - f->first[e]);
@@ -7819,7 +7810,7 @@ static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
 /* Column j in terms of the basis: to sx->alpha. */
 static void kern_basis_column(kern_simplex *sx, int j)
 {
-    kern_zero(sx->alpha, 3 * sx->groups + 3);
+    kern_zero(sx->alpha, sx->factors.size + 3);
     kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
     kern_basis_solve(sx, sx->alpha);
 }
@@ -7828,7 +7819,7 @@ static void kern_basis_column(kern_simplex *sx, int j)
 static int kern_basis_full(const kern_simplex *sx)
 {
     const kern_factors *f = &sx->factors;
-    return f->count == f->most || f->first[f->count] + 3 * sx->groups > f->room;
+    return f->count == f->most || f->first[f->count] + f->size > f->room;
 }
 
 /* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
@@ -7837,7 +7828,7 @@ static void kern_basis_enter(kern_simplex *sx, int q, int p)
     kern_factors *f = &sx->factors;
     const kern_real one = 1 / sx->alpha[p];
     kern_real *entry = f->entry + f->first[f->count];
-    int from = 0, to = 3 * sx->groups, i;
+    int from = 0, to = f->size, i;
     while (kern_largest(sx->alpha + from, 3) <= 0)
         from += 3;
     while (kern_largest(sx->alpha + to - 3, 3) <= 0)
@@ -7867,13 +7858,14 @@ static kern_real kern_three_det(const kern_real *a, const kern_real *b,
    one may be the logical of its torque. 0: there are none. */
 static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
 {
-    const int *logical = sx->base + 3 * g + 2;
+    const int logical = sx->lp->cols + 1 + 3 * g + 2;
+    int *base = sx->base + 3 * g;
     const kern_real *load = sx->alpha + 3 * g;
     const kern_real x = load[0], y = load[1];
     kern_real part[KERN_ROWS_MOST][3], share[3];
     kern_real best = all ? -KERN_INFINITY
                          : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
-    int mine[KERN_ROWS_MOST], take[3] = {KERN_OUT, 0, 0}, n = 0, i, k;
+    int mine[KERN_ROWS_MOST], n = 0, found = 0, i, k;
     for (; j != KERN_OUT && n < KERN_ROWS_MOST - 1; j = sx->place[j]) {
         const kern_real *a = part[n];
         kern_real along;
@@ -7886,7 +7878,7 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
     if (all) {
         part[n][0] = part[n][1] = KERN_R(0);
         part[n][2] = KERN_R(1);
-        mine[n++] = *logical;
+        mine[n++] = logical;
     }
     for (i = 0; i < n; i++)
         for (j = i + 1; j < n; j++) {
@@ -7901,20 +7893,19 @@ static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
                 la = kern_three_det(b, c, load) / det;
                 lb = kern_three_det(c, a, load) / det;
                 least = kern_min(kern_min(la, lb),
-                                 mine[k] == *logical ? -kern_abs(lc) : lc);
+                                 mine[k] == logical ? -kern_abs(lc) : lc);
                 if (least > best) {
                     best = least;
-                    take[0] = mine[i]; take[1] = mine[j]; take[2] = mine[k];
+                    found = 1;
+                    base[0] = mine[i]; base[1] = mine[j]; base[2] = mine[k];
                     share[0] = la; share[1] = lb; share[2] = lc;
                 }
             }
         }
-    for (k = 0; k < 3 && take[0] != KERN_OUT; k++) {
-        sx->base[3 * g + k] = take[k];
-        kern_lp_subtract(sx->lp, take[k], kern_max(share[k], KERN_R(0)),
+    for (k = 0; k < 3 && found; k++)
+        kern_lp_subtract(sx->lp, base[k], kern_max(share[k], KERN_R(0)),
                          sx->alpha);
-    }
-    return k;
+    return found;
 }
 
 /* Begins from the columns that x uses, if they may be a basis, and the last. */
@@ -8044,8 +8035,7 @@ static int kern_basis_values(kern_simplex *sx)
 }
 
 /* Factors the basis anew: three own columns of each group, then what is left of
-   its columns: at the start, where the matrix changed, and where pivots have
-   made the factors longer or less accurate than they need to be. */
+   its columns. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -8073,6 +8063,15 @@ static void kern_basis_refactorise(kern_simplex *sx)
     kern_basis_values(sx);
 }
 
+/* The basic solution, of a basis that is factored anew where the matrix changed
+   or pivots have made the factors too long, or lost digits. */
+static void kern_basis_renew(kern_simplex *sx)
+{
+    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
+        || !kern_basis_values(sx))
+        kern_basis_refactorise(sx);
+}
+
 /* ---- pivots ---- */
 /* Every basis gives x with A x = rhs. While a variable violates x >= 0 (or is a
    logical that is not zero) what is lowered is the sum of all violations. With
@@ -8084,12 +8083,11 @@ static void kern_basis_refactorise(kern_simplex *sx)
    shows the largest sum of violations: what a step of Newton's method needs.
    Where nothing violates c is less the costs, and y less their prices. */
 
-/* Whether variable j must be zero: a logical, or the place where it is held. */
+/* Whether variable j must be zero: a logical, or a place that is held. */
 static int kern_lp_fixed(const kern_program *lp, int j)
 { return j >= lp->cols + lp->follow; }
 
-/* By what the costs fall where variable j grows. A free place does as far as it
-   can. */
+/* By what the costs fall where variable j grows; 1 for a place that is free. */
 static kern_real kern_lp_worth(const kern_program *lp, int j)
 {
     return lp->cost && j < lp->cols ? -lp->cost[j]
@@ -8119,10 +8117,10 @@ static kern_real kern_violations(kern_simplex *sx)
 }
 
 /* Corrects y by what a solution that lost digits leaves of y.A_j = c of basic
-   columns and of logicals; and lifts it, as a certificate, off the columns, by
-   a share of its size. Rounding puts it a little below zero there as often as
-   above; a few roundings higher it costs of its power no more than all of x is
-   worth, times those roundings. 0: no basis, since the backend has answered. */
+   variables; and lifts it, as a certificate, off the columns, by a share of its
+   size. Rounding puts it a little below zero there as often as above; a few
+   roundings higher it costs of its power no more than all of x is worth, times
+   those roundings. 0: no basis, since the backend has answered. */
 static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
 {
     const kern_program *lp = sx->lp;
@@ -8141,34 +8139,26 @@ static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
     return 1;
 }
 
-/* The prices y, and the gain below which no column enters. One that would have
-   to carry more than lp->most to undo the violations is no help: the bound on
-   forces of a jam. */
-static kern_real kern_prices(kern_simplex *sx, kern_real sum, int fine)
+/* Prices; and of the variables outside of the basis that lowers what they stand
+   for fastest, or the first that does: sx->enters does by sx->gain = c_j -
+   y.A_j. 0: none does. What would have to carry more than lp->most to undo the
+   violations is no help: the bound on forces of a jam. */
+static int kern_entering(kern_simplex *sx, int first, int fine)
 {
     const kern_program *lp = sx->lp;
+    const kern_real sum = kern_violations(sx);
+    const int costs = !sx->violated, all = lp->cols + lp->follow;
     kern_real size, least;
+    int j;
     kern_copy(sx->price, sx->slope, lp->rows);
+    if (costs && !lp->cost && !lp->follow)
+        return 0;
     kern_basis_solve_t(sx, sx->price);
     if (fine)
         kern_prices_mend(sx, sx->price, KERN_R(0));
     size = kern_largest(sx->price, lp->rows);
-    least = sx->violated && lp->most > 0 ? sum / lp->most : KERN_NOISE * size;
-    return kern_max(least, KERN_ROUNDING * size);
-}
-
-/* The variable outside of the basis that lowers what the prices stand for
-   fastest, or the first that does: by sx->gain = c_j - y.A_j. */
-static int kern_entering(kern_simplex *sx, kern_real sum, int first, int fine)
-{
-    const kern_program *lp = sx->lp;
-    const int costs = !sx->violated, all = lp->cols + lp->follow;
-    kern_real least;
-    int j, best = KERN_OUT;
-    kern_zero(sx->price, lp->rows);
-    if (costs && !lp->cost && !lp->follow)
-        return KERN_OUT;
-    least = kern_prices(sx, sum, fine);
+    least = costs || !(lp->most > 0) ? KERN_NOISE * size : sum / lp->most;
+    least = kern_max(least, KERN_ROUNDING * size);
     sx->gain = KERN_R(0);
     for (j = 0; j < all; j++) {
         kern_real d;
@@ -8177,13 +8167,13 @@ static int kern_entering(kern_simplex *sx, kern_real sum, int first, int fine)
         d = (costs ? kern_lp_worth(lp, j) : KERN_R(0))
             - kern_lp_dot(lp, j, sx->price);
         if (d > sx->gain) {
-            best = j;
+            sx->enters = j;
             sx->gain = d;
             if (first && d > least)
                 break;
         }
     }
-    return sx->gain > least ? best : KERN_OUT;
+    return sx->gain > least;
 }
 
 /* How much the slope of the sum rises when the basic variable of row p, which
@@ -8204,27 +8194,23 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
 /* The row that the entering column takes, and how far it goes, from those whose
    variables reach zero on the way. The ratio test goes on past every one as
    long as the sum of violations still falls: a long step, which passes through
-   degenerate corners. With `first`, and for costs, it stops at the first. Of
-   equals it takes that of the largest pivot, with `first` of the least index
-   (Bland). Where its work is refused, so is the pivot. */
+   degenerate corners. With `first`, and for costs, it stops at once. Of equals
+   it takes the largest pivot, with `first` the least index (Bland). Where its
+   work is refused, so is the pivot. */
 static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
                         kern_work *work)
 {
     const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
-    const int once = first || !sx->violated;
     kern_real *at = sx->ratio, left = sx->gain;
-    int *list = sx->list, i, n = 0, best = KERN_OUT, seen = 0;
+    int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
     for (i = 0; i < sx->lp->rows; i++)
         if (kern_abs(sx->alpha[i]) > least) {
             list[n] = i;
             n += kern_break(sx, i, at + n) > 0;
         }
-    while (n > 0 && (best == KERN_OUT
-                     || (!once && left > 2 * KERN_ROUNDING * sx->gain))) {
-        int next = 0;
+    for (; n > 0 && left > 2 * KERN_ROUNDING * sx->gain; n--) {
         seen += n;
-        kern_spend(work, sx->lp->limit, seen / (2 * KERN_UNIT));
-        seen %= 2 * KERN_UNIT;
+        next = 0;
         for (i = 1; i < n; i++)
             if (at[i] < at[next]
                 || (at[i] <= at[next]
@@ -8234,10 +8220,12 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
                 next = i;
         best = list[next];
         left -= kern_break(sx, best, step);
-        n--;
-        at[next] = at[n];
-        list[next] = list[n];
+        if (first || !sx->violated)
+            break;
+        at[next] = at[n - 1];
+        list[next] = list[n - 1];
     }
+    kern_spend(work, sx->lp->limit, seen / (2 * KERN_UNIT));
     return best;
 }
 
@@ -8253,35 +8241,14 @@ static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
            ? KERN_OK : KERN_LIMIT;
 }
 
-/* The pivot in which column q takes row p. KERN_NO_SPACE and KERN_LIMIT: there
-   is no room or no work left for it. */
-static kern_status kern_simplex_pivot(kern_simplex *sx, kern_work *work, int q,
-                                      int p, kern_real step)
-{
-    const kern_status status = kern_basis_full(sx) ? KERN_NO_SPACE
-                               : kern_pivot_spend(sx, work);
-    if (status != KERN_OK)
-        return status;
-    kern_add(sx->value, -step, sx->alpha, sx->lp->rows);
-    if (sx->base[p] <= sx->lp->cols)
-        sx->place[sx->base[p]] = KERN_OUT;
-    kern_basis_enter(sx, q, p);
-    sx->value[p] = step;
-    sx->refined = 0;
-    work->pivots++;
-    KERN_AUDIT(simplex, sx);
-    if (kern_basis_full(sx))
-        kern_basis_refactorise(sx);
-    return KERN_OK;
-}
-
 /* Lowers the sum of violations, then the costs, until no column does. The sum
    falls with every step that is not of length zero, unless prices are rounding:
    when the budget is used up they are refined; beyond five the smallest indices
    are taken (Bland), which cannot cycle. The limit ends what rounding might
-   keep going. Returns KERN_LP_OPTIMAL, KERN_LP_UNBOUNDED with the column *ray,
-   KERN_LP_INFEASIBLE (prices are in sx->price), or KERN_UNDECIDED. */
-static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
+   keep going. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
+   the last column may grow for ever; or where there is no room or no work left
+   for a pivot, KERN_NO_SPACE or KERN_LIMIT. */
+static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
 {
     const kern_program *lp = sx->lp;
     const int limit = 200 + 20 * (lp->rows + lp->cols);
@@ -8289,29 +8256,37 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
     int count;
     for (count = 0; count < limit; ) {
         const int fine = count > budget, first = count > 5 * budget;
-        const kern_real sum = kern_violations(sx);
-        const int q = kern_entering(sx, sum, first, fine);
+        const int enters = kern_entering(sx, first, fine);
         kern_real step = KERN_R(0);
         kern_status status;
         int p = KERN_OUT;
-        if (q != KERN_OUT) {
-            kern_basis_column(sx, q);
+        if (enters) {
+            kern_basis_column(sx, sx->enters);
             p = kern_leaving(sx, first, &step, work);
         }
         if (p == KERN_OUT && !sx->refined) {
-            if (!kern_basis_values(sx))
-                kern_basis_refactorise(sx);
+            kern_basis_renew(sx);
             continue;
         }
-        *ray = q;
-        if (q == KERN_OUT)
+        if (!enters)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
             return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
-        status = kern_simplex_pivot(sx, work, q, p, step);
+        status = kern_basis_full(sx) ? KERN_NO_SPACE
+                                     : kern_pivot_spend(sx, work);
         if (status != KERN_OK)
             return status;
+        kern_add(sx->value, -step, sx->alpha, lp->rows);
+        if (sx->base[p] <= lp->cols)
+            sx->place[sx->base[p]] = KERN_OUT;
+        kern_basis_enter(sx, sx->enters, p);
+        sx->value[p] = step;
+        sx->refined = 0;
+        work->pivots++;
         count++;
+        KERN_AUDIT(simplex, sx);
+        if (kern_basis_full(sx))
+            kern_basis_renew(sx);
     }
     return KERN_UNDECIDED;
 }
@@ -8322,12 +8297,12 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work, int *ray)
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take)
 {
-    const int m = lp->rows, n = (m + 2) / 3;
+    const int m = lp->rows;
     kern_factors *f = &sx->factors;
     sx->lp = lp;
     sx->state = KERN_BASIS_NONE;
-    sx->groups = n;
-    f->groups = lp->ends ? n : 0;
+    f->size = m + 2 - (m + 2) % 3;
+    f->groups = lp->ends ? m / 3 : 0;
     f->room = room;
     f->most = 2 * m + 8;
     f->to = kern_take_ints(take, 3 * f->groups);
@@ -8341,8 +8316,8 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->list = kern_take_ints(take, m + 1);
     sx->value = kern_take_reals(take, m);
     sx->slope = kern_take_reals(take, m);
-    sx->alpha = kern_take_reals(take, 3 * n + 3);
-    sx->price = kern_take_reals(take, 3 * n + 3);
+    sx->alpha = kern_take_reals(take, f->size + 3);
+    sx->price = kern_take_reals(take, f->size + 3);
     sx->ratio = kern_take_reals(take, m);
 }
 
@@ -8358,24 +8333,6 @@ static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 #define KERN_LP_H_ALLOWED
 #include "kern_lp.h"
 #endif
-
-/* The basic solution of a program, of a basis that is factored if need be. */
-static kern_status kern_simplex_begin(kern_simplex *sx, kern_work *work)
-{
-    const kern_program *lp = sx->lp;
-    sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
-    if (sx->state != KERN_BASIS_READY
-        && !kern_spend(work, lp->limit,
-                       lp->ends ? (lp->rows + lp->cols) / 2
-                                : lp->rows * (lp->cols / KERN_UNIT)))
-        return KERN_LIMIT;
-    if (sx->state == KERN_BASIS_NONE)
-        kern_simplex_crash(sx);
-    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
-        || !kern_basis_values(sx))
-        kern_basis_refactorise(sx);
-    return kern_pivot_spend(sx, work);
-}
 
 /* x := v, of the basis, as variables. */
 static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
@@ -8401,16 +8358,14 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
 /* The one entry of the engine. Starts from the last basis, or that of
    kern_simplex_crash(). x is written for every verdict: one that falls leaves
    A x = rhs in it, with what is negative about it, which tells how the verdict
-   changes with the matrix; where the costs fall without end x is the ray. y is
-   a certificate for KERN_LP_INFEASIBLE, less the prices for KERN_LP_OPTIMAL.
-   `builtin` keeps it from the backend. */
+   changes with the matrix. y is a certificate for KERN_LP_INFEASIBLE, less the
+   prices for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
                                       kern_real *x, kern_real *y,
                                       kern_work *work)
 {
     const kern_program *lp = sx->lp;
     kern_status status;
-    int ray = KERN_OUT;
     work->solves++;
 #ifdef KERN_USE_GLPK
     if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
@@ -8419,22 +8374,25 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     }
 #endif
     (void)builtin;
-    status = kern_simplex_begin(sx, work);
+    sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
+    if (sx->state != KERN_BASIS_READY
+        && !kern_spend(work, lp->limit,
+                       lp->ends ? (lp->rows + lp->cols) / 2
+                                : lp->rows * (lp->cols / KERN_UNIT)))
+        return KERN_LIMIT;
+    if (sx->state == KERN_BASIS_NONE)
+        kern_simplex_crash(sx);
+    kern_basis_renew(sx);
+    status = kern_pivot_spend(sx, work);
     if (status == KERN_OK)
-        status = kern_simplex_run(sx, work, &ray);
-    if (status < 0)
-        return status;
-    kern_basis_read(sx, status == KERN_LP_UNBOUNDED ? sx->alpha : sx->value, x);
-    if (status == KERN_LP_UNBOUNDED) {
-        kern_scale(x, lp->cols + lp->follow, KERN_R(-1));
-        x[ray] = KERN_R(1);
-    }
+        status = kern_simplex_run(sx, work);
+    kern_basis_read(sx, sx->value, x);
     kern_copy(y, sx->price, lp->rows);
     return status;
 }
 
-/* Takes what is rounding out of the n numbers of a proof: those below a share
-   of the largest, and with `sign` what is negative. */
+/* Clears of the n numbers of a proof those below a share of the largest, and
+   with `sign` what is negative. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       int sign)
 {
@@ -8445,52 +8403,48 @@ KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
             v[i] = KERN_R(0);
 }
 
-/* What the sum of u v over n numbers, those of v so far apart, leaves of
-   `from`, as a share of all terms; not a number where one is not. */
-static kern_real kern_lp_left(kern_real from, const kern_real *u,
-                              const kern_real *v, int apart, int n)
+/* from plus the sum of u v over n numbers, those of v so far apart, as a share
+   of all terms; not a number where one is not. */
+static kern_real kern_lp_sum(kern_real from, const kern_real *u,
+                             const kern_real *v, int apart, int n)
 {
     kern_real terms = kern_abs(from);
     for (; n > 0; n--, v += apart) {
         const kern_real term = *u++ * *v;
-        from -= term;
+        from += term;
         terms += kern_abs(term);
     }
     return terms > 0 ? from / terms + (terms - terms) : from;
 }
 
-/* from = A u, row by row, or from >= u A, column by column, = where x > 0 (from
-   NULL: 0 = A u, 0 <= u A), each to KERN_TOL of its own terms? */
-static int kern_lp_side(const kern_program *lp, const kern_real *u, int columns,
-                        const kern_real *from, const kern_real *x)
-{
-    const int rows = lp->rows, n = columns ? lp->cols : rows;
-    int i;
-    for (i = 0; i < n; i++) {
-        const kern_real *a = lp->a + (size_t)i * (size_t)(columns ? rows : 1);
-        const kern_real left = kern_lp_left(
-            from ? from[i] : KERN_R(0), u, a, columns ? 1 : rows,
-            columns ? rows : lp->cols);
-        if (!((columns && !from) || left >= -KERN_TOL)
-            || !((columns && from && !(x[i] > 0)) || left <= KERN_TOL))
-            return 0;
-    }
-    return 1;
-}
+/* Whether x and y prove the status by products with the matrix alone, each row
+   and column to KERN_TOL of its own terms. What is not a number proves nothing.
 
-/* Whether x, or y, proves the status by products with the matrix alone, a least
-   cost by complementary slackness. What is not a number proves nothing. */
+       optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
+       infeasible   y A >= 0,  y.rhs < 0
+       unbounded    A x = 0,  cost.x < 0                                      */
 static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
-    if (status == KERN_LP_INFEASIBLE)
-        return kern_lp_side(lp, y, 1, NULL, NULL)
-               && kern_lp_left(KERN_R(0), y, lp->rhs, 1, lp->rows) > KERN_TOL;
-    if (status == KERN_LP_UNBOUNDED)
-        return kern_lp_side(lp, x, 0, NULL, NULL)
-               && kern_lp_left(KERN_R(0), lp->cost, x, 1, lp->cols) > KERN_TOL;
-    return kern_lp_side(lp, x, 0, lp->rhs, NULL)
-           && (!lp->cost || kern_lp_side(lp, y, 1, lp->cost, x));
+    const int m = lp->rows, best = status == KERN_LP_OPTIMAL;
+    int i, j;
+    for (i = 0; i < m && status != KERN_LP_INFEASIBLE; i++) {
+        const kern_real left = kern_lp_sum(best ? -lp->rhs[i] : KERN_R(0), x,
+                                           lp->a + i, m, lp->cols);
+        if (!(kern_abs(left) <= KERN_TOL))
+            return 0;
+    }
+    for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
+        const kern_real left = kern_lp_sum(
+            best && lp->cost ? lp->cost[j] : KERN_R(0), y,
+            kern_lp_dense(lp, j), 1, m);
+        if (!(left >= -KERN_TOL) || (best && x[j] > 0 && left > KERN_TOL))
+            return 0;
+    }
+    return best || (status == KERN_LP_INFEASIBLE
+                    ? kern_lp_sum(KERN_R(0), y, lp->rhs, 1, m)
+                    : kern_lp_sum(KERN_R(0), x, lp->cost, 1, lp->cols))
+                   < -KERN_TOL;
 }
 
 /* The same; where nothing else is in a row the last digits of x or y are all
@@ -8532,31 +8486,18 @@ static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
     return KERN_OK;
 }
 
-KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
-                                   kern_real *y, kern_work *work)
+/* The same for a program that has been checked. */
+static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
+                               kern_work *work)
 {
+    const kern_program p = {lp->rows, lp->cols, lp->a, lp->rhs, lp->cost, NULL,
+                            NULL, 0, KERN_R(0), lp->limit};
     kern_simplex sx;
-    kern_program p;
     kern_take take;
     kern_status status;
-    if (!work || !work->real || !work->index)
-        return KERN_BAD_POINTER;
-    kern_work_begin(work);
-    status = x && y ? kern_lp_check(lp, &work->fault) : KERN_BAD_POINTER;
-    if (status != KERN_OK)
-        return status;
-    p.rows = lp->rows;
-    p.cols = lp->cols;
-    p.a = lp->a;
-    p.rhs = lp->rhs;
-    p.cost = lp->cost;
-    p.ends = NULL;
-    p.rate = NULL;
-    p.follow = 0;
-    p.most = KERN_R(0);
-    p.limit = lp->limit;
+    int i;
     kern_take_open(&take, work);
-    kern_simplex_lay(&sx, &p, KERN_LP_ROOM(lp->rows), &take);
+    kern_simplex_lay(&sx, &p, KERN_LP_ROOM(p.rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
     status = kern_program_solve(&sx, 0, x, y, work);
@@ -8564,9 +8505,27 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
         return KERN_LIMIT;
     if (status < 0)
         return status;
-    if (status == KERN_LP_OPTIMAL)
-        kern_scale(y, p.rows, KERN_R(-1));
-    return kern_lp_proven(&p, x, y, status) ? status : KERN_UNDECIDED;
+    if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
+        kern_scale(sx.alpha, p.rows, KERN_R(-1));
+        kern_basis_read(&sx, sx.alpha, x);
+        x[sx.enters] = KERN_R(1);
+    }
+    if (!kern_lp_proven(&p, x, y, status))
+        return KERN_UNDECIDED;
+    for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
+        y[i] = 0 - y[i];
+    return status;
+}
+
+KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
+                                   kern_real *y, kern_work *work)
+{
+    kern_status status;
+    if (!work || !work->real || !work->index)
+        return KERN_BAD_POINTER;
+    kern_work_begin(work);
+    status = x && y ? kern_lp_check(lp, &work->fault) : KERN_BAD_POINTER;
+    return status == KERN_OK ? kern_lp_run(lp, x, y, work) : status;
 }
 
 /* ---- Words and defaults ------------------------------------------ >>words */
