@@ -312,9 +312,10 @@
              undecided only if the verdict at a step that it depends on is.
              Bricks held by loads up to 1000 times their weight: none of 288
              with mu up to 100, with mu 1000 2 of 96.
-   Brackets  At most 2e-6 mean sizes wide; in jams 2e-5 (one of a thousand of 4
-             to 15 blocks; flat arches of 50); where many of over 256 blocks
-             move at once 3e-5; of over 64 the value may lie anywhere in it.
+   Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad); in
+             jams up to ten times as wide (one of a thousand of 4 to 15 blocks;
+             flat arches of 50); above 256 blocks of which many move at once up
+             to 3e-5. Above 64 such blocks a value may lie anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
@@ -427,17 +428,17 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
    fault of the work memory changed; with KERN_LIMIT also what it says. */
 #define KERN_STATUS_LIST(X)                                                   \
     X(KERN_OK, 0, "done")                                                     \
-    X(KERN_STANDS, 1, "stands: forces hold every block")                      \
-    X(KERN_FALLS, 2, "falls: a motion that no forces can stop")               \
+    X(KERN_STANDS, 1, "stands: forces were found that hold every block")      \
+    X(KERN_FALLS, 2, "falls: a motion was found that no forces can stop")     \
     X(KERN_LP_OPTIMAL, 3, "optimal: a solution of least cost")                \
     X(KERN_LP_INFEASIBLE, 4, "infeasible: no solution exists")                \
     X(KERN_LP_UNBOUNDED, 5, "unbounded: the cost falls without end")          \
     X(KERN_UNDECIDED, -1, "undecided: neither is proven")                     \
     X(KERN_NO_SPACE, -2, "a result or work array is too short")               \
     X(KERN_BAD_POINTER, -3, "a pointer is null")                              \
-    X(KERN_BAD_NUMBER, -4, "a number is out of bounds")                       \
+    X(KERN_BAD_NUMBER, -4, "a number is not finite or out of bounds")         \
     X(KERN_BAD_COUNT, -5, "a count is out of bounds")                         \
-    X(KERN_FEW_VERTICES, -6, "a polygon has under three vertices")            \
+    X(KERN_FEW_VERTICES, -6, "a polygon has fewer than three vertices")       \
     X(KERN_NO_AREA, -7, "a polygon has no area")                              \
     X(KERN_CROSSING, -8, "a polygon crosses itself or passes a point twice")  \
     X(KERN_BAD_MASS, -9, "a mass or density is out of range")                 \
@@ -445,16 +446,16 @@ typedef struct kern_box { kern_vec low, high; } kern_box;
     X(KERN_BAD_OPTION, -11, "an option or side is out of range")              \
     X(KERN_BAD_BLOCK, -12, "no block has that index")                         \
     X(KERN_SAME_BLOCK, -13, "a contact names one block twice")                \
-    X(KERN_BAD_NORMAL, -14, "a normal is not of length 1")                    \
+    X(KERN_BAD_NORMAL, -14, "a contact has no normal of length 1")            \
     X(KERN_BAD_LINE, -15, "a line contact is off its tangent")                \
     X(KERN_OVERLAP, -16, "two blocks overlap deeper than the gap tolerance")  \
     X(KERN_NO_FREE, -17, "no block is free")                                  \
     X(KERN_BAD_STEP, -18, "a step needs over 1,000,000 levels")               \
     X(KERN_LIMIT, -19, "the limit of work was reached")                       \
-    X(KERN_STALE, -20, "vertices moved after kern_block_init()")              \
+    X(KERN_STALE, -20, "vertices have moved since kern_block_init()")         \
     X(KERN_NO_LOAD, -21, "no gravity or load acts on a free block")           \
     X(KERN_BAD_SHARE, -22, "relative: a shrinkage is above 1")                \
-    X(KERN_NO_BLOCK, -23, "a block was refused when made")
+    X(KERN_NO_BLOCK, -23, "a block was refused when it was made")
 
 typedef enum kern_status {
 #define KERN_STATUS_NAME(name, value, text) name = value,
@@ -605,10 +606,11 @@ typedef enum kern_meeting {
    of the caller, may be NULL. */
 typedef struct kern_critical {
     kern_meeting *meeting; /* one a contact point                             */
-    kern_real *limit;     /* one a contact point: how much it limits, <= 1    */
+    kern_real *limit;     /* one a contact point: how much it limits, as a
+                             share of `contact`; up to 1.0001                 */
     int *group;           /* one a block: number of the group that moves as one
                              with it, 0 the fastest; -1: it rests             */
-    int contact;          /* the contact point that limits most; -1: none     */
+    int contact;          /* the first that limits most, to 1e-4; -1: none    */
     int groups;           /* 0 where `group` is NULL                          */
 } kern_critical;
 
@@ -858,8 +860,8 @@ KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
    contacts. Errors are absolute in relative mode too. contact[0..room) receives
    the contacts for `high`; work memory is for `room` contact points.
    Below 0: what kern_contacts() or kern_measure() returns, KERN_BAD_OPTION also
-   where the options are not those of kern_measured_options(), KERN_LIMIT: *out
-   holds what is proven by then. options.limit bounds the whole call.
+   where the options are not those of kern_measured_options(). *out then means
+   nothing, but with KERN_LIMIT, of the whole call, what is proven by then.
    Time: a search for contacts, two margins and kern_raised(). */
 KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                                   kern_interval *out, kern_contact *contact,
@@ -4872,7 +4874,7 @@ static kern_status kern_part_lay(kern_part *p)
     p->eq.lp.follow = 0;
     p->eq.lp.most = KERN_BOUND;
     p->eq.lp.limit = p->m->task->options.limit;
-    p->eq.shrink = KERN_R(-1); /* none */
+    p->eq.shrink = KERN_INFINITY; /* none */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
@@ -8632,13 +8634,9 @@ static int kern_beds_keep(const kern_structure *s, kern_contact *out,
 /* Takes the work of a call off the limit: its status, or KERN_LIMIT. */
 static kern_status kern_limit_less(kern_task *task, kern_status status)
 {
-    task->options.limit = kern_limit_of(task->options.limit)
-                          - task->work->units;
-    if (task->options.limit < 1) {
-        task->options.limit = 1;
-        return status < KERN_UNDECIDED ? status : KERN_LIMIT;
-    }
-    return status;
+    task->options.limit -= task->work->units;
+    task->work->units = status >= KERN_UNDECIDED && task->options.limit == 0;
+    return task->work->units ? KERN_LIMIT : status;
 }
 
 static kern_status kern_certain_check(const kern_task *task, kern_real margin,
@@ -8677,6 +8675,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
                          task->work);
     other.s.gravity = task->s.gravity;
     other.options = task->options;
+    other.options.limit = kern_limit_of(task->options.limit);
     kern_contacts_err(contact, other.s.contacts, by, turn);
     status = kern_measure(&other, &m, NULL);
     if (status == KERN_STANDS || status == KERN_LIMIT)
@@ -8685,23 +8684,26 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
     if (status == KERN_STANDS && out->low > 0)
         status = kern_limit_less(&other, kern_raised(
             &other, KERN_R(0), &raised, NULL, NULL));
-    if (status < KERN_UNDECIDED)
-        return status;
-    other.options = kern_measured_options(
-        &other.options, 2 * task->options.pose_error,
-        2 * task->options.pose_turn);
-    other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
-                                     &other.options, contact, room, task->work);
-    kern_contacts_err(contact, other.s.contacts, -by, -turn);
-    status = kern_measure(&other, &m, NULL);
-    if (status == KERN_FALLS)
-        out->high = KERN_R(0);
-    else if (status == KERN_STANDS || status == KERN_LIMIT)
-        out->high = kern_max(m.fails, margin > 0 && !task->options.relative
-                                      ? margin + by : margin);
-    if (status < KERN_UNDECIDED || status == KERN_FALLS)
-        return status;
-    return out->low > 0 && raised == KERN_RAISED ? KERN_STANDS : KERN_OK;
+    if (status >= KERN_UNDECIDED) {
+        other.options = kern_measured_options(
+            &other.options, 2 * task->options.pose_error,
+            2 * task->options.pose_turn);
+        other.s.contacts = kern_contacts(task->s.block, task->s.blocks,
+                                         &other.options, contact, room,
+                                         task->work);
+        kern_contacts_err(contact, other.s.contacts, -by, -turn);
+        status = kern_measure(&other, &m, NULL);
+        if (status == KERN_FALLS)
+            out->high = KERN_R(0);
+        else if (status == KERN_STANDS || status == KERN_LIMIT)
+            out->high = kern_max(m.fails, margin > 0 && !task->options.relative
+                                          ? margin + by : margin);
+        if (status >= KERN_UNDECIDED && status != KERN_FALLS)
+            status = raised == KERN_RAISED ? KERN_STANDS : KERN_OK;
+    }
+    task->work->units += kern_limit_of(task->options.limit)
+                         - other.options.limit;
+    return status;
 }
 
 KERN_API kern_options kern_near(const kern_options *options,

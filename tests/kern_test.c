@@ -9483,6 +9483,7 @@ static void memory_garbage(void)
     for (seed = 0; seed < 200; seed++) {
         kern_margin m[3];
         kern_real f[3];
+        int units[3];
         random_world(&w, 300000u + (unsigned long long)seed, 15);
         for (fill = 0; fill < 3; fill++) {
             kern_work work = work_of(&w);
@@ -9497,7 +9498,12 @@ static void memory_garbage(void)
             CHECK(decided(kern_load_factor(world_task(&w, &work), 0,
                                            KERN_RIGHT, &f[fill], NULL)));
             CHECK(work.pivots >= 0 && work.solves > 0);
+            memset(work.real, byte, sizeof *work.real * (size_t)work.reals);
+            memset(work.index, byte, sizeof *work.index * (size_t)work.indices);
+            CHECK(decided(kern_verdict(world_task(&w, &work), R(-1), NULL)));
+            units[fill] = work.units;
             if (fill > 0) {
+                CHECK_INT(units[fill], units[0]);
                 CHECK_NEAR(m[fill].margin, m[0].margin, 0);
                 CHECK_NEAR(m[fill].holds, m[0].holds, 0);
                 CHECK_NEAR(m[fill].fails, m[0].fails, 0);
@@ -9923,13 +9929,14 @@ static void certain_limit(void)
     static kern_contact again[400];
     kern_interval in, whole;
     kern_margin m;
-    int limit, ended = 0, got, all;
+    int limit, ended = 0, got, all, units = 0;
     random_seed(5);
     world_reset(&w);
     random_wall(&w, 12);
     w.options = kern_measured_options(NULL, R(1e-3), R(1e-3));
     CHECK(world_touch(&w) > 0);
-    for (limit = 0; limit < 4000; limit += 1 + limit / 3) {
+    for (limit = 0; limit <= units + 1;
+         limit += limit > 0 && limit + units / 20 < units ? units / 20 : 1) {
         kern_work work = work_for(w.blocks, 400);
         kern_task *task = world_task(&w, &work);
         CHECK_INT(kern_measure(task, &m, NULL), KERN_STANDS);
@@ -9938,17 +9945,21 @@ static void certain_limit(void)
         if (limit == 0) {
             whole = in;
             all = got;
+            units = work.units;
             CHECK(got >= 0);
         } else if (got == KERN_LIMIT) {
             ended++;
+            CHECK(limit < units);
+            CHECK_INT(work.units, limit + 1);
             CHECK(in.low <= whole.low && in.high >= whole.high);
         } else {
             CHECK_INT(got, all);
+            CHECK_INT(work.units, units);
             CHECK_NEAR(in.low, whole.low, 0);
             CHECK_NEAR(in.high, whole.high, 0);
         }
     }
-    CHECK(ended > 3);
+    CHECK(ended > 20);
 }
 
 /* What kern_measured_options() allows, in errors: a gap of 5.25, an overlap of

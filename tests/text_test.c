@@ -153,7 +153,7 @@ int main(void)
     no_block_no_name();
     refused(late_density, sizeof late_density - 1, 2, "a block after it");
     if (sizeof(kern_real) == sizeof(double)) /* in float it is 0 */
-        refused(short_normal, sizeof short_normal - 1, 3, "a normal is not");
+        refused(short_normal, sizeof short_normal - 1, 3, "no normal");
     check(text_load(&t, "/dev/zero") == -1 && strstr(t.message, "NUL"),
           "a file without end");
     text_free(&t);

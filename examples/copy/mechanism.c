@@ -73,7 +73,7 @@ int main(void)
 }
 
 /* Output:
-falls: a motion that no forces can stop
+falls: a motion was found that no forces can stop
 beam   vx  0.177  vy -0.707  spin -0.707
 stone  vx  0.707  vy  0.424  spin -0.707
 contacts longer by 0.543 m at each end would hold it

@@ -46,6 +46,6 @@ int main(void)
 }
 
 /* Output:
-stands: forces hold every block
+stands: forces were found that hold every block
 2 contact points, level 15, margin 0.500 m
 */

@@ -89,6 +89,6 @@ int main(int argc, char **argv)
 }
 
 /* Output:
-stands: forces hold every block
+stands: forces were found that hold every block
 level 16, margin 0.400 m
 */

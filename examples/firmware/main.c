@@ -158,13 +158,13 @@ int main(void)
     return 0;
 }
 
-/* Output, where units and ticks depend on compiler and version:
-wall of 30 stones:    level 31, margin 0.1518 m; 639 units; 61620 ticks
-candidate at  0.00 m: level 31, margin 0.1518 m; 125 units; 7862 ticks
-candidate at  0.20 m: level 34, margin 0.1663 m; 3112 units; 144501 ticks
-candidate at  0.40 m: level 34, margin 0.1663 m; 2739 units; 135612 ticks
-candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 331 ticks
-memory: 46376 bytes of work memory, 9256 of blocks and contacts,
-        55640 of variables in all, 2632 of 9896 of stack, 47604 of flash
+/* Output, where ticks, stack and flash depend on compiler and version:
+wall of 30 stones:    level 31, margin 0.1518 m; 649 units; 60075 ticks
+candidate at  0.00 m: level 31, margin 0.1518 m; 127 units; 7825 ticks
+candidate at  0.20 m: level 34, margin 0.1663 m; 4718 units; 219234 ticks
+candidate at  0.40 m: level 34, margin 0.1663 m; 4628 units; 220839 ticks
+candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 357 ticks
+memory: 42624 bytes of work memory, 9256 of blocks and contacts,
+        51888 of variables in all, 2216 of 13648 of stack, 44012 of flash
 best place: 0.20 m
 */

@@ -312,7 +312,7 @@ static inline void report_profile(const struct analysis *a)
     printf("              %-10s %11.5f %11.5f %11.5f\n", "mean",
            (double)a->all[MARGIN].mean, (double)a->all[LOAD_LEFT].mean,
            (double)a->all[LOAD_RIGHT].mean);
-    printf("              %-10s %11.5f %11.5f %11.5f\n", "weaker half",
+    printf("              %-11s%11.5f %11.5f %11.5f\n", "weaker half",
            (double)a->all[MARGIN].weak, (double)a->all[LOAD_LEFT].weak,
            (double)a->all[LOAD_RIGHT].weak);
     printf("  drop        %-10.4g expected under shaking, in mean blocks; more "

@@ -426,7 +426,7 @@ def status_text(status: int) -> str:
     """What a status means.
 
     >>> status_text(Status.FALLS)
-    'falls: a motion that no forces can stop'
+    'falls: a motion was found that no forces can stop'
     """
     return _status_text(status).decode()
 
