@@ -191,7 +191,7 @@
                paper: a contact carries the block that its normal pushes up, and
                the middle is that of the two points farthest apart that carry
                the same one. Kerns are then not nested (>>limits): a measure
-               takes ten to thirty times as long.
+               takes some fifteen times as long.
    It acts at p + min(d, l) u; with options.relative at p + d l u, d <= 1.
    d_max is the largest l (relative: 1). Normals do not change. With lines
    alone the contacts are nested and a structure that has fallen falls at every
@@ -2180,6 +2180,8 @@ typedef struct kern_clusters {
     int at;                   /* no cluster that is open ends before this one */
     int most;                 /* groups of one                                */
     int until;                /* units of work at which the pass ends         */
+    int only;                 /* group that known forces may not balance, if
+                                 they begin the next pass, or KERN_OUT        */
 } kern_clusters;
 
 struct kern_model {
@@ -2266,6 +2268,10 @@ static void kern_model_order(const kern_model *m)
         }
 }
 
+/* No contact bears anything. */
+static void kern_model_unload(kern_model *m)
+{ kern_zero(m->answer.force, 2 * m->s->contacts); }
+
 /* Gives every free block that is not gone a group, and lists its contacts. */
 static void kern_model_group(kern_model *m, const kern_query *q)
 {
@@ -2276,7 +2282,9 @@ static void kern_model_group(kern_model *m, const kern_query *q)
             m->graph.block[none++] = i;
     m->graph.groups = none;
     m->shrunk = KERN_INFINITY;
+    m->cluster.only = KERN_OUT;
     m->whole = 0;
+    kern_model_unload(m);
     kern_model_order(m);
     for (i = 0; i < s->blocks; i++)
         m->graph.group[i] = none;
@@ -2494,10 +2502,6 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
 /* What is known of a structure like it, if anything is. */
 KERN_SHARED static void kern_model_know(kern_model *m, const kern_known *known)
 { m->answer.known = known->fails > 0 && known->force ? known : NULL; }
-
-/* No contact bears anything. */
-static void kern_model_unload(kern_model *m)
-{ kern_zero(m->answer.force, 2 * m->s->contacts); }
 
 static int kern_model_spend(const kern_model *m, int units)
 { return kern_spend(m->task->work, m->task->options.limit, units); }
@@ -3571,21 +3575,9 @@ KERN_SHARED static kern_law kern_law_rays(kern_real plus, kern_real minus,
     return s;
 }
 
-/* The law of rays of stiffness 1 that only press. */
-static inline kern_law kern_law_pressed(kern_real wn, kern_real wt,
-                                        kern_real mu)
-{
-    const kern_real plus = kern_max(wn + mu * wt, KERN_R(0));
-    const kern_real minus = kern_max(wn - mu * wt, KERN_R(0));
-    kern_law s = kern_law_rays(plus > 0 ? KERN_R(1) : KERN_R(0),
-                                     minus > 0 ? KERN_R(1) : KERN_R(0), mu);
-    s.force.normal = plus + minus;
-    s.force.tangential = mu * (plus - minus);
-    return s;
-}
-
 /* The law of a contact that answers what presses it by `stiff`, and what shears
-   it by `along` times as much until it slides. */
+   it by mu `along` times as much until it slides. With 2 and mu it is that of
+   rays of stiffness 1 that only press. */
 static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
                                       kern_real stiff, kern_real along)
 {
@@ -3597,7 +3589,7 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
         s.force.normal = stiff * wn;
         s.force.tangential = s.tt * wt;
     } else if (wn + side * wt > 0) {
-        s.nn = stiff / (1 + mu / along);
+        s.nn = stiff * along / (along + mu);
         s.nt = side * s.nn;
         s.tt = side * s.nt;
         s.force.normal = s.nn * (wn + side * wt);
@@ -3827,9 +3819,9 @@ static inline kern_law kern_part_law(const kern_part *p, int k, kern_real wn,
 {
     const kern_real mu = kern_model_mu(p->m, p->contact[k]);
     const kern_real *price = p->dual.price;
-    return price ? kern_law_stiff(wn, wt, mu, price[p->contacts + k],
-                                  p->dual.stiff)
-                 : kern_law_pressed(wn, wt, mu);
+    return kern_law_stiff(wn, wt, mu, price ? price[p->contacts + k]
+                                            : KERN_R(2),
+                          price ? p->dual.stiff : mu);
 }
 
 /* Lays out the arrays for the part's minimum-norm forces; 0: no room. */
@@ -4123,7 +4115,6 @@ KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
     kern_status status = kern_call_open(&c, task, shrink, force);
     if (status == KERN_OK) {
         kern_model_set(&c.m, &c.path.q);
-        kern_model_unload(&c.m);
         status = kern_norm_open(p, &c.m) ? kern_norm_find(
             p, kern_part_load(p, &c.path.q, p->dual.b), KERN_BOUND, 0,
             KERN_ROUNDS) : KERN_NO_SPACE;
@@ -4453,7 +4444,6 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 {
     int i, k;
     for (i = 0; i < m->s->contacts; i++) {
-        const kern_real mu = kern_model_mu(m, i);
         const kern_real travel = kern_travel(m->s->contact + i, m->mean);
         kern_force *f = m->answer.force + i;
         kern_real rate, is, sum, more, along;
@@ -4465,7 +4455,6 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
             continue;
         is = travel - kern_shift(travel, shrink, m->relative, &rate);
         along = (f[0].tangential + f[1].tangential) / sum;
-        along = kern_min(kern_max(along, -mu), mu);
         more = f[0].normal - f[1].normal;
         if (kern_abs(is) > 0)
             more *= (travel - kern_shift(travel, from, m->relative, &rate))
@@ -4477,27 +4466,34 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
     }
 }
 
-/* Begins from no forces, all groups open, or from the known ones, which balance
-   all but the last block where kerns are no smaller. `share`: of a cluster. */
-static void kern_pass_begin(kern_model *m, int share, kern_real shrink)
+/* Begins the next pass with the known forces, if there are any. Where kerns are
+   no smaller they balance all but the last block. */
+static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
-    const int groups = m->graph.groups, last = m->s->blocks - 1;
-    const int some = known && shrink <= known->holds;
+    if (!known)
+        return;
+    kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
+    if (shrink < known->holds)
+        kern_force_transfer(m, known->holds, shrink);
+    if (shrink <= known->holds)
+        m->cluster.only = m->graph.group[m->s->blocks - 1];
+}
+
+/* Begins from the forces of the answer, all groups open, or those alone that
+   these do not balance. `share`: of a cluster. */
+static void kern_pass_begin(kern_model *m, int share)
+{
+    const int groups = m->graph.groups, only = m->cluster.only;
     int i;
+    m->cluster.only = KERN_OUT;
     m->cluster.most = groups > KERN_SMALL
         ? KERN_CLUSTER_MOST + 2 * groups / KERN_SMALL : groups / share + 1;
     for (i = m->cluster.at = 0; i < groups; i++) {
         m->cluster.last[i] = m->cluster.next[i] = i;
-        m->cluster.open[i] = !some || m->graph.block[i] == last ? KERN_OPEN : 0;
+        m->cluster.open[i] = only == KERN_OUT || only == i ? KERN_OPEN : 0;
         m->graph.local[i] = KERN_OUT; /* a part may have been open */
     }
-    if (!known)
-        kern_model_unload(m);
-    else
-        kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
-    if (some && shrink < known->holds)
-        kern_force_transfer(m, known->holds, shrink);
 }
 
 /* Balances all groups that must be, alone or with others in clusters, which
@@ -5016,13 +5012,14 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
         if (!kern_model_ask(m, 1))
             return KERN_LIMIT;
         m->task->work->solves++;
-        kern_pass_begin(m, share, q->shrink);
+        kern_pass_begin(m, share);
         found = kern_pass(m, p);
         if (found == KERN_FALLS
             || (found == KERN_STANDS && kern_answer_holds(m, q)))
             return found;
         if (found != KERN_STANDS || !m->answer.known)
             return KERN_UNDECIDED;
+        kern_model_unload(m);
     }
 }
 
@@ -5278,6 +5275,16 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     return status;
 }
 
+/* A part of the bracket, where nothing is predicted: from the end that stands,
+   and once that is undecided from the other. */
+static kern_real kern_path_between(const kern_path *path, kern_real aside)
+{
+    const kern_real least = kern_width(path) / 2;
+    const kern_real part = (path->fails - path->holds) / KERN_NEAR;
+    return aside > least && aside < 3 * least ? path->fails - part
+           : path->holds + part * (least / aside);
+}
+
 /* The next place: where the basis may stop to fall; `aside` beyond the critical
    value, to fall; so far before it, to stand; at it, to be verified; where none
    is inside, at a part of the bracket. Infinity: it is narrow, or of a part. */
@@ -5292,7 +5299,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (hi - lo <= aside / 8 || 2 * aside > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return lo + (hi - lo) / KERN_NEAR * (kern_width(path) / 2 / aside);
+        return kern_path_between(path, aside);
     if (!(next > lo && hi - next > aside * KERN_R(1.15)))
         next = crit;
     if (hi - next > aside * KERN_R(1.15))
@@ -5345,82 +5352,22 @@ static kern_status kern_path_saturate(kern_path *path)
     return KERN_STANDS;
 }
 
-/* Whether points of a pair that lie in a row from contact i to j carry at
-   `place` what m->answer.force makes them carry where they are at `from`. */
-KERN_SHARED static int kern_walk_carries(const kern_model *m, int i, int j,
-                                         kern_real from, kern_real place)
+/* Whether gravity that turns under loads that stay is held from `at` to the end
+   of a step. The gravities that are held are a convex set, and the arc lies in
+   the triangle of its ends and of the corner where their tangents meet. */
+static int kern_turn_holds(kern_model *m, const kern_path *path, kern_real at)
 {
-    const kern_contact *c = m->s->contact + i;
-    const kern_force *f = m->answer.force + i;
-    kern_ray ray[2 * KERN_ROWS_MOST];
-    kern_real b[3] = {0, 0, 0};
-    const kern_real way[2] = {0, 0};
-    int k, at;
-    if (j - i > KERN_ROWS_MOST)
-        return 0;
-    for (k = 0; k < j - i; k++, f++)
-        for (at = 0; at < 2; at++) { /* where it is, and at the place */
-            const kern_contact *d = c + k;
-            const kern_vec p = kern_contact_at(d, at ? place : from,
-                                               m->relative);
-            const kern_row row = kern_row_of(
-                kern_vec_scale(d->n, KERN_R(d->a == c->a ? 1 : -1)),
-                kern_vec_sub(p, c->p), 1 / m->mean);
-            if (at)
-                kern_ray_pair(ray + 2 * k, &row, kern_model_mu(m, i + k), way);
-            else
-                kern_row_exert(&row, f->normal, f->tangential, b);
-        }
-    return kern_pass_solve(ray, 2 * (j - i), b,
-                           KERN_PASS_TOL * kern_largest(b, 3)) == KERN_STANDS;
-}
-
-/* Whether the forces of the answer that hold the structure at `from` hold it at
-   `place`, where kerns are larger: lines carry there what they carry at `from`,
-   points that move along different tangents perhaps. */
-static int kern_walk_holds(const kern_model *m, kern_real from, kern_real place)
-{
-    const kern_contact *c = m->s->contact;
-    int i, j;
-    if (!kern_model_spend(m, 1 + m->s->contacts / 32))
-        return 0;
-    for (i = 0; i < m->s->contacts; i = j) {
-        for (j = i + 1; j < m->s->contacts && !c[i].line
-                        && kern_same_interface(c + i, c + j); j++)
-            ;
-        if (!c[i].line && !kern_walk_carries(m, i, j, from, place))
-            return 0;
-    }
-    return 1;
-}
-
-/* Whether it stands at the even steps from `at` to path->holds too. Where
-   gravity turns under loads that stay it does: the gravities that are held are
-   a convex set, and the arc lies in the triangle of its ends and of the corner
-   where their tangents meet. */
-KERN_SHARED static int kern_walk_between(kern_model *m, const kern_path *path,
-                                         kern_real at, kern_real even)
-{
-    const kern_real past = at + even * KERN_R(1.5);
     kern_query q = kern_path_at(path, path->holds);
-    kern_real s;
-    if (path->kind == KERN_PATH_TILT && path->holds > past) {
-        const kern_vec from = kern_path_at(path, at).gravity, to = q.gravity;
-        const kern_real square = kern_vec_dot(to, to);
-        q.gravity = kern_vec_scale(kern_vec_add(from, to), square
-                                   / (square + kern_vec_dot(from, to)));
-        return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
-    }
-    for (s = path->holds; s > past; s -= even)
-        if (!kern_walk_holds(m, path->holds, s - even))
-            return 0;
-    return 1;
+    const kern_vec from = kern_path_at(path, at).gravity, to = q.gravity;
+    const kern_real square = kern_vec_dot(to, to);
+    q.gravity = kern_vec_scale(kern_vec_add(from, to), square
+                               / (square + kern_vec_dot(from, to)));
+    return kern_model_evaluate(m, path->part, &q) == KERN_STANDS;
 }
 
 /* Climbs from a place that stands until the whole falls, in steps that grow, or
    are halved where nothing can be proven; then finds the critical value. Where
-   verdicts may change more than once it stands at all steps of width `even` on
-   the way; else that is 0. */
+   verdicts may change more than once `even` is the least step; else it is 0. */
 static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step,
                                    kern_real even)
@@ -5429,20 +5376,19 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
     kern_real fell = KERN_INFINITY;
     int round;
     for (round = 0; round < 5 * KERN_SCAN; round++) {
-        const kern_real at = path->holds, aim = at + kern_max(first, even);
-        const kern_real next = kern_min(path->end, even > 0
-            ? even * KERN_R((int)(aim / even + KERN_R(0.5))) : aim);
+        const kern_real at = path->holds;
+        const kern_real next = kern_min(path->end, at + kern_max(first, even));
+        const int small = next - at <= least, sure = small || !(even > 0);
         const kern_status status = kern_path_evaluate(m, path, next);
         if (status == KERN_STANDS
-            && (!(even > 0) || kern_walk_between(m, path, at, even))) {
+            && (sure || kern_turn_holds(m, path, at))) {
             if (next >= path->end)
                 return kern_path_saturate(path);
             first = step;
             step *= KERN_CLIMB_GROWS;
-        } else if (status == KERN_FALLS
-                   && (!(even > 0) || next - at <= least))
+        } else if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
-        else if (status < KERN_UNDECIDED || next - at <= least)
+        else if (status < KERN_UNDECIDED || small)
             return status;
         else {
             step = first /= 2;
@@ -5751,8 +5697,10 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_status status = KERN_UNDECIDED;
     kern_real at, then = KERN_R(0), step = path->unit * KERN_CLIMB;
     int round;
-    if (even > 0)
+    if (even > 0) { /* gravity turns in larger steps */
+        step *= KERN_R(path->kind == KERN_PATH_TILT);
         return kern_path_climb(m, path, step, step, even);
+    }
     if (path->kind != KERN_PATH_SHRINK)
         step = path->unit * KERN_CLIMB_PUSH;
     path->start = path->holds;
@@ -5768,6 +5716,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     for (round = 0; round < KERN_FEW_ROUNDS; ) {
         const kern_query q = kern_path_at(path, at);
         kern_model_arms(m, &q);
+        kern_known_begin(m, at);
         status = kern_model_pass(m, path->part, &q,
                              KERN_CLUSTER + 1 + 2 * (m->answer.known != NULL));
         if (status == KERN_STANDS) {
@@ -5777,6 +5726,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
             status = kern_path_part(m, path, at);
         if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_max(path->critical - kern_width(path) / 2, path->start);
+            kern_model_unload(m);
             status = KERN_UNDECIDED;
             round++;
         } else if (status != KERN_STANDS || path->fails < KERN_INFINITY)
@@ -6082,12 +6032,13 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     left = kern_hang(m->s, value);
-    if (left > 0 || r->around >= 0)
+    if (left > 0 || r->around >= 0) {
+        kern_known_begin(m, q.shrink);
         status = kern_model_evaluate(m, r->p, &q);
+    }
     if (left > 0 && status == KERN_STANDS) {
         q.fallen = value;
         kern_model_group(m, &q);
-        kern_model_unload(m);
         if (m->graph.groups == 0
             || kern_model_evaluate(m, r->p, &q) == KERN_STANDS)
             *out = KERN_HANGS;
@@ -7638,9 +7589,12 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         return status;
     if (kern_is_nested(&c.m, range)) {
         kern_model_know(&c.m, known);
-        status = known->fails > 0 && margin >= known->fails
-                 && kern_known_falls(&c.m, &c.path.q, known)
-                 ? KERN_FALLS : kern_model_evaluate(&c.m, &c.part, &c.path.q);
+        status = KERN_FALLS;
+        if (!(known->fails > 0 && margin >= known->fails
+              && kern_known_falls(&c.m, &c.path.q, known))) {
+            kern_known_begin(&c.m, margin);
+            status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+        }
         kern_proof_out(&c.m, proof, status);
         return kern_ended(task, status);
     }

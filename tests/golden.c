@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x94b3abad056a5f13u },
-    { 1000, 0xe930730f50641057u },
-    { 5000, 0xc0e3ec27f10890afu },
+    { 200, 0xc1b237b54dd41ac0u },
+    { 1000, 0xdefd77f181eefad4u },
+    { 5000, 0x0a1ab312729374e0u },
 #else
-    { 200, 0x340a6a09cb52195du },
-    { 1000, 0xdbd26aa35f509738u },
-    { 5000, 0x32ed3e3f1e10e0c8u },
+    { 200, 0x857cfeb955846d22u },
+    { 1000, 0x0ea8262b336a5420u },
+    { 5000, 0x0b75c12fbad5b37cu },
 #endif
 };
 

@@ -4166,7 +4166,7 @@ static void open_joint(void)
    are called here:
 
      rows     kern_row_of, kern_row_speed, kern_row_exert
-     laws     kern_law_pressed, kern_law_stiff
+     laws     kern_law_stiff
      factor   kern_take_open, kern_skyline_begin, _reach, _lay, _clear, _spring,
               _shift, _factor, _solve
      group    kern_pass_solve
@@ -4218,6 +4218,10 @@ static void engine_rows(void)
     }
 }
 
+/* The law of minimum-norm forces: of rays of stiffness 1 that only press. */
+static kern_law engine_pressed(kern_real wn, kern_real wt, kern_real mu)
+{ return kern_law_stiff(wn, wt, mu, R(2), mu); }
+
 /* Whatever the motion, a force lies in its cone, is what the law says of the
    motion, and never helps it. */
 static void engine_law(kern_law s, double wn, double wt, double mu)
@@ -4234,10 +4238,10 @@ static void engine_law(kern_law s, double wn, double wt, double mu)
 static void engine_laws(void)
 {
     int i;
-    kern_law s = kern_law_pressed(R(1), 0, R(0.5));
+    kern_law s = engine_pressed(R(1), 0, R(0.5));
     CHECK_NEAR(s.force.normal, 2, 8 * EPS); /* both rays press by 1 */
     CHECK_NEAR(s.force.tangential, 0, 8 * EPS);
-    s = kern_law_pressed(R(1), R(4), R(0.5)); /* one by 3 */
+    s = engine_pressed(R(1), R(4), R(0.5)); /* one by 3 */
     CHECK_NEAR(s.force.normal, 3, 8 * EPS);
     CHECK_NEAR(s.force.tangential, 1.5, 8 * EPS);
     s = kern_law_stiff(R(2), 0, R(0.5), R(3), 1 / KERN_STICKS);
@@ -4247,7 +4251,7 @@ static void engine_laws(void)
     for (i = 0; i < 2000; i++) {
         const double wn = uniform(-1, 1), mu = uniform(0.05, 1);
         const double wt = uniform(-1, 1) * (i % 2 ? 1 : 1e-3);
-        engine_law(kern_law_pressed(R(wn), R(wt), R(mu)), wn, wt, mu);
+        engine_law(engine_pressed(R(wn), R(wt), R(mu)), wn, wt, mu);
         engine_law(kern_law_stiff(R(wn), R(wt), R(mu), R(2),
                                   1 / KERN_STICKS), wn, wt, mu);
     }
@@ -4281,7 +4285,7 @@ static void ties_open(ties *t)
         while (t->ends[2 * k + 1] == t->ends[2 * k]);
         t->row[2 * k] = engine_row(n);
         t->row[2 * k + 1] = engine_row(vec(-n.x, -n.y));
-        t->law[k] = kern_law_pressed(R(1), R(uniform(-3, 3)), R(0.6));
+        t->law[k] = engine_pressed(R(1), R(uniform(-3, 3)), R(0.6));
     }
     CHECK(kern_skyline_open(&t->a, t->groups, t->ends, t->count, &take) > 0);
     CHECK(kern_take_fits(&take));
@@ -7433,7 +7437,7 @@ static void jams_fill_the_factors(void)
         work = work_of(&w);
         CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_STANDS);
         CHECK_NEAR(m.margin, high / 2, 0.02 * high);
-        CHECK(m.fails - m.holds <= 2e-5); /* >>limits: a jam */
+        CHECK(m.fails - m.holds <= 3e-6); /* a jam: >>limits allows more */
     }
     context[0] = 0;
 }
