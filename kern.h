@@ -58,9 +58,10 @@
        if (kern_measure(&task, &m, NULL) == KERN_STANDS)
            printf("level %d, margin %g m\n", m.level, m.margin);
 
-   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. All checks:
-   see examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION is
-   in two files; "undefined reference": in none, or of the other precision.
+   Compare a verdict with == KERN_STANDS: KERN_FALLS is nonzero too. A negative
+   count of contacts is a status, which the next call returns. With all checks
+   it is examples/copy/one_block.c. "multiple definition": KERN_IMPLEMENTATION
+   is in two files; "undefined reference": in none, or of the other precision.
 
    CONVENTIONS                                                  >>conventions
 
@@ -117,7 +118,8 @@
 
    METHOD                                                            >>method
 
-   Contact forces, Eq. (4), hold free blocks in equilibrium, Eqs. (1) to (3):
+   Every free block is in equilibrium, Eqs. (1) to (3), under contact forces
+   without tension and within friction, Eq. (4):
 
        sum f n + r t + weight = 0,     sum (p - c) x (f n + r t) = 0,
        f >= 0,  |r| <= mu f.
@@ -125,7 +127,8 @@
    Along the two edges of the friction cone, n + mu t and n - mu t, this is Eq.
    (5): find x >= 0 with A x = -w (A_eq of the paper, >>statics). If there is
    none, Farkas' lemma gives a y with y.A >= 0 and y.w > 0: velocities and spins
-   such that no contact closes and the weights do work: a mechanism.
+   such that no contact closes and the weights do work: a mechanism. It proves
+   that the structure falls.
 
    A verdict asks, in this order, until one gives a proof:
 
@@ -148,7 +151,8 @@
 
    RULES                                                               >>rules
 
-   What each number is, exactly, to reproduce it; tests: see tests/kern_test.c.
+   What each number is, exactly, so that another program can reproduce it; the
+   tests of each rule: CONTENTS of tests/kern_test.c.
 
    Contacts of two polygons that are not both fixed. `gap` and `angle` are
    those of the options; no tolerance is below 64 roundings of the largest
@@ -281,18 +285,20 @@
    the discretisation decides them. Overlaps beyond the error are modelling
    errors (kern_overlaps()): measure again, or set options.overlap.
 
-   Certainty: kern_certain(). A gap below the error may be open, so what needs
-   two supports of a block never stands for certain: with one of them half an
-   error short it may fall and looks the same. How often it is right: README;
-   with noise of 0.5 % of the mean size 99 % of the verdicts are, and of near
-   misses 0.7 % at most stand for certain (tests/TRUST.md).
+   Certainty. kern_certain() tells whether the verdict is certain within the
+   error, and between what the margin lies. A gap below the error may be open,
+   so what needs two supports of a block never stands for certain: with one of
+   them half an error short it may fall and looks the same. How often it is
+   right: README; with noise of 0.5 % of the mean size 99 % of the verdicts are,
+   and of near misses 0.7 % at most stand for certain (tests/TRUST.md).
 
    LIMITS                                                            >>limits
 
    Model     Two dimensions, rigid blocks that do not break, statics. "Stands"
              means that admissible forces exist: necessary for standing still,
-             not sufficient: a cube held between two walls by friction alone
-             counts as standing. kern_raised() tells if the load raises them.
+             with friction not sufficient. A cube held between two walls by
+             friction alone counts as standing; kern_raised() tells whether the
+             load raises such forces.
    Unsafe    Mechanisms are those of limit analysis: blocks that slide also part
              (dilatant sliding). Where a wall's own joints slide, load factor
              and tilt are too high: against a simulator by 11 to 26 % on four
@@ -303,6 +309,8 @@
    Ambiguous A reserve cannot see equilibria that depend on what happened
    forces    before: of 181 rows of wedges between cliffs that fall in a
              simulator though forces exist, 2 have the largest (tests/TRUST.md).
+   Loads     stay: what kern_block_load() adds neither grows with a horizontal
+             load nor turns with gravity.
    Not       Kerns that are not nested (points of different normals) are
    nested    searched in steps <= d_max / 1001, tilts with loads in steps of
              pi / 1001: a fall narrower than that may be missed.
@@ -324,7 +332,8 @@
 
    DETERMINISM                                                  >>determinism
 
-   Same input, same bits on every machine whose compiler keeps to IEEE rules:
+   The same input gives the same bits on every machine whose compiler keeps to
+   IEEE arithmetic:
 
        -ffp-contract=off     where the target has fused multiply-add (AArch64,
                              PowerPC, s390x, x86 with -mfma); gcc contracts by
@@ -756,12 +765,13 @@ KERN_API void kern_work_need(int blocks, int contacts,
 /* Fills a block from a simple polygon, convex or not, turning either way: area,
    box, centroid, mass = density * |area| with the density in kg/m^2, no load.
    The vertices stay the caller's and must live as long as the block; after they
-   have moved, call this again. fault may be NULL; its index is the vertex.
-   After a failed call others return KERN_NO_BLOCK. KERN_FEW_VERTICES,
-   KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER, KERN_NO_AREA,
-   KERN_CROSSING (also a ring whose last vertex repeats the first),
-   KERN_BAD_MASS (also a density not above 0): bounds as above. Time: O(n) for n
-   vertices of a convex polygon, else a test of boxes for each two edges. */
+   have moved, call this again. fault may be NULL; its index is the vertex. A
+   failed call leaves no block: others return KERN_NO_BLOCK for it.
+   KERN_FEW_VERTICES, KERN_BAD_COUNT (above 1,000,000), KERN_BAD_NUMBER,
+   KERN_NO_AREA, KERN_CROSSING (also where the last vertex repeats the first, as
+   in closed rings of other formats), KERN_BAD_MASS (also a density not above
+   0): bounds as above. Time: O(n) for n vertices of a convex polygon, else a
+   test of boxes for each two edges. */
 KERN_API kern_status kern_block_init(kern_block *block,
                                      const kern_vec *vertex, int vertices,
                                      kern_real density, kern_fault *fault);
@@ -801,9 +811,10 @@ KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            int room, kern_work *work);
 
 /* The contacts of block b with the blocks before it: those of kern_contacts(),
-   unless a later block is so far out that its rounding counts. Returns the
-   same; KERN_STALE: block b, or what it may touch. options.lone: what carries a
-   block is sought among these. Time: O(b), edges as above. */
+   unless a later block lies so far out that the rounding of its coordinates
+   counts. Returns the same; KERN_STALE is found of block b and of what it may
+   touch. options.lone: what carries a block is looked for among these contacts
+   alone. Time: O(b), and the edges as above. */
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options,
                         kern_contact *out, int room, kern_work *work);
@@ -829,7 +840,8 @@ KERN_API kern_vec kern_contact_at(const kern_contact *contact,
                                   kern_real shrink, int relative);
 
 /* -- verdicts and measures -- */
-/* `shrink` [m; relative: share <= 1]: below 0 kerns grow. proof may be NULL. */
+/* `shrink` [m] (relative: a share, at most 1): kerns are shrunk by so much, and
+   grown where it is negative. proof may be NULL. */
 
 /* A structure under gravity (0, -9.81), kern_defaults(), nothing known. */
 KERN_API kern_task kern_task_of(const kern_block *block, int blocks,
@@ -943,8 +955,9 @@ KERN_API kern_status kern_sensitivity(
     const kern_task *task, const kern_margin *margin, const kern_proof *proof,
     kern_contact_rate *contact, kern_block_rate *block);
 
-/* The deficit (>>rules) [m; relative: 1], 0 with KERN_STANDS. KERN_LIMIT: what
-   it is at least, -1 where the structure is not proven to fall yet. */
+/* The deficit (>>rules) [m; relative: 1]. KERN_STANDS: it is 0. KERN_FALLS: it
+   is written. KERN_LIMIT: how far kerns must grow at least, -1 where the
+   structure is not proven to fall yet. */
 KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit);
 
 /* The length [m] of the shortest contact that the structure needs: it stands on
@@ -1054,7 +1067,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
                                      kern_real margin, const kern_proof *proof);
 
-/* kern_stays() of the last block, kern_raised(); block NULL: none is added. */
+/* kern_stays() and kern_raised() with a block added; for NULL of the plan as it
+   is, and of its last block. */
 KERN_API kern_status kern_plan_stays(kern_plan *plan, const kern_block *block,
                                      kern_real *chance);
 KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
@@ -1180,16 +1194,18 @@ extern "C" {
    its power divided by it. A larger gap leaves the interior point no digits. */
 #define KERN_BOUND         KERN_PICK(1e6, 1e3)
 /* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
-   a variable below zero, as a share of the largest, a pivot or a gain, what
-   >>ipm adds to a diagonal without pivots; the difference of critical values,
-   in mean sizes. Less, and the simplex chases rounding, searches go on. */
+   a variable below zero, as a share of the largest, a pivot or a gain, and what
+   >>ipm adds to a diagonal without pivots; and the difference of two critical
+   values, in mean block sizes. Less, and the simplex chases rounding, a search
+   does not end. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms; by how
    much a certificate is lifted off the columns that it touches, since the check
-   of a motion adds as much; what is added to the diagonal of >>norm, as a share
-   of its mean: without it a group that no ray presses has no pivot. Twice as
-   much, of the largest coordinate, and places are the same: no gap is less, or
-   turned cubes would not touch; nor is a normal farther off its length. */
+   of a motion adds as much; and what is added to the diagonal of the matrix of
+   >>norm, as a share of its mean: without it a group that no ray presses has no
+   pivot. Twice as much, of the largest coordinate, and places are the same: no
+   gap is less, or cubes that were turned and moved would not touch; nor is a
+   normal farther off its length. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1198,13 +1214,15 @@ extern "C" {
 
 /* Largest coordinate and option [m], mass [kg] and sum of all that acts on a
    block [N]. Inverse, it is the least size, mass and sum of a block; its
-   inverse square is the least area [m^2] and power of a motion [W]. Squares,
-   moments and products with KERN_BOUND of these keep all digits. */
+   inverse square is the least area [m^2] and power of a motion [W]. Of these
+   the squares, moments and products with KERN_BOUND are numbers, and keep all
+   digits. */
 #define KERN_FAR           KERN_PICK(1e60, 1e10)
 /* Turn [rad] below which a vertex is no corner, and within which of a half turn
-   it is a spike: much larger, and round stones lose their shape. Share of the
-   size by which a foot lies inside its edge: no contacts of diagonal neighbours
-   by rounding; of the shortest line, the least travel. */
+   it is a spike: much larger, and round stones would lose their shape. And
+   share of the size by which a foot must lie inside its edge, so that rounding
+   makes no contacts between diagonal neighbours; of the shortest line, below
+   which a travel is none. */
 #define KERN_SLIGHT        KERN_R(1e-6)
 /* Share of the size: the default gap, the length of the shortest line, and how
    far off a corner ends a contact; of an area, by how much it may differ, by
@@ -1226,7 +1244,8 @@ extern "C" {
 
 /* Width of the bracket of a measure, the critical value in its middle [mean
    block size; load factor; tangent of a quarter of the angle]. Narrower, fewer
-   verdicts near critical have a proof; wider, it exceeds the promised 2e-6. */
+   verdicts near critical have a proof; wider, the bracket is no longer within
+   the 2e-6 that are promised. */
 #define KERN_WIDTH         KERN_PICK(1.26e-6, 1.8e-3)
 /* How many times wider it may get near what has no proof; wider: undecided. */
 #define KERN_WIDEST        KERN_R(20)
@@ -1234,17 +1253,20 @@ extern "C" {
    More, and its factor costs more than the interior point. */
 #define KERN_SMALL         64
 /* Steps to the largest travel where kerns are not nested, and of half a circle
-   of tilt under loads that stay: a narrower range that falls may be missed. A
-   walk in these, or a climb, takes at most five times as many verdicts. */
+   of tilt under loads that stay: a range that falls, and is narrower than one,
+   may be missed. A walk in these steps, or a climb, takes no more than five
+   times as many verdicts. */
 #define KERN_SCAN          1001
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
 
 /* Rounds of what ends in far fewer, unless digits are lost: Newton's method for
-   minimum-norm forces, a bracket, the interior point, prices along a load. */
+   minimum-norm forces, a bracket (four to eight suffice), the interior point
+   (some ten), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole, a stalled collapse. */
+   from bend to bend, parts that fall before the whole is asked; steps without
+   gain, of a collapse. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1260,28 +1282,34 @@ extern "C" {
 /* ---- minimum-norm forces, top-down pass ---- */
 
 /* Residual of equilibrium that a method leaves, of a group as a share of its
-   load; a basis with more is made anew. Proofs allow far more: residuals add
-   up. At 1e-10 in double a light stone beside heavy ones stands that falls. */
+   load. A proof allows far more, and so residuals of many groups may add up. At
+   1e-10 in double a light stone beside heavy ones stands that falls. Where a
+   basis leaves more it is made anew. */
 #define KERN_PASS_TOL      KERN_PICK(1e-11, 1e-6)
 /* Pivot of a 3 x 3 matrix, as a share of its trace, that counts as rounding: at
    1e-11 in double a profile of rubble begins beyond the margin. */
 #define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
 /* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
    and the solution needs no refinement); of a column in a basis, as a share of
-   its largest entry, and determinant of three columns (less: dependent). */
+   its largest entry, and determinant of three columns (less, and they count as
+   dependent). */
 #define KERN_PIVOT         KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
-   infeasible. Larger, clusters grow later and Newton takes more steps: without
-   it trying a stone costs 4 % more. Also a slide into a jam, in approaches. */
+   infeasible. Larger, clusters grow later and Newton's method takes more
+   steps: without the bound trying a stone costs 4 % more. And slide of a stone
+   that falls into a jam, in approaches. */
 #define KERN_NORM_MOST     KERN_R(100)
-#define KERN_ROWS_MOST     12 /* contacts of one group; its crash columns     */
+#define KERN_ROWS_MOST     12      /* contacts of one group; columns of it that
+                                      are tried for the crash basis           */
 /* Groups of a cluster: a quarter of all in a verdict, a fifth in a search, a
    seventh in one that knows forces. With a fifth verdicts take 7 % more, with a
-   quarter measures 6 %. Of more than KERN_SMALL so many, and two more for each
-   KERN_SMALL: else some measures of 100 blocks take four times the work. */
+   quarter measures 6 %, and tries from known forces 6 % with a fifth. Of more
+   than KERN_SMALL so many, and two more for each KERN_SMALL: with fewer some
+   measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER       4
 #define KERN_CLUSTER_MOST  20
-/* Units of a pass for each group and contact; with 30 bricks take 1.4 times. */
+/* Units of work of a pass for each group and contact. With 30 measures of
+   bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS    9
 
 /* ---- search ---- */
@@ -1298,9 +1326,11 @@ extern "C" {
 
 /* A little: what a step leaves of the way to x, z = 0, at least; what x and z
    are lifted by to begin, in their largest, and may shrink to where forces are
-   balanced; least gap, and s below 0, with which a warm query begins. */
+   balanced; least gap, and s below 0, with which a query begins where another
+   ended. At 3e-3 tilts take 5 % more. */
 #define KERN_IPM_LITTLE    KERN_R(1e-3)
-#define KERN_IPM_APART     KERN_R(0.03) /* least x z, in means, for float     */
+#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means: without it,
+                                             float decides fewer verdicts     */
 /* What its gap shrinks to in a step at least, in the mean, or it begins anew:
    without that some walls take three times the work. */
 #define KERN_IPM_PACE      KERN_R(0.95)
@@ -1323,8 +1353,9 @@ extern "C" {
    that: with halves, to as little, loads take 1.4 times as long. */
 #define KERN_LOAD_STEPS    8
 #define KERN_LOAD_FALL     KERN_R(0.3) /* share of a price's fall in a round */
-/* kern_stays(): how many contacts away from the stone what is not held may be:
-   3, 5 tell less. No proof is asked for: contacts may be less stiff along t. */
+/* kern_stays(): from block to block, how many contacts away from the stone what
+   is not held may be: with 3 and 5 it tells less. No proof is asked for,
+   so that contacts may be less stiff along t. */
 #define KERN_STAYS_NEAR    4
 #define KERN_STAYS_STIFF   KERN_R(4)
 /* Its law, fitted to placements: the largest reserve that it asks for, since
@@ -1401,7 +1432,8 @@ KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
 KERN_SHARED static int kern_vec_is_moderate(kern_vec a)
 { return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
-/* To eight digits below KERN_ANGLE_MOST; libm's differs between machines. */
+/* The sine by its series: the last digit of libm's differs between machines;
+   angles below KERN_ANGLE_MOST are right to eight digits. */
 static kern_real kern_sine(kern_real angle)
 {
     const kern_real q = angle * angle;
@@ -1675,7 +1707,8 @@ typedef struct kern_path {
     kern_proven proven;       /* places with a proof                          */
     int never;                /* nonzero: it stands to the end                */
     kern_part *part;          /* that fell last                               */
-    kern_known warm;          /* of one like it, or the body that falls first */
+    kern_known warm;          /* of a structure like it, or of the body that
+                                 falls first; `fails` 0: nothing              */
     int alone;                /* nonzero: the part is evaluated alone         */
     struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
@@ -1698,7 +1731,8 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path);
 static kern_status kern_path_search(kern_model *m, kern_path *path,
                                     kern_real even);
 
-/* The query at s. Gravity turns by 4 atan(s): up to s = 1 by half a circle. */
+/* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
+   through half a circle by arithmetic alone. */
 static kern_query kern_path_at(const kern_path *path, kern_real s)
 {
     kern_query q = path->q;
@@ -2317,8 +2351,8 @@ static kern_status kern_model_open(kern_model *m, const kern_task *task,
     for (i = 0; i < s->blocks; i++)
         groups += !s->block[i].fixed;
     kern_take_open(take, task->work);
-    m->graph.group = kern_take_ints(take, s->blocks);
-    m->graph.block = kern_take_ints(take, groups);
+    m->graph.group = kern_take_ints(take, s->blocks + groups);
+    m->graph.block = m->graph.group + s->blocks;
     m->graph.ends = kern_take_ints(take, 2 * s->contacts);
     m->load = kern_take_reals(take, 5 * groups + 1);
     m->size = m->load + 3 * groups;
@@ -3636,8 +3670,8 @@ static kern_real kern_skyline_open(kern_skyline *a, int groups, const int *ends,
     kern_real products = KERN_R(0);
     int g, k, end = 0;
     a->groups = groups;
-    a->first = kern_take_ints(take, groups);
-    a->offset = kern_take_ints(take, groups);
+    a->first = kern_take_ints(take, 2 * groups);
+    a->offset = a->first + groups;
     if (!kern_take_fits(take))
         return products;
     for (g = 0; g < groups; g++)
@@ -3830,11 +3864,11 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     const int n = 3 * p->groups + 3;
     kern_real products = KERN_R(100) * KERN_R(p->contacts);
     p->dual.price = NULL;
-    p->dual.u = kern_take_reals(take, 4 * n);
+    p->dual.u = kern_take_reals(take, 4 * n + 4 * p->contacts);
     p->dual.step = p->dual.u + n;
     p->dual.grad = p->dual.step + n;
     p->dual.b = p->dual.grad + n;
-    p->dual.way = kern_take_reals(take, 4 * p->contacts);
+    p->dual.way = p->dual.b + n;
     p->dual.turn = p->dual.way + 2 * p->contacts;
     products += kern_skyline_open(&p->dual.matrix, p->groups, p->ends, p->own,
                                   take);
@@ -4873,11 +4907,12 @@ static kern_status kern_part_lay(kern_part *p)
     p->eq.shrink = KERN_INFINITY; /* none */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
-        p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 8 * p->contacts);
-        p->eq.lp.rhs = p->eq.rhs = kern_take_reals(&take, 3 * n);
-        p->eq.rate = kern_take_reals(&take, 3 * n + 3);
-        p->x = kern_take_reals(&take, 2 * p->contacts + 1);
-        p->y = kern_take_reals(&take, 3 * n + 3);
+        p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 10 * p->contacts
+                                                        + 9 * n + 7);
+        p->eq.lp.rhs = p->eq.rhs = p->eq.arc + 8 * (size_t)p->contacts;
+        p->eq.rate = p->eq.rhs + 3 * n;
+        p->y = p->eq.rate + 3 * n + 3;
+        p->x = p->y + 3 * n + 3;
         kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
             kern_zero(p->y + 3 * n, 3);

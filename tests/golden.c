@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0xc1b237b54dd41ac0u },
-    { 1000, 0xdefd77f181eefad4u },
-    { 5000, 0x0a1ab312729374e0u },
+    { 200, 0x6d939676d802961eu },
+    { 1000, 0xf0c2dad065d77439u },
+    { 5000, 0x70757a08a0b481a9u },
 #else
-    { 200, 0x857cfeb955846d22u },
-    { 1000, 0x0ea8262b336a5420u },
-    { 5000, 0x0b75c12fbad5b37cu },
+    { 200, 0x5d1b660fc233187cu },
+    { 1000, 0xa2b070ca288bdb05u },
+    { 5000, 0xa2dbfb271361a5f4u },
 #endif
 };
 
