@@ -1429,7 +1429,7 @@ KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
 { return kern_max(kern_abs(a.x), kern_abs(a.y)); }
 
 /* Numbers, and none too large to reckon with? */
-KERN_SHARED static int kern_vec_is_moderate(kern_vec a)
+static int kern_vec_is_moderate(kern_vec a)
 { return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
 /* The sine by its series: the last digit of libm's differs between machines;
@@ -2544,7 +2544,7 @@ static int kern_model_spend(const kern_model *m, int units)
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(m, queries * (3 + (m->s->blocks + m->s->contacts)
-                                              / 10));
+                                              / 11));
 }
 
 /* Whether one linear program answers: few groups, all of the work memory. */
