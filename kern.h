@@ -1612,7 +1612,8 @@ static kern_real kern_wrench_add(kern_wrench *sum, const kern_block *b,
 /* All that acts on block i besides its contacts. Returns the sum of the
    magnitudes: what its equilibrium is measured by. */
 static inline kern_real kern_wrench_on(const kern_structure *s,
-                                const kern_query *q, int i, kern_wrench *sum)
+                                       const kern_query *q, int i,
+                                       kern_wrench *sum)
 {
     const kern_block *b = s->block + i;
     kern_wrench pattern;
@@ -1676,7 +1677,8 @@ static int kern_same_blocks(const kern_contact *c, const kern_contact *d)
 { return (c->a == d->a && c->b == d->b) || (c->a == d->b && c->b == d->a); }
 
 /* And is d a point? */
-static int kern_same_interface(const kern_contact *c, const kern_contact *d)
+KERN_SHARED static int kern_same_interface(const kern_contact *c,
+                                           const kern_contact *d)
 { return !d->line && kern_same_blocks(c, d); }
 
 /* ---- The kern -------------------------------------------------- >>kern */
@@ -3598,8 +3600,7 @@ typedef struct kern_law {
 } kern_law;
 
 /* The law of rays n + mu t and n - mu t of stiffness plus and minus. */
-KERN_SHARED static kern_law kern_law_rays(kern_real plus, kern_real minus,
-                                          kern_real mu)
+static kern_law kern_law_rays(kern_real plus, kern_real minus, kern_real mu)
 {
     kern_law s;
     s.nn = plus + minus;

@@ -4167,7 +4167,7 @@ static void open_joint(void)
 
      rows     kern_row_of, kern_row_speed, kern_row_exert
      laws     kern_law_stiff
-     factor   kern_take_open, kern_skyline_begin, _reach, _lay, _clear, _spring,
+     factor   kern_take_open, kern_skyline_open, _clear, _law,
               _shift, _factor, _solve
      group    kern_pass_solve
      basis    kern_simplex_lay, kern_program_solve, kern_basis_solve

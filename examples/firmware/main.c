@@ -165,6 +165,6 @@ candidate at  0.20 m: level 34, margin 0.1663 m; 4716 units; 208420 ticks
 candidate at  0.40 m: level 34, margin 0.1663 m; 4626 units; 209994 ticks
 candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 354 ticks
 memory: 42624 bytes of work memory, 9256 of blocks and contacts,
-        51888 of variables in all, 2232 of 13648 of stack, 42644 of flash
+        51888 of variables in all, 2232 of 13648 of stack, 42604 of flash
 best place: 0.20 m
 */
