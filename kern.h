@@ -1810,7 +1810,7 @@ static int kern_take_fits(const kern_take *take)
 
 /* ---- what a call may spend ---- */
 
-KERN_SHARED static int kern_limit_of(int limit)
+static int kern_limit_of(int limit)
 { return limit > 0 ? limit : KERN_WORK_MOST; }
 
 KERN_SHARED static void kern_fault_clear(kern_fault *fault)
@@ -4700,7 +4700,7 @@ static int kern_ipm_step(kern_ipm *in)
     const int n = 3 * p->groups, rays = 2 * p->contacts;
     kern_real of_x = KERN_R(0), of_z = of_x, mu = of_x, left = of_x, ds;
     int i, corrects;
-    if (!kern_model_spend(p->m, p->dual.cost))
+    if (!(in->gap <= KERN_BOUND) || !kern_model_spend(p->m, p->dual.cost))
         return 0;
     for (i = 0; i < rays; i++) {
         in->d[i] = p->x[i] / in->z[i];
