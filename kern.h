@@ -1716,9 +1716,12 @@ typedef struct kern_path {
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* Width of a bracket, as it is wanted, the critical value in its middle. */
+/* Width of a bracket, as it is wanted; from the critical value to its ends. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 { return KERN_WIDTH * path->unit; }
+
+KERN_SHARED static kern_real kern_aside(const kern_path *path)
+{ return kern_width(path) / 2; }
 
 /* ---- what finds forces and motions ---- */
 /* Defined and told behind the argument: >>verdict, >>search. */
@@ -4980,8 +4983,7 @@ KERN_SHARED static kern_status kern_part_prove(
 }
 
 /* Where normal forces are larger in sum than is allowed, the least that there
-   are, by costs of 1: if these are too large their prices are a motion that
-   shows it. */
+   are, by costs of 1: if too large, their prices are a motion that shows it. */
 KERN_SHARED static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
@@ -5315,7 +5317,7 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
    and once that is undecided from the other. */
 static kern_real kern_path_between(const kern_path *path, kern_real aside)
 {
-    const kern_real least = kern_width(path) / 2;
+    const kern_real least = kern_aside(path);
     const kern_real part = (path->fails - path->holds) / KERN_NEAR;
     return aside > least && aside < 3 * least ? path->fails - part
            : path->holds + part * (least / aside);
@@ -5356,7 +5358,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
    falls at the start, which was not proven. */
 static kern_status kern_path_critical(kern_model *m, kern_path *path)
 {
-    kern_real aside = kern_width(path) / 2;
+    kern_real aside = kern_aside(path);
     int round;
     for (round = 0; round < KERN_ROUNDS; round++) {
         const kern_real lo = path->holds, crit = path->critical;
@@ -5416,8 +5418,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         const kern_real next = kern_min(path->end, at + kern_max(first, even));
         const int small = next - at <= least, sure = small || !(even > 0);
         const kern_status status = kern_path_evaluate(m, path, next);
-        if (status == KERN_STANDS
-            && (sure || kern_turn_holds(m, path, at))) {
+        if (status == KERN_STANDS && (sure || kern_turn_holds(m, path, at))) {
             if (next >= path->end)
                 return kern_path_saturate(path);
             first = step;
@@ -5540,12 +5541,11 @@ static void kern_body_moves(kern_model *m, int body, int e, kern_real s)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* The smallest critical value of a body becomes the path's warm start. Returns
-   it, or infinity. */
+/* The smallest critical value of a body, or infinity: the path's warm start. */
 static kern_real kern_body_first(kern_model *m, kern_path *path)
 {
     kern_known *warm = &path->warm;
-    const kern_real aside = kern_width(path) / 2;
+    const kern_real aside = kern_aside(path);
     kern_real *load = m->answer.sum; /* of a body: three, in its units */
     int g, first = KERN_OUT, about = 0;
     warm->margin = KERN_INFINITY;
@@ -5719,7 +5719,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
         return kern_max(path->start, warm->holds);
     }
     if (m->answer.known && kern_known_part(m, path, most))
-        return kern_max(path->start, path->critical - kern_width(path) / 2);
+        return kern_max(path->start, path->critical - kern_aside(path));
     path->fails = KERN_INFINITY;
     return at;
 }
@@ -5761,7 +5761,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         } else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
         if (status == KERN_FALLS && path->fails > path->start) {
-            at = kern_max(path->critical - kern_width(path) / 2, path->start);
+            at = kern_max(path->critical - kern_aside(path), path->start);
             kern_model_unload(m);
             status = KERN_UNDECIDED;
             round++;

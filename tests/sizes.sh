@@ -15,11 +15,11 @@ trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
 limits="lines of kern.h|8800|8780
-lines of the engine|3500|3670
-text of the library|54000|52775
-text, kern_measure with contacts given|32000|28816
+lines of the engine|3500|3667
+text of the library|54000|52771
+text, kern_measure with contacts given|32000|28812
 text, kern_verdict with contacts given|22000|21992
-text of the library, KERN_NO_INTERIOR|54000|50195
+text of the library, KERN_NO_INTERIOR|54000|50191
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
 deepest stack|2700|2600"
