@@ -1664,6 +1664,17 @@ static inline kern_real kern_arms(const kern_structure *s,
     return shift;
 }
 
+/* Velocity of block b relative to block a where contact point c acts. */
+static kern_vec kern_meeting_motion(const kern_structure *s,
+                                    const kern_query *q, const kern_contact *c,
+                                    const kern_motion *motion)
+{
+    kern_vec arm[2];
+    kern_arms(s, c, q, arm);
+    return kern_vec_sub(kern_velocity(motion + c->b, arm[1]),
+                        kern_velocity(motion + c->a, arm[0]));
+}
+
 /* Do contact points i and i + 1 end one line? */
 static int kern_line_begins(const kern_contact *contact, int contacts, int i)
 {
@@ -2159,6 +2170,66 @@ static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
     return (weight * closing + KERN_ROUNDING * terms) / power;
 }
 
+/* Forces and the displacement that raised them: each contact that is loaded
+   approaches, and slides as its friction says. That is a proof for some
+   stiffness of each contact, f over its approach. */
+static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
+                                   const kern_force *force,
+                                   const kern_motion *motion, kern_real *sum)
+{
+    kern_real error = kern_prove_forces(s, q, force, sum);
+    kern_real least = KERN_INFINITY;
+    kern_wrench w;
+    int i;
+    for (i = 0; i < s->blocks; i++)
+        if (!s->block[i].fixed)
+            least = kern_min(least, kern_wrench_on(s, q, i, &w));
+        else if (!(kern_speed(motion + i) <= 0))
+            return KERN_INFINITY;
+    for (i = 0; i < s->contacts && error <= 1; i++) {
+        const kern_contact *c = s->contact + i;
+        const kern_real f = force[i].normal, r = force[i].tangential;
+        const kern_vec u = kern_meeting_motion(s, q, c, motion);
+        const kern_real mu = kern_friction(c, kern_reduction(q));
+        const kern_real press = -kern_vec_dot(c->n, u);
+        const kern_real slide = kern_vec_cross(c->n, u);
+        if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
+            continue;
+        if (!(press > KERN_ROUNDING * kern_speeds(c, motion)))
+            return KERN_INFINITY;
+        if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
+            error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
+    }
+    return error;
+}
+
+/* Takes those blocks out of the set (value >= 0) that are fixed or loaded, or
+   that a block outside presses against gravity. Returns how many are left. */
+static int kern_hang(const kern_structure *s, kern_real *value)
+{
+    const kern_real pull = kern_vec_length(s->gravity);
+    int k, left = 0, held = 1;
+    for (k = 0; k < s->blocks; k++) {
+        if (s->block[k].fixed || !(pull > 0)
+            || kern_wrench_sum(&s->block[k].load) > 0)
+            value[k] = KERN_R(-1);
+        left += value[k] >= 0;
+    }
+    while (held)
+        for (k = held = 0; k < s->contacts; k++) {
+            const kern_contact *c = s->contact + k;
+            const kern_real up = -kern_vec_dot(c->n, s->gravity);
+            const int on = up > 0 ? c->a : c->b, b = up > 0 ? c->b : c->a;
+            if (kern_abs(up) > KERN_R(1e-9) * pull && value[b] >= 0
+                && !(value[on] >= 0)) {
+                value[b] = KERN_R(-1);
+                held++;
+                left--;
+            }
+        }
+    return left;
+}
+
 KERN_API kern_real kern_check_forces(const kern_task *task, kern_real shrink,
                                      const kern_force *force)
 {
@@ -2179,6 +2250,37 @@ KERN_API kern_real kern_check_motion(const kern_task *task, kern_real shrink,
     kern_query q;
     return kern_query_check(task, shrink, motion, &q) == KERN_OK
            ? kern_prove_motion(&task->s, &q, motion) : KERN_INFINITY;
+}
+
+KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
+                                     kern_raising raising,
+                                     const kern_proof *proof)
+{
+    const kern_structure *s;
+    kern_take take;
+    kern_query q;
+    kern_real *sum, *value;
+    int i, n = 0;
+    if (!proof || !proof->force || !proof->motion
+        || kern_query_check(task, shrink, proof, &q) != KERN_OK)
+        return KERN_INFINITY;
+    s = &task->s;
+    kern_take_open(&take, task->work);
+    sum = kern_take_reals(&take, 5 * s->blocks);
+    if (!kern_take_fits(&take) || raising == KERN_NOT_SHOWN)
+        return KERN_INFINITY;
+    if (raising == KERN_RAISED)
+        return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
+    value = sum + 4 * s->blocks;
+    for (i = 0; i < s->blocks; i++) { /* what moves must hang */
+        const int falls = kern_speed(proof->motion + i) > 0;
+        value[i] = falls ? KERN_R(1) : KERN_R(-1);
+        n += falls;
+    }
+    if (n == 0 || kern_hang(s, value) != n)
+        return KERN_INFINITY;
+    q.fallen = value;
+    return kern_prove_forces(s, &q, proof->force, sum);
 }
 
 /* ---- The model ------------------------------------------------- >>model */
@@ -3220,17 +3322,6 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 }
 
 /* ---- What is critical ---------------------------------------- >>critical */
-
-/* Velocity of block b relative to block a where contact point c acts. */
-static kern_vec kern_meeting_motion(const kern_structure *s,
-                                    const kern_query *q, const kern_contact *c,
-                                    const kern_motion *motion)
-{
-    kern_vec arm[2];
-    kern_arms(s, c, q, arm);
-    return kern_vec_sub(kern_velocity(motion + c->b, arm[1]),
-                        kern_velocity(motion + c->a, arm[0]));
-}
 
 static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
                                     kern_real turn)
@@ -5784,68 +5875,10 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
    a solution wherever forces exist, but with the associated flow rule of limit
    analysis, by which what slides parts: f = k (approach + mu slip). A price mu
    slip on each contact takes that away (the fixed point of Acary, Cadoux,
-   Lemarechal and Malick). Prices need not be exact: where every loaded contact
-   approaches, forces and displacement are a proof, for other stiffnesses.
-   Prices are extrapolated (Anderson's method with one difference): where no
-   contact opens or begins to slide, the map of prices is linear. Along a load
-   they fall slowly: else those of joints that lean on each other alternate. */
-
-static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
-                                   const kern_force *force,
-                                   const kern_motion *motion, kern_real *sum)
-{
-    kern_real error = kern_prove_forces(s, q, force, sum);
-    kern_real least = KERN_INFINITY;
-    kern_wrench w;
-    int i;
-    for (i = 0; i < s->blocks; i++)
-        if (!s->block[i].fixed)
-            least = kern_min(least, kern_wrench_on(s, q, i, &w));
-        else if (!(kern_speed(motion + i) <= 0))
-            return KERN_INFINITY;
-    for (i = 0; i < s->contacts && error <= 1; i++) {
-        const kern_contact *c = s->contact + i;
-        const kern_real f = force[i].normal, r = force[i].tangential;
-        const kern_vec u = kern_meeting_motion(s, q, c, motion);
-        const kern_real mu = kern_friction(c, kern_reduction(q));
-        const kern_real press = -kern_vec_dot(c->n, u);
-        const kern_real slide = kern_vec_cross(c->n, u);
-        if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
-            continue;
-        if (!(press > KERN_ROUNDING * kern_speeds(c, motion)))
-            return KERN_INFINITY;
-        if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
-            error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
-    }
-    return error;
-}
-
-/* Takes those blocks out of the set (value >= 0) that are fixed or loaded, or
-   that a block outside presses against gravity. Returns how many are left. */
-static int kern_hang(const kern_structure *s, kern_real *value)
-{
-    const kern_real pull = kern_vec_length(s->gravity);
-    int k, left = 0, held = 1;
-    for (k = 0; k < s->blocks; k++) {
-        if (s->block[k].fixed || !(pull > 0)
-            || kern_wrench_sum(&s->block[k].load) > 0)
-            value[k] = KERN_R(-1);
-        left += value[k] >= 0;
-    }
-    while (held)
-        for (k = held = 0; k < s->contacts; k++) {
-            const kern_contact *c = s->contact + k;
-            const kern_real up = -kern_vec_dot(c->n, s->gravity);
-            const int on = up > 0 ? c->a : c->b, b = up > 0 ? c->b : c->a;
-            if (kern_abs(up) > KERN_R(1e-9) * pull && value[b] >= 0
-                && !(value[on] >= 0)) {
-                value[b] = KERN_R(-1);
-                held++;
-                left--;
-            }
-        }
-    return left;
-}
+   Lemarechal and Malick). Prices need not be exact (kern_prove_raised()). They
+   are extrapolated (Anderson's method with one difference): where no contact
+   opens or begins to slide, the map of prices is linear. Along a load they fall
+   slowly: else those of joints that lean on each other alternate. */
 
 typedef struct kern_raise {
     kern_part *p;             /* all groups, or those near a block            */
@@ -6241,37 +6274,6 @@ KERN_API kern_status kern_raised_load(
     if (status == KERN_STANDS || status == KERN_LIMIT)
         *factor = stood < KERN_FACTOR_MOST ? stood : KERN_INFINITY;
     return status;
-}
-
-KERN_API kern_real kern_check_raised(const kern_task *task, kern_real shrink,
-                                     kern_raising raising,
-                                     const kern_proof *proof)
-{
-    const kern_structure *s;
-    kern_take take;
-    kern_query q;
-    kern_real *sum, *value;
-    int i, n = 0;
-    if (!proof || !proof->force || !proof->motion
-        || kern_query_check(task, shrink, proof, &q) != KERN_OK)
-        return KERN_INFINITY;
-    s = &task->s;
-    kern_take_open(&take, task->work);
-    sum = kern_take_reals(&take, 5 * s->blocks);
-    if (!kern_take_fits(&take) || raising == KERN_NOT_SHOWN)
-        return KERN_INFINITY;
-    if (raising == KERN_RAISED)
-        return kern_prove_raised(s, &q, proof->force, proof->motion, sum);
-    value = sum + 4 * s->blocks;
-    for (i = 0; i < s->blocks; i++) { /* what moves must hang */
-        const int falls = kern_speed(proof->motion + i) > 0;
-        value[i] = falls ? KERN_R(1) : KERN_R(-1);
-        n += falls;
-    }
-    if (n == 0 || kern_hang(s, value) != n)
-        return KERN_INFINITY;
-    q.fallen = value;
-    return kern_prove_forces(s, &q, proof->force, sum);
 }
 
 /* ==== Part V: Geometry and planning ====================================== */
