@@ -2195,7 +2195,9 @@ static kern_real kern_prove_raised(const kern_structure *s, const kern_query *q,
         const kern_real slide = kern_vec_cross(c->n, u);
         if (!(f > KERN_TOL * least)) /* equilibrium would not miss it */
             continue;
-        if (!(press > KERN_ROUNDING * kern_speeds(c, motion)))
+        if (!(press > KERN_ROUNDING
+              * (kern_block_speed(s->block + c->a, motion + c->a)
+                 + kern_block_speed(s->block + c->b, motion + c->b))))
             return KERN_INFINITY;
         if (kern_abs(r) < mu * f * (1 - KERN_TOL) || r * slide > 0)
             error = kern_max(error, kern_abs(slide) / (KERN_STICKS * press));
@@ -5794,6 +5796,7 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
 {
     kern_known *warm = &path->warm;
     const int known = warm->fails > path->start && warm->fails <= path->end
+                && warm->fails - warm->holds <= kern_width(path) * KERN_WIDEST
                 && warm->holds <= warm->margin && warm->margin <= warm->fails;
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
@@ -7612,7 +7615,7 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
         : kern_measure_anew(&plan->task, &plan->task.known, out, proof));
 }
 
-/* Whether it stands at that margin; by its measure if kerns are not nested. */
+/* Whether it stands at that margin; if kerns are not nested, below it too. */
 static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
                                     const kern_proof *proof)
 {
@@ -7625,20 +7628,22 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         status = KERN_BAD_NUMBER;
     if (status != KERN_OK)
         return status;
-    if (kern_is_nested(&c.m, range)) {
-        kern_model_know(&c.m, known);
-        status = KERN_FALLS;
-        if (!(known->fails > 0 && margin >= known->fails
-              && kern_known_falls(&c.m, &c.path.q, known))) {
-            kern_known_begin(&c.m, margin);
-            status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
-        }
-        kern_proof_out(&c.m, proof, status);
-        return kern_ended(task, status);
+    kern_model_know(&c.m, known);
+    status = KERN_FALLS;
+    if (!(known->fails > 0 && margin >= known->fails
+          && kern_known_falls(&c.m, &c.path.q, known))) {
+        kern_known_begin(&c.m, margin);
+        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     }
-    c.path.q.shrink = KERN_R(0);
-    status = kern_measure_task(&c, known, &r, proof);
-    return status == KERN_STANDS && !(r.margin >= margin) ? KERN_FALLS : status;
+    if (status == KERN_FALLS || kern_is_nested(&c.m, range)) {
+        kern_proof_out(&c.m, proof, status);
+    } else {
+        c.path.q.shrink = KERN_R(0);
+        status = kern_measure_task(&c, known, &r, proof);
+        if (status == KERN_STANDS && !r.saturated && r.margin < margin)
+            status = KERN_FALLS;
+    }
+    return kern_ended(task, status);
 }
 
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,

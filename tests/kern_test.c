@@ -6920,6 +6920,41 @@ static void plan_by_hand(void)
     site_try(&p, &b, &m);
 }
 
+/* What stands with every kern closed bears any margin, kerns nested or not: a
+   block on two points whose normals differ, and one aside. With cones that
+   narrow it falls where friction is gone, by a motion. */
+static void plan_bears_when_closed(void)
+{
+    static world w;
+    static site p;
+    const kern_proof proof = proof_here();
+    kern_block aside;
+    kern_margin m;
+    world_reset(&w);
+    world_box(&w, 0, -9, -1, 9, 0);
+    world_box(&w, 1, -1, 0, 1, 1);
+    world_point(&w, 0, 1, 0.3, 1, -0.8, 0);
+    world_point(&w, 0, 1, -0.3, 1, 0.8, 0);
+    kern_contact_travels(w.contact, w.contacts);
+    site_with(&p, &w, 2);
+    aside = candidate(&w, 1, 5, 0, 0.2);
+    CHECK_INT(kern_plan_try(&p.plan, &aside, &m, NULL), KERN_STANDS);
+    CHECK(m.saturated);
+    CHECK_INT(kern_plan_bears(&p.plan, &aside, m.most / 2, NULL), KERN_STANDS);
+    CHECK_INT(kern_plan_bears(&p.plan, &aside, m.most, NULL), KERN_STANDS);
+    CHECK_INT(kern_plan_bears(&p.plan, &aside, 3 * m.most, NULL), KERN_STANDS);
+    kern_block_load(&aside, vec(0.004, 0), vec(5.1, 0), 0); /* slides at last */
+    p.plan.task.options.narrow = R(0.1);
+    CHECK_INT(kern_plan_try(&p.plan, &aside, &m, NULL), KERN_STANDS);
+    CHECK(m.saturated);
+    CHECK_INT(kern_plan_bears(&p.plan, &aside, 2 * m.most, NULL), KERN_STANDS);
+    CHECK_INT(kern_plan_bears(&p.plan, &aside, 9 * m.most, &proof), KERN_FALLS);
+    p.block[2] = aside;
+    p.plan.task.s.blocks++;
+    p.plan.task.s.contacts += 2; /* still there, behind the plan's */
+    CHECK(kern_check_motion(&p.plan.task, 9 * m.most, proof.motion) <= 1);
+}
+
 static void plan_faults(void)
 {
     static world w;
@@ -11400,6 +11435,7 @@ static const test tests[] = {
     TEST(plan_stale),
     TEST(plan_ground_only),
     TEST(plan_by_hand),
+    TEST(plan_bears_when_closed),
     TEST(plan_faults),
     TEST(plan_bad_input),
     TEST(plan_every_size),

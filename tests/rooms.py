@@ -2,10 +2,11 @@
 python3 tests/rooms.py --table    prints that file anew
 
 A struct of the implementation is touched in its own chapter alone: the first
-that stands beside it. Further chapters are exceptions, for each of which there
-should be a reason. Every field is declared deprecated in a copy, and gcc says
-where one is used. A struct has 16 fields at the most; those that have more are
-listed with their number.
+that stands beside it. Further chapters are exceptions, for each of which the
+line says a reason; a star: the chapter writes fields, too. Every field is
+declared deprecated in a copy, and gcc says where one is used; constant in
+another, and gcc says where one is written. A struct has 16 fields at the most;
+those that have more are listed with their number.
 """
 import os
 import re
@@ -62,25 +63,45 @@ def chapters(text):
     return found
 
 
+def said(header, pattern):
+    """The lines of a header of which gcc says what the pattern looks for, with
+    what the pattern found."""
+    with tempfile.NamedTemporaryFile('w', suffix='.h') as file:
+        file.write(header)
+        file.flush()
+        words = subprocess.run(
+            ['gcc', '-x', 'c', '-std=c99', '-fsyntax-only', '-I.',
+             '-DKERN_STATIC', '-DKERN_IMPLEMENTATION', '-fmax-errors=0',
+             '-fno-diagnostics-color', '-Wno-unused-function', file.name],
+            capture_output=True, text=True, check=False,
+            env=dict(os.environ, LC_ALL='C')).stderr
+        return re.findall(r'^' + re.escape(file.name) + r':(\d+):.*' + pattern,
+                          words, re.M)
+
+
 def touched(text):
     """How often each chapter touches each struct."""
     copy, fields = marked(text)
     where = chapters(text)
-    with tempfile.NamedTemporaryFile('w', suffix='.h') as file:
-        file.write(copy)
-        file.flush()
-        said = subprocess.run(
-            ['gcc', '-x', 'c', '-std=c99', '-fsyntax-only', '-I.',
-             '-DKERN_STATIC', '-DKERN_IMPLEMENTATION', '-fno-diagnostics-color',
-             '-Wno-unused-function', file.name], capture_output=True, text=True,
-            check=True, env=dict(os.environ, LC_ALL='C')).stderr
-        uses = re.findall(r'^' + re.escape(file.name) +
-                          r':(\d+):.* is deprecated: (kern_\w+) ', said, re.M)
     count = {name: {} for name in fields}
-    for line, name in set(uses):
+    for line, name in set(said(copy, r' is deprecated: (kern_\w+) ')):
         tag = where[int(line) - 1]
         count[name][tag] = count[name].get(tag, 0) + 1
     return count, fields
+
+
+def written(text):
+    """The chapters that write fields of each struct."""
+    where = chapters(text)
+    plain = blank(text)
+    found = {}
+    for m in STRUCT.finditer(plain, text.index('==== Part III')):
+        fixed = re.sub(r'(\*\s*)(\w+)', r'\1const \2', m[2])
+        fixed = re.sub(r'(^|;)(\s*)(?=\w[^;*]*;)', r'\1\2const ', fixed)
+        copy = plain[:m.start(2)] + fixed + plain[m.end(2):]
+        found[m[1]] = {where[int(line) - 1]
+                       for line, _ in said(copy, r'(read-only)')}
+    return found
 
 
 def strays(text):
@@ -92,15 +113,17 @@ def strays(text):
             yield '%s stands in >>%s' % (m[1], tag)
 
 
-def row(name, count, fields, old):
+def row(name, count, writers, fields, old):
     """The own chapter stays first; else it is the one that touches it most."""
     tags = sorted(count, key=lambda tag: (-count[tag], tag))
-    own = old.get(name, [''])[0]
+    own, _, reason = old.get(name, '').partition(' | ')
+    own = own.split(' ')[0]
     if own in tags:
         tags.remove(own)
         tags.insert(0, own)
+    rest = sorted(tag + '*' * (tag in writers) for tag in tags[1:])
     more = ' (%d fields)' % fields if fields > MOST else ''
-    return '%s: %s%s' % (name, ' '.join(tags), more)
+    return ' '.join([tags[0]] + rest) + more + (' | ' + reason if rest else '')
 
 
 def main():
@@ -108,33 +131,32 @@ def main():
         text = file.read()
     try:
         with open(TABLE, encoding='utf-8') as file:
-            lines = [line.strip() for line in file]
+            old = dict(line.rstrip('\n').split(': ', 1) for line in file)
     except FileNotFoundError:
-        lines = []
-    old = {line.split(':')[0]: line.split(':')[1].split() for line in lines}
+        old = {}
     count, fields = touched(text)
+    writers = written(text)
     assert len(count) > 10
-    new = [row(name, count[name], fields[name], old) for name in count]
+    new = {name: row(name, count[name], writers[name], fields[name], old)
+           for name in count}
     if sys.argv[1:] == ['--table']:
-        print('\n'.join(new))
+        print('\n'.join('%s: %s' % item for item in new.items()))
         return
-    bad = 0
-    for stray in strays(text):
-        print(stray)
-        bad += 1
-    for name, line in zip(count, new):
-        then = '%s: %s' % (name, ' '.join(old.get(name, ['nowhere'])))
-        if sorted(line.split()) != sorted(then.split()):
-            print('%s\n    and not, as %s says,\n%s' % (line, TABLE, then))
-            bad += 1
-    for name in old:
-        if name not in count:
-            print('%s of %s is no struct' % (name, TABLE))
-            bad += 1
+    bad = list(strays(text))
+    for name, line in new.items():
+        if line != old.get(name):
+            bad.append('%s: %s\n    and not, as %s says,\n%s' % (
+                name, line, TABLE, old.get(name, 'nothing')))
+        elif line.endswith('| '):
+            bad.append('%s is touched outside of its chapter for no reason'
+                       % name)
+    bad += ['%s of %s is no struct' % (name, TABLE)
+            for name in old if name not in count]
     if bad:
-        sys.exit(1)
-    print('%d structs, %d touched outside of their chapters' % (
-        len(count), sum(len(c) > 1 for c in count.values())))
+        sys.exit('\n'.join(bad))
+    print('%d structs, %d touched outside of their chapters, %d written' % (
+        len(count), sum(len(tags) > 1 for tags in count.values()),
+        sum('*' in line.partition(' | ')[0] for line in new.values())))
 
 
 if __name__ == '__main__':
