@@ -321,9 +321,9 @@
              Bricks held by loads up to 1000 times their weight: none of 288
              with mu up to 100, with mu 1000 2 of 96.
    Brackets  At most 2e-6 mean sizes wide (load factor 2e-6, tilt 8e-6 rad); in
-             jams up to ten times as wide (one of a thousand of 4 to 15 blocks;
-             flat arches of 50); above 256 blocks of which many move at once up
-             to 3e-5. Above 64 such blocks a value may lie anywhere in it.
+             jams up to ten times as wide (one of a thousand of 4 to 15 blocks);
+             above 256 blocks of which many move at once up to 3e-5. Above 64
+             such blocks a value may lie anywhere in it.
    Slow      Structures of many blocks of which many move at the margin: bricks
              of one size, long arches (tests/BENCH.md).
    Float     Proofs are weaker (>>tune), a deficit is exact to 3e-6 sizes, above
@@ -1222,7 +1222,7 @@ extern "C" {
    it is a spike: much larger, and round stones would lose their shape. And
    share of the size by which a foot must lie inside its edge, so that rounding
    makes no contacts between diagonal neighbours; of the shortest line, below
-   which a travel is none. */
+   which a travel is none. And slope along which blocks are at one height. */
 #define KERN_SLIGHT        KERN_R(1e-6)
 /* Share of the size: the default gap, the length of the shortest line, and how
    far off a corner ends a contact; of an area, by how much it may differ, by
@@ -2387,12 +2387,16 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
     return known;
 }
 
-/* Orders the blocks of all groups along gravity, at one height by index.
-   Shell sort, since it needs neither memory nor recursion. */
+/* Orders the blocks of all groups along gravity, at one height from side to
+   side, at one place by index: were it rounding that decides, of a flat arch
+   few columns would be own ones of their groups (>>lp). Shell sort, since it
+   needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
-    const kern_vec along = m->s->gravity;
+    const kern_real slope = KERN_PICK(1, 0) * KERN_SLIGHT; /* float: by index */
+    const kern_vec along = kern_vec_step(m->s->gravity, slope,
+                                         kern_vec_turn(m->s->gravity));
     int *list = m->graph.block, gap, i, j;
     for (gap = 1; gap < m->graph.groups / 64; gap = 3 * gap + 1)
         continue;
@@ -3669,18 +3673,21 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* The forces of a program of all groups; 0 where rounding made them less. */
-static void kern_part_forces(kern_part *p)
+/* The forces of a program of all groups, 0 where rounding made them less; or a
+   mean of these, of that share, and of the forces of the answer. */
+static void kern_part_forces(kern_part *p, kern_real share)
 {
     kern_model *m = p->m;
     int k;
-    kern_model_unload(m);
+    if (!(share < 1))
+        kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0)) * m->weight;
         const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0)) * m->weight;
-        const int i = p->contact[k];
-        m->answer.force[i].normal = x1 + x2;
-        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2);
+        const kern_real mu = kern_model_mu(m, p->contact[k]);
+        kern_force *f = m->answer.force + p->contact[k];
+        f->normal += share * (x1 + x2 - f->normal);
+        f->tangential += share * (mu * (x1 - x2) - f->tangential);
     }
 }
 
@@ -4939,7 +4946,7 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
            && in->gap <= pace && kern_ipm_step(in)) {
         if (in->s >= 0) {
             kern_ipm_balance(in);
-            kern_part_forces(in->p);
+            kern_part_forces(in->p, KERN_R(1));
             if (kern_answer_holds(m, q))
                 return KERN_STANDS;
         }
@@ -4992,22 +4999,17 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 static kern_status kern_part_lay(kern_part *p)
 {
     const int n = p->groups;
+    const kern_program lp = {3 * n, 2 * p->contacts, NULL, NULL, NULL, p->ends,
+                             NULL, 0, KERN_BOUND, p->m->task->options.limit};
     int room = KERN_EXTRAS(n);
-    p->eq.lp.rows = 3 * n;
-    p->eq.lp.cols = 2 * p->contacts;
-    p->eq.lp.ends = p->ends;
-    p->eq.lp.cost = NULL;
-    p->eq.lp.rate = NULL;
-    p->eq.lp.follow = 0;
-    p->eq.lp.most = KERN_BOUND;
-    p->eq.lp.limit = p->m->task->options.limit;
+    p->eq.lp = lp;
     p->eq.shrink = KERN_INFINITY; /* none */
     for (; room >= KERN_LEAN_EXTRAS(n); room--) {
         kern_take take = p->rest;
         p->eq.lp.a = p->eq.arc = kern_take_reals(&take, 10 * p->contacts
                                                         + 9 * n + 7);
         p->eq.lp.rhs = p->eq.rhs = p->eq.arc + 8 * (size_t)p->contacts;
-        p->eq.rate = p->eq.rhs + 3 * n;
+        p->eq.lp.rate = p->eq.rate = p->eq.rhs + 3 * n;
         p->y = p->eq.rate + 3 * n + 3;
         p->x = p->y + 3 * n + 3;
         kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
@@ -5069,7 +5071,7 @@ KERN_SHARED static kern_status kern_part_prove(
     /* forces may still do, within the tolerance */
     if (kern_part_is_whole(p) && !(error <= 1)) {
         status = KERN_STANDS;
-        kern_part_forces(p);
+        kern_part_forces(p, KERN_R(1));
         error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
     }
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
@@ -5100,7 +5102,6 @@ KERN_SHARED static kern_status kern_part_norm(kern_part *p, int builtin)
 static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
-    p->eq.lp.rate = p->eq.rate;
     p->eq.lp.follow = 1;
     status = kern_program_solve(&p->eq.simplex, 1, p->x, p->y,
                                 p->m->task->work);
@@ -5313,17 +5314,23 @@ static void kern_path_rate(const kern_part *p, const kern_query *q,
     }
 }
 
-/* Records a verdict on the whole at s, and hands its proof to the caller. The
-   caller's motion stays that of the nearest place that falls. */
+/* Records a verdict at s, an end of the bracket then, and hands its proof to
+   the caller, whose motion stays that of the nearest place that falls. That a
+   part stands alone proves nothing. */
 KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
                                        kern_status status, kern_real s)
 {
-    if (status == KERN_STANDS)
+    if (status == KERN_STANDS) {
+        path->holds = s;
+        if (path->alone && !kern_part_is_whole(path->part))
+            return;
         path->proven.low = kern_max(path->proven.low, s);
-    if (status == KERN_FALLS && !(s <= path->proven.high))
-        return;
-    if (status == KERN_FALLS)
+    } else if (status == KERN_FALLS) {
+        path->fails = s;
+        if (!(s <= path->proven.high))
+            return;
         path->proven.high = s;
+    }
     kern_proof_out(m, path->proof, status);
 }
 
@@ -5374,13 +5381,40 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
     const kern_status status = kern_path_ask(m, path, s);
-    if (status == KERN_FALLS || !path->alone || kern_part_is_whole(path->part))
-        kern_path_note(m, path, status, s);
-    if (status == KERN_STANDS)
-        path->holds = s;
-    if (status == KERN_FALLS)
-        path->fails = s;
+    kern_path_note(m, path, status, s);
     return status;
+}
+
+/* Whether the forces of the answer hold at s, then an end of the bracket. */
+static int kern_path_holds(kern_model *m, kern_path *path, kern_real s)
+{
+    const kern_query q = kern_path_at(path, s);
+    if (!kern_answer_holds(m, &q))
+        return 0;
+    kern_path_note(m, path, KERN_STANDS, s);
+    return 1;
+}
+
+/* Whether the basis that fell just beyond the critical value holds there: by
+   how its forces change, which kern_shrink_critical() left. They prove that it
+   stands `aside` before it, with larger kerns. */
+static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
+{
+    kern_part *p = path->part;
+    const kern_real s = kern_max(path->critical - aside, path->start);
+    kern_real least;
+    int i;
+    if (!m->whole || path->kind != KERN_PATH_SHRINK || p->found != KERN_FALLS)
+        return 0;
+    least = -KERN_NOISE * kern_largest(p->eq.rhs, 3 * p->groups);
+    kern_add(p->x, KERN_R(1), (kern_real *)(void *)m->answer.force,
+             2 * p->contacts);
+    for (i = 0; i < 2 * p->contacts; i++)
+        if (p->x[i] < least)
+            return 0;
+    kern_part_forces(p, KERN_R(1));
+    kern_force_transfer(m, path->critical, s);
+    return kern_path_holds(m, path, s);
 }
 
 /* The verdict at the critical value, which leaves the bracket as it is. Where
@@ -5389,20 +5423,12 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
                                     kern_real aside)
 {
     const kern_real at = path->critical;
-    const kern_status status = kern_path_ask(m, path, at);
+    const kern_status status = kern_path_forces(m, path, aside)
+        ? KERN_STANDS : kern_path_ask(m, path, at);
     if (status != KERN_FALLS || path->critical > at)
         path->critical = at;
     if (path->critical >= at - KERN_NOISE * path->unit)
         path->exact = path->critical;
-    if (status == KERN_STANDS && m->whole && path->kind == KERN_PATH_SHRINK) {
-        const kern_real s = kern_max(at - aside, path->start);
-        const kern_query q = kern_path_at(path, s); /* with larger kerns */
-        kern_force_transfer(m, path->critical, s);
-        if (kern_answer_holds(m, &q)) {
-            kern_path_note(m, path, status, s);
-            path->holds = s;
-        }
-    }
     return status;
 }
 
@@ -5504,7 +5530,6 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
                                    kern_real even)
 {
     const kern_real least = KERN_R(1.5) * (even > 0 ? even : kern_width(path));
-    kern_real fell = KERN_INFINITY;
     int round;
     for (round = 0; round < 5 * KERN_SCAN; round++) {
         const kern_real at = path->holds;
@@ -5523,12 +5548,9 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         else {
             step = first /= 2;
             path->holds = at;
-            if (status == KERN_FALLS)
-                fell = kern_min(next, path->critical);
             if (status == KERN_STANDS) /* the proof is that of `next` */
                 kern_path_evaluate(m, path, at);
         }
-        first = kern_min(first, (fell - path->holds) / 2);
     }
     return KERN_UNDECIDED;
 }
@@ -5552,7 +5574,6 @@ static int kern_start_falls(kern_model *m, kern_path *path)
     if (!kern_known_falls(m, &q, warm))
         return 0;
     kern_path_note(m, path, KERN_FALLS, warm->fails);
-    path->fails = warm->fails;
     path->critical = path->exact = warm->margin;
     return 1;
 }
@@ -5676,6 +5697,23 @@ static kern_real kern_body_first(kern_model *m, kern_path *path)
 
 /* ---- the search: which method is asked when ---- */
 
+/* Proofs to both sides of the critical value of a load that had grown by `most`
+   there: a mean of its forces and of those at path->holds, and its prices. */
+static void kern_path_sides(kern_model *m, kern_path *path, kern_real most)
+{
+    const kern_real aside = kern_aside(path), s = path->critical + aside;
+    const kern_real share = most > aside ? 1 - aside / most : KERN_R(0);
+    const kern_real t = share * most;
+    const kern_query q = kern_path_at(path, s);
+    kern_part_forces(path->part, share);
+    if (path->kind == KERN_PATH_TILT) /* gravity stays as large as it is */
+        kern_scale((kern_real *)(void *)m->answer.force, 2 * m->s->contacts,
+                   1 / KERN_SQRT(1 + t * t));
+    kern_path_holds(m, path, kern_path_pushed(path, path->holds, t));
+    if (kern_part_prove(path->part, &q, KERN_FALLS) == KERN_FALLS)
+        kern_path_note(m, path, KERN_FALLS, s);
+}
+
 /* The critical value of the whole where a load grows or gravity turns, by one
    program: the largest place, or the tangent of the largest angle, that rhs can
    reach. KERN_UNDECIDED where it is none. */
@@ -5692,6 +5730,9 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
     path->fails = path->end;
+    if (!kern_model_ask(m, 1))
+        return KERN_LIMIT;
+    kern_path_sides(m, path, most);
     return kern_path_critical(m, path);
 }
 
@@ -5849,10 +5890,9 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         kern_known_begin(m, at);
         status = kern_model_pass(m, path->part, &q,
                              KERN_CLUSTER + 1 + 2 * (m->answer.known != NULL));
-        if (status == KERN_STANDS) {
+        if (status == KERN_STANDS)
             kern_path_note(m, path, status, at);
-            path->holds = at;
-        } else if (status == KERN_FALLS)
+        else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
         if (status == KERN_FALLS && path->fails > path->start) {
             at = kern_max(path->critical - kern_aside(path), path->start);
@@ -7737,17 +7777,16 @@ static inline int kern_lp_part(const kern_program *lp, int j, int other,
 static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
                              kern_real *v)
 {
-    kern_real part[3];
-    int other;
     if (j > lp->cols)
         v[j - lp->cols - 1] -= s;
     else if (!lp->ends || j == lp->cols)
         kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
-    else
-        for (other = 0; other < 2; other++) {
-            kern_real *to = v + kern_lp_part(lp, j, other, part);
-            to[0] -= s * part[0]; to[1] -= s * part[1]; to[2] -= s * part[2];
-        }
+    else {
+        kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
+        t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
+    }
 }
 
 /* ---- the basis ---- */

@@ -7441,24 +7441,26 @@ static void jams_are_bounded(void)
     CHECK(most <= 5000);
 }
 
-/* Flat arches of many voussoirs between two walls: just below half of their
-   height their thrust is at its bound. Factors of their basis fill all the room
-   that there is for them, which is no lack of memory. */
+/* Flat arches of many voussoirs between two walls, laid in any order: about half
+   of their height their thrust is at its bound. Their blocks are at one height
+   but for rounding; were it that to order them, the factors of a basis would
+   fill all the room that there is, and brackets be up to 7e-6 sizes wide. */
 static void jams_fill_the_factors(void)
 {
-    static const double slender[][2] = {{40, 30}, {52, 60}, {58, 30}};
+    static const double slender[][2] = {{31, 150}, {40, 30}, {50, 25}, {52, 60},
+                                        {54, 90}, {58, 30}, {62, 150}};
     static world w;
     int i, k, side;
-    for (k = 0; k < COUNT_OF(slender) && !SINGLE; k++) {
-        const int n = (int)slender[k][0];
-        const double high = n / slender[k][1], lean = 0.45 / n;
+    for (k = 0; k < 2 * COUNT_OF(slender) && !SINGLE; k++) {
+        const int n = (int)slender[k / 2][0], stride = k % 2 ? 7 : 1;
+        const double high = n / slender[k / 2][1], lean = 0.45 / n;
         kern_work work;
         kern_margin m;
-        sprintf(context, "(flat arch of %d)", n);
+        sprintf(context, "(flat arch of %d, every %dth)", n, stride);
         world_reset(&w);
         w.options.mu = R(0.5);
         for (i = 0; i < n; i++) {
-            const double a = i - n / 2.0, b = a + 1;
+            const double a = i * stride % n - n / 2.0, b = a + 1;
             const double xy[] = {a, 0, b, 0, b + b * lean * high, high,
                                  a + a * lean * high, high};
             world_polygon(&w, 1, xy, 4);
@@ -7472,7 +7474,7 @@ static void jams_fill_the_factors(void)
         work = work_of(&w);
         CHECK_INT(kern_measure(world_task(&w, &work), &m, NULL), KERN_STANDS);
         CHECK_NEAR(m.margin, high / 2, 0.02 * high);
-        CHECK(m.fails - m.holds <= 3e-6); /* a jam: >>limits allows more */
+        CHECK(m.fails - m.holds <= 2e-6 * mean_size(&w));
     }
     context[0] = 0;
 }
