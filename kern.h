@@ -1462,9 +1462,12 @@ static inline kern_vec kern_velocity(const kern_motion *v, kern_vec arm)
 static kern_real kern_block_size(const kern_block *block)
 { return KERN_SQRT(kern_abs(block->area)); }
 
-/* Sum of magnitudes: 0 only for no wrench, finite only for a finite one. */
-static kern_real kern_wrench_sum(const kern_wrench *w)
-{ return kern_abs(w->fx) + kern_abs(w->fy) + kern_abs(w->torque); }
+/* Sum of magnitudes, or of a motion's: 0 only for none, finite for finite. */
+static kern_real kern_wrench_sum(const void *w)
+{
+    const kern_real *of = (const kern_real *)w;
+    return kern_abs(of[0]) + kern_abs(of[1]) + kern_abs(of[2]);
+}
 
 /* v := s v, n numbers, also those of structs of numbers */
 KERN_SHARED static void kern_scale(void *v, int n, kern_real s)
@@ -1567,8 +1570,8 @@ static kern_real kern_contact_length(const kern_contact *c, kern_real mean)
 /* Whether a contact carries nothing: too short, or one of its blocks gone. */
 static inline int kern_is_out(const kern_query *q, const kern_contact *c)
 {
-    const kern_real length = kern_contact_length(c, q->mean);
-    return (length > 0 && length < q->shortest)
+    const kern_real len = q->shortest > 0 ? kern_contact_length(c, q->mean) : 0;
+    return (len > 0 && len < q->shortest)
            || kern_is_gone(q, c->a) || kern_is_gone(q, c->b);
 }
 
@@ -1594,8 +1597,8 @@ static void kern_pattern_on(const kern_structure *s, const kern_query *q,
 /* Magnitude of the force. Not 0 where only its squares underflow. */
 static kern_real kern_force_size(const kern_wrench *w)
 {
-    return kern_max(KERN_SQRT(w->fx * w->fx + w->fy * w->fy),
-                    kern_max(kern_abs(w->fx), kern_abs(w->fy)));
+    const kern_vec f = kern_vec_make(w->fx, w->fy);
+    return kern_max(kern_vec_length(f), kern_vec_largest(f));
 }
 
 /* Adds a share of what acts on block b; returns its magnitude. */
@@ -1797,10 +1800,8 @@ typedef struct kern_take {
 
 KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 {
-    take->real = work->real;
-    take->index = work->index;
-    take->reals = work->reals;
-    take->indices = work->indices;
+    const kern_take all = {work->real, work->index, work->reals, work->indices};
+    *take = all;
 }
 
 static kern_real *kern_take_reals(kern_take *take, int n)
@@ -2020,8 +2021,8 @@ static kern_real kern_prove_rows(const kern_structure *s,
             kern_wrench w;
             const kern_real size = kern_wrench_on(s, q, i, &w);
             const kern_real x = kern_abs(sum[0] + w.fx);
-            const kern_real y = kern_abs(sum[1] + w.fy);
-            const kern_real turn = kern_abs(sum[2] + w.torque)
+            const kern_real y = kern_abs(sum[2] + w.fy);
+            const kern_real turn = kern_abs(sum[1] + w.torque)
                                    / kern_block_size(s->block + i);
             const kern_real left = kern_max(kern_max(x, y), turn);
             weight += size;
@@ -2044,8 +2045,8 @@ KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
                                        kern_real fx, kern_real fy, kern_real f)
 {
     sum[0] += fx;
-    sum[1] += fy;
-    sum[2] += arm.x * fy - arm.y * fx;
+    sum[1] += arm.x * fy - arm.y * fx;
+    sum[2] += fy;
     sum[3] = kern_max(sum[3], f);
 }
 
@@ -2071,8 +2072,8 @@ static kern_real kern_prove_forces(const kern_structure *s, const kern_query *q,
         if (!(f > 0))
             continue;
         kern_arms(s, c, q, arm);
-        kern_prove_end(sum + 4 * c->a, arm[0], -fx, -fy, f);
-        kern_prove_end(sum + 4 * c->b, arm[1], fx, fy, f);
+        kern_prove_end(sum + 4 * (size_t)c->a, arm[0], -fx, -fy, f);
+        kern_prove_end(sum + 4 * (size_t)c->b, arm[1], fx, fy, f);
         total += f;
     }
     return kern_prove_rows(s, q, sum, total);
@@ -2108,7 +2109,7 @@ static kern_real kern_closing(const kern_structure *s, const kern_contact *c,
 
 /* The speed of a block that rests is 0. */
 static kern_real kern_speed(const kern_motion *m)
-{ return kern_abs(m->vx) + kern_abs(m->vy) + kern_abs(m->spin); }
+{ return kern_wrench_sum(m); }
 
 /* The larger of a block's speed and that of its turning. */
 static kern_real kern_block_speed(const kern_block *b, const kern_motion *v)
@@ -2135,33 +2136,32 @@ static kern_real kern_speeds(const kern_contact *c, const kern_motion *motion)
 static kern_real kern_prove_motion(const kern_structure *s, const kern_query *q,
                                    const kern_motion *motion)
 {
-    kern_real power = KERN_R(0), terms = KERN_R(0), weight = KERN_R(0);
-    kern_real closing = KERN_R(0);
-    int i;
+    kern_real power = KERN_R(0), terms = power, weight = power, closing = power;
+    int i, first = -1; /* that moves */
     for (i = 0; i < s->blocks; i++) {
         const kern_motion *m = motion + i;
-        kern_real px, py, pt;
-        kern_wrench w;
+        kern_wrench w, p;
         const kern_real speed = kern_speed(m);
         if (speed <= 0)
             continue;
+        first = first < 0 ? i : first;
         if (s->block[i].fixed || !kern_is_finite(speed))
             return KERN_INFINITY;
         weight += kern_wrench_on(s, q, i, &w);
-        px = w.fx * m->vx;
-        py = w.fy * m->vy;
-        pt = w.torque * m->spin;
-        power += px + py + pt;
-        terms += kern_abs(px) + kern_abs(py) + kern_abs(pt);
+        p.fx = w.fx * m->vx;
+        p.fy = w.fy * m->vy;
+        p.torque = w.torque * m->spin;
+        power += p.fx + p.fy + p.torque;
+        terms += kern_wrench_sum(&p);
     }
     weight *= KERN_BOUND;
-    if (!(power > 1 / (KERN_FAR * KERN_FAR))
-        || !kern_is_finite(terms + weight))
+    if (!(power > 1 / (KERN_FAR * KERN_FAR)) || !kern_is_finite(terms + weight))
         return KERN_INFINITY;
     /* a stone laid last is the first that may stop it */
     for (i = s->contacts - 1; i >= 0 && weight * closing <= power; i--) {
         const kern_contact *c = s->contact + i;
-        if (kern_speeds(c, motion) > 0 && !kern_is_out(q, c)) {
+        if ((c->a >= first || c->b >= first) && kern_speeds(c, motion) > 0
+            && !kern_is_out(q, c)) {
             const kern_real speed = kern_closing(s, c, q, motion);
             closing = kern_is_finite(speed) ? kern_max(closing, speed)
                                             : KERN_INFINITY;
@@ -2442,14 +2442,14 @@ static void kern_model_group(kern_model *m, const kern_query *q)
     for (i = s->contacts - 1; i >= 0; i--) {
         const kern_contact *c = s->contact + i;
         const int gone = kern_is_out(q, c);
-        int e;
-        for (e = 2 * i + 1; e >= 2 * i; e--) {
-            g = gone ? none : m->graph.group[e & 1 ? c->a : c->b];
-            m->graph.ends[e] = g;
-            if (g < none) {
-                m->graph.after[e] = m->graph.touch[g];
-                m->graph.touch[g] = e;
-            }
+        m->graph.ends[2 * i] = gone ? none : m->graph.group[c->b];
+        m->graph.ends[2 * i + 1] = gone ? none : m->graph.group[c->a];
+    }
+    for (i = 2 * s->contacts - 1; i >= 0; i--) { /* an end */
+        g = m->graph.ends[i];
+        if (g < none) {
+            m->graph.after[i] = m->graph.touch[g];
+            m->graph.touch[g] = i;
         }
     }
 }
@@ -2629,7 +2629,7 @@ static int kern_model_loaded(const kern_model *m)
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends;
-    int i, nested = 1;
+    int i, points = 0;
     range[0] = KERN_INFINITY;
     range[1] = KERN_R(0);
     for (i = 0; i < m->s->contacts; i++, ends += 2) {
@@ -2639,11 +2639,11 @@ static int kern_is_nested(const kern_model *m, kern_real range[2])
             continue;
         range[0] = kern_min(range[0], travel);
         range[1] = kern_max(range[1], travel);
-        nested &= c->line != 0;
+        points += !c->line;
     }
     if (m->relative)
         range[1] = KERN_R(1);
-    return nested;
+    return points == 0;
 }
 
 /* What is known of a structure like it, if anything is. */
