@@ -3565,16 +3565,18 @@ KERN_API kern_status kern_sensitivity(
    What is held can exert whatever is needed, so where a part falls the whole
    falls: the motion of the part, and none of the others, proves it. */
 
-/* The groups of the part at the ends of its contacts. */
-static void kern_part_ends(kern_part *p)
+/* Lists the groups of the part at the ends of its contacts; 0: no room. */
+static int kern_part_ends(kern_part *p)
 {
     const kern_model *m = p->m;
     int k;
-    for (k = 0; k < 2 * p->contacts; k++) {
+    p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
+    for (k = 0; k < 2 * p->contacts && kern_take_fits(&p->rest); k++) {
         const int g = m->graph.ends[2 * p->contact[k >> 1] + (k & 1)];
         p->ends[k] = m->graph.local[g] == KERN_OUT ? p->groups
                                                    : m->graph.local[g];
     }
+    return kern_take_fits(&p->rest);
 }
 
 /* Lists the part's contacts: those that carry its groups, then those above. */
@@ -3583,14 +3585,20 @@ static void kern_part_list(kern_part *p)
     const kern_model *m = p->m;
     int own, n, e;
     p->contacts = 0;
+    p->contact = kern_take_ints(&p->rest, 0);
     for (own = 1; own >= 0; own--) {
         for (n = 0; n < p->groups; n++) {
             const int g = p->group[n];
             for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
                 const int other = m->graph.ends[e ^ 1];
                 if (own ? other > g
-                        : other < g && m->graph.local[other] == KERN_OUT)
-                    p->contact[p->contacts++] = e >> 1;
+                        : other < g && m->graph.local[other] == KERN_OUT) {
+                    int *const to = kern_take_ints(&p->rest, 1);
+                    if (!kern_take_fits(&p->rest))
+                        return;
+                    *to = e >> 1;
+                    p->contacts++;
+                }
             }
         }
         if (own)
@@ -3633,7 +3641,7 @@ KERN_SHARED static int kern_part_begin(kern_part *p, kern_model *m, int groups,
    which is `last`. Returns 0 if the work memory does not hold it. */
 static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
 {
-    int g, e, n = groups, most = 0;
+    int g, n = groups;
     KERN_ASSERT(groups > 0 && !m->whole);
     if (!kern_part_begin(p, m, groups, &m->rest))
         return 0;
@@ -3641,18 +3649,10 @@ static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
         if (m->graph.local[g] != KERN_OUT) {
             m->graph.local[g] = --n;
             p->group[n] = g;
-            for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e])
-                most++;
         }
-    p->contact = kern_take_ints(&p->rest, most);
-    if (!kern_take_fits(&p->rest))
-        return 0;
     kern_part_list(p);
-    kern_take_ints(&p->rest, p->contacts - most); /* listed by both its ends */
-    p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
-    if (!kern_take_fits(&p->rest))
+    if (!kern_part_ends(p))
         return 0;
-    kern_part_ends(p);
     KERN_AUDIT(part, p);
     return 1;
 }
@@ -3701,17 +3701,6 @@ typedef struct kern_law {
     kern_real nn, nt, tt;
     kern_force force;         /* in the cone to the last digit                */
 } kern_law;
-
-/* The law of rays n + mu t and n - mu t of stiffness plus and minus. */
-static kern_law kern_law_rays(kern_real plus, kern_real minus, kern_real mu)
-{
-    kern_law s;
-    s.nn = plus + minus;
-    s.nt = mu * (plus - minus);
-    s.tt = mu * mu * s.nn;
-    s.force.normal = s.force.tangential = KERN_R(0);
-    return s;
-}
 
 /* The law of a contact that answers what presses it by `stiff`, and what shears
    it by mu `along` times as much until it slides. With 2 and mu it is that of
@@ -3802,33 +3791,32 @@ static void kern_skyline_clear(kern_skyline *a)
         kern_zero(a->entry + a->offset[g], 9 * (g - a->first[g] + 1));
 }
 
-/* Adds to the block of groups g and h <= g what a motion of h does to g: v and
-   w are the wrenches that the law makes of the row of g. */
-static inline void kern_skyline_add(kern_skyline *a, int g, int h,
-                                    const kern_real v[3], const kern_real w[3],
-                                    const kern_row *of_h)
-{
-    const int wide = 3 * (g - a->first[g] + 1);
-    kern_real *to = a->entry + a->offset[g] + 3 * (h - a->first[g]);
-    kern_row_exert(of_h, v[0], w[0], to);
-    kern_row_exert(of_h, v[1], w[1], to + wide);
-    kern_row_exert(of_h, v[2], w[2], to + 2 * wide);
-}
-
-/* Adds what the two groups of a contact exert on each other by its law; what is
-   fixed has the last number and no row. */
+/* Adds what the two groups of a contact exert on each other by its law: to the
+   block of each, and to that in the row of the later one. What is fixed has the
+   last number and no row. */
 static void kern_skyline_law(kern_skyline *a, const int ends[2],
                              const kern_row row[2], const kern_law *s)
 {
     kern_real v[3], w[3];
     int k;
-    for (k = 0; k < 2; k++)
-        if (ends[k] < a->groups) {
-            kern_row_answer(row + k, s, v, w);
-            kern_skyline_add(a, ends[k], ends[k], v, w, row + k);
-            if (ends[k] > ends[1 - k])
-                kern_skyline_add(a, ends[k], ends[1 - k], v, w, row + 1 - k);
+    for (k = 0; k < 2; k++, row++) {
+        const int g = ends[k], h = ends[1 - k];
+        if (g < a->groups) {
+            const kern_row *other = row + 1 - 2 * k;
+            const int wide = 3 * (g - a->first[g] + 1);
+            kern_real *to = a->entry + a->offset[g] + wide - 3;
+            kern_row_answer(row, s, v, w);
+            kern_row_exert(row, v[0], w[0], to);
+            kern_row_exert(row, v[1], w[1], to + wide);
+            kern_row_exert(row, v[2], w[2], to + 2 * wide);
+            if (g < h)
+                continue;
+            to += 3 * (h - g);
+            kern_row_exert(other, v[0], w[0], to);
+            kern_row_exert(other, v[1], w[1], to + wide);
+            kern_row_exert(other, v[2], w[2], to + 2 * wide);
         }
+    }
 }
 
 /* Adds a share of their mean to the entries of the diagonal. */
@@ -4216,7 +4204,6 @@ static int kern_norm_open(kern_part *p, kern_model *m)
         return 0;
     kern_part_begin(p, m, m->graph.groups, &m->rest);
     p->contact = kern_take_ints(&p->rest, m->s->contacts);
-    p->ends = kern_take_ints(&p->rest, 2 * m->s->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
     kern_norm_order(p);
@@ -4225,8 +4212,7 @@ static int kern_norm_open(kern_part *p, kern_model *m)
         if (local[m->graph.ends[2 * i]] != local[m->graph.ends[2 * i + 1]])
             p->contact[p->contacts++] = i;
     p->own = p->contacts;
-    kern_part_ends(p);
-    return kern_norm_lay(p, &p->rest);
+    return kern_part_ends(p) && kern_norm_lay(p, &p->rest);
 }
 
 /* Writes the forces of u. */
@@ -4609,7 +4595,8 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 static void kern_known_begin(kern_model *m, kern_real shrink)
 {
     const kern_known *known = m->answer.known;
-    if (!known)
+    if (!known
+        || !kern_model_spend(m, 1 + (m->graph.groups + m->s->contacts) / 32))
         return;
     kern_copy(m->answer.force, known->force, 2 * m->s->contacts);
     if (shrink < known->holds)
@@ -4734,9 +4721,10 @@ static void kern_ipm_factor(kern_ipm *in, kern_real shift, const kern_real *b,
     int k;
     kern_skyline_clear(&p->dual.matrix);
     for (k = 0; k < p->contacts; k++) {
-        const kern_law s = kern_law_rays(
-            in->d[2 * k], in->d[2 * k + 1],
-            kern_model_mu(p->m, p->contact[k]));
+        const kern_real plus = in->d[2 * k], minus = in->d[2 * k + 1];
+        const kern_real mu = kern_model_mu(p->m, p->contact[k]);
+        const kern_law s = {plus + minus, mu * (plus - minus),
+                            mu * mu * (plus + minus), {0, 0}};
         kern_part_add(p, k, &s);
     }
     kern_skyline_shift(&p->dual.matrix, shift);
@@ -5936,20 +5924,22 @@ typedef struct kern_raise {
 /* Marks all but the n groups near block i, and the ground, as place n. */
 static void kern_raise_near(kern_model *m, int i)
 {
-    int *local = m->graph.local, *const ends = m->graph.ends;
-    int g, k, at, n = 1;
-    for (g = 0; g <= m->graph.groups; g++)
+    const int *ends = m->graph.ends, groups = m->graph.groups;
+    int *local = m->graph.local, g, e, at, n = 1;
+    for (g = 0; g < groups; g++)
         local[g] = 0;
-    local[m->graph.group[i]] = 1;
+    local[groups] = local[m->graph.group[i]] = 1;
     for (at = 1; at <= KERN_STAYS_NEAR; at++)
-        for (k = 0; k < 2 * m->s->contacts; k++)
-            if (local[ends[k]] == at && local[ends[k ^ 1]] == 0
-                && ends[k ^ 1] < m->graph.groups) {
-                local[ends[k ^ 1]] = at + 1;
-                n++;
-            }
-    for (g = 0; g <= m->graph.groups; g++)
+        for (g = 0; g < groups; g++)
+            for (e = local[g] == at ? m->graph.touch[g] : KERN_OUT; e >= 0;
+                 e = m->graph.after[e])
+                if (local[ends[e ^ 1]] == 0) {
+                    local[ends[e ^ 1]] = at + 1;
+                    n++;
+                }
+    for (g = 0; g < groups; g++)
         local[g] = local[g] > 0 ? KERN_OUT : n;
+    local[groups] = n;
 }
 
 /* Opens the groups as one part, without prices; 0: no room. Stiffness, a tenth
@@ -6040,7 +6030,7 @@ static void kern_raise_extrapolate(kern_raise *r, int round)
     kern_copy(r->last, to, 2 * p->contacts);
 }
 
-/* Whether forces and u prove it; near a block, where none asks, always. */
+/* Whether forces and u prove it; near a block none asks. */
 static int kern_raise_proves(const kern_raise *r, const kern_query *q)
 {
     kern_part *p = r->p;
@@ -6049,7 +6039,7 @@ static int kern_raise_proves(const kern_raise *r, const kern_query *q)
     for (i = 0; i < 3 * p->groups; i++)
         p->y[i] = -p->dual.u[i];
     kern_part_motion(p);
-    if (r->around < 0 && !kern_model_proven(m, kern_prove_raised(
+    if (!kern_model_proven(m, kern_prove_raised(
             m->s, q, m->answer.force, m->answer.motion, m->answer.sum)))
         return 0;
     kern_proof_out(m, r->proof, KERN_STANDS);
@@ -6078,7 +6068,7 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
             return 0;
         pressed = kern_raise_price(r, tolerance, along, found == KERN_STANDS);
         kern_raise_extrapolate(r, round);
-        if (pressed && kern_raise_proves(r, q))
+        if (pressed && (r->around >= 0 || kern_raise_proves(r, q)))
             return 1;
     }
     return 0;
@@ -6129,8 +6119,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
                                     kern_raising *out)
 {
     kern_model *m = &c->m;
-    const kern_vec way = kern_vec_unit(m->s->gravity);
-    kern_query q = c->path.q;
+    kern_query *const q = &c->path.q;
     kern_status status = KERN_STANDS;
     kern_real *value;
     int i, left;
@@ -6145,24 +6134,26 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
         value[i] = KERN_R(1);
     left = kern_hang(m->s, value);
     if (left > 0 || r->around >= 0) {
-        kern_known_begin(m, q.shrink);
-        status = kern_model_evaluate(m, r->p, &q);
+        kern_known_begin(m, q->shrink);
+        status = kern_model_evaluate(m, r->p, q);
     }
-    if (left > 0 && status == KERN_STANDS) {
-        q.fallen = value;
-        kern_model_group(m, &q);
+    if (left > 0 && status == KERN_STANDS && kern_model_ask(m, 1)) {
+        const kern_vec way = kern_vec_unit(m->s->gravity);
+        q->fallen = value;
+        kern_model_group(m, q);
         if (m->graph.groups == 0
-            || kern_model_evaluate(m, r->p, &q) == KERN_STANDS)
+            || kern_model_evaluate(m, r->p, q) == KERN_STANDS)
             *out = KERN_HANGS;
-        for (i = 0; i < m->s->blocks; i++) {
-            const kern_motion rests = {0, 0, 0}, falls = {way.x, way.y, 0};
-            m->answer.motion[i] = value[i] >= 0 ? falls : rests;
-        }
+        q->fallen = NULL;
+        kern_zero(m->answer.motion, 3 * m->s->blocks);
+        for (i = 0; i < m->s->blocks; i++)
+            kern_copy(m->answer.motion + i, &way, 2 * (value[i] >= 0));
     }
     if (status != KERN_STANDS || *out == KERN_HANGS)
         return status;
-    kern_model_group(m, &c->path.q);
-    kern_model_set(m, &c->path.q);
+    if (left > 0 || m->whole)
+        kern_model_group(m, q);
+    kern_model_set(m, q);
     return kern_raise_open(r, m) ? KERN_STANDS : KERN_NO_SPACE;
 }
 
@@ -6247,7 +6238,8 @@ static kern_status kern_raise_task(const kern_task *task, kern_real shrink,
         return status;
     if (reserve && !kern_has_side(&task->s, KERN_RIGHT))
         return KERN_BAD_OPTION;
-    if (sag && (i < 0 || i >= task->s.blocks || task->s.block[i].fixed))
+    if (sag && ((unsigned)i >= (unsigned)task->s.blocks
+                || task->s.block[i].fixed))
         return KERN_BAD_BLOCK;
     r.around = i;
     r.proof = NULL;

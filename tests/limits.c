@@ -1,10 +1,11 @@
 /* cc -O2 -ffp-contract=off -o limits tests/limits.c -lm
    bash tests/work.sh limits [FILE...]
 
-   What a unit of work costs: each question to each structure, with limits of 1 to
-   30000 units, run under callgrind, which counts instructions. Prints a line for
-   each call: its name, limit, units, and whether it was answered whole or the
-   limit ended it. work.sh makes a table of it.
+   What a unit of work costs: each question to each structure, and the last with
+   what a measure left known, with limits of 1 to 30000 units, run under
+   callgrind, which counts instructions. Prints a line for each call: its name,
+   limit, units, and whether it was answered whole or the limit ended it. work.sh
+   makes a table of it.
    SPDX-License-Identifier: MIT */
 
 #define KERN_STATIC
@@ -17,16 +18,17 @@
 #include <string.h>
 #include <valgrind/callgrind.h>
 
-enum { QUESTIONS = 13, LIMITS = 5, POINTS = 20000, STONES = 1000 };
+enum { QUESTIONS = 14, LIMITS = 6, POINTS = 20000, STONES = 1000 };
 
 static const char *const question[QUESTIONS] = {
     "verdict", "measure", "load", "tilt", "raised", "reserve", "bearing",
     "deficit", "profile", "profile_load", "forces", "raised_load",
-    "stays"
+    "stays", "stays_known"
 };
 
 static kern_contact contact[POINTS];
 static kern_force force[POINTS];
+static kern_motion motion[STONES];
 static kern_real value[STONES];
 
 static int ask(int i, kern_task *task)
@@ -54,7 +56,7 @@ static int ask(int i, kern_task *task)
 
 static void ask_limited(const char *file, int i, kern_task *task)
 {
-    static const int limits[LIMITS] = {1, 100, 1000, 10000, 30000};
+    static const int limits[LIMITS] = {1, 50, 100, 1000, 10000, 30000};
     const char *name = strrchr(file, '/');
     char tag[400];
     int k, status;
@@ -93,8 +95,15 @@ int main(int argc, char **argv)
         task = kern_task_of(t.block, t.blocks, contact, n, &work);
         task.s.gravity = t.gravity;
         task.options = t.options;
-        for (i = 0; i < QUESTIONS; i++)
+        for (i = 0; i < QUESTIONS; i++) {
+            kern_margin m;
+            if (i == QUESTIONS - 1) {
+                task.options.limit = 0;
+                task.known = kern_known_of(motion, force);
+                kern_measure(&task, &m, NULL);
+            }
             ask_limited(argv[file], i, &task);
+        }
         room_free_work(&work);
         text_free(&t);
     }
