@@ -6362,7 +6362,7 @@ static int kern_polygon_next(const kern_block *block, int i, int back)
 
 /* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
    (reflex), 0 hardly at all, -2 back: a spike, or a vertex that is repeated. */
-static int kern_polygon_turn(const kern_block *block, int i)
+static inline int kern_polygon_turn(const kern_block *block, int i)
 {
     const kern_vec *v = block->vertex;
     const kern_vec in = kern_vec_sub(v[i], v[kern_polygon_next(block, i, 1)]);
@@ -6379,8 +6379,8 @@ static int kern_polygon_turn(const kern_block *block, int i)
 /* Are they no farther apart than the gap? Below 0: do they overlap by more? */
 static int kern_box_near(const kern_box *a, const kern_box *b, kern_real gap)
 {
-    return a->low.x - gap <= b->high.x && b->low.x - gap <= a->high.x
-           && a->low.y - gap <= b->high.y && b->low.y - gap <= a->high.y;
+    return b->low.y - gap <= a->high.y && a->low.y - gap <= b->high.y
+           && b->low.x - gap <= a->high.x && a->low.x - gap <= b->high.x;
 }
 
 /* The largest coordinate, without its sign. */
@@ -6406,13 +6406,12 @@ typedef struct kern_outline {
     kern_box box[KERN_RUNS];
 } kern_outline;
 
-/* The next corner. */
+/* The next corner; a closed outline has some. */
 static int kern_outline_corner(const kern_outline *o, int i)
 {
-    const int start = i;
     do
         i = kern_polygon_next(o->block, i, 0);
-    while (o->straight && i != start && kern_polygon_turn(o->block, i) == 0);
+    while (o->straight && kern_polygon_turn(o->block, i) == 0);
     return i;
 }
 
@@ -6451,7 +6450,8 @@ typedef struct kern_edge {
     kern_box box;           /* of an edge                            */
 } kern_edge;
 
-static void kern_edge_set(kern_edge *e, const kern_block *block, int at, int to)
+static inline void kern_edge_set(kern_edge *e, const kern_block *block, int at,
+                                 int to)
 {
     e->at = at;
     e->start = block->area < 0 ? to : at;
@@ -6475,17 +6475,18 @@ static int kern_edge_next(kern_edge *e, const kern_outline *o,
                           const kern_box *box, kern_real gap)
 {
     const kern_block *block = o->block;
-    int i, corner;
+    int i;
     for (i = e->at + 1; i < block->vertices; i++)
         if (o->each < block->vertices && i % o->each == 0
             && !kern_box_near(&o->box[i / o->each], box, gap)) {
             i += o->each - 1;
         } else if (!o->straight || kern_polygon_turn(block, i) != 0) {
-            corner = kern_outline_corner(o, i);
-            e->box.low = e->box.high = block->vertex[i];
-            kern_box_add(&e->box, block->vertex[corner]);
-            if (kern_box_near(&e->box, box, gap)) {
+            const int corner = kern_outline_corner(o, i);
+            kern_box own = {block->vertex[i], block->vertex[i]};
+            kern_box_add(&own, block->vertex[corner]);
+            if (kern_box_near(&own, box, gap)) {
                 kern_edge_set(e, block, i, corner);
+                e->box = own;
                 return 1;
             }
         }
@@ -6589,23 +6590,23 @@ static int kern_polygon_crossing(const kern_block *block)
 
 /* Fills in area, centre and box, by the triangles between vertex 0 and the
    edges, against round-off far from the origin. Returns their unsigned sum. */
-static kern_real kern_polygon_area(kern_block *block)
+static inline kern_real kern_polygon_area(kern_block *block)
 {
     const kern_vec o = block->vertex[0];
-    kern_vec moment = kern_vec_make(KERN_R(0), KERN_R(0)); /* about vertex 0 */
+    kern_vec u = kern_vec_make(KERN_R(0), KERN_R(0));
+    kern_vec moment = u; /* about vertex 0 */
     kern_real spread = KERN_R(0);
     int i;
     block->area = KERN_R(0);
     block->box.low = block->box.high = o;
-    for (i = 0; i < block->vertices; i++) {
-        const kern_vec p = block->vertex[i], u = kern_vec_sub(p, o);
-        const kern_vec w = kern_vec_sub(
-            block->vertex[kern_polygon_next(block, i, 0)], o);
+    for (i = 1; i < block->vertices; i++) {
+        const kern_vec w = kern_vec_sub(block->vertex[i], o);
         const kern_real part = kern_vec_cross(u, w) / 2;
-        kern_box_add(&block->box, p);
+        kern_box_add(&block->box, block->vertex[i]);
         block->area += part;
         spread += kern_abs(part);
         moment = kern_vec_step(moment, part / 3, kern_vec_add(u, w));
+        u = w;
     }
     block->centre = kern_vec_step(o, 1 / block->area, moment);
     return spread;
@@ -6630,11 +6631,8 @@ static kern_status kern_polygon_measure(kern_block *block, kern_fault *fault)
 
 KERN_SHARED static kern_status kern_vertices_check(const kern_vec *v, int n)
 {
-    if (n < 0 || n > KERN_POINTS_MOST)
-        return KERN_BAD_COUNT;
-    if (n < 3)
-        return KERN_FEW_VERTICES;
-    return v ? KERN_OK : KERN_BAD_POINTER;
+    return n < 0 || n > KERN_POINTS_MOST ? KERN_BAD_COUNT
+           : n < 3 ? KERN_FEW_VERTICES : v ? KERN_OK : KERN_BAD_POINTER;
 }
 
 /* Leaves a block that every call refuses where the polygon is none. */
@@ -6798,7 +6796,8 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
         for (k = 0; k < own->vertices && !apart; k++) {
             kern_edge_set(&e, own, k, kern_polygon_next(own, k, 0));
             apart = kern_overlap_beside(&e, other, 1, gap / 2)
-                    && kern_overlap_beside(&e, own, -1, gap / 2);
+                    && (side[i]->reflex + side[i]->straight == 0 /* convex */
+                        || kern_overlap_beside(&e, own, -1, gap / 2));
         }
     }
     for (i = 0; i < 2 && !apart && !(deep > enough); i++)
@@ -7053,8 +7052,9 @@ static kern_real kern_pair_gap(const kern_pair *pair, kern_vec p)
 {
     const kern_vec u = kern_vec_sub(p, pair->of[0].block->centre);
     const kern_vec v = kern_vec_sub(p, pair->of[1].block->centre);
-    return KERN_SQRT(pair->gap * pair->gap + pair->swing * pair->swing
-                     * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
+    return !(pair->swing > 0) ? pair->gap
+        : KERN_SQRT(pair->gap * pair->gap + pair->swing * pair->swing
+                    * (kern_vec_dot(u, u) + kern_vec_dot(v, v)));
 }
 
 /* Edge e of a and edge f of b run against each other. In the frame of their
@@ -7270,7 +7270,7 @@ typedef struct kern_search {
 } kern_search;
 
 /* Half the diagonal of the block's box. */
-static kern_real kern_box_half(const kern_block *block)
+KERN_SHARED static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
 
 /* The widest gap of blocks of that size; the error's is added to the exact. */
@@ -7319,9 +7319,10 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     const kern_block *a = &s->block[i], *b = &s->block[j];
     kern_real depth;
     int k;
-    if (!a->vertices || (a->fixed && b->fixed)
-        || (a->vertex != b->vertex /* else the first has lost its vertices */
-            && !kern_box_near(&a->box, &b->box, s->reach)))
+    if (!a->vertices
+        || (!kern_box_near(&a->box, &b->box, s->reach)
+            && a->vertex != b->vertex) /* else the first has lost its own */
+        || (a->fixed && b->fixed))
         return KERN_OK;
     s->fault->block = i;
     if (i < s->from && kern_block_is_stale(a))
@@ -7388,6 +7389,8 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
     kern_real area = KERN_R(0); /* largest of a free block            */
     kern_real arm = KERN_R(0);  /* twice the longest diagonal of a box */
     int i;
+    s->pair.swing = KERN_ERRORS * s->pair.options->pose_turn;
+    s->pair.sine = kern_sine(s->pair.options->angle);
     for (i = 0; i < s->blocks; i++) {
         const kern_block *block = &s->block[i];
         const kern_box *box = &block->box;
@@ -7407,12 +7410,11 @@ KERN_SHARED static kern_status kern_search_survey(kern_search *s)
             return status;
         }
         most = kern_max(most, kern_box_largest(box));
-        arm = kern_max(arm, 4 * kern_box_half(block));
+        if (s->pair.swing > 0) /* spares roots */
+            arm = kern_max(arm, 4 * kern_box_half(block));
         if (!block->fixed)
             area = kern_max(area, kern_abs(block->area));
     }
-    s->pair.swing = KERN_ERRORS * s->pair.options->pose_turn;
-    s->pair.sine = kern_sine(s->pair.options->angle);
     s->floor = 2 * KERN_ROUNDING * most;
     s->reach = kern_search_gap(s, KERN_SQRT(area)) + s->pair.swing * arm;
     return KERN_OK;
@@ -7423,13 +7425,11 @@ static kern_status kern_search_asked(const kern_search *s)
 {
     const kern_options *o = s->pair.options;
     const kern_status status = o ? kern_options_check(o) : KERN_BAD_POINTER;
-    if (status != KERN_OK)
-        return status;
-    if (s->from < 0 || s->blocks < s->from || s->blocks > KERN_POINTS_MOST
-        || s->pair.room < 0)
-        return KERN_BAD_COUNT;
-    return (s->blocks > 0 && !s->block) || (s->pair.room > 0 && !s->pair.out)
-           ? KERN_BAD_POINTER : KERN_OK;
+    return status != KERN_OK ? status
+           : s->from < 0 || s->blocks < s->from || s->pair.room < 0
+             || s->blocks > KERN_POINTS_MOST ? KERN_BAD_COUNT
+           : (s->blocks > 0 && !s->block) || (s->pair.room > 0 && !s->pair.out)
+             ? KERN_BAD_POINTER : KERN_OK;
 }
 
 /* Contacts of the blocks from one on, or a list of overlaps. */
