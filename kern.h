@@ -2388,15 +2388,14 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 }
 
 /* Orders the blocks of all groups along gravity, at one height from side to
-   side, at one place by index: were it rounding that decides, of a flat arch
-   few columns would be own ones of their groups (>>lp). Shell sort, since it
-   needs neither memory nor recursion. */
+   side, or by index: were it rounding that decides, of a flat arch few columns
+   would be own ones of their groups (>>lp); that of float is larger. Shell sort,
+   since it needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
-    const kern_real slope = KERN_PICK(1, 0) * KERN_SLIGHT; /* float: by index */
-    const kern_vec along = kern_vec_step(m->s->gravity, slope,
-                                         kern_vec_turn(m->s->gravity));
+    const kern_vec down = m->s->gravity, along = KERN_PICK(0, 1) > 0 ? down
+        : kern_vec_step(down, KERN_SLIGHT, kern_vec_turn(down));
     int *list = m->graph.block, gap, i, j;
     for (gap = 1; gap < m->graph.groups / 64; gap = 3 * gap + 1)
         continue;
@@ -3673,21 +3672,18 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* The forces of a program of all groups, 0 where rounding made them less; or a
-   mean of these, of that share, and of the forces of the answer. */
-static void kern_part_forces(kern_part *p, kern_real share)
+/* The forces of a program of all groups; 0 where rounding made them less. */
+static void kern_part_forces(kern_part *p)
 {
     kern_model *m = p->m;
     int k;
-    if (!(share < 1))
-        kern_model_unload(m);
+    kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0)) * m->weight;
         const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0)) * m->weight;
-        const kern_real mu = kern_model_mu(m, p->contact[k]);
-        kern_force *f = m->answer.force + p->contact[k];
-        f->normal += share * (x1 + x2 - f->normal);
-        f->tangential += share * (mu * (x1 - x2) - f->tangential);
+        const int i = p->contact[k];
+        m->answer.force[i].normal = x1 + x2;
+        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2);
     }
 }
 
@@ -4934,7 +4930,7 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
            && in->gap <= pace && kern_ipm_step(in)) {
         if (in->s >= 0) {
             kern_ipm_balance(in);
-            kern_part_forces(in->p, KERN_R(1));
+            kern_part_forces(in->p);
             if (kern_answer_holds(m, q))
                 return KERN_STANDS;
         }
@@ -5059,7 +5055,7 @@ KERN_SHARED static kern_status kern_part_prove(
     /* forces may still do, within the tolerance */
     if (kern_part_is_whole(p) && !(error <= 1)) {
         status = KERN_STANDS;
-        kern_part_forces(p, KERN_R(1));
+        kern_part_forces(p);
         error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
     }
     return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
@@ -5373,16 +5369,6 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
     return status;
 }
 
-/* Whether the forces of the answer hold at s, then an end of the bracket. */
-static int kern_path_holds(kern_model *m, kern_path *path, kern_real s)
-{
-    const kern_query q = kern_path_at(path, s);
-    if (!kern_answer_holds(m, &q))
-        return 0;
-    kern_path_note(m, path, KERN_STANDS, s);
-    return 1;
-}
-
 /* Whether the basis that fell just beyond the critical value holds there: by
    how its forces change, which kern_shrink_critical() left. They prove that it
    stands `aside` before it, with larger kerns. */
@@ -5390,6 +5376,7 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
 {
     kern_part *p = path->part;
     const kern_real s = kern_max(path->critical - aside, path->start);
+    const kern_query q = kern_path_at(path, s);
     kern_real least;
     int i;
     if (!m->whole || path->kind != KERN_PATH_SHRINK || p->found != KERN_FALLS)
@@ -5400,9 +5387,12 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
     for (i = 0; i < 2 * p->contacts; i++)
         if (p->x[i] < least)
             return 0;
-    kern_part_forces(p, KERN_R(1));
+    kern_part_forces(p);
     kern_force_transfer(m, path->critical, s);
-    return kern_path_holds(m, path, s);
+    if (!kern_answer_holds(m, &q))
+        return 0;
+    kern_path_note(m, path, KERN_STANDS, s);
+    return 1;
 }
 
 /* The verdict at the critical value, which leaves the bracket as it is. Where
@@ -5420,16 +5410,6 @@ static kern_status kern_path_verify(kern_model *m, kern_path *path,
     return status;
 }
 
-/* A part of the bracket, where nothing is predicted: from the end that stands,
-   and once that is undecided from the other. */
-static kern_real kern_path_between(const kern_path *path, kern_real aside)
-{
-    const kern_real least = kern_aside(path);
-    const kern_real part = (path->fails - path->holds) / KERN_NEAR;
-    return aside > least && aside < 3 * least ? path->fails - part
-           : path->holds + part * (least / aside);
-}
-
 /* The next place: where the basis may stop to fall; `aside` beyond the critical
    value, to fall; so far before it, to stand; at it, to be verified; where none
    is inside, at a part of the bracket. Infinity: it is narrow, or of a part. */
@@ -5444,7 +5424,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (hi - lo <= aside / 8 || 2 * aside > kern_width(path) * KERN_WIDEST)
         return KERN_INFINITY;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
-        return kern_path_between(path, aside);
+        return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / aside);
     if (!(next > lo && hi - next > aside * KERN_R(1.15)))
         next = crit;
     if (hi - next > aside * KERN_R(1.15))
@@ -5685,23 +5665,6 @@ static kern_real kern_body_first(kern_model *m, kern_path *path)
 
 /* ---- the search: which method is asked when ---- */
 
-/* Proofs to both sides of the critical value of a load that had grown by `most`
-   there: a mean of its forces and of those at path->holds, and its prices. */
-static void kern_path_sides(kern_model *m, kern_path *path, kern_real most)
-{
-    const kern_real aside = kern_aside(path), s = path->critical + aside;
-    const kern_real share = most > aside ? 1 - aside / most : KERN_R(0);
-    const kern_real t = share * most;
-    const kern_query q = kern_path_at(path, s);
-    kern_part_forces(path->part, share);
-    if (path->kind == KERN_PATH_TILT) /* gravity stays as large as it is */
-        kern_scale((kern_real *)(void *)m->answer.force, 2 * m->s->contacts,
-                   1 / KERN_SQRT(1 + t * t));
-    kern_path_holds(m, path, kern_path_pushed(path, path->holds, t));
-    if (kern_part_prove(path->part, &q, KERN_FALLS) == KERN_FALLS)
-        kern_path_note(m, path, KERN_FALLS, s);
-}
-
 /* The critical value of the whole where a load grows or gravity turns, by one
    program: the largest place, or the tangent of the largest angle, that rhs can
    reach. KERN_UNDECIDED where it is none. */
@@ -5718,9 +5681,6 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
     path->fails = path->end;
-    if (!kern_model_ask(m, 1))
-        return KERN_LIMIT;
-    kern_path_sides(m, path, most);
     return kern_path_critical(m, path);
 }
 
@@ -7769,16 +7729,17 @@ static inline int kern_lp_part(const kern_program *lp, int j, int other,
 static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
                              kern_real *v)
 {
+    kern_real part[3];
+    int other;
     if (j > lp->cols)
         v[j - lp->cols - 1] -= s;
     else if (!lp->ends || j == lp->cols)
         kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
-    else {
-        kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
-        const kern_real *c = lp->a + 4 * (size_t)j;
-        h[0] -= s * c[0]; h[1] -= s * c[1]; h[2] -= s * c[2];
-        t[0] += s * c[0]; t[1] += s * c[1]; t[2] -= s * c[3];
-    }
+    else
+        for (other = 0; other < 2; other++) {
+            kern_real *to = v + kern_lp_part(lp, j, other, part);
+            to[0] -= s * part[0]; to[1] -= s * part[1]; to[2] -= s * part[2];
+        }
 }
 
 /* ---- the basis ---- */
