@@ -6751,7 +6751,7 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
     kern_real deep = gap;
     kern_edge e;
     int i, k, apart = !kern_box_near(&a->block->box, &b->block->box, -gap);
-    for (i = 0; i < 2; i++) {
+    for (i = 1; i >= 0; i--) {
         const kern_block *own = side[i]->block, *other = side[i + 1]->block;
         for (k = 0; k < own->vertices && !apart; k++) {
             kern_edge_set(&e, own, k, kern_polygon_next(own, k, 0));
