@@ -5377,15 +5377,13 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
     kern_part *p = path->part;
     const kern_real s = kern_max(path->critical - aside, path->start);
     const kern_query q = kern_path_at(path, s);
-    kern_real least;
     int i;
     if (!m->whole || path->kind != KERN_PATH_SHRINK || p->found != KERN_FALLS)
         return 0;
-    least = -KERN_NOISE * kern_largest(p->eq.rhs, 3 * p->groups);
     kern_add(p->x, KERN_R(1), (kern_real *)(void *)m->answer.force,
              2 * p->contacts);
     for (i = 0; i < 2 * p->contacts; i++)
-        if (p->x[i] < least)
+        if (p->x[i] < -KERN_NOISE)
             return 0;
     kern_part_forces(p);
     kern_force_transfer(m, path->critical, s);
@@ -5397,8 +5395,8 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
 
 /* The verdict at the critical value, which leaves the bracket as it is. Where
    another mechanism falls, its value is the path's; else the value is exact. */
-static kern_status kern_path_verify(kern_model *m, kern_path *path,
-                                    kern_real aside)
+KERN_SHARED static kern_status kern_path_verify(
+    kern_model *m, kern_path *path, kern_real aside)
 {
     const kern_real at = path->critical;
     const kern_status status = kern_path_forces(m, path, aside)
@@ -6038,8 +6036,8 @@ static int kern_raise_settle(kern_raise *r, const kern_query *q, int cold,
    is 0, that it bears to either side as kerns shrink by the same share of the
    mean size, where they are not nested without that too: the worst that errors
    of places, and of angles over that size, do. Each begins at the last. */
-static kern_real kern_raise_reserve(kern_raise *r, const kern_query *asked,
-                                    kern_real most)
+KERN_SHARED static kern_real kern_raise_reserve(
+    kern_raise *r, const kern_query *asked, kern_real most)
 {
     static const short share[] = {0, 10, 20, 30, 40, 50, 55, 60, 70, 80, 100,
                                   150, 200, 300, 500, 1000}; /* of 10,000 */
@@ -7627,9 +7625,8 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         kern_known_begin(&c.m, margin);
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     }
-    if (status == KERN_FALLS || kern_is_nested(&c.m, range)) {
-        kern_proof_out(&c.m, proof, status);
-    } else {
+    kern_proof_out(&c.m, proof, status);
+    if (status != KERN_FALLS && !kern_is_nested(&c.m, range)) {
         c.path.q.shrink = KERN_R(0);
         status = kern_measure_task(&c, known, &r, proof);
         if (status == KERN_STANDS && !r.saturated && r.margin < margin)
@@ -7919,7 +7916,7 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
 
 /* Logicals, but for a network: from top to bottom three columns of each group
    carry what it bears. */
-static void kern_simplex_crash(kern_simplex *sx)
+KERN_SHARED static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int *next = sx->place, *first = sx->list; /* columns of a group */

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x6d939676d802961eu },
-    { 1000, 0xf0c2dad065d77439u },
-    { 5000, 0x70757a08a0b481a9u },
+    { 200, 0x85a94b4ef8349d25u },
+    { 1000, 0xc6cddd78dd4d36aau },
+    { 5000, 0x3508cfc43d2c12a9u },
 #else
-    { 200, 0x5d1b660fc233187cu },
-    { 1000, 0xa2b070ca288bdb05u },
-    { 5000, 0xa2dbfb271361a5f4u },
+    { 200, 0xa3db34e7569814a6u },
+    { 1000, 0x62cdb41a3fb0b9fcu },
+    { 5000, 0x62c14f772c0f037eu },
 #endif
 };
 
