@@ -1061,7 +1061,8 @@ KERN_API kern_status kern_plan_try(kern_plan *plan, const kern_block *block,
 /* Whether the margin with the block added is at least `margin` [m] (relative: a
    share): KERN_STANDS with forces at that shrinkage, KERN_FALLS with a motion.
    What stands with every kern closed bears any margin, unless options.narrow is
-   set. Where kerns are not nested, kern_plan_try() decides, with its proof.
+   set. Where kerns are not nested it falls, too, with the motion at the margin
+   of kern_plan_try(), if that is smaller.
    KERN_BAD_NUMBER also for a margin below 0. Time: that of a verdict; O(B + C)
    beyond the measured margin where it does not touch what limits that. */
 KERN_API kern_status kern_plan_bears(kern_plan *plan, const kern_block *block,
@@ -1429,7 +1430,7 @@ KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
 { return kern_max(kern_abs(a.x), kern_abs(a.y)); }
 
 /* Numbers, and none too large to reckon with? */
-static int kern_vec_is_moderate(kern_vec a)
+KERN_SHARED static int kern_vec_is_moderate(kern_vec a)
 { return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
 /* The sine by its series: the last digit of libm's differs between machines;
@@ -2388,9 +2389,9 @@ KERN_API kern_known kern_known_of(kern_motion *motion, kern_force *force)
 }
 
 /* Orders the blocks of all groups along gravity, at one height from side to
-   side, or by index: were it rounding that decides, of a flat arch few columns
-   would be own ones of their groups (>>lp); that of float is larger. Shell sort,
-   since it needs neither memory nor recursion. */
+   side: were it rounding that decides, few columns of a flat arch would be own
+   ones of their groups (>>lp). The rounding of float is larger: there by index.
+   Shell sort, since it needs neither memory nor recursion. */
 static void kern_model_order(const kern_model *m)
 {
     const kern_block *block = m->s->block;
@@ -7580,7 +7581,7 @@ KERN_API kern_status kern_plan_remove(kern_plan *plan, int i)
 }
 
 /* Adds the block, unless that is NULL: a number of contacts, or a status. */
-static int kern_plan_open(kern_plan *plan, const kern_block *block)
+KERN_SHARED static int kern_plan_open(kern_plan *plan, const kern_block *block)
 {
     return block ? kern_plan_add(plan, block)
         : kern_plan_is_whole(plan) ? 0 : (int)KERN_BAD_POINTER;
@@ -7626,9 +7627,10 @@ static kern_status kern_plan_stands(const kern_task *task, kern_real margin,
         status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
     }
     kern_proof_out(&c.m, proof, status);
-    if (status != KERN_FALLS && !kern_is_nested(&c.m, range)) {
+    if (status == KERN_STANDS && !kern_is_nested(&c.m, range)) {
+        const kern_proof below = {NULL, proof ? proof->motion : NULL};
         c.path.q.shrink = KERN_R(0);
-        status = kern_measure_task(&c, known, &r, proof);
+        status = kern_measure_task(&c, known, &r, &below);
         if (status == KERN_STANDS && !r.saturated && r.margin < margin)
             status = KERN_FALLS;
     }

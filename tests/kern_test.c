@@ -6273,13 +6273,10 @@ static void site_bears(site *p, const kern_block *block, int got,
             continue;
         CHECK_INT(said, want);
         p->block[b] = *block; /* the proof is of the plan with the block */
-        if (said == KERN_STANDS) /* where kerns are not nested, at m->holds */
+        if (said == KERN_STANDS)
             CHECK(
                 kern_check_forces(task_of(&s, &p->plan.task.options, &p->work),
-                                  at, proof.force) <= 1
-                || kern_check_forces(
-                       task_of(&s, &p->plan.task.options, &p->work), m->holds,
-                       proof.force) <= 1);
+                                  at, proof.force) <= 1);
         else if (p->w->options.relative == 0)
             CHECK(
                 kern_check_motion(task_of(&s, &p->plan.task.options, &p->work),

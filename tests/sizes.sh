@@ -14,12 +14,12 @@ out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
-limits="lines of kern.h|8800|8780
-lines of the engine|3500|3667
-text of the library|54000|52771
-text, kern_measure with contacts given|32000|28812
-text, kern_verdict with contacts given|22000|21992
-text of the library, KERN_NO_INTERIOR|54000|50191
+limits="lines of kern.h|8800|8778
+lines of the engine|3500|3566
+text of the library|54000|52743
+text, kern_measure with contacts given|32000|28732
+text, kern_verdict with contacts given|22000|21964
+text of the library, KERN_NO_INTERIOR|54000|50189
 text, kern_measure, KERN_NO_INTERIOR|32000|32000
 text, kern_verdict, KERN_NO_INTERIOR|22000|22000
 deepest stack|2700|2600"
