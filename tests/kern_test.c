@@ -6736,25 +6736,29 @@ static void known_garbage(void)
         int want;
         random_world(&w, 640000u + (unsigned long long)seed, 20);
         want = measure(&w, &fresh);
-        for (way = 0; way < 6; way++) {
+        for (way = 0; way < 7; way++) {
             const kern_proof proof = proof_here();
             kern_work work = work_of(&w);
             kern_task task = *world_task(&w, &work);
-            /* 0: of the world before; 1: as the last measure left it */
-            for (i = 0; i < w.blocks && way > 2; i++) {
+            /* 0: of the world before; 1: as the last measure left it; 2: the
+               same in a wide bracket; 3: that bracket but for one number */
+            for (i = 0; i < w.blocks && way > 3; i++) {
                 motion[i].vx = random_number();
                 motion[i].vy = random_number();
                 motion[i].spin = random_number();
             }
-            for (i = 0; i < w.contacts && way > 2; i++) {
+            for (i = 0; i < w.contacts && way > 3; i++) {
                 force[i].normal = random_number();
                 force[i].tangential = random_number();
             }
-            if (way == 2 || way == 3) { /* right numbers, way 2 but for one */
+            if (way == 2 && (!SINGLE || known.fails > mean_size(&w) / 4)) {
+                known.holds = 0; /* much wider than any is */
+                known.margin = known.fails / 2;
+            } else if (way == 3 || way == 4) {
                 known.holds = fresh.holds;
                 known.fails = fresh.fails;
-                known.margin = way == 3 ? fresh.margin : random_number();
-            } else if (way > 3) {
+                known.margin = way == 4 ? fresh.margin : random_number();
+            } else if (way > 4) {
                 known.holds = random_number();
                 known.fails = random_number();
                 known.margin = random_number();
@@ -10573,6 +10577,29 @@ static void raised_loads(void)
     }
 }
 
+/* The unit of length changes nothing: by powers of 2 not a bit. */
+static void raised_scaled(void)
+{
+    static world w, other;
+    static int order[MAX_BLOCKS];
+    change c = no_change();
+    double got, now;
+    int seed, stood = 0;
+    for (seed = 1; seed <= some(300); seed++) {
+        if (!random_world(&w, (unsigned long long)seed, 8)
+            || raised_load(&w, NULL, KERN_RIGHT, &got) != KERN_STANDS)
+            continue;
+        sprintf(context, "seed %d", seed);
+        stood++;
+        c.scale = seed % 2 ? 1.0 / 8192 : 8192;
+        world_changed(&other, &w, &c, order);
+        CHECK_INT(raised_load(&other, NULL, KERN_RIGHT, &now), KERN_STANDS);
+        CHECK_NEAR(now, got, EXACT);
+    }
+    context[0] = 0;
+    CHECK(stood > some(300) / 8);
+}
+
 /* The same walls under loads of their blocks, which kern_raised() finds raised
    where they grow from 0: up to 97 % of where the simulator lets them fall. */
 static void raised_grown(void)
@@ -11504,6 +11531,7 @@ static const test tests[] = {
     TEST(stays_random),
     TEST(stays_memory),
     TEST(raised_loads),
+    TEST(raised_scaled),
     TEST(raised_grown),
     TEST(raised_patterns),
     TEST(plan_raised),
