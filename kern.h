@@ -2041,7 +2041,7 @@ static kern_real kern_prove_rows(const kern_structure *s,
     return error <= 1 ? error : kern_max(error, KERN_R(2));
 }
 
-/* Adds a force (fx, fy), of normal force f, to a block's sum. */
+/* Adds a force, normal f, to a block's sums: fx, torque, fy, largest f. */
 KERN_SHARED static void kern_prove_end(kern_real *sum, kern_vec arm,
                                        kern_real fx, kern_real fy, kern_real f)
 {
