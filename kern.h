@@ -2657,7 +2657,7 @@ static int kern_model_spend(const kern_model *m, int units)
 static int kern_model_ask(const kern_model *m, int queries)
 {
     return kern_model_spend(m, queries * (3 + (m->s->blocks + m->s->contacts)
-                                              / 11));
+                                              / 14));
 }
 
 /* Whether one linear program answers: few groups, all of the work memory. */
