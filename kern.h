@@ -1998,6 +1998,30 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
     return status == KERN_OK ? kern_query_read(task, shrink, q) : status;
 }
 
+/* What is wrong with a program, if anything. */
+static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
+{
+    int i, n;
+    if (!lp || !lp->a || !lp->rhs)
+        return KERN_BAD_POINTER;
+    if (lp->rows < 1 || lp->cols < 1 || lp->rows > KERN_BLOCKS_MOST
+        || lp->cols > KERN_POINTS_MOST || lp->rows > KERN_WORK_MOST / lp->cols)
+        return KERN_BAD_COUNT;
+    if (lp->limit < 0 || lp->limit > KERN_WORK_MOST)
+        return KERN_BAD_OPTION;
+    n = lp->rows * lp->cols;
+    for (i = 0; i < n + lp->rows + (lp->cost ? lp->cols : 0); i++) {
+        const kern_real v = i < n ? lp->a[i] : i < n + lp->rows
+            ? lp->rhs[i - n] : lp->cost[i - n - lp->rows];
+        if (!kern_is_finite(v)) {
+            fault->index = i;
+            fault->value = v;
+            return KERN_BAD_NUMBER;
+        }
+    }
+    return KERN_OK;
+}
+
 /* ---- Proofs ----------------------------------------------------- >>proof */
 /* From the caller's data alone. An error is a share of what is allowed.
 
@@ -2518,13 +2542,22 @@ static inline void kern_row_speed(const kern_row *c, const kern_real *v,
     w[1] += c->n[0] * v[1] - c->n[1] * v[0] + c->turn * v[2];
 }
 
-/* b += the wrench of forces f along n and r along t */
+/* w := the wrench of forces f along n and r along t */
+static inline void kern_row_wrench(const kern_row *c, kern_real f, kern_real r,
+                                   kern_real w[3])
+{
+    w[0] = f * c->n[0] - r * c->n[1];
+    w[1] = f * c->n[1] + r * c->n[0];
+    w[2] = f * c->n[2] + r * c->turn;
+}
+
+/* b += that wrench */
 static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
                                   kern_real *b)
 {
-    b[0] += f * c->n[0] - r * c->n[1];
-    b[1] += f * c->n[1] + r * c->n[0];
-    b[2] += f * c->n[2] + r * c->turn;
+    kern_real w[3];
+    kern_row_wrench(c, f, r, w);
+    b[0] += w[0]; b[1] += w[1]; b[2] += w[2];
 }
 
 /* The rows of contact i: of block b, and of a. Torques depend on the query. */
@@ -2683,6 +2716,34 @@ static int kern_answer_holds(const kern_model *m, const kern_query *q)
 {
     return kern_model_proven(m, kern_prove_forces(m->s, q, m->answer.force,
                                                   m->answer.sum));
+}
+
+/* Replaces the forces of all lines, whose ends are where `from` puts them, by
+   those of the same wrenches at the ends where `shrink` < `from` puts them. */
+static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
+{
+    int i, k;
+    for (i = 0; i < m->s->contacts; i++) {
+        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
+        kern_force *f = m->answer.force + i;
+        kern_real rate, is, sum, more, along;
+        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
+            continue;
+        i++;
+        sum = f[0].normal + f[1].normal;
+        if (!(sum > 0))
+            continue;
+        is = travel - kern_shift(travel, shrink, m->relative, &rate);
+        along = (f[0].tangential + f[1].tangential) / sum;
+        more = f[0].normal - f[1].normal;
+        if (kern_abs(is) > 0)
+            more *= (travel - kern_shift(travel, from, m->relative, &rate))
+                    / is;
+        for (k = 0; k < 2; k++, f++, more = -more) {
+            f->normal = kern_max((sum + more) / 2, KERN_R(0));
+            f->tangential = along * f->normal;
+        }
+    }
 }
 
 /* Hands the proof of a verdict to the caller. */
@@ -3722,18 +3783,6 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
     return s;
 }
 
-/* The wrenches v and w by which a law's stiffness of a row is n v' + t w'. */
-static inline void kern_row_answer(const kern_row *c, const kern_law *s,
-                                   kern_real v[3], kern_real w[3])
-{
-    v[0] = s->nn * c->n[0] - s->nt * c->n[1];
-    v[1] = s->nn * c->n[1] + s->nt * c->n[0];
-    v[2] = s->nn * c->n[2] + s->nt * c->turn;
-    w[0] = s->nt * c->n[0] - s->tt * c->n[1];
-    w[1] = s->nt * c->n[1] + s->tt * c->n[0];
-    w[2] = s->nt * c->n[2] + s->tt * c->turn;
-}
-
 /* sum of a[i] b[i] */
 static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
 {
@@ -3802,7 +3851,8 @@ static void kern_skyline_law(kern_skyline *a, const int ends[2],
             const kern_row *other = row + 1 - 2 * k;
             const int wide = 3 * (g - a->first[g] + 1);
             kern_real *to = a->entry + a->offset[g] + wide - 3;
-            kern_row_answer(row, s, v, w);
+            kern_row_wrench(row, s->nn, s->nt, v); /* it adds n v' + t w' */
+            kern_row_wrench(row, s->nt, s->tt, w);
             kern_row_exert(row, v[0], w[0], to);
             kern_row_exert(row, v[1], w[1], to + wide);
             kern_row_exert(row, v[2], w[2], to + 2 * wide);
@@ -4318,16 +4368,15 @@ static inline kern_real kern_three(const kern_real *a, const kern_real *b)
 { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* The two rays of a row, with the forces of its motion along n and t. */
-static void kern_ray_pair(kern_ray *to, const kern_row *row, kern_real mu,
-                          const kern_real way[2])
+static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
+                                 kern_real mu, const kern_real way[2])
 {
-    int k;
-    for (k = 0; k < 2; k++, to++, mu = -mu) {
-        kern_zero(to->a, 3);
-        kern_row_exert(row, KERN_R(1), mu, to->a);
-        to->x = way[0] + mu * way[1];
-        to->press = 1;
-    }
+    const kern_real more = mu * way[1];
+    kern_row_wrench(row, KERN_R(1), mu, to[0].a);
+    kern_row_wrench(row, KERN_R(1), -mu, to[1].a);
+    to[0].x = way[0] + more;
+    to[1].x = way[0] - more;
+    to[0].press = to[1].press = 1;
 }
 
 /* b less what the rays exert that press; and the matrix of these. */
@@ -4557,34 +4606,6 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     if (status != KERN_FALLS)
         kern_pass_mark(m, last, KERN_OUT);
     return status;
-}
-
-/* Replaces the forces of all lines, whose ends are where `from` puts them, by
-   those of the same wrenches at the ends where `shrink` < `from` puts them. */
-static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
-{
-    int i, k;
-    for (i = 0; i < m->s->contacts; i++) {
-        const kern_real travel = kern_travel(m->s->contact + i, m->mean);
-        kern_force *f = m->answer.force + i;
-        kern_real rate, is, sum, more, along;
-        if (!kern_line_begins(m->s->contact, m->s->contacts, i))
-            continue;
-        i++;
-        sum = f[0].normal + f[1].normal;
-        if (!(sum > 0))
-            continue;
-        is = travel - kern_shift(travel, shrink, m->relative, &rate);
-        along = (f[0].tangential + f[1].tangential) / sum;
-        more = f[0].normal - f[1].normal;
-        if (kern_abs(is) > 0)
-            more *= (travel - kern_shift(travel, from, m->relative, &rate))
-                    / is;
-        for (k = 0; k < 2; k++, f++, more = -more) {
-            f->normal = kern_max((sum + more) / 2, KERN_R(0));
-            f->tangential = along * f->normal;
-        }
-    }
 }
 
 /* Begins the next pass with the known forces, if there are any. Where kerns are
@@ -5027,8 +5048,7 @@ static void kern_part_set(kern_part *p, const kern_query *q)
         kern_row row[2];
         kern_model_rows(m, q, p->contact[k], row);
         for (edge = 0; edge < 2; edge++, f += 4, mu = -mu) {
-            kern_zero(f, 3);
-            kern_row_exert(row, KERN_R(1), mu, f);
+            kern_row_wrench(row, KERN_R(1), mu, f);
             f[3] = row[1].n[2] + mu * row[1].turn;
         }
     }
@@ -5915,6 +5935,7 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
                                   : KERN_STAYS_STIFF;
     r->size = 3 * p->groups + 3 + p->contacts;
+    p->dual.cost += p->contacts / 5; /* a finer line search */
     p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 3 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
@@ -7728,17 +7749,16 @@ static inline int kern_lp_part(const kern_program *lp, int j, int other,
 static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
                              kern_real *v)
 {
-    kern_real part[3];
-    int other;
     if (j > lp->cols)
         v[j - lp->cols - 1] -= s;
     else if (!lp->ends || j == lp->cols)
         kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
-    else
-        for (other = 0; other < 2; other++) {
-            kern_real *to = v + kern_lp_part(lp, j, other, part);
-            to[0] -= s * part[0]; to[1] -= s * part[1]; to[2] -= s * part[2];
-        }
+    else {
+        kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
+        const kern_real *c = lp->a + 4 * (size_t)j, x = s * c[0], y = s * c[1];
+        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
+        t[0] += x; t[1] += y; t[2] -= s * c[3];
+    }
 }
 
 /* ---- the basis ---- */
@@ -8413,7 +8433,7 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
        unbounded    A x = 0,  cost.x < 0                                      */
-static int kern_lp_holds(const kern_program *lp, const kern_real *x,
+static int kern_lp_holds(const kern_lp *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
     const int m = lp->rows, best = status == KERN_LP_OPTIMAL;
@@ -8427,7 +8447,7 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
     for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
         const kern_real left = kern_lp_sum(
             best && lp->cost ? lp->cost[j] : KERN_R(0), y,
-            kern_lp_dense(lp, j), 1, m);
+            lp->a + (size_t)j * (size_t)m, 1, m);
         if (!(left >= -KERN_TOL) || (best && x[j] > 0 && left > KERN_TOL))
             return 0;
     }
@@ -8439,7 +8459,7 @@ static int kern_lp_holds(const kern_program *lp, const kern_real *x,
 
 /* The same; where nothing else is in a row the last digits of x or y are all
    there is: if need be they are taken out. */
-static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
+static int kern_lp_proven(const kern_lp *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
     int again;
@@ -8452,31 +8472,7 @@ static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
     return 0;
 }
 
-/* What is wrong with a program, if anything. */
-static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
-{
-    int i, n;
-    if (!lp || !lp->a || !lp->rhs)
-        return KERN_BAD_POINTER;
-    if (lp->rows < 1 || lp->cols < 1 || lp->rows > KERN_BLOCKS_MOST
-        || lp->cols > KERN_POINTS_MOST || lp->rows > KERN_WORK_MOST / lp->cols)
-        return KERN_BAD_COUNT;
-    if (lp->limit < 0 || lp->limit > KERN_WORK_MOST)
-        return KERN_BAD_OPTION;
-    n = lp->rows * lp->cols;
-    for (i = 0; i < n + lp->rows + (lp->cost ? lp->cols : 0); i++) {
-        const kern_real v = i < n ? lp->a[i] : i < n + lp->rows
-            ? lp->rhs[i - n] : lp->cost[i - n - lp->rows];
-        if (!kern_is_finite(v)) {
-            fault->index = i;
-            fault->value = v;
-            return KERN_BAD_NUMBER;
-        }
-    }
-    return KERN_OK;
-}
-
-/* The same for a program that has been checked. */
+/* kern_lp_solve() of a program that has been checked. */
 static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
@@ -8500,7 +8496,7 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
         kern_basis_read(&sx, sx.alpha, x);
         x[sx.enters] = KERN_R(1);
     }
-    if (!kern_lp_proven(&p, x, y, status))
+    if (!kern_lp_proven(lp, x, y, status))
         return KERN_UNDECIDED;
     for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
         y[i] = 0 - y[i];
