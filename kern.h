@@ -2771,7 +2771,8 @@ typedef struct kern_program {
     const kern_real *rate;  /* column of the place: less its growth of rhs    */
     int follow;             /* 1: the place grows from rhs's, 0: it is held   */
     kern_real most;         /* what a variable can be at the most; 0: all     */
-    int limit;              /* of the work of the call                        */
+    int limit;              /* of the units of this                           */
+    kern_work *work;        /* of the call                                    */
 } kern_program;
 
 /* The inverse of a basis: B_0, by groups, and the factors E_i. */
@@ -2836,14 +2837,15 @@ typedef struct kern_dual {
 
 /* Eq. (5) of a part as a linear program: see >>verdict. */
 typedef struct kern_equations {
-    kern_program lp;
     kern_real *arc, *rhs;
     kern_real *rate;          /* less that of rhs along a path                */
     kern_real shrink;         /* of its columns                               */
+    kern_program lp;
     kern_simplex simplex;
 } kern_equations;
 
 struct kern_part {
+    kern_dual dual;
     kern_model *m;
     int groups, contacts;
     int own;                  /* contacts that carry a group of the part come
@@ -2856,7 +2858,6 @@ struct kern_part {
     kern_status found;        /* what the program said, proven or not         */
     kern_real ahead;          /* where it may stop to fall: >>search          */
     kern_take rest;           /* work memory behind these                     */
-    kern_dual dual;
     kern_equations eq;
 };
 
@@ -2870,8 +2871,7 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
 static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
                              kern_take *take);
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
-                                      kern_real *x, kern_real *y,
-                                      kern_work *work);
+                                      kern_real *x, kern_real *y);
 
 /* ---- The measures --------------------------------------------- >>measure */
 
@@ -3725,13 +3725,19 @@ static void kern_part_motion(kern_part *p)
     int n;
     kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (n = 0; n < p->groups; n++) {
-        const int b = m->graph.block[p->group[n]];
-        kern_motion *v = m->answer.motion + b;
-        v->vx = p->y[3 * n];
-        v->vy = p->y[3 * n + 1];
-        v->spin = p->y[3 * n + 2] * m->unit[p->group[n]];
+        kern_motion *v = m->answer.motion + m->graph.block[p->group[n]];
+        *v = *(const kern_motion *)(const void *)(p->y + 3 * n);
+        v->spin *= m->unit[p->group[n]];
     }
     kern_motion_scale(m->s, m->answer.motion);
+}
+
+/* Whether that proves that the part falls. */
+static int kern_part_falls(kern_part *p, const kern_query *q)
+{
+    const kern_model *m = p->m;
+    kern_part_motion(p);
+    return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
 }
 
 /* The forces of a program of all groups; 0 where rounding made them less. */
@@ -3747,6 +3753,13 @@ static void kern_part_forces(kern_part *p)
         m->answer.force[i].normal = x1 + x2;
         m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2);
     }
+}
+
+/* Whether these prove that all stands. */
+static int kern_part_stands(kern_part *p, const kern_query *q)
+{
+    kern_part_forces(p);
+    return kern_answer_holds(p->m, q);
 }
 
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
@@ -4016,19 +4029,26 @@ static int kern_norm_lay(kern_part *p, kern_take *take)
     return kern_take_fits(take);
 }
 
+/* The rows of the part's contact k at its two ends. */
+static inline void kern_part_rows(const kern_part *p, int k, kern_row row[2])
+{
+    row[0] = kern_model_row(p->m, 2 * p->contact[k]);
+    row[1] = kern_model_row(p->m, 2 * p->contact[k] + 1);
+}
+
 /* w += the approach of the part's contact k along n and t by the motion v. The
    difference of velocities is formed first: a rigid motion gives exactly 0. */
 static inline void kern_part_speed(const kern_part *p, int k,
                                    const kern_real *v, kern_real *w)
 {
-    const kern_row head = kern_model_row(p->m, 2 * p->contact[k]);
-    const kern_row tail = kern_model_row(p->m, 2 * p->contact[k] + 1);
     const kern_real *h = v + 3 * p->ends[2 * k];
     const kern_real *t = v + 3 * p->ends[2 * k + 1];
     const kern_real apart[3] = {h[0] - t[0], h[1] - t[1], h[2]};
-    kern_row_speed(&head, apart, w);
-    w[0] += tail.n[2] * t[2];
-    w[1] += tail.turn * t[2];
+    kern_row row[2];
+    kern_part_rows(p, k, row);
+    kern_row_speed(row, apart, w);
+    w[0] += row[1].n[2] * t[2];
+    w[1] += row[1].turn * t[2];
 }
 
 /* b += the wrenches of contact k of the part by f along n and r along t. Those
@@ -4036,10 +4056,10 @@ static inline void kern_part_speed(const kern_part *p, int k,
 static inline void kern_part_exert(const kern_part *p, int k, kern_real f,
                                    kern_real r, kern_real *b)
 {
-    const kern_row head = kern_model_row(p->m, 2 * p->contact[k]);
-    const kern_row tail = kern_model_row(p->m, 2 * p->contact[k] + 1);
-    kern_row_exert(&head, f, r, b + 3 * p->ends[2 * k]);
-    kern_row_exert(&tail, f, r, b + 3 * p->ends[2 * k + 1]);
+    kern_row row[2];
+    kern_part_rows(p, k, row);
+    kern_row_exert(row, f, r, b + 3 * p->ends[2 * k]);
+    kern_row_exert(row + 1, f, r, b + 3 * p->ends[2 * k + 1]);
 }
 
 /* Approach of contacts along n and t: by u and the prior forces, or a step. */
@@ -4084,8 +4104,7 @@ static kern_real kern_norm_gradient(kern_part *p, kern_real *most)
 static void kern_part_add(kern_part *p, int k, const kern_law *s)
 {
     kern_row row[2];
-    row[0] = kern_model_row(p->m, 2 * p->contact[k]);
-    row[1] = kern_model_row(p->m, 2 * p->contact[k] + 1);
+    kern_part_rows(p, k, row);
     kern_skyline_law(&p->dual.matrix, p->ends + 2 * (size_t)k, row, s);
 }
 
@@ -4270,11 +4289,9 @@ static void kern_norm_write(kern_part *p)
     kern_model_unload(m);
     for (k = 0; k < p->contacts; k++) {
         const kern_real *w = p->dual.way + 2 * (size_t)k;
-        const kern_law s = kern_part_law(p, k, w[0], w[1]);
-        kern_force *to = m->answer.force + p->contact[k];
-        to->normal = s.force.normal * m->weight;
-        to->tangential = s.force.tangential * m->weight;
+        m->answer.force[p->contact[k]] = kern_part_law(p, k, w[0], w[1]).force;
     }
+    kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
 }
 
 KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
@@ -4522,11 +4539,10 @@ static void kern_pass_keep(kern_part *p, kern_real tolerance)
     int k;
     open[last] |= KERN_TRIED;
     for (k = 0; k < p->own; k++) {
-        const int i = p->contact[k];
+        const int i = p->contact[k], *ends = m->graph.ends + 2 * i;
         const kern_real *w = p->dual.way + 2 * (size_t)k;
         const kern_law s = kern_part_law(p, k, w[0], w[1]);
-        const int low = m->graph.ends[2 * i] > m->graph.ends[2 * i + 1] ? 0 : 1;
-        const int on = m->graph.ends[2 * i + low];
+        const int low = ends[0] > ends[1] ? 0 : 1, on = ends[low];
         const int inside = p->ends[2 * k + low] < p->groups;
         kern_pass_write(m, i, inside ? m->graph.groups : on,
                         s.force, tolerance);
@@ -4597,10 +4613,9 @@ static kern_status kern_pass_cluster(kern_model *m, kern_part *p, int last)
     kern_status status = m->cluster.next[last] == last
         ? kern_pass_alone(m, last) : KERN_UNDECIDED;
     if (status == KERN_FALLS) { /* whatever rests on it */
-        if (kern_part_open(p, m, kern_pass_mark(m, last, 0), last)
-            && p->own == p->contacts)
-            return status;
-        status = KERN_UNDECIDED;
+        if (!kern_part_open(p, m, kern_pass_mark(m, last, 0), last)
+            || p->own < p->contacts)
+            status = KERN_UNDECIDED;
     } else if (status == KERN_UNDECIDED)
         status = kern_pass_part(p, m, last);
     if (status != KERN_FALLS)
@@ -4833,10 +4848,9 @@ static int kern_ipm_step(kern_ipm *in)
         left = kern_max(left / in->gap, 1 - of_x);
         mu = in->gap * left * left * left / KERN_R(rays);
     }
-    of_x *= 1 - KERN_IPM_LITTLE;
     of_z *= 1 - KERN_IPM_LITTLE;
-    if (in->s + ds >= 0 && of_x >= 1 - KERN_IPM_LITTLE)
-        of_x = KERN_R(1);
+    if (!(in->s + ds >= 0 && of_x >= 1))
+        of_x *= 1 - KERN_IPM_LITTLE;
     in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_EPS);
@@ -4946,18 +4960,15 @@ static int kern_ipm_open(kern_ipm *in, kern_model *m, kern_part *p,
 static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
                                 kern_real pace)
 {
-    kern_model *m = in->p->m;
     int round = 0;
     while (round++ < KERN_ROUNDS && in->gap > KERN_NOISE * KERN_NOISE
            && in->gap <= pace && kern_ipm_step(in)) {
         if (in->s >= 0) {
             kern_ipm_balance(in);
-            kern_part_forces(in->p);
-            if (kern_answer_holds(m, q))
+            if (kern_part_stands(in->p, q))
                 return KERN_STANDS;
         }
-        kern_part_motion(in->p);
-        if (kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion)))
+        if (kern_part_falls(in->p, q))
             return KERN_FALLS;
         pace *= KERN_IPM_PACE;
     }
@@ -5006,7 +5017,8 @@ static kern_status kern_part_lay(kern_part *p)
 {
     const int n = p->groups;
     const kern_program lp = {3 * n, 2 * p->contacts, NULL, NULL, NULL, p->ends,
-                             NULL, 0, KERN_BOUND, p->m->task->options.limit};
+                             NULL, 0, KERN_BOUND, p->m->task->options.limit,
+                             p->m->task->work};
     int room = KERN_EXTRAS(n);
     p->eq.lp = lp;
     p->eq.shrink = KERN_INFINITY; /* none */
@@ -5063,28 +5075,21 @@ static int kern_part_is_whole(const kern_part *p)
 KERN_SHARED static kern_status kern_part_prove(
     kern_part *p, const kern_query *q, kern_status status)
 {
-    kern_model *m = p->m;
-    kern_real error = KERN_INFINITY;
+    const int whole = kern_part_is_whole(p);
     int again;
-    if (status == KERN_STANDS && !kern_part_is_whole(p))
+    if (status == KERN_STANDS && !whole)
         return status;
-    for (again = 0; status == KERN_FALLS && !(error <= 1) && again < 2; again++)
-        if (!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_ROUNDING)) {
-            kern_part_motion(p);
-            error = kern_prove_motion(m->s, q, m->answer.motion);
-        }
+    for (again = 0; status == KERN_FALLS && again < 2; again++)
+        if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_ROUNDING))
+            && kern_part_falls(p, q))
+            return status;
     /* forces may still do, within the tolerance */
-    if (kern_part_is_whole(p) && !(error <= 1)) {
-        status = KERN_STANDS;
-        kern_part_forces(p);
-        error = kern_prove_forces(m->s, q, m->answer.force, m->answer.sum);
-    }
-    return kern_model_proven(m, error) ? status : KERN_UNDECIDED;
+    return whole && kern_part_stands(p, q) ? KERN_STANDS : KERN_UNDECIDED;
 }
 
 /* Where normal forces are larger in sum than is allowed, the least that there
    are, by costs of 1: if too large, their prices are a motion that shows it. */
-KERN_SHARED static kern_status kern_part_norm(kern_part *p, int builtin)
+static kern_status kern_part_norm(kern_part *p, int builtin)
 {
     kern_real *one = (kern_real *)(void *)p->m->answer.force; /* not in use */
     kern_status status;
@@ -5094,8 +5099,7 @@ KERN_SHARED static kern_status kern_part_norm(kern_part *p, int builtin)
     if (!(kern_dot(p->x, one, p->eq.lp.cols) > KERN_BOUND))
         return KERN_STANDS;
     p->eq.lp.cost = one;
-    status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
-                                p->m->task->work);
+    status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y);
     p->eq.lp.cost = NULL;
     if (status != KERN_LP_OPTIMAL)
         return status < 0 ? status : KERN_UNDECIDED;
@@ -5108,8 +5112,7 @@ static kern_real kern_part_follow(kern_part *p)
 {
     kern_status status;
     p->eq.lp.follow = 1;
-    status = kern_program_solve(&p->eq.simplex, 1, p->x, p->y,
-                                p->m->task->work);
+    status = kern_program_solve(&p->eq.simplex, 1, p->x, p->y);
     p->eq.lp.follow = 0;
     return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
@@ -5123,8 +5126,7 @@ static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
         return KERN_LIMIT;
     kern_part_set(p, q);
     for (builtin = 0; builtin < 2 && status != KERN_LIMIT; builtin++) {
-        status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y,
-                                    p->m->task->work);
+        status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y);
         if (status == KERN_LP_OPTIMAL)
             status = kern_part_norm(p, builtin);
         else if (status == KERN_LP_INFEASIBLE)
@@ -5168,8 +5170,7 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
     kern_status status;
     int g, k;
     kern_model_weigh(m, q);
-    if (!kern_part_begin(p, m, m->graph.groups, &m->common))
-        return KERN_NO_SPACE;
+    kern_part_begin(p, m, m->graph.groups, &m->common);
     p->contacts = p->own = m->s->contacts;
     p->ends = m->graph.ends;
     p->contact = kern_take_ints(&p->rest, p->contacts);
@@ -8201,14 +8202,17 @@ static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
     return fixed ? kern_abs(a) + falls : kern_abs(a);
 }
 
+/* Counts work on a program that is about to be done; 0: it is refused. */
+static int kern_lp_spend(const kern_program *lp, int units)
+{ return kern_spend(lp->work, lp->limit, units); }
+
 /* The row that the entering column takes, and how far it goes, from those whose
    variables reach zero on the way. The ratio test goes on past every one as
    long as the sum of violations still falls: a long step, which passes through
    degenerate corners. With `first`, and for costs, it stops at once. Of equals
    it takes the largest pivot, with `first` the least index (Bland). Where its
    work is refused, so is the pivot. */
-static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
-                        kern_work *work)
+static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
 {
     const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
     kern_real *at = sx->ratio, left = sx->gain;
@@ -8235,20 +8239,18 @@ static int kern_leaving(kern_simplex *sx, int first, kern_real *step,
         at[next] = at[n - 1];
         list[next] = list[n - 1];
     }
-    kern_spend(work, sx->lp->limit, seen / (2 * KERN_UNIT));
+    kern_lp_spend(sx->lp, seen / (2 * KERN_UNIT));
     return best;
 }
 
-/* Counts a pivot: a column, prices, and what both cost of factors. */
-static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
+/* Counts a pivot: a column, prices, what both cost of factors; 0: refused. */
+static int kern_pivot_spend(const kern_simplex *sx)
 {
-    const int rows = sx->lp->rows, cols = sx->lp->cols;
-    return kern_spend(work, sx->lp->limit,
-                      1 + (sx->factors.first[sx->factors.count]
-                           + 6 * sx->factors.groups) / KERN_UNIT
-                      + (sx->lp->ends ? 4 * cols / (3 * KERN_UNIT)
-                                      : rows * (cols / (4 * KERN_UNIT))))
-           ? KERN_OK : KERN_LIMIT;
+    const kern_program *lp = sx->lp;
+    return kern_lp_spend(lp, 1 + (sx->factors.first[sx->factors.count]
+                                  + 6 * sx->factors.groups) / KERN_UNIT
+                         + (lp->ends ? 4 * lp->cols / (3 * KERN_UNIT)
+                            : lp->rows * (lp->cols / (4 * KERN_UNIT))));
 }
 
 /* Lowers the sum of violations, then the costs, until no column does. The sum
@@ -8258,7 +8260,7 @@ static kern_status kern_pivot_spend(const kern_simplex *sx, kern_work *work)
    keep going. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
    the last column may grow for ever; or where there is no room or no work left
    for a pivot, KERN_NO_SPACE or KERN_LIMIT. */
-static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
+static kern_status kern_simplex_run(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     const int limit = 200 + 20 * (lp->rows + lp->cols);
@@ -8268,11 +8270,10 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
         const int fine = count > budget, first = count > 5 * budget;
         const int enters = kern_entering(sx, first, fine);
         kern_real step = KERN_R(0);
-        kern_status status;
         int p = KERN_OUT;
         if (enters) {
             kern_basis_column(sx, sx->enters);
-            p = kern_leaving(sx, first, &step, work);
+            p = kern_leaving(sx, first, &step);
         }
         if (p == KERN_OUT && !sx->refined) {
             kern_basis_renew(sx);
@@ -8282,17 +8283,17 @@ static kern_status kern_simplex_run(kern_simplex *sx, kern_work *work)
             return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
         if (p == KERN_OUT)
             return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
-        status = kern_basis_full(sx) ? KERN_NO_SPACE
-                                     : kern_pivot_spend(sx, work);
-        if (status != KERN_OK)
-            return status;
+        if (kern_basis_full(sx))
+            return KERN_NO_SPACE;
+        if (!kern_pivot_spend(sx))
+            return KERN_LIMIT;
         kern_add(sx->value, -step, sx->alpha, lp->rows);
         if (sx->base[p] <= lp->cols)
             sx->place[sx->base[p]] = KERN_OUT;
         kern_basis_enter(sx, sx->enters, p);
         sx->value[p] = step;
         sx->refined = 0;
-        work->pivots++;
+        lp->work->pivots++;
         count++;
         KERN_AUDIT(simplex, sx);
         if (kern_basis_full(sx))
@@ -8371,31 +8372,27 @@ static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
    changes with the matrix. y is a certificate for KERN_LP_INFEASIBLE, less the
    prices for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
 static kern_status kern_program_solve(kern_simplex *sx, int builtin,
-                                      kern_real *x, kern_real *y,
-                                      kern_work *work)
+                                      kern_real *x, kern_real *y)
 {
     const kern_program *lp = sx->lp;
     kern_status status;
-    work->solves++;
+    lp->work->solves++;
 #ifdef KERN_USE_GLPK
     if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
         kern_simplex_change(sx, KERN_BASIS_NONE);
-        return kern_lp_glpk(lp, x, y, work);
+        return kern_lp_glpk(lp, x, y, lp->work);
     }
 #endif
     (void)builtin;
     sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
     if (sx->state != KERN_BASIS_READY
-        && !kern_spend(work, lp->limit,
-                       lp->ends ? (lp->rows + lp->cols) / 2
-                                : lp->rows * (lp->cols / KERN_UNIT)))
+        && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
+                                       : lp->rows * (lp->cols / KERN_UNIT)))
         return KERN_LIMIT;
     if (sx->state == KERN_BASIS_NONE)
         kern_simplex_crash(sx);
     kern_basis_renew(sx);
-    status = kern_pivot_spend(sx, work);
-    if (status == KERN_OK)
-        status = kern_simplex_run(sx, work);
+    status = kern_pivot_spend(sx) ? kern_simplex_run(sx) : KERN_LIMIT;
     kern_basis_read(sx, sx->value, x);
     kern_copy(y, sx->price, lp->rows);
     return status;
@@ -8477,7 +8474,7 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
                                kern_work *work)
 {
     const kern_program p = {lp->rows, lp->cols, lp->a, lp->rhs, lp->cost, NULL,
-                            NULL, 0, KERN_R(0), lp->limit};
+                            NULL, 0, KERN_R(0), lp->limit, work};
     kern_simplex sx;
     kern_take take;
     kern_status status;
@@ -8486,7 +8483,7 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
     kern_simplex_lay(&sx, &p, KERN_LP_ROOM(p.rows), &take);
     if (!kern_take_fits(&take))
         return KERN_NO_SPACE;
-    status = kern_program_solve(&sx, 0, x, y, work);
+    status = kern_program_solve(&sx, 0, x, y);
     if (work->units > kern_limit_of(p.limit))
         return KERN_LIMIT;
     if (status < 0)

@@ -4430,6 +4430,7 @@ static void engine_basis(void)
         lp.cols = random_int(lp.rows, ENGINE_COLS);
         lp.a = a;
         lp.rhs = rhs;
+        lp.work = &work;
         for (i = 0; i < lp.rows * lp.cols; i++)
             a[i] = chance(0.3) ? 0 : R(uniform(-1, 1));
         for (i = 0; i < lp.rows; i++)
@@ -4437,7 +4438,7 @@ static void engine_basis(void)
         kern_take_open(&take, &work);
         kern_simplex_lay(&sx, &lp, 100, &take);
         CHECK(kern_take_fits(&take));
-        got = kern_program_solve(&sx, 1, x, y, &work);
+        got = kern_program_solve(&sx, 1, x, y);
         CHECK(got == KERN_LP_OPTIMAL || got == KERN_LP_INFEASIBLE);
         engine_basis_holds(&sx, a, rhs);
     }
@@ -4461,26 +4462,27 @@ static void engine_place(void)
     lp.a = a;
     lp.rhs = rhs;
     lp.rate = rate;
+    lp.work = &work;
     lp.follow = 1;
     kern_take_open(&take, &work);
     kern_simplex_lay(&sx, &lp, 20, &take);
     CHECK(kern_take_fits(&take));
-    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_OPTIMAL);
+    CHECK_INT(kern_program_solve(&sx, 1, x, y), KERN_LP_OPTIMAL);
     CHECK_NEAR(x[2], 4 / 1.5, 8 * EPS);
     CHECK_NEAR(x[0], 1 + 2 / 1.5, 8 * EPS);
     lp.follow = 0;
     rhs[0] = R(2.5);
     rhs[1] = R(-0.5);
-    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_INFEASIBLE);
+    CHECK_INT(kern_program_solve(&sx, 1, x, y), KERN_LP_INFEASIBLE);
     CHECK(y[0] >= 0 && y[1] > 0);
     rhs[0] = R(2.0);
     rhs[1] = R(1.0);
-    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_OPTIMAL);
+    CHECK_INT(kern_program_solve(&sx, 1, x, y), KERN_LP_OPTIMAL);
     CHECK_NEAR(x[1], 1, 8 * EPS);
     lp.rows = lp.cols = 1;
     lp.follow = 1;
     kern_simplex_change(&sx, KERN_BASIS_NONE);
-    CHECK_INT(kern_program_solve(&sx, 1, x, y, &work), KERN_LP_UNBOUNDED);
+    CHECK_INT(kern_program_solve(&sx, 1, x, y), KERN_LP_UNBOUNDED);
 }
 
 #ifndef KERN_NO_INTERIOR
