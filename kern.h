@@ -1731,12 +1731,15 @@ typedef struct kern_path {
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* Width of a bracket, as it is wanted; from the critical value to its ends. */
+/* Wanted width of a bracket; critical value to its ends; a place before it. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 { return KERN_WIDTH * path->unit; }
 
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
 { return kern_width(path) / 2; }
+
+KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
+{ return kern_max(path->critical - aside, path->start); }
 
 /* ---- what finds forces and motions ---- */
 /* Defined and told behind the argument: >>verdict, >>search. */
@@ -3153,13 +3156,16 @@ KERN_SHARED static int kern_has_side(const kern_structure *s, kern_side side)
            && kern_vec_largest(s->gravity) > 0;
 }
 
+/* The tangent of half the angle of tangent t. */
+KERN_SHARED static kern_real kern_halved(kern_real t)
+{ return t / (1 + KERN_SQRT(1 + t * t)); }
+
 /* The angle whose tangent is s >= 0: halved three times, then the series. */
 static kern_real kern_angle_of(kern_real s)
 {
     kern_real sum = KERN_R(0), t2;
     int i;
-    for (i = 0; i < 3; i++)
-        s = s / (1 + KERN_SQRT(1 + s * s));
+    s = kern_halved(kern_halved(kern_halved(s)));
     t2 = s * s;
     for (i = 25; i > 0; i -= 2)
         sum = KERN_R(1) / KERN_R(i) - t2 * sum;
@@ -3359,11 +3365,11 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
         value[i] = KERN_R(-1);
     if (status != KERN_OK)
         return status;
+    kern_is_nested(&c.m, range);
     if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
         return KERN_BAD_OPTION;
     if (side != KERN_SHRINK)
         kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
-    kern_is_nested(&c.m, range);
     c.path.end = side ? KERN_PROFILE_MOST : range[1];
     c.path.q.fallen = value;
     free_blocks = c.m.graph.groups;
@@ -3536,8 +3542,9 @@ static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
    the other end of its line, or i. Line: corners take ends along, which stay
    midway between the edges; normal and middle take half of what an end does.
    Point: a corner takes it along, an edge turns the normal. */
-static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
-                           int i, int pair, kern_block_rate *out)
+KERN_SHARED static void kern_pose_gain(
+    const kern_task *task, const kern_contact_rate *rate, int i, int pair,
+    kern_block_rate *out)
 {
     const kern_contact *c = task->s.contact + i;
     const kern_vec t = kern_vec_turn(c->n);
@@ -3560,7 +3567,8 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
         }
     }
     for (end = 0; end < 2; end++) {
-        const kern_block *b = task->s.block + (end ? c->b : c->a);
+        const int on = end ? c->b : c->a;
+        const kern_block *b = task->s.block + on;
         const kern_vec r = kern_vec_sub(c->p, b->centre);
         const kern_real size = kern_block_size(b);
         const kern_real owns = KERN_R(off[end] <= KERN_GAP * size
@@ -3569,7 +3577,7 @@ static void kern_pose_gain(const kern_task *task, const kern_contact_rate *rate,
         const kern_real part = pair != i ? KERN_R(0.5) : owns;
         const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
                                            part * across, c->n);
-        kern_block_rate *to = out + (end ? c->b : c->a);
+        kern_block_rate *to = out + on;
         if (b->vertex) {
             to->place = kern_vec_add(to->place, way);
             to->turn += kern_vec_cross(r, way) + (1 - part) * rate[i].turn;
@@ -3603,8 +3611,8 @@ KERN_API kern_status kern_sensitivity(
         const kern_real mass = b->fixed ? KERN_R(0) : b->mass;
         const kern_vec g = task->s.gravity;
         const kern_motion *v = proof->motion + i;
-        kern_zero(block + i, 9);
         kern_copy(&block[i].load, v, 3);
+        block[i].turn = KERN_R(0);
         block[i].place = block[i].centre = kern_vec_make(
             v->spin * (g.y * mass), -v->spin * (g.x * mass));
         block[i].mass = g.x * v->vx + g.y * v->vy;
@@ -5340,15 +5348,13 @@ KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* The place beyond s at which a load has grown by t, or gravity turned by
-   atan(t). */
+/* The place beyond s where a load grew by t, or gravity turned by atan(t). */
 KERN_SHARED static kern_real kern_path_pushed(const kern_path *path,
                                               kern_real s, kern_real t)
 {
     if (path->kind == KERN_PATH_LOAD)
         return s + t;
-    t = t / (1 + KERN_SQRT(1 + t * t));
-    t = t / (1 + KERN_SQRT(1 + t * t));
+    t = kern_halved(kern_halved(t));
     return (s + t) / (1 - s * t);
 }
 
@@ -5397,7 +5403,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
 {
     kern_part *p = path->part;
-    const kern_real s = kern_max(path->critical - aside, path->start);
+    const kern_real s = kern_before(path, aside);
     const kern_query q = kern_path_at(path, s);
     int i;
     if (!m->whole || path->kind != KERN_PATH_SHRINK || p->found != KERN_FALLS)
@@ -5455,7 +5461,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
         && kern_abs(path->exact - crit) > KERN_NOISE * path->unit)
         return crit;
     return crit - lo > aside * KERN_R(1.05)
-           ? kern_max(crit - aside, path->start) : KERN_INFINITY;
+           ? kern_before(path, aside) : KERN_INFINITY;
 }
 
 /* Narrows [holds, fails] to the tolerance around path->critical, where the
@@ -5553,8 +5559,7 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
     return 1;
 }
 
-/* Whether the known motion proves that the structure falls at the known place:
-   that bounds the critical value. */
+/* Whether the known motion proves that it falls at the known place: a bound. */
 static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
@@ -5597,14 +5602,15 @@ static kern_real kern_body_critical(const kern_model *m, int g, int *e,
 {
     const kern_contact *c = m->s->contact + (*e >> 1);
     const kern_vec at = m->s->block[m->graph.block[g]].centre;
-    const kern_vec n = kern_vec_scale(c->n, KERN_R(*e & 1 ? -1 : 1));
+    const kern_real side = KERN_R(*e & 1 ? -1 : 1);
+    const kern_vec n = kern_vec_scale(c->n, side);
     const kern_row row = kern_row_of(n, kern_vec_sub(c->p, at), m->unit[g]);
     const kern_row last = kern_row_of(n, kern_vec_sub(c[1].p, at), m->unit[g]);
     const kern_real normal = row.n[0] * b[0] + row.n[1] * b[1];
     const kern_real along = row.n[0] * b[1] - row.n[1] * b[0];
     const kern_real travel = kern_travel(c, m->mean);
     const kern_real most = m->relative ? KERN_R(1) : kern_abs(travel);
-    const kern_real rate = travel / most * KERN_R(*e & 1 ? 1 : -1) * m->unit[g];
+    const kern_real rate = travel / most * -side * m->unit[g];
     kern_real place, crit, other;
     if (!(normal > 0))
         return KERN_INFINITY;
@@ -5704,8 +5710,7 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* The critical value in the known bracket, or where there is none, or none that
-   can be narrowed, by a climb. */
+/* The critical value in the known bracket; where that has none, by a climb. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -5720,7 +5725,6 @@ static kern_status kern_path_narrow(kern_model *m, kern_path *path,
 /* Begins a program of all groups with the known forces. */
 static void kern_known_start(kern_model *m, kern_part *p)
 {
-    const kern_real least = KERN_NOISE * m->weight;
     int k;
     kern_copy(m->answer.force, m->answer.known->force, 2 * p->contacts);
     for (k = p->contacts - 1; k >= 0; k--) {
@@ -5729,7 +5733,7 @@ static void kern_known_start(kern_model *m, kern_part *p)
         x[0] = way[0] + along;
         x[1] = way[0] - along;
     }
-    kern_simplex_start(&p->eq.simplex, p->x, least);
+    kern_simplex_start(&p->eq.simplex, p->x, KERN_NOISE * m->weight);
 }
 
 /* The critical value of the whole beyond path->holds: of many groups by the
@@ -5810,19 +5814,17 @@ static kern_real kern_path_first(kern_model *m, kern_path *path,
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
     const kern_real most = known ? kern_min(at + first, path->end) : path->end;
-    kern_real place;
     kern_model_weigh(m, &path->q); /* the same for all places */
     m->reduction = kern_reduction(&path->q);
     if (known && kern_start_falls(m, path))
         return at;
-    place = kern_body_first(m, path);
-    if (place < most) {
+    if (kern_body_first(m, path) < most) {
         if (warm->holds > path->start) /* else it falls, or is asked, there */
             kern_start_falls(m, path);
         return kern_max(path->start, warm->holds);
     }
     if (m->answer.known && kern_known_part(m, path, most))
-        return kern_max(path->start, path->critical - kern_aside(path));
+        return kern_before(path, kern_aside(path));
     path->fails = KERN_INFINITY;
     return at;
 }
@@ -5863,7 +5865,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
         else if (status == KERN_FALLS)
             status = kern_path_part(m, path, at);
         if (status == KERN_FALLS && path->fails > path->start) {
-            at = kern_max(path->critical - kern_aside(path), path->start);
+            at = kern_before(path, kern_aside(path));
             kern_model_unload(m);
             status = KERN_UNDECIDED;
             round++;
@@ -6337,8 +6339,8 @@ KERN_API kern_status kern_raised_load(
 static int kern_polygon_next(const kern_block *block, int i, int back)
 {
     if (back)
-        return i > 0 ? i - 1 : block->vertices - 1;
-    return i + 1 < block->vertices ? i + 1 : 0;
+        return (i > 0 ? i : block->vertices) - 1;
+    return ++i < block->vertices ? i : 0;
 }
 
 /* How vertex i turns: 1 to the inner side (convex), -1 to the outer side
@@ -6526,7 +6528,8 @@ static kern_real kern_polygon_depth(const kern_outline *o, kern_vec p,
             u = v;
         }
     }
-    return inside ? KERN_SQRT(least) : -KERN_SQRT(least);
+    least = KERN_SQRT(least);
+    return inside ? least : -least;
 }
 
 /* Does f lie to one side of the line of e? A unit direction is rounded. */
@@ -6771,7 +6774,9 @@ KERN_SHARED static kern_real kern_overlap_depth(const kern_outline *a,
     const kern_outline *const side[3] = {a, b, a};
     kern_real deep = gap;
     kern_edge e;
-    int i, k, apart = !kern_box_near(&a->block->box, &b->block->box, -gap);
+    int i, k, apart = 0;
+    if (!kern_box_near(&a->block->box, &b->block->box, -gap))
+        return KERN_R(0);
     for (i = 1; i >= 0; i--) {
         const kern_block *own = side[i]->block, *other = side[i + 1]->block;
         for (k = 0; k < own->vertices && !apart; k++) {
@@ -6995,7 +7000,7 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
 {
     kern_edge chord[2];
     const kern_edge *e[2] = {edge, edge + 1};
-    kern_real inside[2] = {0, 0};
+    kern_real inside[2];
     kern_vec t, q;
     int on, reflex = pair->of[0].reflex | pair->of[1].reflex;
     for (on = 0; on < 2 && reflex; on++) {
@@ -7018,9 +7023,8 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
                || kern_chord_stands(e[on], e[!on], &pair->of[!on], &p)) {
         t = on ? kern_vec_scale(e[1]->d, -1) : e[0]->d;
         q = kern_edge_foot(e[on], p);
-    } else {
+    } else
         return;
-    }
     t = kern_vec_scale(kern_vec_turn(t), -1); /* the outer normal */
     if (2 * kern_vec_dot(t, n) > 1) /* less than 60 degrees off */
         kern_pair_put(pair, q, t, half * kern_vec_dot(t, n));
@@ -7061,8 +7065,7 @@ static void kern_pair_line(kern_pair *pair, const kern_edge *edge)
     kern_clip(&low, &high, gap, -2 * slope, -kern_max(wide, pair->deep), wide);
     if (!(high - low > pair->least))
         return;
-    p = kern_vec_step(e->p, (low + high) / 2, t);
-    p = kern_vec_step(p, gap / 2, n);
+    p = kern_vec_step(kern_vec_step(e->p, (low + high) / 2, t), gap / 2, n);
     kern_pair_add(pair, edge, p, n, (high - low) / 2, KERN_OUT);
 }
 
@@ -7245,8 +7248,7 @@ typedef struct kern_search {
     kern_fault *fault;
     kern_real floor;        /* places closer than that are the same [m]    */
     kern_real reach;        /* widest gap of any pair [m]                  */
-    int listing;            /* overlaps are found and no contacts: of them */
-    kern_overlap *overlap;  /* there are pair.count                        */
+    int listing;            /* nonzero: pair.out takes overlaps instead    */
     kern_pair pair;
 } kern_search;
 
@@ -7266,13 +7268,12 @@ static kern_real kern_search_gap(const kern_search *s, kern_real size)
 /* The tolerances of the pair. */
 static void kern_pair_tolerances(kern_pair *pair, const kern_search *s)
 {
-    const kern_options *o = s->pair.options;
     const kern_block *a = pair->of[0].block, *b = pair->of[1].block;
     const kern_real size = KERN_SQRT(
         kern_min(a->fixed ? KERN_INFINITY : kern_abs(a->area),
                  b->fixed ? KERN_INFINITY : kern_abs(b->area)));
     pair->gap = kern_search_gap(s, size);
-    pair->deep = kern_max(pair->gap, o->overlap)
+    pair->deep = kern_max(pair->gap, pair->options->overlap)
                  + pair->swing * (kern_box_half(a) + kern_box_half(b));
     pair->reach = kern_max(s->reach, pair->deep);
     pair->least = kern_max(kern_min(pair->gap, KERN_GAP * size), s->floor);
@@ -7305,24 +7306,25 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
             && a->vertex != b->vertex) /* else the first has lost its own */
         || (a->fixed && b->fixed))
         return KERN_OK;
-    s->fault->block = i;
-    if (i < s->from && kern_block_is_stale(a))
+    if (i < s->from && kern_block_is_stale(a)) {
+        s->fault->block = i;
         return KERN_STALE;
+    }
     kern_outline_set(&pair->of[0], a);
     kern_pair_tolerances(pair, s);
     depth = kern_overlap_depth(&pair->of[0], &pair->of[1], pair->deep,
                                s->listing ? KERN_INFINITY : pair->deep);
     if (depth > 0 && !s->listing) {
+        s->fault->block = i;
         s->fault->other = j;
         s->fault->value = depth;
         s->fault->allowed = pair->deep;
         return KERN_OVERLAP;
     }
-    s->fault->block = -1;
     if (s->listing) {
         const kern_overlap found = {i, j, depth, pair->deep};
         if (depth > 0 && pair->count++ < pair->room)
-            s->overlap[pair->count - 1] = found;
+            ((kern_overlap *)(void *)pair->out)[pair->count - 1] = found;
         return KERN_OK;
     }
     pair->a = i;
@@ -7414,9 +7416,9 @@ static kern_status kern_search_asked(const kern_search *s)
 }
 
 /* Contacts of the blocks from one on, or a list of overlaps. */
-static int kern_search_run(const kern_block *block, int blocks, int from,
-                           int listing, const kern_options *options, void *out,
-                           int room, kern_work *work)
+static int kern_search_run(const kern_block *block, int blocks,
+                           const kern_options *options, void *out, int room,
+                           kern_work *work, int from, int listing)
 {
     kern_search s;
     kern_status status;
@@ -7430,7 +7432,6 @@ static int kern_search_run(const kern_block *block, int blocks, int from,
     s.pair.options = options;
     s.fault = &work->fault;
     s.listing = listing;
-    s.overlap = (kern_overlap *)out;
     s.pair.out = (kern_contact *)out;
     s.pair.room = room;
     s.pair.count = 0;
@@ -7455,17 +7456,17 @@ static int kern_search_run(const kern_block *block, int blocks, int from,
 KERN_API int kern_contacts(const kern_block *block, int blocks,
                            const kern_options *options, kern_contact *out,
                            int room, kern_work *work)
-{ return kern_search_run(block, blocks, 0, 0, options, out, room, work); }
+{ return kern_search_run(block, blocks, options, out, room, work, 0, 0); }
 
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work)
-{ return kern_search_run(block, b + 1, b, 0, options, out, room, work); }
+{ return kern_search_run(block, b + 1, options, out, room, work, b, 0); }
 
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,
                            int room, kern_work *work)
-{ return kern_search_run(block, blocks, 0, 1, options, out, room, work); }
+{ return kern_search_run(block, blocks, options, out, room, work, 0, 1); }
 
 /* ---- contacts that are given ---- */
 
@@ -7519,8 +7520,7 @@ KERN_API void kern_contact_travels(kern_contact *contact, int contacts)
     for (i = 0; i < contacts; i++)
         if (kern_line_begins(contact, contacts, i)) {
             kern_contact *c = &contact[i++];
-            const kern_vec d = kern_vec_sub(c[1].p, c->p);
-            c->travel = kern_vec_cross(c->n, d) / 2;
+            c->travel = kern_vec_cross(c->n, kern_vec_sub(c[1].p, c->p)) / 2;
             c[1].travel = -c->travel;
         }
 }
