@@ -15,10 +15,10 @@
      III  The argument     >>impl >>tune (constants) >>vec >>statics (Eq. 5)
                            >>kern (Algorithm 1) >>work >>check >>proof >>model
                            >>engine >>measure >>profile >>critical >>sensitivity
-     IV   Forces, motions  >>part >>skyline >>norm >>pass >>ipm >>verdict
-                           >>search >>raised
+     IV   Forces, motions  >>lp (simplex method) >>part >>skyline >>norm >>pass
+                           >>ipm >>verdict >>search >>raised
      V    Geometry         >>tol (tolerances) >>polygon >>contact, and >>plan
-     VI   Linear programs  >>lp, and >>words
+     VI   Words            >>words
      VII  Sources          >>references >>changes, and the licence
 
    WHAT IT COMPUTES                                                    >>what
@@ -1514,6 +1514,25 @@ static kern_real kern_largest(const kern_real *v, int n)
     return size;
 }
 
+/* sum of a[i] b[i] */
+static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
+{
+    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
+    int i;
+    for (i = 0; i + 4 <= n; i += 4) {
+        s0 += a[i] * b[i];
+        s1 += a[i + 1] * b[i + 1];
+        s2 += a[i + 2] * b[i + 2];
+        s3 += a[i + 3] * b[i + 3];
+    }
+    for (; i < n; i++)
+        s0 += a[i] * b[i];
+    return s0 + s1 + (s2 + s3);
+}
+
+static inline kern_real kern_three(const kern_real *a, const kern_real *b)
+{ return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 static void kern_box_add(kern_box *box, kern_vec p)
 {
     box->low.x = kern_min(box->low.x, p.x);
@@ -1731,13 +1750,14 @@ typedef struct kern_path {
     const kern_proof *proof;  /* the caller's: of the last verdict each way   */
 } kern_path;
 
-/* Wanted width of a bracket; critical value to its ends; a place before it. */
+/* Width of a bracket, as it is wanted; from the critical value to its ends. */
 KERN_SHARED static kern_real kern_width(const kern_path *path)
 { return KERN_WIDTH * path->unit; }
 
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
 { return kern_width(path) / 2; }
 
+/* The place so far before the critical value, on the path. */
 KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
 { return kern_max(path->critical - aside, path->start); }
 
@@ -1822,6 +1842,13 @@ static int *kern_take_ints(kern_take *take, int n)
     take->index += n <= take->indices ? n : 0;
     take->indices = n <= take->indices ? take->indices - n : KERN_OUT;
     return at;
+}
+
+/* The last n numbers of what is left. */
+static kern_real *kern_take_last(kern_take *take, int n)
+{
+    take->reals -= n;
+    return take->real + take->reals;
 }
 
 static int kern_take_fits(const kern_take *take)
@@ -2864,18 +2891,6 @@ struct kern_part {
     kern_equations eq;
 };
 
-/* The engine, in >>lp. */
-
-static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift);
-static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x);
-static void kern_simplex_change(kern_simplex *sx, kern_basis to);
-static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
-                               kern_real least);
-static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
-                             kern_take *take);
-static kern_status kern_program_solve(kern_simplex *sx, int builtin,
-                                      kern_real *x, kern_real *y);
-
 /* ---- The measures --------------------------------------------- >>measure */
 
 /* Along the path a load grows or gravity turns instead. */
@@ -3629,6 +3644,831 @@ KERN_API kern_status kern_sensitivity(
 
 /* ==== Part IV: How forces and motions are found ========================== */
 
+/* ---- The simplex method -------------------------------------------- >>lp */
+/* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
+   Variables are the columns, then the place (see kern_program), then a logical
+   for each row, a unit vector. Logicals must be zero.
+
+   The inverse of the basis B is a product of factors:
+
+       B^-1 = E_n ... E_2 E_1 B_0^-1.
+
+   Rows come in groups of three. A column of a network (`ends` given) touches
+   one or two groups; it is an own column of the first of them, in the order in
+   which groups carry each other. B_0 has three own columns of each group, or
+   logicals: it is block triangular, and for each group its inverse, 3 x 3, and
+   what its three columns do to other groups is all there is to store. Without
+   `ends` B_0 is the unit matrix.
+
+   E_i lets one column more enter (the product form of the inverse). It is the
+   unit matrix but for one column: with alpha the entering column in terms of
+   the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
+   / alpha_p in row p. Its entries are kept in threes, from the first that is
+   not zero to the last.
+
+   Vectors over the rows have three more places at their end: there lie the rows
+   of the group that a column leads to which leads to none. Reading it gives 0,
+   writing to it has no effect, and no loop tests for it. */
+
+/* ---- columns ---- */
+
+/* Column j where it is dense. */
+static const kern_real *kern_lp_dense(const kern_program *lp, int j)
+{ return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows; }
+
+/* y.A_j of a column, or of the place. */
+static inline kern_real kern_lp_dot(const kern_program *lp, int j,
+                                    const kern_real *y)
+{
+    if (lp->ends && j < lp->cols) {
+        const kern_real *h = y + 3 * lp->ends[j & ~1];
+        const kern_real *t = y + 3 * lp->ends[j | 1];
+        const kern_real *c = lp->a + 4 * (size_t)j;
+        return c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
+               + c[3] * t[2];
+    }
+    return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
+}
+
+/* Column j's entries in the rows of the group whose own it is, or of its other
+   end; returns the first of these rows. */
+static inline int kern_lp_part(const kern_program *lp, int j, int other,
+                               kern_real out[3])
+{
+    const int *ends = lp->ends + (j & ~1);
+    const int end = (ends[1] < ends[0]) ^ other;
+    const kern_real *c = lp->a + 4 * (size_t)j;
+    out[0] = end ? -c[0] : c[0];
+    out[1] = end ? -c[1] : c[1];
+    out[2] = c[2 + end];
+    return 3 * ends[end];
+}
+
+/* v -= s * variable j */
+static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
+                             kern_real *v)
+{
+    if (j > lp->cols)
+        v[j - lp->cols - 1] -= s;
+    else if (!lp->ends || j == lp->cols)
+        kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
+    else {
+        kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
+        const kern_real *c = lp->a + 4 * (size_t)j, x = s * c[0], y = s * c[1];
+        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
+        t[0] += x; t[1] += y; t[2] -= s * c[3];
+    }
+}
+
+/* ---- the basis ---- */
+
+/* v := B^-1 v, from rows to variables */
+static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
+{
+    const kern_factors *f = &sx->factors;
+    int e, g, k;
+    for (g = 0; g < f->groups; g++) {
+        const kern_real *d = f->block + 18 * (size_t)g;
+        kern_real *own = v + 3 * g;
+        const kern_real b[3] = {own[0], own[1], own[2]};
+        if (kern_abs(b[0]) + kern_abs(b[1]) + kern_abs(b[2]) <= 0)
+            continue;
+        for (k = 0; k < 3; k++, d += 6) {
+            const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
+            kern_real *to = v + f->to[3 * g + k];
+            own[k] = x;
+            to[0] -= x * d[3]; to[1] -= x * d[4]; to[2] -= x * d[5];
+        }
+    }
+    for (e = 0; e < f->count; e++) {
+        const kern_real x = v[f->pivot[e]], *a;
+        kern_real *w;
+        if (kern_abs(x) <= 0)
+            continue;
+        v[f->pivot[e]] = KERN_R(0);
+        w = v + f->from[e];
+        for (a = f->entry + f->first[e]; a < f->entry + f->first[e + 1];
+             a += 3, w += 3) {
+            w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
+        }
+    }
+}
+
+/* c := B^-T c, from variables to rows; zero where no rows are. */
+static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
+{
+    const kern_factors *f = &sx->factors;
+    int e, g, k;
+    kern_zero(c + sx->lp->rows, f->size + 3 - sx->lp->rows);
+    for (e = f->count - 1; e >= 0; e--)
+        c[f->pivot[e]] = kern_dot(f->entry + f->first[e], c + f->from[e],
+                                  f->first[e + 1] - f->first[e]);
+    for (g = f->groups - 1; g >= 0; g--) {
+        const kern_real *d = f->block + 18 * (size_t)g;
+        kern_real y0 = KERN_R(0), y1 = KERN_R(0), y2 = KERN_R(0);
+        for (k = 0; k < 3; k++, d += 6) {
+            const kern_real *to = c + f->to[3 * g + k];
+            const kern_real z = c[3 * g + k] - to[0] * d[3] - to[1] * d[4]
+                                - to[2] * d[5];
+            y0 += z * d[0]; y1 += z * d[1]; y2 += z * d[2];
+        }
+        c[3 * g] = y0; c[3 * g + 1] = y1; c[3 * g + 2] = y2;
+    }
+}
+
+/* Column j in terms of the basis: to sx->alpha. */
+static void kern_basis_column(kern_simplex *sx, int j)
+{
+    kern_zero(sx->alpha, sx->factors.size + 3);
+    kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
+    kern_basis_solve(sx, sx->alpha);
+}
+
+/* Whether there is no room for one more factor. */
+static int kern_basis_full(const kern_simplex *sx)
+{
+    const kern_factors *f = &sx->factors;
+    return f->count == f->most || f->first[f->count] + f->size > f->room;
+}
+
+/* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
+static void kern_basis_enter(kern_simplex *sx, int q, int p)
+{
+    kern_factors *f = &sx->factors;
+    const kern_real one = 1 / sx->alpha[p];
+    kern_real *entry = f->entry + f->first[f->count];
+    int from = 0, to = f->size, i;
+    while (kern_largest(sx->alpha + from, 3) <= 0)
+        from += 3;
+    while (kern_largest(sx->alpha + to - 3, 3) <= 0)
+        to -= 3;
+    for (i = from; i < to; i++)
+        *entry++ = i == p ? one : -sx->alpha[i] * one;
+    f->from[f->count] = from;
+    f->pivot[f->count++] = p;
+    f->first[f->count] = f->first[f->count - 1] + to - from;
+    sx->base[p] = q;
+    sx->place[q] = p;
+}
+
+/* ---- the crash basis ---- */
+
+static kern_real kern_three_det(const kern_real *a, const kern_real *b,
+                                const kern_real *c)
+{
+    return (a[1] * b[2] - a[2] * b[1]) * c[0]
+           + (a[2] * b[0] - a[0] * b[2]) * c[1]
+           + (a[0] * b[1] - a[1] * b[0]) * c[2];
+}
+
+/* Of the columns of group g, a list from j, three become basic and pass on what
+   they exert: those that carry its load with the largest least share. If not
+   `all` they must push against it, and none pull more than so many loads; else
+   one may be the logical of its torque. 0: there are none. */
+static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
+{
+    const int logical = sx->lp->cols + 1 + 3 * g + 2;
+    int *base = sx->base + 3 * g;
+    const kern_real *load = sx->alpha + 3 * g;
+    const kern_real x = load[0], y = load[1];
+    kern_real part[KERN_ROWS_MOST][3], share[3];
+    kern_real best = all ? -KERN_INFINITY
+                         : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
+    int mine[KERN_ROWS_MOST], n = 0, found = 0, i, k;
+    for (; j != KERN_OUT && n < KERN_ROWS_MOST - 1; j = sx->place[j]) {
+        const kern_real *a = part[n];
+        kern_real along;
+        kern_lp_part(sx->lp, j, 0, part[n]);
+        along = a[0] * x + a[1] * y;
+        mine[n] = j;
+        n += all || (along > 0 && 4 * along * along
+                     >= (a[0] * a[0] + a[1] * a[1]) * (x * x + y * y));
+    }
+    if (all) {
+        part[n][0] = part[n][1] = KERN_R(0);
+        part[n][2] = KERN_R(1);
+        mine[n++] = logical;
+    }
+    for (i = 0; i < n; i++)
+        for (j = i + 1; j < n; j++) {
+            const kern_real *a = part[i], *b = part[j];
+            const kern_real last = kern_three_det(a, b, load);
+            for (k = j + 1; k < n; k++) {
+                const kern_real *c = part[k], det = kern_three_det(a, b, c);
+                const kern_real lc = last / det;
+                kern_real la, lb, least;
+                if (kern_abs(det) < KERN_PIVOT || lc <= best)
+                    continue;
+                la = kern_three_det(b, c, load) / det;
+                lb = kern_three_det(c, a, load) / det;
+                least = kern_min(kern_min(la, lb),
+                                 mine[k] == logical ? -kern_abs(lc) : lc);
+                if (least > best) {
+                    best = least;
+                    found = 1;
+                    base[0] = mine[i]; base[1] = mine[j]; base[2] = mine[k];
+                    share[0] = la; share[1] = lb; share[2] = lc;
+                }
+            }
+        }
+    for (k = 0; k < 3 && found; k++)
+        kern_lp_subtract(sx->lp, base[k], kern_max(share[k], KERN_R(0)),
+                         sx->alpha);
+    return found;
+}
+
+/* Begins from the columns that x uses, if they may be a basis, and the last. */
+static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
+                               kern_real least)
+{
+    const kern_program *lp = sx->lp;
+    int j, n = 0;
+    sx->state = KERN_BASIS_NONE;
+    for (j = 0; j < lp->cols; j++)
+        if (x[j] > least) {
+            if (n == lp->rows)
+                return;
+            sx->base[n++] = j;
+        }
+    for (; n < lp->rows; n++)
+        sx->base[n] = j > 0 ? --j : lp->cols + 1;
+    sx->state = KERN_BASIS_STALE;
+}
+
+/* Logicals, but for a network: from top to bottom three columns of each group
+   carry what it bears. */
+KERN_SHARED static void kern_simplex_crash(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    int *next = sx->place, *first = sx->list; /* columns of a group */
+    int g, j;
+    for (j = 0; j < lp->rows; j++) {
+        sx->base[j] = lp->cols + 1 + j; /* its logical */
+        sx->alpha[j] = lp->rhs[j];
+        first[j] = KERN_OUT;
+    }
+    for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
+        kern_real part[3];
+        g = kern_lp_part(lp, j, 0, part) / 3;
+        next[j] = first[g];
+        first[g] = j;
+    }
+    for (g = 0; g < sx->factors.groups; g++)
+        if (!kern_crash_choose(sx, g, first[g], 0))
+            kern_crash_choose(sx, g, first[g], 1);
+    sx->state = KERN_BASIS_STALE;
+}
+
+/* ---- factors ---- */
+
+/* Lets column j take one of its own rows that still have their logical: where
+   it is largest in terms of the columns before it. */
+static int kern_own_enter(kern_simplex *sx, int j)
+{
+    const kern_program *lp = sx->lp;
+    kern_real part[3], alpha[3], least = KERN_OWN_TOL, *block, *own;
+    int k, best = KERN_OUT, row;
+    if (!lp->ends || j == lp->cols)
+        return 0;
+    row = kern_lp_part(lp, j, 0, part);
+    block = sx->factors.block + 6 * (size_t)row;
+    for (k = 0; k < 3; k++) {
+        alpha[k] = kern_three(block + 6 * k, part);
+        if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
+            least = kern_abs(alpha[k]);
+            best = k;
+        }
+    }
+    if (best == KERN_OUT)
+        return 0;
+    own = block + 6 * best;
+    for (k = 0; k < 3; k++)
+        own[k] /= alpha[best];
+    for (k = 0; k < 3; k++)
+        if (k != best)
+            kern_add(block + 6 * k, -alpha[k], own, 3);
+    sx->factors.to[row + best] = kern_lp_part(lp, j, 1, own + 3);
+    sx->base[row + best] = j;
+    sx->place[j] = row + best;
+    return 1;
+}
+
+/* Lets column j enter in any row that still has its logical, unless it depends
+   on the columns before it, or there is no room. */
+static void kern_left_enter(kern_simplex *sx, int j)
+{
+    kern_real least;
+    int p, best = KERN_OUT;
+    kern_basis_column(sx, j);
+    least = KERN_PIVOT * kern_largest(sx->alpha, sx->lp->rows);
+    for (p = 0; p < sx->lp->rows; p++)
+        if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
+            least = kern_abs(sx->alpha[p]);
+            best = p;
+        }
+    if (best != KERN_OUT && !kern_basis_full(sx))
+        kern_basis_enter(sx, j, best);
+}
+
+/* What the values leave of the right-hand side, to sx->alpha: returns its
+   largest entry as a share of the largest value. */
+static kern_real kern_basis_residual(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    kern_real size = KERN_R(0);
+    int p;
+    kern_copy(sx->alpha, lp->rhs, lp->rows);
+    for (p = 0; p < lp->rows; p++) {
+        const kern_real v = sx->value[p];
+        size = kern_max(size, kern_abs(v));
+        if (kern_abs(v) > 0)
+            kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
+    }
+    return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
+}
+
+/* The basic solution. What it leaves of the right-hand side is solved for
+   again until that is rounding: the inverse grows with every course of a wall,
+   and one solve may lose half of the digits. Returns 0 where it is not. */
+static int kern_basis_values(kern_simplex *sx)
+{
+    kern_real left = kern_basis_residual(sx);
+    int round;
+    for (round = 0; round < 3 && left > 4 * KERN_EPS; round++) {
+        kern_basis_solve(sx, sx->alpha);
+        kern_add(sx->value, KERN_R(1), sx->alpha, sx->lp->rows);
+        left = kern_basis_residual(sx);
+    }
+    sx->refined = 1;
+    return left <= KERN_PASS_TOL;
+}
+
+/* Factors the basis anew: three own columns of each group, then what is left of
+   its columns. */
+static void kern_basis_refactorise(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    kern_factors *f = &sx->factors;
+    int i, p, left = 0;
+    for (i = 0; i <= lp->cols; i++)
+        sx->place[i] = KERN_OUT;
+    for (p = 0; p < lp->rows; p++) {
+        sx->list[p] = sx->base[p];
+        sx->base[p] = lp->cols + 1 + p;
+        sx->value[p] = KERN_R(0);
+    }
+    kern_zero(f->block, 18 * f->groups);
+    for (p = 0; p < 3 * f->groups; p++) {
+        f->block[6 * p + p % 3] = KERN_R(1);
+        f->to[p] = lp->rows;
+    }
+    f->count = f->first[0] = 0;
+    for (p = 0; p < lp->rows; p++)
+        if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
+            sx->list[left++] = sx->list[p];
+    for (i = 0; i < left; i++)
+        kern_left_enter(sx, sx->list[i]);
+    sx->state = KERN_BASIS_READY;
+    kern_basis_values(sx);
+}
+
+/* The basic solution, of a basis that is factored anew where the matrix changed
+   or pivots have made the factors too long, or lost digits. */
+static void kern_basis_renew(kern_simplex *sx)
+{
+    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
+        || !kern_basis_values(sx))
+        kern_basis_refactorise(sx);
+}
+
+/* ---- pivots ---- */
+/* Every basis gives x with A x = rhs. While a variable violates x >= 0 (or is a
+   logical that is not zero) what is lowered is the sum of all violations. With
+
+       y = B^-T c,    c = +1 or -1 for what violates, else 0,
+
+   y.A_j < 0 tells how fast the sum falls when column j enters. When no column
+   lowers it and it is not zero, y is a Farkas certificate, and the one that
+   shows the largest sum of violations: what a step of Newton's method needs.
+   Where nothing violates c is less the costs, and y less their prices. */
+
+/* Whether variable j must be zero: a logical, or a place that is held. */
+static int kern_lp_fixed(const kern_program *lp, int j)
+{ return j >= lp->cols + lp->follow; }
+
+/* By what the costs fall where variable j grows; 1 for a place that is free. */
+static kern_real kern_lp_worth(const kern_program *lp, int j)
+{
+    return lp->cost && j < lp->cols ? -lp->cost[j]
+           : KERN_R(j == lp->cols ? lp->follow : 0);
+}
+
+/* c to sx->slope; returns the sum of violations. */
+static kern_real kern_violations(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    const kern_real least = sx->least;
+    kern_real sum = KERN_R(0);
+    int p;
+    sx->violated = 0;
+    for (p = 0; p < lp->rows; p++) {
+        const kern_real v = sx->value[p];
+        sx->slope[p] = KERN_R(0);
+        if (v < -least || (v > least && kern_lp_fixed(lp, sx->base[p]))) {
+            sx->slope[p] = KERN_R(v < 0 ? 1 : -1);
+            sx->violated++;
+            sum += kern_abs(v);
+        }
+    }
+    for (p = 0; p < lp->rows && !sx->violated; p++)
+        sx->slope[p] = kern_lp_worth(lp, sx->base[p]);
+    return sum;
+}
+
+/* Corrects y by what a solution that lost digits leaves of y.A_j = c of basic
+   variables; and lifts it, as a certificate, off the columns, by a share of its
+   size. Rounding puts it a little below zero there as often as above; a few
+   roundings higher it costs of its power no more than all of x is worth, times
+   those roundings. 0: no basis, since the backend has answered. */
+static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
+{
+    const kern_program *lp = sx->lp;
+    int p;
+    lift *= kern_largest(y, lp->rows);
+    if (sx->state == KERN_BASIS_NONE)
+        return 0;
+    for (p = 0; p < lp->rows; p++) {
+        const int j = sx->base[p];
+        sx->alpha[p] = sx->slope[p] + (j < lp->cols ? lift : KERN_R(0))
+                       - (j > lp->cols ? y[j - lp->cols - 1]
+                                       : kern_lp_dot(lp, j, y));
+    }
+    kern_basis_solve_t(sx, sx->alpha);
+    kern_add(y, KERN_R(1), sx->alpha, lp->rows);
+    return 1;
+}
+
+/* Prices; and of the variables outside of the basis that lowers what they stand
+   for fastest, or the first that does: sx->enters does by sx->gain = c_j -
+   y.A_j. 0: none does. What would have to carry more than lp->most to undo the
+   violations is no help: the bound on forces of a jam. */
+static int kern_entering(kern_simplex *sx, int first, int fine)
+{
+    const kern_program *lp = sx->lp;
+    const kern_real sum = kern_violations(sx);
+    const int costs = !sx->violated, all = lp->cols + lp->follow;
+    kern_real size, least;
+    int j;
+    kern_copy(sx->price, sx->slope, lp->rows);
+    if (costs && !lp->cost && !lp->follow)
+        return 0;
+    kern_basis_solve_t(sx, sx->price);
+    if (fine)
+        kern_prices_mend(sx, sx->price, KERN_R(0));
+    size = kern_largest(sx->price, lp->rows);
+    least = costs || !(lp->most > 0) ? KERN_NOISE * size : sum / lp->most;
+    least = kern_max(least, KERN_ROUNDING * size);
+    sx->gain = KERN_R(0);
+    for (j = 0; j < all; j++) {
+        kern_real d;
+        if (sx->place[j] != KERN_OUT)
+            continue;
+        d = (costs ? kern_lp_worth(lp, j) : KERN_R(0))
+            - kern_lp_dot(lp, j, sx->price);
+        if (d > sx->gain) {
+            sx->enters = j;
+            sx->gain = d;
+            if (first && d > least)
+                break;
+        }
+    }
+    return sx->gain > least;
+}
+
+/* How much the slope of the sum rises when the basic variable of row p, which
+   falls at the rate alpha, passes zero, and in `at` where that is. What
+   violates may move towards zero only, what must be zero leaves it at once. */
+static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
+{
+    const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
+    const kern_real a = sx->alpha[p];
+    const kern_real falls = sx->violated ? -sx->slope[p] * a : KERN_R(0);
+    if (falls < 0 || (!fixed && a < 0 && !(falls > 0)))
+        return KERN_R(0);
+    *at = falls > 0 ? sx->value[p] / a
+          : fixed ? KERN_R(0) : kern_max(sx->value[p], KERN_R(0)) / a;
+    return fixed ? kern_abs(a) + falls : kern_abs(a);
+}
+
+/* Counts work on a program that is about to be done; 0: it is refused. */
+static int kern_lp_spend(const kern_program *lp, int units)
+{ return kern_spend(lp->work, lp->limit, units); }
+
+/* The row that the entering column takes, and how far it goes, from those whose
+   variables reach zero on the way. The ratio test goes on past every one as
+   long as the sum of violations still falls: a long step, which passes through
+   degenerate corners. With `first`, and for costs, it stops at once. Of equals
+   it takes the largest pivot, with `first` the least index (Bland). Where its
+   work is refused, so is the pivot. */
+static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
+{
+    const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
+    kern_real *at = sx->ratio, left = sx->gain;
+    int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
+    for (i = 0; i < sx->lp->rows; i++)
+        if (kern_abs(sx->alpha[i]) > least) {
+            list[n] = i;
+            n += kern_break(sx, i, at + n) > 0;
+        }
+    for (; n > 0 && left > 2 * KERN_ROUNDING * sx->gain; n--) {
+        seen += n;
+        next = 0;
+        for (i = 1; i < n; i++)
+            if (at[i] < at[next]
+                || (at[i] <= at[next]
+                    && (first ? sx->base[list[i]] < sx->base[list[next]]
+                              : kern_abs(sx->alpha[list[i]])
+                                > kern_abs(sx->alpha[list[next]]))))
+                next = i;
+        best = list[next];
+        left -= kern_break(sx, best, step);
+        if (first || !sx->violated)
+            break;
+        at[next] = at[n - 1];
+        list[next] = list[n - 1];
+    }
+    kern_lp_spend(sx->lp, seen / (2 * KERN_UNIT));
+    return best;
+}
+
+/* Counts a pivot: a column, prices, what both cost of factors; 0: refused. */
+static int kern_pivot_spend(const kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    return kern_lp_spend(lp, 1 + (sx->factors.first[sx->factors.count]
+                                  + 6 * sx->factors.groups) / KERN_UNIT
+                         + (lp->ends ? 4 * lp->cols / (3 * KERN_UNIT)
+                            : lp->rows * (lp->cols / (4 * KERN_UNIT))));
+}
+
+/* Lowers the sum of violations, then the costs, until no column does. The sum
+   falls with every step that is not of length zero, unless prices are rounding:
+   when the budget is used up they are refined; beyond five the smallest indices
+   are taken (Bland), which cannot cycle. The limit ends what rounding might
+   keep going. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
+   the last column may grow for ever; or where there is no room or no work left
+   for a pivot, KERN_NO_SPACE or KERN_LIMIT. */
+static kern_status kern_simplex_run(kern_simplex *sx)
+{
+    const kern_program *lp = sx->lp;
+    const int limit = 200 + 20 * (lp->rows + lp->cols);
+    const int budget = 50 + 2 * lp->rows;
+    int count;
+    for (count = 0; count < limit; ) {
+        const int fine = count > budget, first = count > 5 * budget;
+        const int enters = kern_entering(sx, first, fine);
+        kern_real step = KERN_R(0);
+        int p = KERN_OUT;
+        if (enters) {
+            kern_basis_column(sx, sx->enters);
+            p = kern_leaving(sx, first, &step);
+        }
+        if (p == KERN_OUT && !sx->refined) {
+            kern_basis_renew(sx);
+            continue;
+        }
+        if (!enters)
+            return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
+        if (p == KERN_OUT)
+            return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
+        if (kern_basis_full(sx))
+            return KERN_NO_SPACE;
+        if (!kern_pivot_spend(sx))
+            return KERN_LIMIT;
+        kern_add(sx->value, -step, sx->alpha, lp->rows);
+        if (sx->base[p] <= lp->cols)
+            sx->place[sx->base[p]] = KERN_OUT;
+        kern_basis_enter(sx, sx->enters, p);
+        sx->value[p] = step;
+        sx->refined = 0;
+        lp->work->pivots++;
+        count++;
+        KERN_AUDIT(simplex, sx);
+        if (kern_basis_full(sx))
+            kern_basis_renew(sx);
+    }
+    return KERN_UNDECIDED;
+}
+
+/* ---- opening, starting, reading ---- */
+
+/* Lays out the arrays of a simplex, with room for so many entries. */
+static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
+                             kern_take *take)
+{
+    const int m = lp->rows;
+    kern_factors *f = &sx->factors;
+    sx->lp = lp;
+    sx->state = KERN_BASIS_NONE;
+    f->size = m + 2 - (m + 2) % 3;
+    f->groups = lp->ends ? m / 3 : 0;
+    f->room = room;
+    f->most = 2 * m + 8;
+    f->to = kern_take_ints(take, 3 * f->groups);
+    f->pivot = kern_take_ints(take, f->most);
+    f->from = kern_take_ints(take, f->most);
+    f->first = kern_take_ints(take, f->most + 1);
+    f->block = kern_take_reals(take, 18 * f->groups);
+    f->entry = kern_take_reals(take, room);
+    sx->base = kern_take_ints(take, m);
+    sx->place = kern_take_ints(take, lp->cols + 1);
+    sx->list = kern_take_ints(take, m + 1);
+    sx->value = kern_take_reals(take, m);
+    sx->slope = kern_take_reals(take, m);
+    sx->alpha = kern_take_reals(take, f->size + 3);
+    sx->price = kern_take_reals(take, f->size + 3);
+    sx->ratio = kern_take_reals(take, m);
+}
+
+/* The next program begins without a basis, or where columns changed from the
+   same, factored anew. */
+static void kern_simplex_change(kern_simplex *sx, kern_basis to)
+{
+    if (sx->state > to)
+        sx->state = to;
+}
+
+#ifdef KERN_USE_GLPK
+#define KERN_LP_H_ALLOWED
+#include "kern_lp.h"
+#endif
+
+/* x := v, of the basis, as variables. */
+static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
+                            kern_real *x)
+{
+    int i;
+    kern_zero(x, sx->lp->cols + sx->lp->follow);
+    for (i = 0; i < sx->lp->rows; i++)
+        if (!kern_lp_fixed(sx->lp, sx->base[i]))
+            x[sx->base[i]] = v[i];
+}
+
+/* x := what v, which is scratch, adds to rhs, in terms of the basis, if any. */
+static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
+{
+    if (sx->state == KERN_BASIS_NONE)
+        return 0;
+    kern_basis_solve(sx, v);
+    kern_basis_read(sx, v, x);
+    return 1;
+}
+
+/* The one entry of the engine. Starts from the last basis, or that of
+   kern_simplex_crash(). x is written for every verdict: one that falls leaves
+   A x = rhs in it, with what is negative about it, which tells how the verdict
+   changes with the matrix. y is a certificate for KERN_LP_INFEASIBLE, less the
+   prices for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
+static kern_status kern_program_solve(kern_simplex *sx, int builtin,
+                                      kern_real *x, kern_real *y)
+{
+    const kern_program *lp = sx->lp;
+    kern_status status;
+    lp->work->solves++;
+#ifdef KERN_USE_GLPK
+    if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
+        kern_simplex_change(sx, KERN_BASIS_NONE);
+        return kern_lp_glpk(lp, x, y, lp->work);
+    }
+#endif
+    (void)builtin;
+    sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
+    if (sx->state != KERN_BASIS_READY
+        && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
+                                       : lp->rows * (lp->cols / KERN_UNIT)))
+        return KERN_LIMIT;
+    if (sx->state == KERN_BASIS_NONE)
+        kern_simplex_crash(sx);
+    kern_basis_renew(sx);
+    status = kern_pivot_spend(sx) ? kern_simplex_run(sx) : KERN_LIMIT;
+    kern_basis_read(sx, sx->value, x);
+    kern_copy(y, sx->price, lp->rows);
+    return status;
+}
+
+/* Clears of the n numbers of a proof those below a share of the largest, and
+   with `sign` what is negative. */
+KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
+                                      int sign)
+{
+    const kern_real least = share * kern_largest(v, n);
+    int i;
+    for (i = 0; i < n; i++)
+        if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
+            v[i] = KERN_R(0);
+}
+
+/* from plus the sum of u v over n numbers, those of v so far apart, as a share
+   of all terms; not a number where one is not. */
+static kern_real kern_lp_sum(kern_real from, const kern_real *u,
+                             const kern_real *v, int apart, int n)
+{
+    kern_real terms = kern_abs(from);
+    for (; n > 0; n--, v += apart) {
+        const kern_real term = *u++ * *v;
+        from += term;
+        terms += kern_abs(term);
+    }
+    return terms > 0 ? from / terms + (terms - terms) : from;
+}
+
+/* Whether x and y prove the status by products with the matrix alone, each row
+   and column to KERN_TOL of its own terms. What is not a number proves nothing.
+
+       optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
+       infeasible   y A >= 0,  y.rhs < 0
+       unbounded    A x = 0,  cost.x < 0                                      */
+static int kern_lp_holds(const kern_lp *lp, const kern_real *x,
+                         const kern_real *y, kern_status status)
+{
+    const int m = lp->rows, best = status == KERN_LP_OPTIMAL;
+    int i, j;
+    for (i = 0; i < m && status != KERN_LP_INFEASIBLE; i++) {
+        const kern_real left = kern_lp_sum(best ? -lp->rhs[i] : KERN_R(0), x,
+                                           lp->a + i, m, lp->cols);
+        if (!(kern_abs(left) <= KERN_TOL))
+            return 0;
+    }
+    for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
+        const kern_real left = kern_lp_sum(
+            best && lp->cost ? lp->cost[j] : KERN_R(0), y,
+            lp->a + (size_t)j * (size_t)m, 1, m);
+        if (!(left >= -KERN_TOL) || (best && x[j] > 0 && left > KERN_TOL))
+            return 0;
+    }
+    return best || (status == KERN_LP_INFEASIBLE
+                    ? kern_lp_sum(KERN_R(0), y, lp->rhs, 1, m)
+                    : kern_lp_sum(KERN_R(0), x, lp->cost, 1, lp->cols))
+                   < -KERN_TOL;
+}
+
+/* The same; where nothing else is in a row the last digits of x or y are all
+   there is: if need be they are taken out. */
+static int kern_lp_proven(const kern_lp *lp, kern_real *x, kern_real *y,
+                          kern_status status)
+{
+    int again;
+    for (again = 0; again < 2; again++) {
+        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_ROUNDING, 1);
+        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_ROUNDING, 0);
+        if (kern_lp_holds(lp, x, y, status))
+            return 1;
+    }
+    return 0;
+}
+
+/* kern_lp_solve() of a program that has been checked. */
+static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
+                               kern_work *work)
+{
+    const kern_program p = {lp->rows, lp->cols, lp->a, lp->rhs, lp->cost, NULL,
+                            NULL, 0, KERN_R(0), lp->limit, work};
+    kern_simplex sx;
+    kern_take take;
+    kern_status status;
+    int i;
+    kern_take_open(&take, work);
+    kern_simplex_lay(&sx, &p, KERN_LP_ROOM(p.rows), &take);
+    if (!kern_take_fits(&take))
+        return KERN_NO_SPACE;
+    status = kern_program_solve(&sx, 0, x, y);
+    if (work->units > kern_limit_of(p.limit))
+        return KERN_LIMIT;
+    if (status < 0)
+        return status;
+    if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
+        kern_scale(sx.alpha, p.rows, KERN_R(-1));
+        kern_basis_read(&sx, sx.alpha, x);
+        x[sx.enters] = KERN_R(1);
+    }
+    if (!kern_lp_proven(lp, x, y, status))
+        return KERN_UNDECIDED;
+    for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
+        y[i] = 0 - y[i];
+    return status;
+}
+
+KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
+                                   kern_real *y, kern_work *work)
+{
+    kern_status status;
+    if (!work || !work->real || !work->index)
+        return KERN_BAD_POINTER;
+    kern_work_begin(work);
+    status = x && y ? kern_lp_check(lp, &work->fault) : KERN_BAD_POINTER;
+    return status == KERN_OK ? kern_lp_run(lp, x, y, work) : status;
+}
+
 /* ---- Parts ------------------------------------------------------ >>part */
 /* Some of the groups with all contacts that touch them, all other blocks held.
    What is held can exert whatever is needed, so where a part falls the whole
@@ -3734,7 +4574,7 @@ static void kern_part_motion(kern_part *p)
     kern_zero(m->answer.motion, 3 * m->s->blocks);
     for (n = 0; n < p->groups; n++) {
         kern_motion *v = m->answer.motion + m->graph.block[p->group[n]];
-        *v = *(const kern_motion *)(const void *)(p->y + 3 * n);
+        kern_copy(v, p->y + 3 * n, 3);
         v->spin *= m->unit[p->group[n]];
     }
     kern_motion_scale(m->s, m->answer.motion);
@@ -3802,22 +4642,6 @@ static inline kern_law kern_law_stiff(kern_real wn, kern_real wt, kern_real mu,
         s.force.tangential = side * s.force.normal;
     }
     return s;
-}
-
-/* sum of a[i] b[i] */
-static kern_real kern_dot(const kern_real *a, const kern_real *b, int n)
-{
-    kern_real s0 = KERN_R(0), s1 = s0, s2 = s0, s3 = s0;
-    int i;
-    for (i = 0; i + 4 <= n; i += 4) {
-        s0 += a[i] * b[i];
-        s1 += a[i + 1] * b[i + 1];
-        s2 += a[i + 2] * b[i + 2];
-        s3 += a[i + 3] * b[i + 3];
-    }
-    for (; i < n; i++)
-        s0 += a[i] * b[i];
-    return s0 + s1 + (s2 + s3);
 }
 
 /* Takes room for the matrix of so many groups, with what the two groups of each
@@ -4388,9 +5212,6 @@ typedef struct kern_ray {     /* an edge of a friction cone at the group      */
     kern_real x;              /* its force; below 0: none                     */
     int press;                /* nonzero: it is among those that carry        */
 } kern_ray;
-
-static inline kern_real kern_three(const kern_real *a, const kern_real *b)
-{ return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* The two rays of a row, with the forces of its motion along n and t. */
 static inline void kern_ray_pair(kern_ray *to, const kern_row *row,
@@ -5348,7 +6169,8 @@ KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* The place beyond s where a load grew by t, or gravity turned by atan(t). */
+/* The place beyond s at which a load has grown by t, or gravity turned by
+   atan(t). */
 KERN_SHARED static kern_real kern_path_pushed(const kern_path *path,
                                               kern_real s, kern_real t)
 {
@@ -5559,7 +6381,8 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
     return 1;
 }
 
-/* Whether the known motion proves that it falls at the known place: a bound. */
+/* Whether the known motion proves that the structure falls at the known place:
+   that bounds the critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path)
 {
     const kern_known *warm = &path->warm;
@@ -5710,7 +6533,8 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* The critical value in the known bracket; where that has none, by a climb. */
+/* The critical value in the known bracket, or where there is none, or none that
+   can be narrowed, by a climb. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -6108,11 +6932,10 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     int i, left;
     r->p = &c->part;
     *out = KERN_NOT_SHOWN;
-    m->rest.reals -= m->s->blocks; /* at the end of the work memory */
-    m->common.reals -= m->s->blocks;
+    value = kern_take_last(&m->rest, m->s->blocks);
+    kern_take_last(&m->common, m->s->blocks); /* the same */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
-    value = m->rest.real + m->rest.reals;
     for (i = 0; i < m->s->blocks; i++)
         value[i] = KERN_R(1);
     left = kern_hang(m->s, value);
@@ -7023,8 +7846,9 @@ static void kern_pair_add(kern_pair *pair, const kern_edge *edge, kern_vec p,
                || kern_chord_stands(e[on], e[!on], &pair->of[!on], &p)) {
         t = on ? kern_vec_scale(e[1]->d, -1) : e[0]->d;
         q = kern_edge_foot(e[on], p);
-    } else
+    } else {
         return;
+    }
     t = kern_vec_scale(kern_vec_turn(t), -1); /* the outer normal */
     if (2 * kern_vec_dot(t, n) > 1) /* less than 60 degrees off */
         kern_pair_put(pair, q, t, half * kern_vec_dot(t, n));
@@ -7248,7 +8072,8 @@ typedef struct kern_search {
     kern_fault *fault;
     kern_real floor;        /* places closer than that are the same [m]    */
     kern_real reach;        /* widest gap of any pair [m]                  */
-    int listing;            /* nonzero: pair.out takes overlaps instead    */
+    int listing;            /* overlaps are found and no contacts: of them */
+    kern_overlap *overlap;  /* there are pair.count                        */
     kern_pair pair;
 } kern_search;
 
@@ -7324,7 +8149,7 @@ KERN_SHARED static kern_status kern_search_pair(kern_search *s, int i, int j)
     if (s->listing) {
         const kern_overlap found = {i, j, depth, pair->deep};
         if (depth > 0 && pair->count++ < pair->room)
-            ((kern_overlap *)(void *)pair->out)[pair->count - 1] = found;
+            s->overlap[pair->count - 1] = found;
         return KERN_OK;
     }
     pair->a = i;
@@ -7432,6 +8257,7 @@ static int kern_search_run(const kern_block *block, int blocks,
     s.pair.options = options;
     s.fault = &work->fault;
     s.listing = listing;
+    s.overlap = (kern_overlap *)out;
     s.pair.out = (kern_contact *)out;
     s.pair.room = room;
     s.pair.count = 0;
@@ -7684,832 +8510,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
         : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
 }
 
-/* ==== Part VI: Linear programs =========================================== */
-
-/* ---- The simplex method -------------------------------------------- >>lp */
-/* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
-   Variables are the columns, then the place (see kern_program), then a logical
-   for each row, a unit vector. Logicals must be zero.
-
-   The inverse of the basis B is a product of factors:
-
-       B^-1 = E_n ... E_2 E_1 B_0^-1.
-
-   Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups; it is an own column of the first of them, in the order in
-   which groups carry each other. B_0 has three own columns of each group, or
-   logicals: it is block triangular, and for each group its inverse, 3 x 3, and
-   what its three columns do to other groups is all there is to store. Without
-   `ends` B_0 is the unit matrix.
-
-   E_i lets one column more enter (the product form of the inverse). It is the
-   unit matrix but for one column: with alpha the entering column in terms of
-   the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
-   / alpha_p in row p. Its entries are kept in threes, from the first that is
-   not zero to the last.
-
-   Vectors over the rows have three more places at their end: there lie the rows
-   of the group that a column leads to which leads to none. Reading it gives 0,
-   writing to it has no effect, and no loop tests for it. */
-
-/* ---- columns ---- */
-
-/* Column j where it is dense. */
-static const kern_real *kern_lp_dense(const kern_program *lp, int j)
-{ return j == lp->cols ? lp->rate : lp->a + (size_t)j * (size_t)lp->rows; }
-
-/* y.A_j of a column, or of the place. */
-static inline kern_real kern_lp_dot(const kern_program *lp, int j,
-                                    const kern_real *y)
-{
-    if (lp->ends && j < lp->cols) {
-        const kern_real *h = y + 3 * lp->ends[j & ~1];
-        const kern_real *t = y + 3 * lp->ends[j | 1];
-        const kern_real *c = lp->a + 4 * (size_t)j;
-        return c[0] * (h[0] - t[0]) + c[1] * (h[1] - t[1]) + c[2] * h[2]
-               + c[3] * t[2];
-    }
-    return kern_dot(kern_lp_dense(lp, j), y, lp->rows);
-}
-
-/* Column j's entries in the rows of the group whose own it is, or of its other
-   end; returns the first of these rows. */
-static inline int kern_lp_part(const kern_program *lp, int j, int other,
-                               kern_real out[3])
-{
-    const int *ends = lp->ends + (j & ~1);
-    const int end = (ends[1] < ends[0]) ^ other;
-    const kern_real *c = lp->a + 4 * (size_t)j;
-    out[0] = end ? -c[0] : c[0];
-    out[1] = end ? -c[1] : c[1];
-    out[2] = c[2 + end];
-    return 3 * ends[end];
-}
-
-/* v -= s * variable j */
-static void kern_lp_subtract(const kern_program *lp, int j, kern_real s,
-                             kern_real *v)
-{
-    if (j > lp->cols)
-        v[j - lp->cols - 1] -= s;
-    else if (!lp->ends || j == lp->cols)
-        kern_add(v, -s, kern_lp_dense(lp, j), lp->rows);
-    else {
-        kern_real *h = v + 3 * lp->ends[j & ~1], *t = v + 3 * lp->ends[j | 1];
-        const kern_real *c = lp->a + 4 * (size_t)j, x = s * c[0], y = s * c[1];
-        h[0] -= x; h[1] -= y; h[2] -= s * c[2];
-        t[0] += x; t[1] += y; t[2] -= s * c[3];
-    }
-}
-
-/* ---- the basis ---- */
-
-/* v := B^-1 v, from rows to variables */
-static void kern_basis_solve(const kern_simplex *sx, kern_real *v)
-{
-    const kern_factors *f = &sx->factors;
-    int e, g, k;
-    for (g = 0; g < f->groups; g++) {
-        const kern_real *d = f->block + 18 * (size_t)g;
-        kern_real *own = v + 3 * g;
-        const kern_real b[3] = {own[0], own[1], own[2]};
-        if (kern_abs(b[0]) + kern_abs(b[1]) + kern_abs(b[2]) <= 0)
-            continue;
-        for (k = 0; k < 3; k++, d += 6) {
-            const kern_real x = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
-            kern_real *to = v + f->to[3 * g + k];
-            own[k] = x;
-            to[0] -= x * d[3]; to[1] -= x * d[4]; to[2] -= x * d[5];
-        }
-    }
-    for (e = 0; e < f->count; e++) {
-        const kern_real x = v[f->pivot[e]], *a;
-        kern_real *w;
-        if (kern_abs(x) <= 0)
-            continue;
-        v[f->pivot[e]] = KERN_R(0);
-        w = v + f->from[e];
-        for (a = f->entry + f->first[e]; a < f->entry + f->first[e + 1];
-             a += 3, w += 3) {
-            w[0] += x * a[0]; w[1] += x * a[1]; w[2] += x * a[2];
-        }
-    }
-}
-
-/* c := B^-T c, from variables to rows; zero where no rows are. */
-static void kern_basis_solve_t(const kern_simplex *sx, kern_real *c)
-{
-    const kern_factors *f = &sx->factors;
-    int e, g, k;
-    kern_zero(c + sx->lp->rows, f->size + 3 - sx->lp->rows);
-    for (e = f->count - 1; e >= 0; e--)
-        c[f->pivot[e]] = kern_dot(f->entry + f->first[e], c + f->from[e],
-                                  f->first[e + 1] - f->first[e]);
-    for (g = f->groups - 1; g >= 0; g--) {
-        const kern_real *d = f->block + 18 * (size_t)g;
-        kern_real y0 = KERN_R(0), y1 = KERN_R(0), y2 = KERN_R(0);
-        for (k = 0; k < 3; k++, d += 6) {
-            const kern_real *to = c + f->to[3 * g + k];
-            const kern_real z = c[3 * g + k] - to[0] * d[3] - to[1] * d[4]
-                                - to[2] * d[5];
-            y0 += z * d[0]; y1 += z * d[1]; y2 += z * d[2];
-        }
-        c[3 * g] = y0; c[3 * g + 1] = y1; c[3 * g + 2] = y2;
-    }
-}
-
-/* Column j in terms of the basis: to sx->alpha. */
-static void kern_basis_column(kern_simplex *sx, int j)
-{
-    kern_zero(sx->alpha, sx->factors.size + 3);
-    kern_lp_subtract(sx->lp, j, KERN_R(-1), sx->alpha);
-    kern_basis_solve(sx, sx->alpha);
-}
-
-/* Whether there is no room for one more factor. */
-static int kern_basis_full(const kern_simplex *sx)
-{
-    const kern_factors *f = &sx->factors;
-    return f->count == f->most || f->first[f->count] + f->size > f->room;
-}
-
-/* Makes column q, which is sx->alpha in terms of the basis, basic in row p. */
-static void kern_basis_enter(kern_simplex *sx, int q, int p)
-{
-    kern_factors *f = &sx->factors;
-    const kern_real one = 1 / sx->alpha[p];
-    kern_real *entry = f->entry + f->first[f->count];
-    int from = 0, to = f->size, i;
-    while (kern_largest(sx->alpha + from, 3) <= 0)
-        from += 3;
-    while (kern_largest(sx->alpha + to - 3, 3) <= 0)
-        to -= 3;
-    for (i = from; i < to; i++)
-        *entry++ = i == p ? one : -sx->alpha[i] * one;
-    f->from[f->count] = from;
-    f->pivot[f->count++] = p;
-    f->first[f->count] = f->first[f->count - 1] + to - from;
-    sx->base[p] = q;
-    sx->place[q] = p;
-}
-
-/* ---- the crash basis ---- */
-
-static kern_real kern_three_det(const kern_real *a, const kern_real *b,
-                                const kern_real *c)
-{
-    return (a[1] * b[2] - a[2] * b[1]) * c[0]
-           + (a[2] * b[0] - a[0] * b[2]) * c[1]
-           + (a[0] * b[1] - a[1] * b[0]) * c[2];
-}
-
-/* Of the columns of group g, a list from j, three become basic and pass on what
-   they exert: those that carry its load with the largest least share. If not
-   `all` they must push against it, and none pull more than so many loads; else
-   one may be the logical of its torque. 0: there are none. */
-static int kern_crash_choose(kern_simplex *sx, int g, int j, int all)
-{
-    const int logical = sx->lp->cols + 1 + 3 * g + 2;
-    int *base = sx->base + 3 * g;
-    const kern_real *load = sx->alpha + 3 * g;
-    const kern_real x = load[0], y = load[1];
-    kern_real part[KERN_ROWS_MOST][3], share[3];
-    kern_real best = all ? -KERN_INFINITY
-                         : -KERN_CRASH_PULL * (kern_abs(x) + kern_abs(y));
-    int mine[KERN_ROWS_MOST], n = 0, found = 0, i, k;
-    for (; j != KERN_OUT && n < KERN_ROWS_MOST - 1; j = sx->place[j]) {
-        const kern_real *a = part[n];
-        kern_real along;
-        kern_lp_part(sx->lp, j, 0, part[n]);
-        along = a[0] * x + a[1] * y;
-        mine[n] = j;
-        n += all || (along > 0 && 4 * along * along
-                     >= (a[0] * a[0] + a[1] * a[1]) * (x * x + y * y));
-    }
-    if (all) {
-        part[n][0] = part[n][1] = KERN_R(0);
-        part[n][2] = KERN_R(1);
-        mine[n++] = logical;
-    }
-    for (i = 0; i < n; i++)
-        for (j = i + 1; j < n; j++) {
-            const kern_real *a = part[i], *b = part[j];
-            const kern_real last = kern_three_det(a, b, load);
-            for (k = j + 1; k < n; k++) {
-                const kern_real *c = part[k], det = kern_three_det(a, b, c);
-                const kern_real lc = last / det;
-                kern_real la, lb, least;
-                if (kern_abs(det) < KERN_PIVOT || lc <= best)
-                    continue;
-                la = kern_three_det(b, c, load) / det;
-                lb = kern_three_det(c, a, load) / det;
-                least = kern_min(kern_min(la, lb),
-                                 mine[k] == logical ? -kern_abs(lc) : lc);
-                if (least > best) {
-                    best = least;
-                    found = 1;
-                    base[0] = mine[i]; base[1] = mine[j]; base[2] = mine[k];
-                    share[0] = la; share[1] = lb; share[2] = lc;
-                }
-            }
-        }
-    for (k = 0; k < 3 && found; k++)
-        kern_lp_subtract(sx->lp, base[k], kern_max(share[k], KERN_R(0)),
-                         sx->alpha);
-    return found;
-}
-
-/* Begins from the columns that x uses, if they may be a basis, and the last. */
-static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
-                               kern_real least)
-{
-    const kern_program *lp = sx->lp;
-    int j, n = 0;
-    sx->state = KERN_BASIS_NONE;
-    for (j = 0; j < lp->cols; j++)
-        if (x[j] > least) {
-            if (n == lp->rows)
-                return;
-            sx->base[n++] = j;
-        }
-    for (; n < lp->rows; n++)
-        sx->base[n] = j > 0 ? --j : lp->cols + 1;
-    sx->state = KERN_BASIS_STALE;
-}
-
-/* Logicals, but for a network: from top to bottom three columns of each group
-   carry what it bears. */
-KERN_SHARED static void kern_simplex_crash(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    int *next = sx->place, *first = sx->list; /* columns of a group */
-    int g, j;
-    for (j = 0; j < lp->rows; j++) {
-        sx->base[j] = lp->cols + 1 + j; /* its logical */
-        sx->alpha[j] = lp->rhs[j];
-        first[j] = KERN_OUT;
-    }
-    for (j = lp->cols - 1; j >= 0 && lp->ends; j--) {
-        kern_real part[3];
-        g = kern_lp_part(lp, j, 0, part) / 3;
-        next[j] = first[g];
-        first[g] = j;
-    }
-    for (g = 0; g < sx->factors.groups; g++)
-        if (!kern_crash_choose(sx, g, first[g], 0))
-            kern_crash_choose(sx, g, first[g], 1);
-    sx->state = KERN_BASIS_STALE;
-}
-
-/* ---- factors ---- */
-
-/* Lets column j take one of its own rows that still have their logical: where
-   it is largest in terms of the columns before it. */
-static int kern_own_enter(kern_simplex *sx, int j)
-{
-    const kern_program *lp = sx->lp;
-    kern_real part[3], alpha[3], least = KERN_OWN_TOL, *block, *own;
-    int k, best = KERN_OUT, row;
-    if (!lp->ends || j == lp->cols)
-        return 0;
-    row = kern_lp_part(lp, j, 0, part);
-    block = sx->factors.block + 6 * (size_t)row;
-    for (k = 0; k < 3; k++) {
-        alpha[k] = kern_three(block + 6 * k, part);
-        if (sx->base[row + k] > lp->cols && kern_abs(alpha[k]) >= least) {
-            least = kern_abs(alpha[k]);
-            best = k;
-        }
-    }
-    if (best == KERN_OUT)
-        return 0;
-    own = block + 6 * best;
-    for (k = 0; k < 3; k++)
-        own[k] /= alpha[best];
-    for (k = 0; k < 3; k++)
-        if (k != best)
-            kern_add(block + 6 * k, -alpha[k], own, 3);
-    sx->factors.to[row + best] = kern_lp_part(lp, j, 1, own + 3);
-    sx->base[row + best] = j;
-    sx->place[j] = row + best;
-    return 1;
-}
-
-/* Lets column j enter in any row that still has its logical, unless it depends
-   on the columns before it, or there is no room. */
-static void kern_left_enter(kern_simplex *sx, int j)
-{
-    kern_real least;
-    int p, best = KERN_OUT;
-    kern_basis_column(sx, j);
-    least = KERN_PIVOT * kern_largest(sx->alpha, sx->lp->rows);
-    for (p = 0; p < sx->lp->rows; p++)
-        if (sx->base[p] > sx->lp->cols && kern_abs(sx->alpha[p]) >= least) {
-            least = kern_abs(sx->alpha[p]);
-            best = p;
-        }
-    if (best != KERN_OUT && !kern_basis_full(sx))
-        kern_basis_enter(sx, j, best);
-}
-
-/* What the values leave of the right-hand side, to sx->alpha: returns its
-   largest entry as a share of the largest value. */
-static kern_real kern_basis_residual(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    kern_real size = KERN_R(0);
-    int p;
-    kern_copy(sx->alpha, lp->rhs, lp->rows);
-    for (p = 0; p < lp->rows; p++) {
-        const kern_real v = sx->value[p];
-        size = kern_max(size, kern_abs(v));
-        if (kern_abs(v) > 0)
-            kern_lp_subtract(lp, sx->base[p], v, sx->alpha);
-    }
-    return size > 0 ? kern_largest(sx->alpha, lp->rows) / size : KERN_INFINITY;
-}
-
-/* The basic solution. What it leaves of the right-hand side is solved for
-   again until that is rounding: the inverse grows with every course of a wall,
-   and one solve may lose half of the digits. Returns 0 where it is not. */
-static int kern_basis_values(kern_simplex *sx)
-{
-    kern_real left = kern_basis_residual(sx);
-    int round;
-    for (round = 0; round < 3 && left > 4 * KERN_EPS; round++) {
-        kern_basis_solve(sx, sx->alpha);
-        kern_add(sx->value, KERN_R(1), sx->alpha, sx->lp->rows);
-        left = kern_basis_residual(sx);
-    }
-    sx->refined = 1;
-    return left <= KERN_PASS_TOL;
-}
-
-/* Factors the basis anew: three own columns of each group, then what is left of
-   its columns. */
-static void kern_basis_refactorise(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    kern_factors *f = &sx->factors;
-    int i, p, left = 0;
-    for (i = 0; i <= lp->cols; i++)
-        sx->place[i] = KERN_OUT;
-    for (p = 0; p < lp->rows; p++) {
-        sx->list[p] = sx->base[p];
-        sx->base[p] = lp->cols + 1 + p;
-        sx->value[p] = KERN_R(0);
-    }
-    kern_zero(f->block, 18 * f->groups);
-    for (p = 0; p < 3 * f->groups; p++) {
-        f->block[6 * p + p % 3] = KERN_R(1);
-        f->to[p] = lp->rows;
-    }
-    f->count = f->first[0] = 0;
-    for (p = 0; p < lp->rows; p++)
-        if (sx->list[p] <= lp->cols && !kern_own_enter(sx, sx->list[p]))
-            sx->list[left++] = sx->list[p];
-    for (i = 0; i < left; i++)
-        kern_left_enter(sx, sx->list[i]);
-    sx->state = KERN_BASIS_READY;
-    kern_basis_values(sx);
-}
-
-/* The basic solution, of a basis that is factored anew where the matrix changed
-   or pivots have made the factors too long, or lost digits. */
-static void kern_basis_renew(kern_simplex *sx)
-{
-    if (sx->state != KERN_BASIS_READY || kern_basis_full(sx)
-        || !kern_basis_values(sx))
-        kern_basis_refactorise(sx);
-}
-
-/* ---- pivots ---- */
-/* Every basis gives x with A x = rhs. While a variable violates x >= 0 (or is a
-   logical that is not zero) what is lowered is the sum of all violations. With
-
-       y = B^-T c,    c = +1 or -1 for what violates, else 0,
-
-   y.A_j < 0 tells how fast the sum falls when column j enters. When no column
-   lowers it and it is not zero, y is a Farkas certificate, and the one that
-   shows the largest sum of violations: what a step of Newton's method needs.
-   Where nothing violates c is less the costs, and y less their prices. */
-
-/* Whether variable j must be zero: a logical, or a place that is held. */
-static int kern_lp_fixed(const kern_program *lp, int j)
-{ return j >= lp->cols + lp->follow; }
-
-/* By what the costs fall where variable j grows; 1 for a place that is free. */
-static kern_real kern_lp_worth(const kern_program *lp, int j)
-{
-    return lp->cost && j < lp->cols ? -lp->cost[j]
-           : KERN_R(j == lp->cols ? lp->follow : 0);
-}
-
-/* c to sx->slope; returns the sum of violations. */
-static kern_real kern_violations(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    const kern_real least = sx->least;
-    kern_real sum = KERN_R(0);
-    int p;
-    sx->violated = 0;
-    for (p = 0; p < lp->rows; p++) {
-        const kern_real v = sx->value[p];
-        sx->slope[p] = KERN_R(0);
-        if (v < -least || (v > least && kern_lp_fixed(lp, sx->base[p]))) {
-            sx->slope[p] = KERN_R(v < 0 ? 1 : -1);
-            sx->violated++;
-            sum += kern_abs(v);
-        }
-    }
-    for (p = 0; p < lp->rows && !sx->violated; p++)
-        sx->slope[p] = kern_lp_worth(lp, sx->base[p]);
-    return sum;
-}
-
-/* Corrects y by what a solution that lost digits leaves of y.A_j = c of basic
-   variables; and lifts it, as a certificate, off the columns, by a share of its
-   size. Rounding puts it a little below zero there as often as above; a few
-   roundings higher it costs of its power no more than all of x is worth, times
-   those roundings. 0: no basis, since the backend has answered. */
-static int kern_prices_mend(kern_simplex *sx, kern_real *y, kern_real lift)
-{
-    const kern_program *lp = sx->lp;
-    int p;
-    lift *= kern_largest(y, lp->rows);
-    if (sx->state == KERN_BASIS_NONE)
-        return 0;
-    for (p = 0; p < lp->rows; p++) {
-        const int j = sx->base[p];
-        sx->alpha[p] = sx->slope[p] + (j < lp->cols ? lift : KERN_R(0))
-                       - (j > lp->cols ? y[j - lp->cols - 1]
-                                       : kern_lp_dot(lp, j, y));
-    }
-    kern_basis_solve_t(sx, sx->alpha);
-    kern_add(y, KERN_R(1), sx->alpha, lp->rows);
-    return 1;
-}
-
-/* Prices; and of the variables outside of the basis that lowers what they stand
-   for fastest, or the first that does: sx->enters does by sx->gain = c_j -
-   y.A_j. 0: none does. What would have to carry more than lp->most to undo the
-   violations is no help: the bound on forces of a jam. */
-static int kern_entering(kern_simplex *sx, int first, int fine)
-{
-    const kern_program *lp = sx->lp;
-    const kern_real sum = kern_violations(sx);
-    const int costs = !sx->violated, all = lp->cols + lp->follow;
-    kern_real size, least;
-    int j;
-    kern_copy(sx->price, sx->slope, lp->rows);
-    if (costs && !lp->cost && !lp->follow)
-        return 0;
-    kern_basis_solve_t(sx, sx->price);
-    if (fine)
-        kern_prices_mend(sx, sx->price, KERN_R(0));
-    size = kern_largest(sx->price, lp->rows);
-    least = costs || !(lp->most > 0) ? KERN_NOISE * size : sum / lp->most;
-    least = kern_max(least, KERN_ROUNDING * size);
-    sx->gain = KERN_R(0);
-    for (j = 0; j < all; j++) {
-        kern_real d;
-        if (sx->place[j] != KERN_OUT)
-            continue;
-        d = (costs ? kern_lp_worth(lp, j) : KERN_R(0))
-            - kern_lp_dot(lp, j, sx->price);
-        if (d > sx->gain) {
-            sx->enters = j;
-            sx->gain = d;
-            if (first && d > least)
-                break;
-        }
-    }
-    return sx->gain > least;
-}
-
-/* How much the slope of the sum rises when the basic variable of row p, which
-   falls at the rate alpha, passes zero, and in `at` where that is. What
-   violates may move towards zero only, what must be zero leaves it at once. */
-static kern_real kern_break(const kern_simplex *sx, int p, kern_real *at)
-{
-    const int fixed = kern_lp_fixed(sx->lp, sx->base[p]);
-    const kern_real a = sx->alpha[p];
-    const kern_real falls = sx->violated ? -sx->slope[p] * a : KERN_R(0);
-    if (falls < 0 || (!fixed && a < 0 && !(falls > 0)))
-        return KERN_R(0);
-    *at = falls > 0 ? sx->value[p] / a
-          : fixed ? KERN_R(0) : kern_max(sx->value[p], KERN_R(0)) / a;
-    return fixed ? kern_abs(a) + falls : kern_abs(a);
-}
-
-/* Counts work on a program that is about to be done; 0: it is refused. */
-static int kern_lp_spend(const kern_program *lp, int units)
-{ return kern_spend(lp->work, lp->limit, units); }
-
-/* The row that the entering column takes, and how far it goes, from those whose
-   variables reach zero on the way. The ratio test goes on past every one as
-   long as the sum of violations still falls: a long step, which passes through
-   degenerate corners. With `first`, and for costs, it stops at once. Of equals
-   it takes the largest pivot, with `first` the least index (Bland). Where its
-   work is refused, so is the pivot. */
-static int kern_leaving(kern_simplex *sx, int first, kern_real *step)
-{
-    const kern_real least = KERN_NOISE * kern_largest(sx->alpha, sx->lp->rows);
-    kern_real *at = sx->ratio, left = sx->gain;
-    int *list = sx->list, i, n = 0, best = KERN_OUT, next, seen = 0;
-    for (i = 0; i < sx->lp->rows; i++)
-        if (kern_abs(sx->alpha[i]) > least) {
-            list[n] = i;
-            n += kern_break(sx, i, at + n) > 0;
-        }
-    for (; n > 0 && left > 2 * KERN_ROUNDING * sx->gain; n--) {
-        seen += n;
-        next = 0;
-        for (i = 1; i < n; i++)
-            if (at[i] < at[next]
-                || (at[i] <= at[next]
-                    && (first ? sx->base[list[i]] < sx->base[list[next]]
-                              : kern_abs(sx->alpha[list[i]])
-                                > kern_abs(sx->alpha[list[next]]))))
-                next = i;
-        best = list[next];
-        left -= kern_break(sx, best, step);
-        if (first || !sx->violated)
-            break;
-        at[next] = at[n - 1];
-        list[next] = list[n - 1];
-    }
-    kern_lp_spend(sx->lp, seen / (2 * KERN_UNIT));
-    return best;
-}
-
-/* Counts a pivot: a column, prices, what both cost of factors; 0: refused. */
-static int kern_pivot_spend(const kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    return kern_lp_spend(lp, 1 + (sx->factors.first[sx->factors.count]
-                                  + 6 * sx->factors.groups) / KERN_UNIT
-                         + (lp->ends ? 4 * lp->cols / (3 * KERN_UNIT)
-                            : lp->rows * (lp->cols / (4 * KERN_UNIT))));
-}
-
-/* Lowers the sum of violations, then the costs, until no column does. The sum
-   falls with every step that is not of length zero, unless prices are rounding:
-   when the budget is used up they are refined; beyond five the smallest indices
-   are taken (Bland), which cannot cycle. The limit ends what rounding might
-   keep going. Returns KERN_LP_OPTIMAL, KERN_LP_INFEASIBLE, KERN_LP_UNBOUNDED:
-   the last column may grow for ever; or where there is no room or no work left
-   for a pivot, KERN_NO_SPACE or KERN_LIMIT. */
-static kern_status kern_simplex_run(kern_simplex *sx)
-{
-    const kern_program *lp = sx->lp;
-    const int limit = 200 + 20 * (lp->rows + lp->cols);
-    const int budget = 50 + 2 * lp->rows;
-    int count;
-    for (count = 0; count < limit; ) {
-        const int fine = count > budget, first = count > 5 * budget;
-        const int enters = kern_entering(sx, first, fine);
-        kern_real step = KERN_R(0);
-        int p = KERN_OUT;
-        if (enters) {
-            kern_basis_column(sx, sx->enters);
-            p = kern_leaving(sx, first, &step);
-        }
-        if (p == KERN_OUT && !sx->refined) {
-            kern_basis_renew(sx);
-            continue;
-        }
-        if (!enters)
-            return sx->violated ? KERN_LP_INFEASIBLE : KERN_LP_OPTIMAL;
-        if (p == KERN_OUT)
-            return sx->violated ? KERN_UNDECIDED : KERN_LP_UNBOUNDED;
-        if (kern_basis_full(sx))
-            return KERN_NO_SPACE;
-        if (!kern_pivot_spend(sx))
-            return KERN_LIMIT;
-        kern_add(sx->value, -step, sx->alpha, lp->rows);
-        if (sx->base[p] <= lp->cols)
-            sx->place[sx->base[p]] = KERN_OUT;
-        kern_basis_enter(sx, sx->enters, p);
-        sx->value[p] = step;
-        sx->refined = 0;
-        lp->work->pivots++;
-        count++;
-        KERN_AUDIT(simplex, sx);
-        if (kern_basis_full(sx))
-            kern_basis_renew(sx);
-    }
-    return KERN_UNDECIDED;
-}
-
-/* ---- opening, starting, reading ---- */
-
-/* Lays out the arrays of a simplex, with room for so many entries. */
-static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
-                             kern_take *take)
-{
-    const int m = lp->rows;
-    kern_factors *f = &sx->factors;
-    sx->lp = lp;
-    sx->state = KERN_BASIS_NONE;
-    f->size = m + 2 - (m + 2) % 3;
-    f->groups = lp->ends ? m / 3 : 0;
-    f->room = room;
-    f->most = 2 * m + 8;
-    f->to = kern_take_ints(take, 3 * f->groups);
-    f->pivot = kern_take_ints(take, f->most);
-    f->from = kern_take_ints(take, f->most);
-    f->first = kern_take_ints(take, f->most + 1);
-    f->block = kern_take_reals(take, 18 * f->groups);
-    f->entry = kern_take_reals(take, room);
-    sx->base = kern_take_ints(take, m);
-    sx->place = kern_take_ints(take, lp->cols + 1);
-    sx->list = kern_take_ints(take, m + 1);
-    sx->value = kern_take_reals(take, m);
-    sx->slope = kern_take_reals(take, m);
-    sx->alpha = kern_take_reals(take, f->size + 3);
-    sx->price = kern_take_reals(take, f->size + 3);
-    sx->ratio = kern_take_reals(take, m);
-}
-
-/* The next program begins without a basis, or where columns changed from the
-   same, factored anew. */
-static void kern_simplex_change(kern_simplex *sx, kern_basis to)
-{
-    if (sx->state > to)
-        sx->state = to;
-}
-
-#ifdef KERN_USE_GLPK
-#define KERN_LP_H_ALLOWED
-#include "kern_lp.h"
-#endif
-
-/* x := v, of the basis, as variables. */
-static void kern_basis_read(const kern_simplex *sx, const kern_real *v,
-                            kern_real *x)
-{
-    int i;
-    kern_zero(x, sx->lp->cols + sx->lp->follow);
-    for (i = 0; i < sx->lp->rows; i++)
-        if (!kern_lp_fixed(sx->lp, sx->base[i]))
-            x[sx->base[i]] = v[i];
-}
-
-/* x := what v, which is scratch, adds to rhs, in terms of the basis, if any. */
-static int kern_simplex_along(kern_simplex *sx, kern_real *v, kern_real *x)
-{
-    if (sx->state == KERN_BASIS_NONE)
-        return 0;
-    kern_basis_solve(sx, v);
-    kern_basis_read(sx, v, x);
-    return 1;
-}
-
-/* The one entry of the engine. Starts from the last basis, or that of
-   kern_simplex_crash(). x is written for every verdict: one that falls leaves
-   A x = rhs in it, with what is negative about it, which tells how the verdict
-   changes with the matrix. y is a certificate for KERN_LP_INFEASIBLE, less the
-   prices for KERN_LP_OPTIMAL. `builtin` keeps it from the backend. */
-static kern_status kern_program_solve(kern_simplex *sx, int builtin,
-                                      kern_real *x, kern_real *y)
-{
-    const kern_program *lp = sx->lp;
-    kern_status status;
-    lp->work->solves++;
-#ifdef KERN_USE_GLPK
-    if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
-        kern_simplex_change(sx, KERN_BASIS_NONE);
-        return kern_lp_glpk(lp, x, y, lp->work);
-    }
-#endif
-    (void)builtin;
-    sx->least = KERN_NOISE * kern_largest(lp->rhs, lp->rows);
-    if (sx->state != KERN_BASIS_READY
-        && !kern_lp_spend(lp, lp->ends ? (lp->rows + lp->cols) / 2
-                                       : lp->rows * (lp->cols / KERN_UNIT)))
-        return KERN_LIMIT;
-    if (sx->state == KERN_BASIS_NONE)
-        kern_simplex_crash(sx);
-    kern_basis_renew(sx);
-    status = kern_pivot_spend(sx) ? kern_simplex_run(sx) : KERN_LIMIT;
-    kern_basis_read(sx, sx->value, x);
-    kern_copy(y, sx->price, lp->rows);
-    return status;
-}
-
-/* Clears of the n numbers of a proof those below a share of the largest, and
-   with `sign` what is negative. */
-KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
-                                      int sign)
-{
-    const kern_real least = share * kern_largest(v, n);
-    int i;
-    for (i = 0; i < n; i++)
-        if (!(kern_abs(v[i]) > least) || (sign && v[i] < 0))
-            v[i] = KERN_R(0);
-}
-
-/* from plus the sum of u v over n numbers, those of v so far apart, as a share
-   of all terms; not a number where one is not. */
-static kern_real kern_lp_sum(kern_real from, const kern_real *u,
-                             const kern_real *v, int apart, int n)
-{
-    kern_real terms = kern_abs(from);
-    for (; n > 0; n--, v += apart) {
-        const kern_real term = *u++ * *v;
-        from += term;
-        terms += kern_abs(term);
-    }
-    return terms > 0 ? from / terms + (terms - terms) : from;
-}
-
-/* Whether x and y prove the status by products with the matrix alone, each row
-   and column to KERN_TOL of its own terms. What is not a number proves nothing.
-
-       optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
-       infeasible   y A >= 0,  y.rhs < 0
-       unbounded    A x = 0,  cost.x < 0                                      */
-static int kern_lp_holds(const kern_lp *lp, const kern_real *x,
-                         const kern_real *y, kern_status status)
-{
-    const int m = lp->rows, best = status == KERN_LP_OPTIMAL;
-    int i, j;
-    for (i = 0; i < m && status != KERN_LP_INFEASIBLE; i++) {
-        const kern_real left = kern_lp_sum(best ? -lp->rhs[i] : KERN_R(0), x,
-                                           lp->a + i, m, lp->cols);
-        if (!(kern_abs(left) <= KERN_TOL))
-            return 0;
-    }
-    for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
-        const kern_real left = kern_lp_sum(
-            best && lp->cost ? lp->cost[j] : KERN_R(0), y,
-            lp->a + (size_t)j * (size_t)m, 1, m);
-        if (!(left >= -KERN_TOL) || (best && x[j] > 0 && left > KERN_TOL))
-            return 0;
-    }
-    return best || (status == KERN_LP_INFEASIBLE
-                    ? kern_lp_sum(KERN_R(0), y, lp->rhs, 1, m)
-                    : kern_lp_sum(KERN_R(0), x, lp->cost, 1, lp->cols))
-                   < -KERN_TOL;
-}
-
-/* The same; where nothing else is in a row the last digits of x or y are all
-   there is: if need be they are taken out. */
-static int kern_lp_proven(const kern_lp *lp, kern_real *x, kern_real *y,
-                          kern_status status)
-{
-    int again;
-    for (again = 0; again < 2; again++) {
-        kern_lp_clean(x, lp->cols, KERN_R(again) * KERN_ROUNDING, 1);
-        kern_lp_clean(y, lp->rows, KERN_R(again) * KERN_ROUNDING, 0);
-        if (kern_lp_holds(lp, x, y, status))
-            return 1;
-    }
-    return 0;
-}
-
-/* kern_lp_solve() of a program that has been checked. */
-static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
-                               kern_work *work)
-{
-    const kern_program p = {lp->rows, lp->cols, lp->a, lp->rhs, lp->cost, NULL,
-                            NULL, 0, KERN_R(0), lp->limit, work};
-    kern_simplex sx;
-    kern_take take;
-    kern_status status;
-    int i;
-    kern_take_open(&take, work);
-    kern_simplex_lay(&sx, &p, KERN_LP_ROOM(p.rows), &take);
-    if (!kern_take_fits(&take))
-        return KERN_NO_SPACE;
-    status = kern_program_solve(&sx, 0, x, y);
-    if (work->units > kern_limit_of(p.limit))
-        return KERN_LIMIT;
-    if (status < 0)
-        return status;
-    if (status == KERN_LP_UNBOUNDED && sx.state != KERN_BASIS_NONE) {
-        kern_scale(sx.alpha, p.rows, KERN_R(-1));
-        kern_basis_read(&sx, sx.alpha, x);
-        x[sx.enters] = KERN_R(1);
-    }
-    if (!kern_lp_proven(lp, x, y, status))
-        return KERN_UNDECIDED;
-    for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
-        y[i] = 0 - y[i];
-    return status;
-}
-
-KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
-                                   kern_real *y, kern_work *work)
-{
-    kern_status status;
-    if (!work || !work->real || !work->index)
-        return KERN_BAD_POINTER;
-    kern_work_begin(work);
-    status = x && y ? kern_lp_check(lp, &work->fault) : KERN_BAD_POINTER;
-    return status == KERN_OK ? kern_lp_run(lp, x, y, work) : status;
-}
+/* ==== Part VI: Words ===================================================== */
 
 /* ---- Words and defaults ------------------------------------------ >>words */
 

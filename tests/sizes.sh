@@ -94,8 +94,7 @@ foreign() { # of the configuration that was compiled last
 }
 
 engine_lines() { # how forces and motions are found, and the simplex method
-    awk '/^\/\* ==== / { on = /Part IV:/ } /^\/\* ----.*>>/ { lp = />>lp / }
-        on || lp { n++ } END { print n }' kern.h
+    awk '/^\/\* ==== / { on = /Part IV:/ } on { n++ } END { print n }' kern.h
 }
 
 held() { # held NAME TODAY: a row of the goals, and whether the limit is kept

@@ -82,7 +82,8 @@ sums() { awk -F, '{ s[$1 "," $3] += $10 } END { for (k in s) print k "," s[k] }'
 limits() { # limits [FILE...]
     [ $# -gt 0 ] ||
         set -- examples/structures/*.kern tests/regressions/{bricks,rubble}_* \
-            tests/corpus/placed/w00*-r.kern tests/corpus/shaken/*-gaps-0[1-3].kern
+            tests/corpus/placed/w00*-r.kern \
+            tests/corpus/shaken/*-gaps-0[1-3].kern
     gcc -O2 $exact -o "$out/limits" tests/limits.c -lm || return 1
     for file; do
         nice valgrind --tool=callgrind --combine-dumps=yes \
