@@ -220,7 +220,7 @@
                in the mechanism get that d and are taken away, and d goes on
                from there. A block that never moves gets d_max, one that moves
                at once 0. The same with a horizontal load, up to a factor 10.
-               Where several mechanisms exist, the one with fewer blocks.
+               Of several mechanisms one of few blocks is preferred.
      mechanism Where it falls: velocities of all free blocks, the largest of a
                centre or of a spin times the block's size being 1.
 

@@ -15,13 +15,13 @@ trap 'rm -rf "$out"' EXIT
 
 # NAME GOAL LIMIT: what is wished for, and what no change may exceed
 limits="lines of kern.h|8800|8778
-lines of the engine|3500|3566
+lines of the engine|3500|3500
 text of the library|54000|52743
 text, kern_measure with contacts given|32000|28732
 text, kern_verdict with contacts given|22000|21964
 text of the library, KERN_NO_INTERIOR|54000|50189
-text, kern_measure, KERN_NO_INTERIOR|32000|32000
-text, kern_verdict, KERN_NO_INTERIOR|22000|22000
+text, kern_measure, KERN_NO_INTERIOR|32000|28000
+text, kern_verdict, KERN_NO_INTERIOR|22000|20000
 deepest stack|2700|2600"
 allowed='sqrtf'  # symbols that the library may need
 
