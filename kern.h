@@ -2935,7 +2935,7 @@ static kern_status kern_call_open(kern_call *c, const kern_task *task,
     path->start = path->holds = path->critical = KERN_R(0);
     path->warm.fails = KERN_R(0);
     path->proven.low = KERN_R(-1);
-    path->proven.high = path->exact = KERN_INFINITY;
+    path->proven.high = path->exact = path->fails = KERN_INFINITY;
     return kern_model_open(&c->m, task, &path->q);
 }
 
@@ -6355,7 +6355,7 @@ static kern_status kern_path_climb(kern_model *m, kern_path *path,
         if (status == KERN_STANDS && (sure || kern_turn_holds(m, path, at))) {
             if (next >= path->end)
                 return kern_path_saturate(path);
-            first = step;
+            first = kern_min(step, (path->fails - next) / 2);
             step *= KERN_CLIMB_GROWS;
         } else if (status == KERN_FALLS && sure)
             return kern_path_critical(m, path);
@@ -6516,13 +6516,13 @@ static kern_real kern_body_first(kern_model *m, kern_path *path)
 
 /* The critical value of the whole where a load grows or gravity turns, by one
    program: the largest place, or the tangent of the largest angle, that rhs can
-   reach. KERN_UNDECIDED where it is none. */
+   reach. Its prices are the mechanism. KERN_UNDECIDED where there is none. */
 static kern_status kern_path_follow(kern_model *m, kern_path *path)
 {
     kern_part *p = path->part;
     const kern_real s = path->holds;
-    const kern_query q = kern_path_at(path, s);
-    kern_real most;
+    kern_query q = kern_path_at(path, s);
+    kern_real most, beyond;
     kern_part_set(p, &q);
     kern_path_rate(p, &q, p->eq.rate);
     most = kern_part_follow(p);
@@ -6530,6 +6530,11 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
     path->fails = path->end;
+    q = kern_path_at(path, beyond = path->critical + kern_aside(path));
+    if (!kern_model_ask(m, 1))
+        return KERN_LIMIT;
+    if (kern_part_falls(p, &q))
+        kern_path_note(m, path, KERN_FALLS, beyond);
     return kern_path_critical(m, path);
 }
 
