@@ -2585,9 +2585,9 @@ static inline void kern_row_wrench(const kern_row *c, kern_real f, kern_real r,
 static inline void kern_row_exert(const kern_row *c, kern_real f, kern_real r,
                                   kern_real *b)
 {
-    kern_real w[3];
-    kern_row_wrench(c, f, r, w);
-    b[0] += w[0]; b[1] += w[1]; b[2] += w[2];
+    b[0] += f * c->n[0] - r * c->n[1];
+    b[1] += f * c->n[1] + r * c->n[0];
+    b[2] += f * c->n[2] + r * c->turn;
 }
 
 /* The rows of contact i: of block b, and of a. Torques depend on the query. */
