@@ -1182,8 +1182,8 @@ extern "C" {
 #endif
 
 /* ---- Constants -------------------------------------------------- >>tune */
-/* All of Parts III, IV and VI; those of the geometry are in >>tol. Lengths are
-   in units of a block's size, forces in units of the weight of all, so where no
+/* All of Parts III and IV; those of the geometry are in >>tol. Lengths are in
+   units of a block's size, forces in units of the weight of all, so where no
    unit is given there is none. KERN_PICK: in double, in float. */
 
 /* ---- what a proof allows ---- */
@@ -1757,7 +1757,7 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
 { return kern_width(path) / 2; }
 
-/* The place so far before the critical value, on the path. */
+/* The place that lies `aside` before the critical value, or the start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
 { return kern_max(path->critical - aside, path->start); }
 
@@ -2028,7 +2028,7 @@ static kern_status kern_query_check(const kern_task *task, kern_real shrink,
     return status == KERN_OK ? kern_query_read(task, shrink, q) : status;
 }
 
-/* What is wrong with a program, if anything. */
+/* What is wrong with the caller's linear program, if anything. */
 static kern_status kern_lp_check(const kern_lp *lp, kern_fault *fault)
 {
     int i, n;
@@ -2787,7 +2787,7 @@ static void kern_proof_out(const kern_model *m, const kern_proof *proof,
 }
 
 /* ---- Parts and programs ---------------------------------------- >>engine */
-/* What the argument holds by value; the fields belong to the chapters named. */
+/* Held by value in the argument; fields are of >>lp, or the chapter named. */
 
 typedef struct kern_program {
     int rows, cols;
@@ -2801,7 +2801,7 @@ typedef struct kern_program {
     const kern_real *rate;  /* column of the place: less its growth of rhs    */
     int follow;             /* 1: the place grows from rhs's, 0: it is held   */
     kern_real most;         /* what a variable can be at the most; 0: all     */
-    int limit;              /* of the units of this                           */
+    int limit;              /* of work->units                                 */
     kern_work *work;        /* of the call                                    */
 } kern_program;
 
@@ -3171,7 +3171,7 @@ KERN_SHARED static int kern_has_side(const kern_structure *s, kern_side side)
            && kern_vec_largest(s->gravity) > 0;
 }
 
-/* The tangent of half the angle of tangent t. */
+/* The tangent of half the angle whose tangent is t. */
 KERN_SHARED static kern_real kern_halved(kern_real t)
 { return t / (1 + KERN_SQRT(1 + t * t)); }
 
@@ -4338,7 +4338,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
 #ifdef KERN_USE_GLPK
     if (!builtin && !lp->follow && lp->rows > KERN_GLPK_ROWS) {
         kern_simplex_change(sx, KERN_BASIS_NONE);
-        return kern_lp_glpk(lp, x, y, lp->work);
+        return kern_lp_glpk(lp, x, y);
     }
 #endif
     (void)builtin;
@@ -4580,7 +4580,7 @@ static void kern_part_motion(kern_part *p)
     kern_motion_scale(m->s, m->answer.motion);
 }
 
-/* Whether that proves that the part falls. */
+/* Writes y as a motion: whether it proves that the part falls. */
 static int kern_part_falls(kern_part *p, const kern_query *q)
 {
     const kern_model *m = p->m;
@@ -4603,7 +4603,7 @@ static void kern_part_forces(kern_part *p)
     }
 }
 
-/* Whether these prove that all stands. */
+/* Writes these forces: whether they prove that all stands. */
 static int kern_part_stands(kern_part *p, const kern_query *q)
 {
     kern_part_forces(p);
@@ -5841,8 +5841,8 @@ static kern_status kern_ipm_verdict(kern_model *m, kern_part *p,
 
 /* ---- Verdicts ------------------------------------------------- >>verdict */
 
-/* Lays out the linear program of a part; KERN_NO_SPACE if there is no room. */
-static kern_status kern_part_lay(kern_part *p)
+/* Lays out the linear program of a part; 0 if there is no room. */
+static int kern_part_lay(kern_part *p)
 {
     const int n = p->groups;
     const kern_program lp = {3 * n, 2 * p->contacts, NULL, NULL, NULL, p->ends,
@@ -5862,10 +5862,10 @@ static kern_status kern_part_lay(kern_part *p)
         kern_simplex_lay(&p->eq.simplex, &p->eq.lp, KERN_ROOM(room), &take);
         if (kern_take_fits(&take)) {
             kern_zero(p->y + 3 * n, 3);
-            return KERN_OK;
+            return 1;
         }
     }
-    return KERN_NO_SPACE;
+    return 0;
 }
 
 /* Eq. (5) for a query: two columns a contact, along the edges n + mu t and
@@ -5996,7 +5996,6 @@ static kern_status kern_model_pass(kern_model *m, kern_part *p,
 static kern_status kern_model_whole(kern_model *m, kern_part *p,
                                     const kern_query *q)
 {
-    kern_status status;
     int g, k;
     kern_model_weigh(m, q);
     kern_part_begin(p, m, m->graph.groups, &m->common);
@@ -6009,9 +6008,8 @@ static kern_status kern_model_whole(kern_model *m, kern_part *p,
         p->group[g] = g;
     for (k = 0; k < p->contacts; k++)
         p->contact[k] = k;
-    status = kern_part_lay(p);
-    m->whole = status == KERN_OK;
-    return status;
+    m->whole = kern_part_lay(p);
+    return m->whole ? KERN_OK : KERN_NO_SPACE;
 }
 
 /* The verdict for a query, with a proof or none, by the methods that >>method
@@ -6026,7 +6024,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         status = kern_model_pass(m, p, q, KERN_CLUSTER);
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
-        if (status == KERN_FALLS && kern_part_lay(p) == KERN_OK
+        if (status == KERN_FALLS && kern_part_lay(p)
             && kern_part_evaluate(p, q) == KERN_FALLS)
             return KERN_FALLS;
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
@@ -6596,7 +6594,7 @@ static kern_status kern_path_part(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_real holds = path->holds;
     kern_status status;
-    if (kern_part_lay(path->part) != KERN_OK)
+    if (!kern_part_lay(path->part))
         return KERN_UNDECIDED;
     path->alone = 1;
     status = kern_path_evaluate(m, path, s);
@@ -6938,7 +6936,7 @@ static kern_status kern_raise_begin(kern_raise *r, kern_call *c,
     r->p = &c->part;
     *out = KERN_NOT_SHOWN;
     value = kern_take_last(&m->rest, m->s->blocks);
-    kern_take_last(&m->common, m->s->blocks); /* the same */
+    kern_take_last(&m->common, m->s->blocks); /* both end at one place */
     if (!kern_take_fits(&m->rest))
         return KERN_NO_SPACE;
     for (i = 0; i < m->s->blocks; i++)
@@ -8292,7 +8290,10 @@ KERN_API int kern_contacts(const kern_block *block, int blocks,
 KERN_API int kern_touch(const kern_block *block, int b,
                         const kern_options *options, kern_contact *out,
                         int room, kern_work *work)
-{ return kern_search_run(block, b + 1, options, out, room, work, b, 0); }
+{
+    return kern_search_run(block, b + (b <= KERN_POINTS_MOST), options, out,
+                           room, work, b, 0);
+}
 
 KERN_API int kern_overlaps(const kern_block *block, int blocks,
                            const kern_options *options, kern_overlap *out,

@@ -102,10 +102,10 @@ static glp_prob *kern_glpk_make(const kern_program *lp)
 
 /* Runs the primal simplex, with as many pivots as are left of the call's
    work. */
-static int kern_glpk_run(glp_prob *p, const kern_program *lp, kern_work *work)
+static int kern_glpk_run(glp_prob *p, const kern_program *lp)
 {
     const int unit = 1 + (lp->rows + lp->cols) / 16; /* of work, for a pivot */
-    const int left = (kern_limit_of(lp->limit) - work->units) / unit;
+    const int left = (kern_limit_of(lp->limit) - lp->work->units) / unit;
     const int before = glp_get_it_cnt(p);
     glp_smcp how;
     int code;
@@ -120,8 +120,8 @@ static int kern_glpk_run(glp_prob *p, const kern_program *lp, kern_work *work)
     how.it_lim = 200 + 5 * (lp->rows + lp->cols);
     how.it_lim = how.it_lim < left ? how.it_lim : left;
     code = glp_simplex(p, &how);
-    kern_spend(work, lp->limit, (glp_get_it_cnt(p) - before) * unit
-                + (code == GLP_EITLIM && how.it_lim == left ? unit : 0));
+    kern_lp_spend(lp, (glp_get_it_cnt(p) - before) * unit
+                  + (code == GLP_EITLIM && how.it_lim == left ? unit : 0));
     return code == 0 ? glp_get_status(p) : GLP_UNDEF;
 }
 
@@ -153,11 +153,11 @@ static int kern_glpk_ray(glp_prob *p, const kern_program *lp, kern_real *x)
    be. If they cannot vanish the row prices are the certificate, turned round;
    if they can they are held at zero and the cost is minimised. */
 static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
-                                kern_real *y, kern_work *work)
+                                kern_real *y)
 {
     glp_prob *p = kern_glpk_make(lp);
     kern_status status = KERN_UNDECIDED;
-    int i, code = kern_glpk_run(p, lp, work);
+    int i, code = kern_glpk_run(p, lp);
     double size = 0.0;
     for (i = 0; i < lp->rows; i++)
         size = size > (double)kern_abs(lp->rhs[i])
@@ -172,7 +172,7 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
         }
         for (i = 1; i <= lp->cols; i++)
             glp_set_obj_coef(p, i, (double)lp->cost[i - 1]);
-        code = kern_glpk_run(p, lp, work);
+        code = kern_glpk_run(p, lp);
         status = code == GLP_OPT ? KERN_LP_OPTIMAL
                  : code == GLP_UNBND ? KERN_LP_UNBOUNDED : KERN_UNDECIDED;
     }
@@ -182,7 +182,7 @@ static kern_status kern_lp_glpk(const kern_program *lp, kern_real *x,
         y[i] = (kern_real)-glp_get_row_dual(p, i + 1);
     if (status == KERN_LP_UNBOUNDED && !kern_glpk_ray(p, lp, x))
         status = KERN_UNDECIDED;
-    work->pivots += glp_get_it_cnt(p);
+    lp->work->pivots += glp_get_it_cnt(p);
     glp_delete_prob(p);
     return status;
 }

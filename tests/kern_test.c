@@ -9205,6 +9205,8 @@ static void bad_contact_pointers(void)
     CHECK(got == KERN_BAD_COUNT || got == KERN_NO_SPACE);
     CHECK_INT(kern_touch(NULL, 1, &o, out, 64, &work), KERN_BAD_POINTER);
     CHECK_INT(kern_touch(w.block, -1, &o, out, 64, &work), KERN_BAD_COUNT);
+    CHECK_INT(kern_touch(w.block, 2147483647, &o, out, 64, &work),
+              KERN_BAD_COUNT);
 }
 
 /* ---- statuses ------------------------------------------------- >>statuses */
