@@ -147,7 +147,7 @@
    the pass there, and goes on to that of the part that falls, until none does.
    Where the pass gives no proof, the whole is asked. Load factor and tilt of up
    to 64 free blocks are one linear program with the value as a column. A
-   verdict to each side of the critical value proves the bracket.
+   proof to each side of the critical value makes the bracket.
 
    RULES                                                               >>rules
 
