@@ -4388,7 +4388,7 @@ static kern_real kern_lp_sum(kern_real from, const kern_real *u,
        optimal      A x = rhs,  cost + y A >= 0, = 0 where x > 0
        infeasible   y A >= 0,  y.rhs < 0
        unbounded    A x = 0,  cost.x < 0                                      */
-static int kern_lp_holds(const kern_lp *lp, const kern_real *x,
+static int kern_lp_holds(const kern_program *lp, const kern_real *x,
                          const kern_real *y, kern_status status)
 {
     const int m = lp->rows, best = status == KERN_LP_OPTIMAL;
@@ -4402,7 +4402,7 @@ static int kern_lp_holds(const kern_lp *lp, const kern_real *x,
     for (j = 0; j < lp->cols && status != KERN_LP_UNBOUNDED; j++) {
         const kern_real left = kern_lp_sum(
             best && lp->cost ? lp->cost[j] : KERN_R(0), y,
-            lp->a + (size_t)j * (size_t)m, 1, m);
+            kern_lp_dense(lp, j), 1, m);
         if (!(left >= -KERN_TOL) || (best && x[j] > 0 && left > KERN_TOL))
             return 0;
     }
@@ -4414,7 +4414,7 @@ static int kern_lp_holds(const kern_lp *lp, const kern_real *x,
 
 /* The same; where nothing else is in a row the last digits of x or y are all
    there is: if need be they are taken out. */
-static int kern_lp_proven(const kern_lp *lp, kern_real *x, kern_real *y,
+static int kern_lp_proven(const kern_program *lp, kern_real *x, kern_real *y,
                           kern_status status)
 {
     int again;
@@ -4451,7 +4451,7 @@ static kern_status kern_lp_run(const kern_lp *lp, kern_real *x, kern_real *y,
         kern_basis_read(&sx, sx.alpha, x);
         x[sx.enters] = KERN_R(1);
     }
-    if (!kern_lp_proven(lp, x, y, status))
+    if (!kern_lp_proven(&p, x, y, status))
         return KERN_UNDECIDED;
     for (i = 0; i < p.rows && status == KERN_LP_OPTIMAL; i++)
         y[i] = 0 - y[i];
