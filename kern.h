@@ -3411,11 +3411,11 @@ KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
 
 /* ---- What is critical ---------------------------------------- >>critical */
 
-static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
-                                    kern_real turn)
+static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
+                                    kern_vec u, kern_real turn)
 {
     const kern_real along = kern_abs(kern_vec_cross(c->n, u));
-    if (kern_vec_dot(c->n, u) > c->mu * along + KERN_REST)
+    if (kern_vec_dot(c->n, u) > mu * along + KERN_REST)
         return KERN_OPENS;
     if (along > KERN_REST)
         return KERN_SLIDES;
@@ -3428,7 +3428,7 @@ static kern_meeting kern_meeting_of(const kern_contact *c, kern_vec u,
 static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
                                    const kern_proof *proof, kern_critical *out)
 {
-    kern_real most = KERN_R(0), rate;
+    kern_real most = KERN_R(0), narrow = kern_reduction(q), rate;
     int by, i;
     for (by = !proof->force; by < 3 && out->contact < 0; by++)
         for (i = 0; i < s->contacts; i++) {
@@ -3436,7 +3436,8 @@ static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
             const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
             const kern_real spin = proof->motion[c->b].spin
                                    - proof->motion[c->a].spin;
-            const kern_meeting meeting = kern_meeting_of(c, u, spin * q->mean);
+            const kern_meeting meeting = kern_meeting_of(
+                c, kern_friction(c, narrow), u, spin * q->mean);
             kern_real limit = KERN_R(0);
             kern_shift(c->travel, q->shrink, q->relative, &rate);
             if (by == 0 && meeting != KERN_OPENS)

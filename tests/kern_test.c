@@ -6683,6 +6683,38 @@ static void critical_laws(void)
     CHECK(limits > 50);
 }
 
+/* A cone of friction .5, narrower by the angle of 1.5 * .2, is that of .2 /
+   1.15 = .1739: what moves along its edge slides, and opens if it is faster. */
+static void critical_narrow(void)
+{
+    static world w;
+    static const struct { double vy, narrow; int meets; } at[] = {
+        {0.49, 0, KERN_SLIDES},   {0.51, 0, KERN_OPENS},
+        {0.17, 1.5, KERN_SLIDES}, {0.18, 1.5, KERN_OPENS},
+    };
+    kern_motion motion[2] = {{0, 0, 0}, {1, 0, 0}};
+    kern_meeting meeting[2];
+    kern_proof proof;
+    kern_critical c;
+    kern_work work;
+    size_t k;
+    memset(&c, 0, sizeof c);
+    c.meeting = meeting;
+    proof.force = NULL;
+    proof.motion = motion;
+    shifted_cube(&w, 0);
+    world_friction(&w, 0.5);
+    work = work_of(&w);
+    for (k = 0; k < sizeof at / sizeof *at; k++) {
+        motion[1].vy = R(at[k].vy);
+        w.options.narrow = R(at[k].narrow);
+        CHECK_INT(kern_critical_of(world_task(&w, &work), R(0.2), &proof, &c),
+                  KERN_OK);
+        CHECK_INT(meeting[0], at[k].meets);
+        CHECK_INT(meeting[1], at[k].meets);
+    }
+}
+
 static void critical_bad_input(void)
 {
     static world w;
@@ -11459,6 +11491,7 @@ static const test tests[] = {
     TEST(plan_saturated),
     TEST(plan_with_one_array),
     TEST(critical_by_hand),
+    TEST(critical_narrow),
     TEST(critical_laws),
     TEST(critical_bad_input),
     TEST(known_garbage),
