@@ -5197,11 +5197,9 @@ static int kern_pass_three(const kern_real h[9], const kern_real b[3],
     const kern_real l1 = h[3] * i0, l3 = h[6] * i0;
     const kern_real d1 = h[4] - l1 * h[3], e = h[7] - l3 * h[3];
     const kern_real i1 = d1 > least ? 1 / d1 : KERN_R(0);
-    const kern_real l4 = e * i1;
-    const kern_real d2 = h[8] - l3 * h[6] - l4 * e;
+    const kern_real l4 = e * i1, d2 = h[8] - l3 * h[6] - l4 * e;
     const kern_real i2 = d2 > least ? 1 / d2 : KERN_R(0);
-    const kern_real y1 = b[1] - l1 * b[0];
-    const kern_real y2 = b[2] - l3 * b[0] - l4 * y1;
+    const kern_real y1 = b[1] - l1 * b[0], y2 = b[2] - l3 * b[0] - l4 * y1;
     x[2] = y2 * i2;
     x[1] = y1 * i1 - l4 * x[2];
     x[0] = b[0] * i0 - l1 * x[1] - l3 * x[2];
@@ -6529,7 +6527,8 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
     path->fails = path->end;
-    q = kern_path_at(path, beyond = path->critical + kern_aside(path));
+    beyond = kern_min(path->critical + kern_aside(path), path->end);
+    q = kern_path_at(path, beyond);
     if (!kern_model_ask(m, 1))
         return KERN_LIMIT;
     if (kern_part_falls(p, &q))
