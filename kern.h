@@ -4976,7 +4976,7 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 
 /* Line search: the share of the step at which the dual is largest, to an eighth
    of its derivative; with prices to a thousandth, since the next round begins
-   there. The dual is concave: regula falsi (Illinois). */
+   there, and a place is work. The dual is concave: regula falsi (Illinois). */
 static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
@@ -4991,7 +4991,8 @@ static kern_real kern_norm_share(const kern_part *p)
             at = hi < KERN_INFINITY ? (hi * at_lo - lo * at_hi)
                                       / (at_lo - at_hi) : 4 * at;
         slope = kern_norm_slope(p, push, at);
-        if (kern_abs(slope) <= least)
+        if (kern_abs(slope) <= least
+            || (p->dual.price && !kern_model_spend(p->m, (p->own + 8) / 16)))
             break;
         if (slope > 0) {
             lo = at;
@@ -6765,7 +6766,6 @@ static int kern_raise_open(kern_raise *r, kern_model *m)
     p->dual.stiff = r->around < 0 ? KERN_R(1.1) / KERN_STICKS /* it proves */
                                   : KERN_STAYS_STIFF;
     r->size = 3 * p->groups + 3 + p->contacts;
-    p->dual.cost += p->contacts / 5; /* a finer line search */
     p->dual.u = kern_take_reals(&p->rest, 3 * r->size + 3 * p->contacts);
     if (!kern_take_fits(&p->rest))
         return 0;
