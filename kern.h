@@ -4992,7 +4992,7 @@ static kern_real kern_norm_share(const kern_part *p)
                                       / (at_lo - at_hi) : 4 * at;
         slope = kern_norm_slope(p, push, at);
         if (kern_abs(slope) <= least
-            || (p->dual.price && !kern_model_spend(p->m, (p->own + 8) / 16)))
+            || (p->dual.price && !kern_model_spend(p->m, (p->own + 12) / 16)))
             break;
         if (slope > 0) {
             lo = at;
