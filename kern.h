@@ -1243,10 +1243,10 @@ extern "C" {
 
 /* ---- measures ---- */
 
-/* Width of the bracket of a measure, the critical value in its middle [mean
-   block size; load factor; tangent of a quarter of the angle]. Narrower, fewer
-   verdicts near critical have a proof; wider, the bracket is no longer within
-   the 2e-6 that are promised. */
+/* Width of the bracket of a measure, half of it before the critical value [mean
+   block size; load factor; tangent of a quarter of the angle]; up to all of it
+   may lie beyond. Narrower, fewer verdicts near critical have a proof; wider,
+   the bracket is no longer within the 2e-6 that are promised. */
 #define KERN_WIDTH         KERN_PICK(1.26e-6, 1.8e-3)
 /* How many times wider it may get near what has no proof; wider: undecided. */
 #define KERN_WIDEST        KERN_R(20)
@@ -1325,13 +1325,12 @@ extern "C" {
 
 /* ---- interior point ---- */
 
-/* A little: what a step leaves of the way to x, z = 0, at least; what x and z
-   are lifted by to begin, in their largest, and may shrink to where forces are
-   balanced; least gap, and s below 0, with which a query begins where another
-   ended. At 3e-3 tilts take 5 % more. */
+/* A little: what a step leaves of the way to x, z = 0, less as the gap closes;
+   what x and z are lifted by to begin, in their largest, and may shrink to when
+   forces are balanced; least gap, and s below 0, with which a query begins. */
 #define KERN_IPM_LITTLE    KERN_R(1e-3)
-#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means: without it,
-                                             float decides fewer verdicts     */
+#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means, and share of
+                                    a gap that is left: less decides less     */
 /* What its gap shrinks to in a step at least, in the mean, or it begins anew:
    without that some walls take three times the work. */
 #define KERN_IPM_PACE      KERN_R(0.95)
@@ -5674,12 +5673,13 @@ static int kern_ipm_step(kern_ipm *in)
             break;
         for (i = 0; i < rays; i++)
             left += (p->x[i] + of_x * dx[i]) * (in->z[i] + of_z * dz[i]);
-        left = kern_max(left / in->gap, 1 - of_x);
+        left = kern_max(kern_max(left / in->gap, 1 - of_x), KERN_IPM_APART);
         mu = in->gap * left * left * left / KERN_R(rays);
     }
-    of_z *= 1 - KERN_IPM_LITTLE;
-    if (!(in->s + ds >= 0 && of_x >= 1))
-        of_x *= 1 - KERN_IPM_LITTLE;
+    left = kern_min(KERN_IPM_LITTLE * left, KERN_IPM_LITTLE);
+    of_z -= of_z * left;
+    if (of_x < 1)
+        of_x -= of_x * left;
     in->s = kern_min(in->s + of_x * ds, 0); /* a sum that is rounded */
     for (i = 0; i < rays; i++) {
         p->x[i] = kern_max(p->x[i] + of_x * dx[i], p->x[i] * KERN_EPS);
@@ -5691,9 +5691,9 @@ static int kern_ipm_step(kern_ipm *in)
     return kern_is_finite(in->gap);
 }
 
-/* Takes A x - b from the forces, of each as a share of what it is: so M is far
-   from singular where D = x / z has entries of all sizes. */
-static void kern_ipm_balance(kern_ipm *in)
+/* Takes A x - b from the forces, of each as a share of it: so M is far from
+   singular where x / z has entries of all sizes. Whether they prove a stand. */
+static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
     const int rays = 2 * p->contacts;
@@ -5703,8 +5703,9 @@ static void kern_ipm_balance(kern_ipm *in)
     kern_ipm_factor(in, KERN_R(0), in->over, p->dual.step);
     kern_ipm_ways(p, p->dual.step, turn);
     for (i = 0; i < rays; i++)
-        p->x[i] *= kern_max(1 - turn[i], KERN_IPM_LITTLE);
+        p->x[i] -= p->x[i] * kern_min(turn[i], 1 - KERN_IPM_LITTLE);
     kern_ipm_over(in);
+    return kern_part_stands(p, q);
 }
 
 /* v += 1.5 times what its least entry is below 0, a little of its largest */
@@ -5792,11 +5793,9 @@ static kern_status kern_ipm_run(kern_ipm *in, const kern_query *q,
     int round = 0;
     while (round++ < KERN_ROUNDS && in->gap > KERN_NOISE * KERN_NOISE
            && in->gap <= pace && kern_ipm_step(in)) {
-        if (in->s >= 0) {
-            kern_ipm_balance(in);
-            if (kern_part_stands(in->p, q))
-                return KERN_STANDS;
-        }
+        if (in->s >= 0
+            && (kern_part_stands(in->p, q) || kern_ipm_balance(in, q)))
+            return KERN_STANDS;
         if (kern_part_falls(in->p, q))
             return KERN_FALLS;
         pace *= KERN_IPM_PACE;
@@ -6257,8 +6256,8 @@ KERN_SHARED static kern_status kern_path_verify(
 }
 
 /* The next place: where the basis may stop to fall; `aside` beyond the critical
-   value, to fall; so far before it, to stand; at it, to be verified; where none
-   is inside, at a part of the bracket. Infinity: it is narrow, or of a part. */
+   value (`fails` may be twice as far); as far before it, to stand; at it, to be
+   verified; else a part of the bracket; infinity: it is narrow, or of a part */
 KERN_SHARED static kern_real kern_path_next(const kern_path *path,
                                             kern_real aside)
 {
@@ -6271,9 +6270,9 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
         return KERN_INFINITY;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
         return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / aside);
-    if (!(next > lo && hi - next > aside * KERN_R(1.15)))
+    if (!(next > lo && hi - next > aside * 2))
         next = crit;
-    if (hi - next > aside * KERN_R(1.15))
+    if (hi - next > aside * 2)
         return next + aside;
     if (path->alone)
         return KERN_INFINITY;
@@ -6383,12 +6382,11 @@ static int kern_known_falls(kern_model *m, const kern_query *q,
    that bounds the critical value. */
 static int kern_start_falls(kern_model *m, kern_path *path)
 {
-    const kern_known *warm = &path->warm;
-    const kern_query q = kern_path_at(path, warm->fails);
-    if (!kern_known_falls(m, &q, warm))
+    const kern_query q = kern_path_at(path, path->warm.fails);
+    if (!kern_known_falls(m, &q, &path->warm))
         return 0;
-    kern_path_note(m, path, KERN_FALLS, warm->fails);
-    path->critical = path->exact = warm->margin;
+    kern_path_note(m, path, KERN_FALLS, path->warm.fails);
+    path->critical = path->exact = path->warm.margin;
     return 1;
 }
 
@@ -6565,7 +6563,8 @@ static void kern_known_start(kern_model *m, kern_part *p)
 }
 
 /* The critical value of the whole beyond path->holds: of many groups by the
-   interior point; of few, or where that finds none, by their linear program. */
+   interior point, which shrinks half as far first, where fewer mechanisms fall;
+   of few, or where that finds none, by their linear program. */
 static kern_status kern_path_whole(kern_model *m, kern_path *path,
                                    kern_real first, kern_real step)
 {
@@ -6575,7 +6574,8 @@ static kern_status kern_path_whole(kern_model *m, kern_path *path,
     if (!m->whole && m->graph.groups > KERN_SMALL
         && kern_ipm_open(&in, m, path->part, &q)) {
         path->ipm = &in;
-        status = kern_path_narrow(m, path, first, step);
+        status = kern_path_narrow(m, path, path->kind == KERN_PATH_SHRINK
+                                           ? first / 2 : first, step);
         path->ipm = NULL;
         if (status != KERN_UNDECIDED)
             return status;
@@ -8682,7 +8682,7 @@ KERN_API kern_status kern_certain(const kern_task *task, kern_real margin,
         kern_contacts_err(contact, other.s.contacts, -by, -turn);
         status = kern_measure(&other, &m, NULL);
         if (status == KERN_FALLS)
-            out->high = KERN_R(0);
+            out->low = out->high = KERN_R(0);
         else if (status == KERN_STANDS || status == KERN_LIMIT)
             out->high = kern_max(m.fails, margin > 0 && !task->options.relative
                                           ? margin + by : margin);

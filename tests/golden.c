@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x6f8edbc04e502e2eu },
-    { 1000, 0x5228037b6050dd77u },
-    { 5000, 0x1360f806ab4f3913u },
+    { 200, 0x9d21cca53f2c969au },
+    { 1000, 0xc3b2c26067558a90u },
+    { 5000, 0xb21209606d8fbc1eu },
 #else
-    { 200, 0x4ee77a23450d8aa6u },
-    { 1000, 0x1119b16ba72befbau },
-    { 5000, 0x6b9dc83cb5c02c17u },
+    { 200, 0xf7363add6f57361du },
+    { 1000, 0xc84117d956f3f657u },
+    { 5000, 0xdb7c29c8480582a0u },
 #endif
 };
 

@@ -9999,6 +9999,28 @@ static void certain_supports(void)
         }
 }
 
+/* A box on a bed of slope 0.3 whose contacts have a friction of their own. Found
+   anew they have that of the options, with which it slides for certain: so its
+   interval is 0, whatever the given ones bear. */
+static void certain_given(void)
+{
+    static world w;
+    kern_interval in = {-1, -1};
+    world_reset(&w);
+    world_box(&w, 0, -1, -1, 2, 0);
+    world_box(&w, 1, 0, 0, 1, 1);
+    w.options = kern_measured_options(&w.options, R(0.01), R(0.01));
+    w.options.mu = R(0.1);
+    w.gravity = vec(0.3, -1);
+    CHECK(world_touch(&w) == 2);
+    CHECK_INT(certain_world(&w, &in, 100), KERN_FALLS);
+    world_friction(&w, 0.9);
+    CHECK_INT(verdict(&w, 0), KERN_STANDS);
+    CHECK_INT(certain_world(&w, &in, 100), KERN_FALLS);
+    CHECK_NEAR(in.low, 0, 0);
+    CHECK_NEAR(in.high, 0, 0);
+}
+
 /* A limit bounds both questions together, and what is proven by then is handed
    out. */
 static void certain_limit(void)
@@ -11556,6 +11578,7 @@ static const test tests[] = {
     TEST(measured_bounds),
     TEST(measured_corner_beyond_steps),
     TEST(certain_supports),
+    TEST(certain_given),
     TEST(certain_limit),
     TEST(certain_bounds),
     TEST(measured_round_stone),
