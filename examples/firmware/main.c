@@ -165,6 +165,6 @@ candidate at  0.20 m: level 34, margin 0.1663 m; 4699 units; 204728 ticks
 candidate at  0.40 m: level 34, margin 0.1663 m; 4609 units; 206619 ticks
 candidate at -0.30 m: two blocks overlap deeper than the gap tolerance; 315 ticks
 memory: 42624 bytes of work memory, 9256 of blocks and contacts,
-        51888 of variables in all, 2224 of 13648 of stack, 42472 of flash
+        51888 of variables in all, 2224 of 13648 of stack, 42488 of flash
 best place: 0.20 m
 */
