@@ -345,8 +345,8 @@
        never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
                              program is linked: they flush small numbers to 0
 
-   Only + - * / and square root are used, and KERN_SQRT must round as IEEE
-   asks. tests/golden.c compares a hash of all results: it sees wrong flags. */
+   Only + - * / and square root are used, which must round as IEEE asks (sums of
+   doubles in libgcc for ARM rarely do not). tests/golden.c sees wrong flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
