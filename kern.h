@@ -345,8 +345,8 @@
        never -ffast-math, -Ofast or -funsafe-math-optimizations, nor where the
                              program is linked: they flush small numbers to 0
 
-   Only + - * / and square root are used, which must round as IEEE asks (sums of
-   doubles in libgcc for ARM rarely do not). tests/golden.c sees wrong flags. */
+   Only + - * / and square root are used, which must round as IEEE asks: sums of
+   doubles by libgcc for ARM do not always. tests/golden.c sees wrong flags. */
 
 /* ==== Part II: Declarations ======================================== >>decl */
 
@@ -1329,8 +1329,8 @@ extern "C" {
    what x and z are lifted by to begin, in their largest, and may shrink to when
    forces are balanced; least gap, and s below 0, with which a query begins. */
 #define KERN_IPM_LITTLE    KERN_R(1e-3)
-#define KERN_IPM_APART     KERN_R(0.03)   /* least x z, in means, and share of
-                                    a gap that is left: less decides less     */
+#define KERN_IPM_APART     KERN_R(0.03) /* least x z, in means, and share of a
+                      gap that a step is to leave: with less, less is decided */
 /* What its gap shrinks to in a step at least, in the mean, or it begins anew:
    without that some walls take three times the work. */
 #define KERN_IPM_PACE      KERN_R(0.95)
@@ -5692,7 +5692,7 @@ static int kern_ipm_step(kern_ipm *in)
 }
 
 /* Takes A x - b from the forces, of each as a share of it: so M is far from
-   singular where x / z has entries of all sizes. Whether they prove a stand. */
+   singular where x / z has entries of all sizes. Returns whether it stands. */
 static int kern_ipm_balance(kern_ipm *in, const kern_query *q)
 {
     kern_part *p = in->p;
