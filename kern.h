@@ -1197,16 +1197,14 @@ extern "C" {
 /* What is no more than rounding in the result of a method, a tenth of KERN_TOL:
    a variable below zero, as a share of the largest, a pivot or a gain, and what
    >>ipm adds to a diagonal without pivots; and the difference of two critical
-   values, in mean block sizes. Less, and the simplex chases rounding, a search
-   does not end. */
+   values, in mean block sizes. Less, and simplex and search chase rounding. */
 #define KERN_NOISE         KERN_PICK(1e-10, 1e-5)
 /* What a row of a proof may lose by rounding, as a share of its terms; by how
    much a certificate is lifted off the columns that it touches, since the check
    of a motion adds as much; and what is added to the diagonal of the matrix of
-   >>norm, as a share of its mean: without it a group that no ray presses has no
-   pivot. Twice as much, of the largest coordinate, and places are the same: no
-   gap is less, or cubes that were turned and moved would not touch; nor is a
-   normal farther off its length. */
+   >>norm, as a share of its mean: without it what no ray presses has no pivot.
+   Twice as much, of the largest coordinate, and places are the same: no gap is
+   less, or turned cubes would not touch; nor is a normal farther off its 1. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1215,9 +1213,8 @@ extern "C" {
 
 /* Largest coordinate and option [m], mass [kg] and sum of all that acts on a
    block [N]. Inverse, it is the least size, mass and sum of a block; its
-   inverse square is the least area [m^2] and power of a motion [W]. Of these
-   the squares, moments and products with KERN_BOUND are numbers, and keep all
-   digits. */
+   inverse square is the least area [m^2] and power of a motion [W]. Squares,
+   moments and products with KERN_BOUND of these keep all digits. */
 #define KERN_FAR           KERN_PICK(1e60, 1e10)
 /* Turn [rad] below which a vertex is no corner, and within which of a half turn
    it is a spike: much larger, and round stones would lose their shape. And
@@ -1255,8 +1252,7 @@ extern "C" {
 #define KERN_SMALL         64
 /* Steps to the largest travel where kerns are not nested, and of half a circle
    of tilt under loads that stay: a range that falls, and is narrower than one,
-   may be missed. A walk in these steps, or a climb, takes no more than five
-   times as many verdicts. */
+   may be missed. A walk, or a climb, takes at most five times as many steps. */
 #define KERN_SCAN          1001
 /* Largest load factor; beyond, the load counts as held for ever. */
 #define KERN_FACTOR_MOST   KERN_R(1e6)
@@ -1266,8 +1262,7 @@ extern "C" {
    (some ten), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts that fall before the whole is asked; steps without
-   gain, of a collapse. */
+   from bend to bend, parts before the whole; a collapse without any gain. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1292,8 +1287,7 @@ extern "C" {
 #define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
 /* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
    and the solution needs no refinement); of a column in a basis, as a share of
-   its largest entry, and determinant of three columns (less, and they count as
-   dependent). */
+   its largest entry, and determinant of three (less: they are dependent). */
 #define KERN_PIVOT         KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
@@ -1309,8 +1303,7 @@ extern "C" {
    measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER       4
 #define KERN_CLUSTER_MOST  20
-/* Units of work of a pass for each group and contact. With 30 measures of
-   bricks take 1.4 times as long. */
+/* Units of work of a pass for each group and contact; 30: bricks take 1.4. */
 #define KERN_PASS_UNITS    9
 
 /* ---- search ---- */
@@ -1425,11 +1418,11 @@ static kern_vec kern_vec_mid(kern_vec a, kern_vec b)
 { return kern_vec_step(a, KERN_R(0.5), kern_vec_sub(b, a)); }
 
 /* The larger coordinate, without its sign. */
-KERN_SHARED static kern_real kern_vec_largest(kern_vec a)
+static kern_real kern_vec_largest(kern_vec a)
 { return kern_max(kern_abs(a.x), kern_abs(a.y)); }
 
 /* Numbers, and none too large to reckon with? */
-KERN_SHARED static int kern_vec_is_moderate(kern_vec a)
+static int kern_vec_is_moderate(kern_vec a)
 { return kern_abs(a.x) + kern_abs(a.y) <= KERN_FAR; }
 
 /* The sine by its series: the last digit of libm's differs between machines;
@@ -1470,7 +1463,7 @@ static kern_real kern_wrench_sum(const void *w)
 }
 
 /* v := s v, n numbers, also those of structs of numbers */
-KERN_SHARED static void kern_scale(void *v, int n, kern_real s)
+static void kern_scale(void *v, int n, kern_real s)
 {
     kern_real *to = (kern_real *)v;
     for (; n > 0; n--)
@@ -1478,7 +1471,7 @@ KERN_SHARED static void kern_scale(void *v, int n, kern_real s)
 }
 
 /* v := 0 */
-KERN_SHARED static void kern_zero(void *v, int n)
+static void kern_zero(void *v, int n)
 {
     kern_real *to = (kern_real *)v;
     for (; n > 0; n--)
@@ -1486,7 +1479,7 @@ KERN_SHARED static void kern_zero(void *v, int n)
 }
 
 /* v := w */
-KERN_SHARED static void kern_copy(void *v, const void *w, int n)
+static void kern_copy(void *v, const void *w, int n)
 {
     kern_real *to = (kern_real *)v;
     const kern_real *from = (const kern_real *)w;
@@ -1495,7 +1488,7 @@ KERN_SHARED static void kern_copy(void *v, const void *w, int n)
 }
 
 /* v += s w */
-KERN_SHARED static void kern_add(void *v, kern_real s, const void *w, int n)
+static void kern_add(void *v, kern_real s, const void *w, int n)
 {
     kern_real *to = (kern_real *)v;
     const kern_real *from = (const kern_real *)w;
@@ -1567,7 +1560,7 @@ typedef struct kern_query {
 } kern_query;
 
 /* The tangent by which cones of friction are narrower. */
-KERN_SHARED static kern_real kern_reduction(const kern_query *q)
+static kern_real kern_reduction(const kern_query *q)
 { return kern_max(q->narrow * q->shrink, KERN_R(0)); }
 
 /* Friction of a contact whose cone is narrower by the angle of that tangent. */
@@ -1756,6 +1749,10 @@ KERN_SHARED static kern_real kern_width(const kern_path *path)
 KERN_SHARED static kern_real kern_aside(const kern_path *path)
 { return kern_width(path) / 2; }
 
+/* The widest bracket that is an answer. */
+KERN_SHARED static kern_real kern_widest(const kern_path *path)
+{ return kern_width(path) * KERN_WIDEST; }
+
 /* The place that lies `aside` before the critical value, or the start. */
 KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
 { return kern_max(path->critical - aside, path->start); }
@@ -1821,7 +1818,7 @@ typedef struct kern_take {
     int reals, indices;
 } kern_take;
 
-KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
+static void kern_take_open(kern_take *take, const kern_work *work)
 {
     const kern_take all = {work->real, work->index, work->reals, work->indices};
     *take = all;
@@ -1864,7 +1861,7 @@ KERN_SHARED static void kern_fault_clear(kern_fault *fault)
     fault->value = fault->allowed = KERN_R(0);
 }
 
-KERN_SHARED static void kern_work_begin(kern_work *work)
+static void kern_work_begin(kern_work *work)
 {
     kern_fault_clear(&work->fault);
     work->units = 0;
@@ -2690,14 +2687,14 @@ static int kern_model_loaded(const kern_model *m)
    are not. range: the shortest of their travels, and the longest, d_max. */
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
-    const int *ends = m->graph.ends;
+    const int *ends = m->graph.ends, none = 2 * m->graph.groups;
     int i, points = 0;
     range[0] = KERN_INFINITY;
     range[1] = KERN_R(0);
     for (i = 0; i < m->s->contacts; i++, ends += 2) {
         const kern_contact *c = m->s->contact + i;
         const kern_real travel = kern_abs(kern_travel(c, m->mean));
-        if (!(travel > 0) || ends[0] + ends[1] == 2 * m->graph.groups)
+        if (!(travel > 0) || ends[0] + ends[1] == none)
             continue;
         range[0] = kern_min(range[0], travel);
         range[1] = kern_max(range[1], travel);
@@ -2776,8 +2773,9 @@ static void kern_force_transfer(kern_model *m, kern_real from, kern_real shrink)
 }
 
 /* Hands the proof of a verdict to the caller. */
-static void kern_proof_out(const kern_model *m, const kern_proof *proof,
-                           kern_status status)
+KERN_SHARED static void kern_proof_out(const kern_model *m,
+                                       const kern_proof *proof,
+                                       kern_status status)
 {
     if (proof && status == KERN_STANDS && proof->force)
         kern_copy(proof->force, m->answer.force, 2 * m->s->contacts);
@@ -3164,14 +3162,14 @@ KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
 }
 
 /* Gravity and a side to turn it to. */
-KERN_SHARED static int kern_has_side(const kern_structure *s, kern_side side)
+static int kern_has_side(const kern_structure *s, kern_side side)
 {
     return (side == KERN_RIGHT || side == KERN_LEFT)
            && kern_vec_largest(s->gravity) > 0;
 }
 
 /* The tangent of half the angle whose tangent is t. */
-KERN_SHARED static kern_real kern_halved(kern_real t)
+static kern_real kern_halved(kern_real t)
 { return t / (1 + KERN_SQRT(1 + t * t)); }
 
 /* The angle whose tangent is s >= 0: halved three times, then the series. */
@@ -3895,9 +3893,8 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->state = KERN_BASIS_STALE;
 }
 
-/* Logicals, but for a network: from top to bottom three columns of each group
-   carry what it bears. */
-KERN_SHARED static void kern_simplex_crash(kern_simplex *sx)
+/* Logicals; of a network, from top to bottom, three columns of each group. */
+static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
     int *next = sx->place, *first = sx->list; /* columns of a group */
@@ -4003,8 +4000,7 @@ static int kern_basis_values(kern_simplex *sx)
     return left <= KERN_PASS_TOL;
 }
 
-/* Factors the basis anew: three own columns of each group, then what is left of
-   its columns. */
+/* Factors the basis anew: three own columns of each group, then the others. */
 static void kern_basis_refactorise(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4290,8 +4286,7 @@ static void kern_simplex_lay(kern_simplex *sx, const kern_program *lp, int room,
     sx->ratio = kern_take_reals(take, m);
 }
 
-/* The next program begins without a basis, or where columns changed from the
-   same, factored anew. */
+/* The next program begins without a basis, or from the same, factored anew. */
 static void kern_simplex_change(kern_simplex *sx, kern_basis to)
 {
     if (sx->state > to)
@@ -4356,8 +4351,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     return status;
 }
 
-/* Clears of the n numbers of a proof those below a share of the largest, and
-   with `sign` what is negative. */
+/* Clears of n numbers those below a share of the largest; `sign`: below 0. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       int sign)
 {
@@ -4534,8 +4528,8 @@ static kern_real kern_part_load(const kern_part *p, const kern_query *q,
 }
 
 /* Takes the lists of a part's groups; 0 if there is no room. */
-KERN_SHARED static int kern_part_begin(kern_part *p, kern_model *m, int groups,
-                                       const kern_take *rest)
+static int kern_part_begin(kern_part *p, kern_model *m, int groups,
+                           const kern_take *rest)
 {
     p->m = m;
     p->rest = *rest;
@@ -4975,15 +4969,15 @@ static kern_real kern_norm_slope(const kern_part *p, kern_real push,
 
 /* Line search: the share of the step at which the dual is largest, to an eighth
    of its derivative; with prices to a thousandth, since the next round begins
-   there, and a place is work. The dual is concave: regula falsi (Illinois). */
-static kern_real kern_norm_share(const kern_part *p)
+   there, and a place is work. The dual is concave: regula falsi. */
+KERN_SHARED static kern_real kern_norm_share(const kern_part *p)
 {
     const kern_real push = kern_dot(p->dual.b, p->dual.step, 3 * p->groups);
     const kern_real first = kern_dot(p->dual.grad, p->dual.step, 3 * p->groups);
     const kern_real least = first / (p->dual.price ? 1000 : 8);
     kern_real lo = KERN_R(0), at_lo = first, hi = KERN_INFINITY, at_hi = lo;
     kern_real at = KERN_R(1);
-    int round, side = 0;
+    int round;
     for (round = 0; round < (hi < KERN_INFINITY ? 20 : 13); round++) {
         kern_real slope;
         if (round > 0)
@@ -4994,13 +4988,10 @@ static kern_real kern_norm_share(const kern_part *p)
             || (p->dual.price && !kern_model_spend(p->m, (p->own + 12) / 16)))
             break;
         if (slope > 0) {
+            at_hi /= 3; /* else the other end may stay for long */
             lo = at;
             at_lo = slope;
-            at_hi /= side > 0 ? 2 : 1;
-            side = 1;
         } else {
-            at_lo /= side < 0 ? 2 : 1;
-            side = hi < KERN_INFINITY ? -1 : 0;
             hi = at;
             at_hi = slope;
         }
@@ -5040,7 +5031,7 @@ static kern_status kern_norm_find(kern_part *p, kern_real tolerance,
 }
 
 /* Of how many contacts group g is an end. */
-KERN_SHARED static int kern_graph_degree(const kern_graph *graph, int g)
+static int kern_graph_degree(const kern_graph *graph, int g)
 {
     int e = graph->touch[g], n = 0;
     for (; e >= 0; e = graph->after[e])
@@ -5325,7 +5316,7 @@ static void kern_pass_join(kern_model *m, int g, int h)
 }
 
 /* Marks, or unmarks, every group of g's cluster; returns how many there are. */
-KERN_SHARED static int kern_pass_mark(kern_model *m, int g, int mark)
+static int kern_pass_mark(kern_model *m, int g, int mark)
 {
     int i = g, n = 0;
     do {
@@ -5900,12 +5891,12 @@ static int kern_part_is_whole(const kern_part *p)
 
 /* The proof of a verdict, and the verdict itself only if the proof holds. That
    a part stands is no verdict, and needs no proof. */
-KERN_SHARED static kern_status kern_part_prove(
-    kern_part *p, const kern_query *q, kern_status status)
+static kern_status kern_part_prove(kern_part *p, const kern_query *q,
+                                   kern_status status)
 {
     const int whole = kern_part_is_whole(p);
     int again;
-    if (status == KERN_STANDS && !whole)
+    if (status < 0 || (status == KERN_STANDS && !whole))
         return status;
     for (again = 0; status == KERN_FALLS && again < 2; again++)
         if ((!again || kern_prices_mend(&p->eq.simplex, p->y, KERN_ROUNDING))
@@ -5945,26 +5936,37 @@ static kern_real kern_part_follow(kern_part *p)
     return status == KERN_LP_OPTIMAL ? p->x[p->eq.lp.cols] : KERN_INFINITY;
 }
 
-/* The verdict on a part by the simplex method. */
-static kern_status kern_part_evaluate(kern_part *p, const kern_query *q)
+/* What the simplex method says of a part, without a proof. */
+static kern_status kern_part_ask(kern_part *p, const kern_query *q, int builtin)
 {
-    kern_status status = KERN_UNDECIDED;
-    int builtin;
+    kern_status status;
     if (!kern_model_ask(p->m, 1))
         return KERN_LIMIT;
     kern_part_set(p, q);
-    for (builtin = 0; builtin < 2 && status != KERN_LIMIT; builtin++) {
-        status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y);
-        if (status == KERN_LP_OPTIMAL)
-            status = kern_part_norm(p, builtin);
-        else if (status == KERN_LP_INFEASIBLE)
-            status = KERN_FALLS;
-        p->found = status;
-        if (status >= 0)
-            status = kern_part_prove(p, q, status);
-        if (status >= 0)
-            break;
+    status = kern_program_solve(&p->eq.simplex, builtin, p->x, p->y);
+    if (status == KERN_LP_OPTIMAL)
+        status = kern_part_norm(p, builtin);
+    else if (status == KERN_LP_INFEASIBLE)
+        status = KERN_FALLS;
+    return p->found = status;
+}
+
+/* The verdict on it, with a proof: `status`, or what others find. */
+static kern_status kern_part_judge(kern_part *p, const kern_query *q,
+                                   kern_status status)
+{
+    kern_model *m = p->m;
+    status = kern_part_prove(p, q, status);
+    if (status < 0) { /* from no basis */
         kern_simplex_change(&p->eq.simplex, KERN_BASIS_NONE);
+        status = kern_part_prove(p, q, kern_part_ask(p, q, 1));
+    }
+    /* other rounding, other room; in float it would prove what is critical */
+    if (KERN_PICK(1, 0) > 0 && m->whole
+        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
+            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
+        status = kern_ipm_verdict(m, p, q);
+        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
     }
     return status;
 }
@@ -6024,7 +6026,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status == KERN_STANDS || status == KERN_LIMIT)
             return status;
         if (status == KERN_FALLS && kern_part_lay(p)
-            && kern_part_evaluate(p, q) == KERN_FALLS)
+            && kern_part_judge(p, q, kern_part_ask(p, q, 0)) == KERN_FALLS)
             return KERN_FALLS;
         status = m->graph.groups > KERN_SMALL ? kern_ipm_verdict(m, p, q)
                                               : KERN_UNDECIDED;
@@ -6034,15 +6036,7 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
         if (status != KERN_OK)
             return status;
     }
-    status = kern_part_evaluate(p, q);
-    /* other rounding, other room; in float it would prove what is critical */
-    if (KERN_PICK(1, 0) > 0
-        && ((status == KERN_UNDECIDED && m->graph.groups <= KERN_SMALL)
-            || (status == KERN_NO_SPACE && kern_model_is_small(m)))) {
-        status = kern_ipm_verdict(m, p, q);
-        p->found = KERN_UNDECIDED; /* y predicts less exactly than a basis */
-    }
-    return status;
+    return kern_part_judge(p, q, kern_part_ask(p, q, 0));
 }
 
 /* ---- Searching a path ------------------------------------------ >>search */
@@ -6140,21 +6134,21 @@ static void kern_path_rate(const kern_part *p, const kern_query *q,
     int n;
     for (n = 0; n < p->groups; n++) {
         kern_pattern_on(m->s, q, m->graph.block[p->group[n]], &w);
-        *to++ = w.fx / m->weight;
-        *to++ = w.fy / m->weight;
-        *to++ = w.torque * m->unit[p->group[n]] / m->weight;
+        w.torque *= m->unit[p->group[n]];
+        kern_copy(to + 3 * n, &w, 3);
     }
+    kern_scale(to, 3 * n, 1 / m->weight);
 }
 
 /* Records a verdict at s, an end of the bracket then, and hands its proof to
    the caller, whose motion stays that of the nearest place that falls. That a
    part stands alone proves nothing. */
-KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
-                                       kern_status status, kern_real s)
+static void kern_path_note(const kern_model *m, kern_path *path,
+                           kern_status status, kern_real s)
 {
     if (status == KERN_STANDS) {
         path->holds = s;
-        if (path->alone && !kern_part_is_whole(path->part))
+        if (path->alone)
             return;
         path->proven.low = kern_max(path->proven.low, s);
     } else if (status == KERN_FALLS) {
@@ -6166,10 +6160,9 @@ KERN_SHARED static void kern_path_note(const kern_model *m, kern_path *path,
     kern_proof_out(m, path->proof, status);
 }
 
-/* The place beyond s at which a load has grown by t, or gravity turned by
-   atan(t). */
-KERN_SHARED static kern_real kern_path_pushed(const kern_path *path,
-                                              kern_real s, kern_real t)
+/* The place beyond s where a load grew by t, or gravity turned by atan(t). */
+static kern_real kern_path_pushed(const kern_path *path, kern_real s,
+                                  kern_real t)
 {
     if (path->kind == KERN_PATH_LOAD)
         return s + t;
@@ -6193,26 +6186,34 @@ static kern_real kern_path_newton(kern_path *path, const kern_query *q,
 }
 
 /* The verdict at s. The critical value of a mechanism, proven or not, becomes
-   the path's: near it rounding may spoil the proof, but not the value. */
+   the path's: near it rounding may spoil the proof, but not the value. What the
+   simplex method finds to fall far beyond it becomes an end of the bracket and
+   is not proven: the search goes on just beyond the value. */
 static kern_status kern_path_ask(kern_model *m, kern_path *path, kern_real s)
 {
     const kern_query q = kern_path_at(path, s);
     kern_part *p = path->part;
-    const kern_status status = path->ipm
-        ? kern_ipm_evaluate(path->ipm, &q)
-        : path->alone ? kern_part_evaluate(p, &q)
-                      : kern_model_evaluate(m, p, &q);
+    const int simplex = m->whole || path->alone;
+    const kern_status status = simplex ? kern_part_ask(p, &q, 0)
+        : path->ipm ? kern_ipm_evaluate(path->ipm, &q)
+                    : kern_model_evaluate(m, p, &q);
     if (status != KERN_STANDS && p->found == KERN_FALLS)
         path->critical = kern_path_newton(path, &q, s);
+    if (simplex && status == KERN_FALLS && path->critical > path->holds
+        && s - path->critical > kern_widest(path))
+        path->fails = s;
+    else if (simplex)
+        return kern_part_judge(p, &q, status);
     return status;
 }
 
-/* The verdict at s, which becomes an end of the bracket. */
+/* The verdict at s, which becomes an end of the bracket, with its proof. */
 static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
                                       kern_real s)
 {
     const kern_status status = kern_path_ask(m, path, s);
-    kern_path_note(m, path, status, s);
+    if (status != KERN_FALLS || s < path->fails || s > path->fails)
+        kern_path_note(m, path, status, s);
     return status;
 }
 
@@ -6266,7 +6267,7 @@ KERN_SHARED static kern_real kern_path_next(const kern_path *path,
     if (!path->alone && path->proven.low < lo
         && kern_min(crit, hi) < lo + 2 * aside)
         return lo; /* not proven yet */
-    if (hi - lo <= aside / 8 || 2 * aside > kern_width(path) * KERN_WIDEST)
+    if (hi - lo <= aside / 8 || 2 * aside > kern_widest(path))
         return KERN_INFINITY;
     if (!(crit > lo && crit <= hi)) /* `lo` is where none was found */
         return lo + (hi - lo) / KERN_NEAR * (kern_aside(path) / aside);
@@ -6306,8 +6307,8 @@ static kern_status kern_path_critical(kern_model *m, kern_path *path)
         if (status == KERN_UNDECIDED)
             aside *= 2;
     }
-    if (path->fails - path->holds > kern_width(path) * KERN_WIDEST
-        && !path->alone)
+    if (path->fails < path->proven.high /* without a proof */
+        || (path->fails - path->holds > kern_widest(path) && !path->alone))
         return KERN_UNDECIDED;
     path->critical = kern_max(path->critical, path->holds);
     path->critical = kern_min(path->critical, path->fails);
@@ -6397,7 +6398,7 @@ static int kern_start_falls(kern_model *m, kern_path *path)
 
 /* The first contact of the line that carries body g, as an end; KERN_OUT where
    other contacts carry it. Sets graph.carrier: what carries it alone. */
-static int kern_body_line(kern_model *m, int g)
+KERN_SHARED static int kern_body_line(kern_model *m, int g)
 {
     int e, n = 0, first = KERN_OUT, on = KERN_OUT;
     for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
@@ -6413,9 +6414,8 @@ static int kern_body_line(kern_model *m, int g)
            ? first : KERN_OUT;
 }
 
-/* Where body g tips on the line that begins with end *e, and *e about which of
-   its ends; infinity: it is not pressed on it, or stands until the kern is
-   closed. b: the load. */
+/* Where body g tips under load b on the line that begins with end *e, and *e
+   about which end; infinity: not pressed on it, or stands until that closes. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real aside)
 {
@@ -6525,8 +6525,7 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     path->critical = path->exact = kern_path_pushed(path, s, most);
     if (!(most < KERN_INFINITY && path->critical < path->end))
         return KERN_UNDECIDED;
-    path->fails = path->end;
-    beyond = kern_min(path->critical + kern_aside(path), path->end);
+    beyond = path->critical + kern_aside(path);
     q = kern_path_at(path, beyond);
     if (!kern_model_ask(m, 1))
         return KERN_LIMIT;
@@ -6535,8 +6534,7 @@ static kern_status kern_path_follow(kern_model *m, kern_path *path)
     return kern_path_critical(m, path);
 }
 
-/* The critical value in the known bracket, or where there is none, or none that
-   can be narrowed, by a climb. */
+/* The critical value in the known bracket, or where that fails by a climb. */
 static kern_status kern_path_narrow(kern_model *m, kern_path *path,
                                     kern_real first, kern_real step)
 {
@@ -6630,14 +6628,13 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or that of a body, or of what moved, up to a step on; else where
-   it held, or a step on. */
+   proves it, or that of a body, or of what moved; else where it held, or on. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
     kern_known *warm = &path->warm;
     const int known = warm->fails > path->start && warm->fails <= path->end
-                && warm->fails - warm->holds <= kern_width(path) * KERN_WIDEST
+                && warm->fails - warm->holds <= kern_widest(path)
                 && warm->holds <= warm->margin && warm->margin <= warm->fails;
     const kern_real at = known ? kern_max(path->start, warm->holds)
                                : kern_min(path->start + first, path->end);
@@ -6666,14 +6663,14 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_status status = KERN_UNDECIDED;
     kern_real at, then = KERN_R(0), step = path->unit * KERN_CLIMB;
     int round;
+    path->start = path->holds;
+    path->fails = path->exact = KERN_INFINITY;
     if (even > 0) { /* gravity turns in larger steps */
         step *= KERN_R(path->kind == KERN_PATH_TILT);
         return kern_path_climb(m, path, step, step, even);
     }
     if (path->kind != KERN_PATH_SHRINK)
         step = path->unit * KERN_CLIMB_PUSH;
-    path->start = path->holds;
-    path->fails = path->exact = KERN_INFINITY;
     if (m->whole || path->kind != KERN_PATH_SHRINK)
         return kern_path_whole(m, path, step, step);
     if (m->graph.groups <= KERN_SMALL) { /* a part that falls ends it soon; what
@@ -7162,7 +7159,8 @@ KERN_API kern_status kern_raised_load(
    then. Those that hardly turn are no corners. */
 
 /* The vertex behind i, or the one before. */
-static int kern_polygon_next(const kern_block *block, int i, int back)
+KERN_SHARED static int kern_polygon_next(const kern_block *block, int i,
+                                         int back)
 {
     if (back)
         return (i > 0 ? i : block->vertices) - 1;
@@ -8081,7 +8079,7 @@ typedef struct kern_search {
 } kern_search;
 
 /* Half the diagonal of the block's box. */
-KERN_SHARED static kern_real kern_box_half(const kern_block *block)
+static kern_real kern_box_half(const kern_block *block)
 { return kern_vec_length(kern_vec_sub(block->box.high, block->box.low)) / 2; }
 
 /* The widest gap of blocks of that size; the error's is added to the exact. */

@@ -38,13 +38,13 @@ static const struct {
     uint64_t hash;
 } golden[] = {
 #ifdef KERN_SINGLE
-    { 200, 0x9d21cca53f2c969au },
-    { 1000, 0xc3b2c26067558a90u },
-    { 5000, 0xb21209606d8fbc1eu },
+    { 200, 0x9e1c58344b08def4u },
+    { 1000, 0x5602b713d77e3d3fu },
+    { 5000, 0x3f94c31e19074a20u },
 #else
-    { 200, 0xf7363add6f57361du },
-    { 1000, 0xc84117d956f3f657u },
-    { 5000, 0xdb7c29c8480582a0u },
+    { 200, 0xdc30c2c3f89b14c9u },
+    { 1000, 0x354ab67d20640945u },
+    { 5000, 0x7fed2e0ee9f0f6f4u },
 #endif
 };
 
