@@ -1818,7 +1818,7 @@ typedef struct kern_take {
     int reals, indices;
 } kern_take;
 
-static void kern_take_open(kern_take *take, const kern_work *work)
+KERN_SHARED static void kern_take_open(kern_take *take, const kern_work *work)
 {
     const kern_take all = {work->real, work->index, work->reals, work->indices};
     *take = all;
@@ -2688,11 +2688,11 @@ static int kern_model_loaded(const kern_model *m)
 static int kern_is_nested(const kern_model *m, kern_real range[2])
 {
     const int *ends = m->graph.ends, none = 2 * m->graph.groups;
-    int i, points = 0;
+    const kern_contact *c = m->s->contact, *const end = c + m->s->contacts;
+    int points = 0;
     range[0] = KERN_INFINITY;
     range[1] = KERN_R(0);
-    for (i = 0; i < m->s->contacts; i++, ends += 2) {
-        const kern_contact *c = m->s->contact + i;
+    for (; c < end; c++, ends += 2) {
         const kern_real travel = kern_abs(kern_travel(c, m->mean));
         if (!(travel > 0) || ends[0] + ends[1] == none)
             continue;
