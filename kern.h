@@ -6241,7 +6241,7 @@ static int kern_path_forces(kern_model *m, kern_path *path, kern_real aside)
     return 1;
 }
 
-/* The verdict at the critical value, which leaves the bracket as it is. Where
+/* The verdict at the critical value, which proves no end of the bracket. Where
    another mechanism falls, its value is the path's; else the value is exact. */
 KERN_SHARED static kern_status kern_path_verify(
     kern_model *m, kern_path *path, kern_real aside)
