@@ -6213,7 +6213,7 @@ static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
 {
     const kern_status status = kern_path_ask(m, path, s);
     if (status != KERN_FALLS || s < path->fails || s > path->fails)
-        kern_path_note(m, path, status, s);
+        kern_path_note(m, path, status, s); /* else an end without a proof */
     return status;
 }
 
