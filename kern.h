@@ -1203,8 +1203,8 @@ extern "C" {
    much a certificate is lifted off the columns that it touches, since the check
    of a motion adds as much; and what is added to the diagonal of the matrix of
    >>norm, as a share of its mean: without it what no ray presses has no pivot.
-   Twice as much, of the largest coordinate, and places are the same: no gap is
-   less, or turned cubes would not touch; nor is a normal farther off its 1. */
+   Within twice as much of the largest coordinate places are the same, or cubes
+   that were turned would not touch; and a normal has the length 1. */
 #define KERN_ROUNDING      (32 * KERN_EPS)
 /* The most that a proof of >>raised takes for sticking, in approaches. */
 #define KERN_STICKS        KERN_PICK(2e-3, 0.2)
@@ -1262,7 +1262,8 @@ extern "C" {
    (some ten), prices of contacts along a load. */
 #define KERN_ROUNDS        100
 /* Rounds of what ends in fewer, as a rule: Newton's method for one group and
-   from bend to bend, parts before the whole; a collapse without any gain. */
+   from bend to bend; parts that fall before the whole is asked; steps of a
+   collapse that take nothing away. */
 #define KERN_FEW_ROUNDS    8
 
 /* ---- profile, mechanism ---- */
@@ -1287,7 +1288,7 @@ extern "C" {
 #define KERN_THREE_TOL     KERN_PICK(1e-12, 1e-5)
 /* Pivot that costs no digits: of a 3 x 3 matrix, as a share of its trace (more,
    and the solution needs no refinement); of a column in a basis, as a share of
-   its largest entry, and determinant of three (less: they are dependent). */
+   its largest entry, and determinant of three columns (less: dependent). */
 #define KERN_PIVOT         KERN_PICK(1e-4, 1e-2)
 /* Norm of the forces, in loads of a cluster, beyond which it counts as
    infeasible. Larger, clusters grow later and Newton's method takes more
@@ -1303,7 +1304,8 @@ extern "C" {
    measures of 100 blocks take four times the work. */
 #define KERN_CLUSTER       4
 #define KERN_CLUSTER_MOST  20
-/* Units of work of a pass for each group and contact; 30: bricks take 1.4. */
+/* Units of work of a pass for each group and contact. With 30 measures of
+   bricks take 1.4 times as long. */
 #define KERN_PASS_UNITS    9
 
 /* ---- search ---- */
@@ -3893,7 +3895,7 @@ static void kern_simplex_start(kern_simplex *sx, const kern_real *x,
     sx->state = KERN_BASIS_STALE;
 }
 
-/* Logicals; of a network, from top to bottom, three columns of each group. */
+/* Logicals; of a network three columns of each group, from top to bottom. */
 static void kern_simplex_crash(kern_simplex *sx)
 {
     const kern_program *lp = sx->lp;
@@ -4351,7 +4353,7 @@ static kern_status kern_program_solve(kern_simplex *sx, int builtin,
     return status;
 }
 
-/* Clears of n numbers those below a share of the largest; `sign`: below 0. */
+/* To 0, of n numbers: those below a share of the largest; `sign`: negative. */
 KERN_SHARED static void kern_lp_clean(kern_real *v, int n, kern_real share,
                                       int sign)
 {
@@ -5951,7 +5953,7 @@ static kern_status kern_part_ask(kern_part *p, const kern_query *q, int builtin)
     return p->found = status;
 }
 
-/* The verdict on it, with a proof: `status`, or what others find. */
+/* The verdict with its proof: `status`, else what a second solve finds. */
 static kern_status kern_part_judge(kern_part *p, const kern_query *q,
                                    kern_status status)
 {
@@ -6415,7 +6417,7 @@ KERN_SHARED static int kern_body_line(kern_model *m, int g)
 }
 
 /* Where body g tips under load b on the line that begins with end *e, and *e
-   about which end; infinity: not pressed on it, or stands until that closes. */
+   about which end; infinity: it is not pressed, or stands on a closed kern. */
 static kern_real kern_body_critical(const kern_model *m, int g, int *e,
                                     const kern_real *b, kern_real aside)
 {
@@ -6628,7 +6630,7 @@ static int kern_known_part(kern_model *m, kern_path *path, kern_real s)
 }
 
 /* Where a search begins: just before the known critical value, if its motion
-   proves it, or that of a body, or of what moved; else where it held, or on. */
+   proves it, that of a body or of what moved; else where it held or beyond. */
 static kern_real kern_path_first(kern_model *m, kern_path *path,
                                  kern_real first)
 {
@@ -6664,7 +6666,7 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
     kern_real at, then = KERN_R(0), step = path->unit * KERN_CLIMB;
     int round;
     path->start = path->holds;
-    path->fails = path->exact = KERN_INFINITY;
+    path->fails = path->exact = path->proven.high = KERN_INFINITY;
     if (even > 0) { /* gravity turns in larger steps */
         step *= KERN_R(path->kind == KERN_PATH_TILT);
         return kern_path_climb(m, path, step, step, even);
