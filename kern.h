@@ -12,14 +12,15 @@
                            >>config >>method >>rules >>measures >>measured
                            >>limits >>determinism
      II   Declarations     >>decl >>types >>sizes >>api
-     III  The argument     >>impl >>tune (constants) >>vec >>statics (Eq. 5)
-                           >>kern (Algorithm 1) >>work >>check >>proof >>model
-                           >>engine >>measure >>profile >>critical >>sensitivity
-     IV   Forces, motions  >>lp (simplex method) >>part >>skyline >>norm >>pass
-                           >>ipm >>verdict >>search >>raised
-     V    Geometry         >>tol (tolerances) >>polygon >>contact, and >>plan
-     VI   Words            >>words
-     VII  Sources          >>references >>changes, and the licence
+     III  Statics, proofs  >>impl >>tune (constants) >>vec >>statics (Eq. 5)
+                           >>work >>check >>proof >>model
+     IV   Forces, motions  >>lp (simplex method) >>skyline >>part >>norm >>pass
+                           >>ipm >>verdict
+     V    Measures         >>kern (Algorithm 1) >>search >>measure >>profile
+                           >>critical >>sensitivity >>raised
+     VI   Geometry         >>tol (tolerances) >>polygon >>contact, and >>plan
+     VII  Words            >>words
+     VIII Sources          >>references >>changes, and the licence
 
    WHAT IT COMPUTES                                                    >>what
 
@@ -1122,7 +1123,7 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
 
 /* Stop here if you only want to use the library. Below is how it works.      */
 
-/* ==== Part III: The argument ======================================= >>impl */
+/* ==== Part III: Statics and proofs ================================= >>impl */
 
 #if defined(KERN_IMPLEMENTATION) || defined(KERN_STATIC)
 #ifndef KERN_IMPLEMENTED
@@ -1709,107 +1710,6 @@ KERN_SHARED static int kern_same_interface(const kern_contact *c,
                                            const kern_contact *d)
 { return !d->line && kern_same_blocks(c, d); }
 
-/* ---- The kern -------------------------------------------------- >>kern */
-/* At a place that falls y gives the power -y.rhs > 0, which changes along the
-   path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
-   (Newton's method). It converges quadratically, from the side that falls. */
-
-typedef struct kern_model kern_model; /* the structure in units: >>model      */
-typedef struct kern_part kern_part;   /* some of its blocks: >>part           */
-
-typedef enum kern_path_kind {
-    KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
-} kern_path_kind;
-
-/* Farthest place proven to stand, nearest to fall; -1, infinity: none. */
-typedef struct kern_proven {
-    kern_real low, high;
-} kern_proven;
-
-typedef struct kern_path {
-    kern_path_kind kind;
-    kern_query q;             /* at s = 0; what the path changes is replaced  */
-    kern_real unit;           /* along it: a block's size, or 1               */
-    kern_real start, end;     /* of the path; the first stands                */
-    kern_real holds, fails;   /* the bracket                                  */
-    kern_real critical;       /* value that Newton's method predicts          */
-    kern_real exact;          /* one that a verdict there has confirmed       */
-    kern_proven proven;       /* places with a proof                          */
-    int never;                /* nonzero: it stands to the end                */
-    kern_part *part;          /* that fell last                               */
-    kern_known warm;          /* of a structure like it, or of the body that
-                                 falls first; `fails` 0: nothing              */
-    int alone;                /* nonzero: the part is evaluated alone         */
-    struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
-    const kern_proof *proof;  /* the caller's: of the last verdict each way   */
-} kern_path;
-
-/* Width of a bracket, as it is wanted; from the critical value to its ends. */
-KERN_SHARED static kern_real kern_width(const kern_path *path)
-{ return KERN_WIDTH * path->unit; }
-
-KERN_SHARED static kern_real kern_aside(const kern_path *path)
-{ return kern_width(path) / 2; }
-
-/* The widest bracket that is an answer. */
-KERN_SHARED static kern_real kern_widest(const kern_path *path)
-{ return kern_width(path) * KERN_WIDEST; }
-
-/* The place that lies `aside` before the critical value, or the start. */
-KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
-{ return kern_max(path->critical - aside, path->start); }
-
-/* ---- what finds forces and motions ---- */
-/* Defined and told behind the argument: >>verdict, >>search. */
-
-static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
-                                       const kern_query *q);
-static kern_status kern_model_whole(kern_model *m, kern_part *p,
-                                    const kern_query *q);
-static kern_status kern_path_evaluate(kern_model *m, kern_path *path,
-                                      kern_real s);
-static kern_status kern_path_critical(kern_model *m, kern_path *path);
-static kern_status kern_path_search(kern_model *m, kern_path *path,
-                                    kern_real even);
-
-/* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
-   through half a circle by arithmetic alone. */
-static kern_query kern_path_at(const kern_path *path, kern_real s)
-{
-    kern_query q = path->q;
-    if (path->kind == KERN_PATH_SHRINK)
-        q.shrink = s;
-    else if (path->kind == KERN_PATH_LOAD)
-        q.factor = s;
-    else {
-        const kern_real d = 1 + s * s, c2 = (1 - s * s) / d, n2 = 2 * s / d;
-        const kern_real c = c2 * c2 - n2 * n2;
-        const kern_real n = 2 * c2 * n2 * KERN_R(q.side);
-        q.gravity.x = c * path->q.gravity.x - n * path->q.gravity.y;
-        q.gravity.y = c * path->q.gravity.y + n * path->q.gravity.x;
-    }
-    return q;
-}
-
-/* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
-   no longer; last + 1 if they always do, -1 if a verdict is undecided. Up to
-   path->holds they do; where kerns are nested, none does from path->fails. */
-static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
-                            int last, kern_margin *out)
-{
-    kern_status status = KERN_STANDS;
-    int k = (int)(path->holds / out->epsilon);
-    for (k += k == 0; k <= last && status == KERN_STANDS; k++) {
-        const kern_query q = kern_path_at(
-            path, kern_min(KERN_R(k) * out->epsilon, out->most));
-        if (q.shrink > path->holds)
-            status = nested && q.shrink >= path->fails
-                ? KERN_FALLS : kern_model_evaluate(m, path->part, &q);
-    }
-    out->level = status == KERN_STANDS ? last + 1
-                 : status == KERN_FALLS ? k - 1 : -1;
-}
-
 /* ---- Work arrays ------------------------------------------------- >>work */
 /* What is left of the work memory. Slices are handed out one after the other.
    Below 0 are left where one did not fit: it and what follows mean nothing. */
@@ -2380,7 +2280,7 @@ typedef struct kern_clusters {
                                  they begin the next pass, or KERN_OUT        */
 } kern_clusters;
 
-struct kern_model {
+typedef struct kern_model {
     const kern_task *task;    /* that it is of                                */
     const kern_structure *s;
     kern_graph graph;
@@ -2397,7 +2297,7 @@ struct kern_model {
     int whole;                /* nonzero: all groups are one part             */
     kern_take common;         /* work memory behind what every method needs   */
     kern_take rest;           /* work memory that is left                     */
-};
+} kern_model;
 
 /* Structs that are copied, cleared and scaled as numbers. */
 typedef char kern_structs_are_numbers[
@@ -2785,8 +2685,33 @@ KERN_SHARED static void kern_proof_out(const kern_model *m,
         kern_copy(proof->motion, m->answer.motion, 3 * m->s->blocks);
 }
 
-/* ---- Parts and programs ---------------------------------------- >>engine */
-/* Held by value in the argument; fields are of >>lp, or the chapter named. */
+/* ==== Part IV: How forces and motions are found ========================== */
+
+/* ---- The simplex method -------------------------------------------- >>lp */
+/* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
+   Variables are the columns, then the place (see kern_program), then a logical
+   for each row, a unit vector. Logicals must be zero.
+
+   The inverse of the basis B is a product of factors:
+
+       B^-1 = E_n ... E_2 E_1 B_0^-1.
+
+   Rows come in groups of three. A column of a network (`ends` given) touches
+   one or two groups; it is an own column of the first of them, in the order in
+   which groups carry each other. B_0 has three own columns of each group, or
+   logicals: it is block triangular, and for each group its inverse, 3 x 3, and
+   what its three columns do to other groups is all there is to store. Without
+   `ends` B_0 is the unit matrix.
+
+   E_i lets one column more enter (the product form of the inverse). It is the
+   unit matrix but for one column: with alpha the entering column in terms of
+   the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
+   / alpha_p in row p. Its entries are kept in threes, from the first that is
+   not zero to the last.
+
+   Vectors over the rows have three more places at their end: there lie the rows
+   of the group that a column leads to which leads to none. Reading it gives 0,
+   writing to it has no effect, and no loop tests for it. */
 
 typedef struct kern_program {
     int rows, cols;
@@ -2843,832 +2768,6 @@ typedef struct kern_simplex {
     int refined;            /* no pivot since the values were refined         */
     int violated;           /* variables                                      */
 } kern_simplex;
-
-/* A symmetric matrix of 3 x 3 blocks, a row of them a group, or its factor: of
-   each row what lies from its first column to the diagonal (>>skyline). */
-typedef struct kern_skyline {
-    int groups;
-    int *first;               /* of a row: its first block column             */
-    int *offset;              /* of a row: where it is stored                 */
-    kern_real *entry;
-} kern_skyline;
-
-/* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
-typedef struct kern_dual {
-    kern_skyline matrix;      /* of the contacts that carry                   */
-    kern_real *u, *step, *grad; /* three a group, and three of 0              */
-    kern_real *b;             /* loads, three a group                         */
-    kern_real *way, *turn;    /* two a contact: u and step along n and t      */
-    kern_real *price;         /* then stiffness, of contacts: >>raised; NULL  */
-    kern_real stiff;          /* along t, in stiffnesses along n              */
-    int cost;                 /* of a step, in units of work                  */
-} kern_dual;
-
-/* Eq. (5) of a part as a linear program: see >>verdict. */
-typedef struct kern_equations {
-    kern_real *arc, *rhs;
-    kern_real *rate;          /* less that of rhs along a path                */
-    kern_real shrink;         /* of its columns                               */
-    kern_program lp;
-    kern_simplex simplex;
-} kern_equations;
-
-struct kern_part {
-    kern_dual dual;
-    kern_model *m;
-    int groups, contacts;
-    int own;                  /* contacts that carry a group of the part come
-                                 first, then those by which others rest on it */
-    int *group;                /* of the part; ascending but in >>norm        */
-    int *contact;             /* of the part                                  */
-    int *ends;                /* of a contact: groups of the part, or none    */
-    kern_real *x, *y;         /* two a contact: forces, and how far the place
-                                 grows; three a group: motion                 */
-    kern_status found;        /* what the program said, proven or not         */
-    kern_real ahead;          /* where it may stop to fall: >>search          */
-    kern_take rest;           /* work memory behind these                     */
-    kern_equations eq;
-};
-
-/* ---- The measures --------------------------------------------- >>measure */
-
-/* Along the path a load grows or gravity turns instead. */
-KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
-                                       const kern_wrench *pattern,
-                                       kern_side side)
-{
-    path->kind = kind;
-    path->q.pattern = pattern;
-    path->q.side = side;
-    path->unit = KERN_R(1);
-}
-
-/* What a call works on. */
-typedef struct kern_call {
-    kern_model m;
-    kern_part part;
-    kern_path path;
-} kern_call;
-
-/* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
-   where the answer goes. What that costs is charged before. */
-static kern_status kern_call_open(kern_call *c, const kern_task *task,
-                                  kern_real shrink, const void *out)
-{
-    kern_path *const path = &c->path;
-    kern_status status = kern_task_check(task, shrink, out);
-    if (status != KERN_OK)
-        return status;
-    if (!kern_spend(task->work, task->options.limit,
-                    1 + (task->s.blocks + task->s.contacts) / 5))
-        return KERN_LIMIT;
-    status = kern_query_read(task, shrink, &path->q);
-    if (status != KERN_OK)
-        return status;
-    path->kind = KERN_PATH_SHRINK;
-    path->part = &c->part;
-    path->proof = NULL;
-    path->alone = path->never = 0;
-    path->ipm = NULL;
-    path->unit = task->options.relative ? 1 : path->q.mean;
-    path->start = path->holds = path->critical = KERN_R(0);
-    path->warm.fails = KERN_R(0);
-    path->proven.low = KERN_R(-1);
-    path->proven.high = path->exact = path->fails = KERN_INFINITY;
-    return kern_model_open(&c->m, task, &path->q);
-}
-
-/* The same of a call whose answer is a number: -1 where it ends unread. */
-KERN_SHARED static kern_status kern_number_open(
-    kern_call *c, const kern_task *task, kern_real shrink, kern_real *number)
-{
-    const kern_status status = kern_call_open(c, task, shrink, number);
-    if (status == KERN_LIMIT)
-        *number = KERN_R(-1);
-    return status;
-}
-
-KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
-                                  const kern_proof *proof)
-{
-    kern_call c;
-    kern_status status = kern_call_open(&c, task, shrink, task);
-    if (status != KERN_OK)
-        return status;
-    status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
-    kern_proof_out(&c.m, proof, status);
-    return kern_ended(task, status);
-}
-
-/* The measure of an open task, with what is known of one like it. Where
-   kerns are not nested, all levels are among the even steps. */
-static kern_status kern_measure_task(kern_call *c, const kern_known *known,
-                                     kern_margin *out, const kern_proof *proof)
-{
-    const kern_task *const task = c->m.task;
-    kern_path *const path = &c->path;
-    kern_real range[2], steps, first;
-    const int nested = kern_is_nested(&c->m, range);
-    kern_margin r = {0, 0, 0, range[1], task->options.epsilon, 0, 0};
-    kern_status status;
-    int last;
-    path->proof = proof;
-    path->warm = *known;
-    kern_model_know(&c->m, known);
-    path->end = r.most;
-    if (!(r.epsilon > 0))
-        r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * c->m.mean;
-    steps = r.most / r.epsilon;
-    if (!(steps <= KERN_POINTS_MOST))
-        return KERN_BAD_STEP;
-    last = (int)steps;
-    last += KERN_R(last) < steps; /* until every kern is closed */
-    first = kern_min(r.epsilon, r.most);
-    status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, KERN_R(0));
-    if (status == KERN_STANDS)
-        status = kern_path_search(&c->m, path, nested ? KERN_R(0)
-            : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
-    if (status == KERN_STANDS) {
-        r.margin = path->critical;
-        r.holds = path->holds;
-        r.fails = path->fails;
-        r.saturated = path->never;
-        kern_level_scan(&c->m, path, nested, last, &r);
-    }
-    status = kern_ended(task, status);
-    if (status == KERN_LIMIT) {
-        r.fails = kern_min(path->proven.high, r.most);
-        r.margin = r.holds = kern_min(path->proven.low, r.fails);
-        r.level = -1;
-        r.saturated = 0;
-    }
-    if (status >= 0 || status == KERN_LIMIT)
-        *out = r;
-    return status;
-}
-
-/* The same of a task that is not open yet. */
-static kern_status kern_measure_anew(const kern_task *task,
-                                     const kern_known *known, kern_margin *out,
-                                     const kern_proof *proof)
-{
-    kern_call c;
-    const kern_status status = kern_call_open(&c, task, KERN_R(0), out);
-    if (status == KERN_OK)
-        return kern_measure_task(&c, known, out, proof);
-    if (status != KERN_LIMIT)
-        return status;
-    out->margin = out->holds = KERN_R(-1);
-    out->fails = out->most = out->epsilon = KERN_INFINITY;
-    out->level = -1;
-    out->saturated = 0;
-    return status;
-}
-
-KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
-                                  const kern_proof *proof)
-{
-    kern_known known;
-    kern_proof kept;
-    kern_status status;
-    if (!task)
-        return KERN_BAD_POINTER;
-    known = task->known;
-    if (!known.motion || !known.force) {
-        known.fails = KERN_R(0);
-        return kern_measure_anew(task, &known, out, proof);
-    }
-    kept.force = known.force;
-    kept.motion = known.motion;
-    known.force = NULL; /* what was remembered is overwritten on the way */
-    status = kern_measure_anew(task, &known, out, &kept);
-    if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
-        task->known.fails = KERN_R(0);
-    if (status >= 0 && proof && proof->force)
-        kern_copy(proof->force, kept.force, 2 * task->s.contacts);
-    if (status >= 0 && !out->saturated && proof && proof->motion)
-        kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
-    if (status == KERN_STANDS) {
-        if (out->saturated)
-            kern_zero(kept.motion, 3 * task->s.blocks);
-        task->known.holds = out->holds;
-        task->known.margin = out->margin;
-        task->known.fails = out->fails;
-    }
-    return status;
-}
-
-/* Grows the kerns of what falls, to the bound in >>rules, until it stands. */
-static kern_status kern_grow(kern_model *m, kern_path *path)
-{
-    kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
-    const kern_real growth = kern_is_nested(m, range) ? KERN_R(4) : KERN_R(1.1);
-    const kern_real none = KERN_INFINITY;
-    kern_box whole = {{none, none}, {-none, -none}};
-    kern_status status;
-    int i;
-    for (i = 0; i < 2 * m->graph.groups; i++) {
-        const kern_block *b = m->s->block + m->graph.block[i / 2];
-        const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
-        kern_box_add(&whole, b->vertices
-                     ? i & 1 ? b->box.high : b->box.low
-                     : kern_vec_add(b->centre, kern_vec_make(way, way)));
-    }
-    limit = 1000 * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
-    if (path->q.relative)
-        limit = range[0] < KERN_INFINITY ? limit / range[0] : KERN_R(1);
-    path->start = -limit;
-    for (; ; grown = kern_min(grown * growth, limit)) {
-        status = kern_path_evaluate(m, path, -grown);
-        if (status != KERN_FALLS && status != KERN_UNDECIDED)
-            break;
-        if (grown >= limit) {
-            path->critical = -KERN_INFINITY;
-            return status;
-        }
-    }
-    if (status == KERN_STANDS)
-        status = kern_path_critical(m, path);
-    return status == KERN_STANDS ? KERN_FALLS : status;
-}
-
-KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
-{
-    kern_call c;
-    kern_status status = kern_number_open(&c, task, KERN_R(0), deficit);
-    if (status != KERN_OK)
-        return status;
-    status = kern_path_evaluate(&c.m, &c.path, KERN_R(0));
-    if (status == KERN_FALLS)
-        status = kern_grow(&c.m, &c.path);
-    status = kern_ended(task, status);
-    if (status == KERN_LIMIT)
-        *deficit = c.path.proven.high <= 0 ? 0 - c.path.proven.high
-                                           : KERN_R(-1);
-    else if (status >= 0)
-        *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.critical;
-    return status;
-}
-
-/* A contact's length between lo and hi, near their logarithmic middle, or 0. */
-static kern_real kern_length_between(const kern_structure *s, kern_real mean,
-                                     kern_real lo, kern_real hi)
-{
-    kern_real middle = KERN_R(0), least = hi, most;
-    int i, pass;
-    for (pass = 0; pass < 2; pass++) {
-        least = hi;
-        most = lo;
-        for (i = 0; i < s->contacts; i++) {
-            const kern_real length = kern_contact_length(s->contact + i, mean);
-            if (length > lo && length < hi && length >= middle) {
-                least = kern_min(least, length);
-                most = kern_max(most, length);
-            }
-        }
-        middle = kern_min(KERN_SQRT(least) * KERN_SQRT(most), most);
-    }
-    return least < hi ? least : KERN_R(0);
-}
-
-KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
-                                  const kern_proof *proof)
-{
-    kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
-    kern_call c;
-    int round;
-    kern_status status = kern_number_open(&c, task, at, length);
-    if (status != KERN_OK)
-        return status;
-    for (round = 0; round < 2 || at > 0; round++) {
-        c.path.q.shortest = at;
-        kern_model_group(&c.m, &c.path.q);
-        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
-        kern_proof_out(&c.m, proof, status);
-        if (status == KERN_STANDS)
-            lo = at;
-        else if (lo < 0 || status < KERN_UNDECIDED)
-            break;
-        else
-            hi = at;
-        if (status == KERN_UNDECIDED && proof && proof->motion)
-            kern_zero(proof->motion, 3 * task->s.blocks);
-        at = round == 0 ? KERN_INFINITY
-                        : kern_length_between(&task->s, c.path.q.mean, lo, hi);
-        status = KERN_STANDS;
-    }
-    status = kern_ended(task, status);
-    if (status == KERN_STANDS || status == KERN_LIMIT)
-        *length = lo;
-    return status;
-}
-
-/* Gravity and a side to turn it to. */
-static int kern_has_side(const kern_structure *s, kern_side side)
-{
-    return (side == KERN_RIGHT || side == KERN_LEFT)
-           && kern_vec_largest(s->gravity) > 0;
-}
-
-/* The tangent of half the angle whose tangent is t. */
-static kern_real kern_halved(kern_real t)
-{ return t / (1 + KERN_SQRT(1 + t * t)); }
-
-/* The angle whose tangent is s >= 0: halved three times, then the series. */
-static kern_real kern_angle_of(kern_real s)
-{
-    kern_real sum = KERN_R(0), t2;
-    int i;
-    s = kern_halved(kern_halved(kern_halved(s)));
-    t2 = s * s;
-    for (i = 25; i > 0; i -= 2)
-        sum = KERN_R(1) / KERN_R(i) - t2 * sum;
-    return 8 * s * sum;
-}
-
-/* Checks what grows: a pattern, or a load or tilt that has a side (NULL). */
-static kern_status kern_growth_check(const kern_task *task,
-                                     const kern_wrench *pattern, kern_side side)
-{
-    int i;
-    if (!pattern && !kern_has_side(&task->s, side))
-        return KERN_BAD_OPTION;
-    for (i = 0; pattern && i < task->s.blocks; i++)
-        if (!task->s.block[i].fixed
-            && !(kern_wrench_sum(pattern + i) <= KERN_FAR)) {
-            task->work->fault.block = i;
-            return KERN_BAD_NUMBER;
-        }
-    return KERN_OK;
-}
-
-/* Runs a path on which a load grows or gravity turns. */
-static kern_status kern_run(kern_call *c, const kern_task *task,
-                            kern_real shrink, kern_path_kind kind,
-                            const kern_wrench *pattern, kern_side side,
-                            kern_real *out, const kern_proof *proof)
-{
-    const int tilt = kind == KERN_PATH_TILT;
-    kern_path *const path = &c->path;
-    int loaded;
-    kern_status status = kern_number_open(c, task, shrink, out);
-    if (status == KERN_OK)
-        status = kern_growth_check(task, pattern, side);
-    if (status != KERN_OK)
-        return status;
-    /* under loads that stay a tilt may stand again after it fell */
-    loaded = tilt && kern_model_loaded(&c->m);
-    kern_path_push(path, kind, pattern, side);
-    path->proof = proof;
-    path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
-    if (!loaded && kern_model_is_small(&c->m))
-        kern_model_whole(&c->m, path->part, &path->q);
-    status = kern_path_evaluate(&c->m, path, KERN_R(0));
-    if (status == KERN_STANDS)
-        status = kern_path_search(&c->m, path, KERN_R(loaded) / KERN_SCAN);
-    status = kern_ended(task, status);
-    if (status == KERN_LIMIT)
-        path->critical = path->proven.low;
-    if (status == KERN_STANDS || status == KERN_LIMIT)
-        *out = tilt ? 4 * kern_angle_of(path->critical)
-                    : path->never ? KERN_INFINITY : path->critical;
-    return status;
-}
-
-KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
-                                      kern_side side, kern_real *factor,
-                                      const kern_proof *proof)
-{
-    kern_call c;
-    return kern_run(&c, task, shrink, KERN_PATH_LOAD, NULL, side, factor,
-                    proof);
-}
-
-KERN_API kern_status kern_load_factor_of(
-    const kern_task *task, kern_real shrink, const kern_wrench *pattern,
-    kern_real *factor, const kern_proof *proof)
-{
-    kern_call c;
-    return pattern ? kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
-                              KERN_SHRINK, factor, proof) : KERN_BAD_POINTER;
-}
-
-KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
-                               kern_side side, kern_real *angle,
-                               const kern_proof *proof)
-{
-    kern_call c;
-    return kern_run(&c, task, shrink, KERN_PATH_TILT, NULL, side, angle, proof);
-}
-
-/* ---- The profile --------------------------------------------- >>profile */
-/* Progressive collapse: the path goes on past its critical value, without what
-   moves there. A model of fewer blocks is the same one with fewer groups. */
-
-typedef struct kern_fall {
-    int weak;                 /* places in the weaker half that are not taken */
-    kern_real sum;            /* of the values of that half                   */
-    kern_real *value;         /* of each block, -1 as long as it stands       */
-} kern_fall;
-
-/* Blocks that are left fall there: all, or those that move in the mechanism. */
-static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
-                          int all)
-{
-    const kern_motion *v = m->answer.motion;
-    int i;
-    for (i = 0; i < m->s->blocks; i++)
-        if (m->graph.group[i] < m->graph.groups
-            && (all || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
-            fall->value[i] = at;
-            if (fall->weak-- > 0)
-                fall->sum += at;
-        }
-}
-
-/* Evaluates where it fell last, and farther on while that is undecided. */
-static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
-{
-    kern_real beyond = path->fails;
-    kern_status status;
-    int more = KERN_FEW_ROUNDS;
-    do {
-        status = kern_path_evaluate(m, path, beyond);
-        beyond += kern_width(path);
-    } while (status == KERN_UNDECIDED && more-- > 0);
-    return status;
-}
-
-/* The whole collapse along a path, from one critical value to the next, and to
-   the mechanism there: the last verdict of a search may be another. Rounds that
-   take nothing away, where both proofs hold at one place, are bounded. */
-static kern_status kern_fall_follow(kern_model *m, kern_path *path,
-                                    kern_fall *fall)
-{
-    kern_real range[2], at = KERN_R(0);
-    kern_status status = kern_path_evaluate(m, path, at);
-    int rounds = 3 * m->graph.groups + KERN_FEW_ROUNDS;
-    while (m->graph.groups > 0 && !path->never) {
-        if (rounds-- == 0)
-            return KERN_UNDECIDED;
-        if (status == KERN_FALLS) { /* the rest, just beyond the proof */
-            kern_fall_add(m, fall, at, 0);
-            kern_model_group(m, &path->q);
-            if (m->graph.groups > 0)
-                status = kern_fall_beyond(m, path);
-        } else if (status == KERN_STANDS) {
-            status = kern_path_search(
-                m, path, path->kind != KERN_PATH_SHRINK
-                || kern_is_nested(m, range)
-                ? KERN_R(0) : path->end / KERN_SCAN);
-            at = path->critical;
-            if (status == KERN_STANDS && !path->never)
-                status = kern_fall_beyond(m, path);
-        } else
-            return status;
-    }
-    kern_fall_add(m, fall, path->end, 1);
-    return KERN_OK;
-}
-
-/* e^-x for x >= 0, by the first terms of the series of e^x squared ten times:
-   libm may differ from machine to machine. Within 2e-4 of itself up to 10. */
-static kern_real kern_decay(kern_real x)
-{
-    const kern_real t = x / KERN_R(1024);
-    kern_real y = 1 + t + t * t / 2;
-    int i;
-    for (i = 0; i < 10; i++)
-        y *= y;
-    return 1 / y;
-}
-
-/* A stone's chance to fall times how far, above the lowest of them: the sum. */
-static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
-{
-    const kern_structure *s = m->s;
-    const kern_real pull = kern_vec_length(s->gravity);
-    kern_real base = KERN_INFINITY, sum = KERN_R(0);
-    int i, pass;
-    for (pass = 0; pass < 2; pass++)
-        for (i = 0; i < s->blocks; i++) {
-            const kern_block *b = s->block + i;
-            const kern_real at = -kern_vec_dot(b->centre, s->gravity) / pull;
-            if (b->fixed)
-                continue;
-            if (pass == 0)
-                base = kern_min(base, at - kern_block_size(b) / 2);
-            else
-                sum += kern_max(KERN_DROP_HEIGHT, (at - base) / m->mean)
-                       * kern_decay(value[i] / KERN_DROP_LOAD);
-        }
-    return sum;
-}
-
-KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
-                                  kern_real *value, kern_collapse *out)
-{
-    kern_call c;
-    kern_fall fall;
-    kern_real range[2], least = KERN_INFINITY, sum = KERN_R(0);
-    int i, free_blocks, half;
-    kern_status status = kern_call_open(&c, task, KERN_R(0),
-                                        value ? out : NULL);
-    for (i = 0; (status == KERN_OK || status == KERN_LIMIT)
-                && i < task->s.blocks; i++)
-        value[i] = KERN_R(-1);
-    if (status != KERN_OK)
-        return status;
-    kern_is_nested(&c.m, range);
-    if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
-        return KERN_BAD_OPTION;
-    if (side != KERN_SHRINK)
-        kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
-    c.path.end = side ? KERN_PROFILE_MOST : range[1];
-    c.path.q.fallen = value;
-    free_blocks = c.m.graph.groups;
-    fall.weak = half = (free_blocks + 1) / 2;
-    fall.sum = sum;
-    fall.value = value;
-    status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
-    for (i = 0; i < task->s.blocks; i++) {
-        if (task->s.block[i].fixed)
-            value[i] = KERN_INFINITY;
-        else
-            sum += value[i];
-        least = kern_min(least, value[i]);
-    }
-    if (status != KERN_OK)
-        return status;
-    out->least = least;
-    out->mean = sum / KERN_R(free_blocks);
-    out->weak = fall.sum / KERN_R(half);
-    out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
-                     : KERN_R(0);
-    return KERN_OK;
-}
-
-/* ---- What is critical ---------------------------------------- >>critical */
-
-static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
-                                    kern_vec u, kern_real turn)
-{
-    const kern_real along = kern_abs(kern_vec_cross(c->n, u));
-    if (kern_vec_dot(c->n, u) > mu * along + KERN_REST)
-        return KERN_OPENS;
-    if (along > KERN_REST)
-        return KERN_SLIDES;
-    return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
-}
-
-/* How much a contact point limits is told by the first of these that any has:
-   the power f w that moving inward with a force f costs while the blocks turn
-   at w, unless its kern is closed; the rate of a hinge; the speed of slides. */
-static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
-                                   const kern_proof *proof, kern_critical *out)
-{
-    kern_real most = KERN_R(0), narrow = kern_reduction(q), rate;
-    int by, i;
-    for (by = !proof->force; by < 3 && out->contact < 0; by++)
-        for (i = 0; i < s->contacts; i++) {
-            const kern_contact *c = s->contact + i;
-            const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
-            const kern_real spin = proof->motion[c->b].spin
-                                   - proof->motion[c->a].spin;
-            const kern_meeting meeting = kern_meeting_of(
-                c, kern_friction(c, narrow), u, spin * q->mean);
-            kern_real limit = KERN_R(0);
-            kern_shift(c->travel, q->shrink, q->relative, &rate);
-            if (by == 0 && meeting != KERN_OPENS)
-                limit = kern_max(-spin * rate * proof->force[i].normal, 0);
-            if (by == 1 && meeting == KERN_HINGES)
-                limit = kern_abs(spin);
-            if (by == 2 && meeting == KERN_SLIDES)
-                limit = kern_vec_length(u);
-            if (out->meeting)
-                out->meeting[i] = meeting;
-            if (out->limit)
-                out->limit[i] = limit;
-            if (limit > most * (1 + KERN_REST)) {
-                most = limit;
-                out->contact = i;
-            }
-        }
-    for (i = 0; i < s->contacts && out->limit && most > 0; i++)
-        out->limit[i] /= most;
-}
-
-/* Whether two blocks move as one rigid body. */
-static int kern_as_one(const kern_structure *s, const kern_motion *motion,
-                       int i, int j)
-{
-    const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
-    const kern_vec v = kern_velocity(motion + i, r);
-    kern_motion apart = motion[j];
-    apart.vx -= v.x;
-    apart.vy -= v.y;
-    apart.spin -= motion[i].spin;
-    return kern_block_speed(s->block + j, &apart) < KERN_REST;
-}
-
-/* Groups around the fastest block that is in none. */
-static void kern_critical_blocks(const kern_structure *s,
-                                 const kern_motion *motion, kern_critical *out)
-{
-    const int none = s->blocks;
-    int i, lead;
-    for (i = 0; i < s->blocks; i++)
-        out->group[i] = none;
-    for (;; out->groups++) {
-        kern_real most = KERN_R(0);
-        for (lead = i = 0; i < s->blocks; i++) {
-            const kern_real speed = kern_block_speed(s->block + i, motion + i);
-            if (speed < KERN_REST)
-                out->group[i] = -1;
-            if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
-                most = speed;
-                lead = i;
-            }
-        }
-        if (!(most > 0))
-            return;
-        for (i = 0; i < s->blocks; i++)
-            if (out->group[i] == none && kern_as_one(s, motion, lead, i))
-                out->group[i] = out->groups;
-    }
-}
-
-KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
-                                      const kern_proof *proof,
-                                      kern_critical *out)
-{
-    kern_query q;
-    int i;
-    const kern_status status = kern_query_check(
-        task, shrink, proof && proof->motion ? out : NULL, &q);
-    if (status != KERN_OK)
-        return status;
-    for (i = 0; i < task->s.blocks; i++)
-        if (!kern_is_finite(kern_speed(proof->motion + i))) {
-            task->work->fault.block = i;
-            return KERN_BAD_NUMBER;
-        }
-    out->contact = -1;
-    out->groups = 0;
-    kern_critical_contacts(&task->s, &q, proof, out);
-    if (out->group)
-        kern_critical_blocks(&task->s, proof->motion, out);
-    return KERN_OK;
-}
-
-/* ---- Sensitivity ------------------------------------------- >>sensitivity */
-/* At the margin d* the power G of forces and loads on the mechanism is 0, also
-   if a datum q changes: d*' = -G_q / G_d, by forces and motion of the proof. */
-
-/* G_q of contact i, and its share of G_d: 0 without a force or a motion. */
-static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
-                                   int i, const kern_proof *proof,
-                                   kern_contact_rate *out)
-{
-    const kern_contact *c = s->contact + i;
-    const kern_vec t = kern_vec_turn(c->n);
-    const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
-    const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
-    const kern_real travel = kern_travel(c, q->mean);
-    const int closed = !q->relative && q->shrink >= kern_abs(travel);
-    const kern_real spin = proof->motion[c->b].spin - proof->motion[c->a].spin;
-    kern_real rate, shift;
-    kern_vec u;
-    kern_zero(out, 5);
-    if (!(f > 0) || !(kern_speeds(c, proof->motion) > 0))
-        return KERN_R(0);
-    u = kern_meeting_motion(s, q, c, proof->motion);
-    shift = kern_shift(travel, q->shrink, q->relative, &rate);
-    out->p = kern_vec_make(spin * force.y, -spin * force.x);
-    out->turn = kern_vec_cross(force, u) - shift * spin * r;
-    if (c->mu > 0)
-        out->mu = r / c->mu * kern_vec_dot(u, t);
-    if (q->relative || closed)
-        out->travel = -spin * f * (closed ? KERN_R(1) : q->shrink);
-    return -rate * spin * f;
-}
-
-/* What the blocks of contact i move of it, as the search would find it; pair is
-   the other end of its line, or i. Line: corners take ends along, which stay
-   midway between the edges; normal and middle take half of what an end does.
-   Point: a corner takes it along, an edge turns the normal. */
-KERN_SHARED static void kern_pose_gain(
-    const kern_task *task, const kern_contact_rate *rate, int i, int pair,
-    kern_block_rate *out)
-{
-    const kern_contact *c = task->s.contact + i;
-    const kern_vec t = kern_vec_turn(c->n);
-    const kern_real along = kern_vec_dot(rate[i].p, t)
-                            + (rate[pair].travel - rate[i].travel) / 2;
-    const kern_real across = kern_vec_dot(rate[i].p, c->n);
-    kern_real off[2]; /* along the contact to the nearest corner */
-    int end, k;
-    if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
-        return;
-    for (end = 0; end < 2; end++) {
-        const kern_block *b = task->s.block + (end ? c->b : c->a);
-        off[end] = KERN_INFINITY;
-        for (k = 0; b->vertex && k < b->vertices; k++) {
-            const kern_vec r = kern_vec_sub(b->vertex[k], c->p);
-            const kern_real at = kern_abs(kern_vec_cross(c->n, r));
-            if (at < off[end] && kern_abs(kern_vec_dot(c->n, r))
-                <= KERN_GAP * kern_block_size(b) + task->options.gap)
-                off[end] = at;
-        }
-    }
-    for (end = 0; end < 2; end++) {
-        const int on = end ? c->b : c->a;
-        const kern_block *b = task->s.block + on;
-        const kern_vec r = kern_vec_sub(c->p, b->centre);
-        const kern_real size = kern_block_size(b);
-        const kern_real owns = KERN_R(off[end] <= KERN_GAP * size
-                                      && off[end] <= off[!end]
-                                                     + KERN_SLIGHT * size);
-        const kern_real part = pair != i ? KERN_R(0.5) : owns;
-        const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
-                                           part * across, c->n);
-        kern_block_rate *to = out + on;
-        if (b->vertex) {
-            to->place = kern_vec_add(to->place, way);
-            to->turn += kern_vec_cross(r, way) + (1 - part) * rate[i].turn;
-        }
-    }
-}
-
-KERN_API kern_status kern_sensitivity(
-    const kern_task *task, const kern_margin *margin, const kern_proof *proof,
-    kern_contact_rate *contact, kern_block_rate *block)
-{
-    kern_query q;
-    kern_real gain = KERN_R(0), most = KERN_R(0);
-    int i, end, line;
-    kern_status status = kern_query_check(
-        task, margin ? margin->margin : KERN_R(0),
-        margin && proof && proof->force && proof->motion && contact ? block
-                                                                    : NULL, &q);
-    if (status != KERN_OK)
-        return status;
-    for (i = 0; i < task->s.contacts; i++) {
-        const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
-                                              contact + i);
-        gain += g;
-        most += kern_abs(g);
-    }
-    if (margin->saturated || !(kern_abs(gain) > KERN_NOISE * most))
-        return KERN_UNDECIDED;
-    for (i = 0; i < task->s.blocks; i++) {
-        const kern_block *b = task->s.block + i;
-        const kern_real mass = b->fixed ? KERN_R(0) : b->mass;
-        const kern_vec g = task->s.gravity;
-        const kern_motion *v = proof->motion + i;
-        kern_copy(&block[i].load, v, 3);
-        block[i].turn = KERN_R(0);
-        block[i].place = block[i].centre = kern_vec_make(
-            v->spin * (g.y * mass), -v->spin * (g.x * mass));
-        block[i].mass = g.x * v->vx + g.y * v->vy;
-    }
-    for (i = 0; i < task->s.contacts; i += 1 + line) {
-        line = kern_line_begins(task->s.contact, task->s.contacts, i);
-        for (end = 0; end <= line; end++)
-            kern_pose_gain(task, contact, i + end, i + line - end, block);
-    }
-    kern_scale(contact, 5 * task->s.contacts, -1 / gain);
-    kern_scale(block, 9 * task->s.blocks, -1 / gain);
-    return KERN_OK;
-}
-
-/* ==== Part IV: How forces and motions are found ========================== */
-
-/* ---- The simplex method -------------------------------------------- >>lp */
-/* minimise cost . x  where  A x = rhs,  x >= 0,  by the revised simplex method.
-   Variables are the columns, then the place (see kern_program), then a logical
-   for each row, a unit vector. Logicals must be zero.
-
-   The inverse of the basis B is a product of factors:
-
-       B^-1 = E_n ... E_2 E_1 B_0^-1.
-
-   Rows come in groups of three. A column of a network (`ends` given) touches
-   one or two groups; it is an own column of the first of them, in the order in
-   which groups carry each other. B_0 has three own columns of each group, or
-   logicals: it is block triangular, and for each group its inverse, 3 x 3, and
-   what its three columns do to other groups is all there is to store. Without
-   `ends` B_0 is the unit matrix.
-
-   E_i lets one column more enter (the product form of the inverse). It is the
-   unit matrix but for one column: with alpha the entering column in terms of
-   the basis, and p the row in which it pivots, that is -alpha / alpha_p with 1
-   / alpha_p in row p. Its entries are kept in threes, from the first that is
-   not zero to the last.
-
-   Vectors over the rows have three more places at their end: there lie the rows
-   of the group that a column leads to which leads to none. Reading it gives 0,
-   writing to it has no effect, and no loop tests for it. */
 
 /* ---- columns ---- */
 
@@ -4465,152 +3564,20 @@ KERN_API kern_status kern_lp_solve(const kern_lp *lp, kern_real *x,
     return status == KERN_OK ? kern_lp_run(lp, x, y, work) : status;
 }
 
-/* ---- Parts ------------------------------------------------------ >>part */
-/* Some of the groups with all contacts that touch them, all other blocks held.
-   What is held can exert whatever is needed, so where a part falls the whole
-   falls: the motion of the part, and none of the others, proves it. */
-
-/* Lists the groups of the part at the ends of its contacts; 0: no room. */
-static int kern_part_ends(kern_part *p)
-{
-    const kern_model *m = p->m;
-    int k;
-    p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
-    for (k = 0; k < 2 * p->contacts && kern_take_fits(&p->rest); k++) {
-        const int g = m->graph.ends[2 * p->contact[k >> 1] + (k & 1)];
-        p->ends[k] = m->graph.local[g] == KERN_OUT ? p->groups
-                                                   : m->graph.local[g];
-    }
-    return kern_take_fits(&p->rest);
-}
-
-/* Lists the part's contacts: those that carry its groups, then those above. */
-static void kern_part_list(kern_part *p)
-{
-    const kern_model *m = p->m;
-    int own, n, e;
-    p->contacts = 0;
-    p->contact = kern_take_ints(&p->rest, 0);
-    for (own = 1; own >= 0; own--) {
-        for (n = 0; n < p->groups; n++) {
-            const int g = p->group[n];
-            for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
-                const int other = m->graph.ends[e ^ 1];
-                if (own ? other > g
-                        : other < g && m->graph.local[other] == KERN_OUT) {
-                    int *const to = kern_take_ints(&p->rest, 1);
-                    if (!kern_take_fits(&p->rest))
-                        return;
-                    *to = e >> 1;
-                    p->contacts++;
-                }
-            }
-        }
-        if (own)
-            p->own = p->contacts;
-    }
-}
-
-/* Three loads of a query a group, in units of force, as all of a part's
-   program. Returns what equilibrium may miss. */
-static kern_real kern_part_load(const kern_part *p, const kern_query *q,
-                                kern_real *to)
-{
-    kern_model *m = p->m;
-    kern_real least = KERN_INFINITY;
-    int n;
-    for (n = 0; n < p->groups; n++) {
-        const int g = p->group[n];
-        kern_model_load(m, q, g);
-        least = kern_min(least, m->size[g]);
-        kern_copy(to + 3 * n, m->load + 3 * g, 3);
-    }
-    kern_scale(to, 3 * p->groups, 1 / m->weight);
-    return KERN_NOISE * least / m->weight;
-}
-
-/* Takes the lists of a part's groups; 0 if there is no room. */
-static int kern_part_begin(kern_part *p, kern_model *m, int groups,
-                           const kern_take *rest)
-{
-    p->m = m;
-    p->rest = *rest;
-    p->groups = groups;
-    p->ahead = KERN_R(0);
-    p->found = KERN_UNDECIDED;
-    p->group = kern_take_ints(&p->rest, groups);
-    return kern_take_fits(&p->rest);
-}
-
-/* Opens the part of the `groups` groups that graph.local marks, the last of
-   which is `last`. Returns 0 if the work memory does not hold it. */
-static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
-{
-    int g, n = groups;
-    KERN_ASSERT(groups > 0 && !m->whole);
-    if (!kern_part_begin(p, m, groups, &m->rest))
-        return 0;
-    for (g = last; n > 0; g--)
-        if (m->graph.local[g] != KERN_OUT) {
-            m->graph.local[g] = --n;
-            p->group[n] = g;
-        }
-    kern_part_list(p);
-    if (!kern_part_ends(p))
-        return 0;
-    KERN_AUDIT(part, p);
-    return 1;
-}
-
-/* y as a motion of the part. */
-static void kern_part_motion(kern_part *p)
-{
-    kern_model *m = p->m;
-    int n;
-    kern_zero(m->answer.motion, 3 * m->s->blocks);
-    for (n = 0; n < p->groups; n++) {
-        kern_motion *v = m->answer.motion + m->graph.block[p->group[n]];
-        kern_copy(v, p->y + 3 * n, 3);
-        v->spin *= m->unit[p->group[n]];
-    }
-    kern_motion_scale(m->s, m->answer.motion);
-}
-
-/* Writes y as a motion: whether it proves that the part falls. */
-static int kern_part_falls(kern_part *p, const kern_query *q)
-{
-    const kern_model *m = p->m;
-    kern_part_motion(p);
-    return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
-}
-
-/* The forces of a program of all groups; 0 where rounding made them less. */
-static void kern_part_forces(kern_part *p)
-{
-    kern_model *m = p->m;
-    int k;
-    kern_model_unload(m);
-    for (k = 0; k < p->contacts; k++) {
-        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0)) * m->weight;
-        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0)) * m->weight;
-        const int i = p->contact[k];
-        m->answer.force[i].normal = x1 + x2;
-        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2);
-    }
-}
-
-/* Writes these forces: whether they prove that all stands. */
-static int kern_part_stands(kern_part *p, const kern_query *q)
-{
-    kern_part_forces(p);
-    return kern_answer_holds(p->m, q);
-}
-
 /* ---- Contact law and skyline factor --------------------------- >>skyline */
 /* What a contact answers to a motion (wn, wt) along n and t is linear between
    bends: f = nn wn + nt wt, r = nt wn + tt wt. A x = b then asks for a matrix
    with the pattern of the groups, which is factored (skyline Cholesky) in their
    order. Minimum-norm forces, >>ipm and >>raised differ in the law alone. */
+
+/* A symmetric matrix of 3 x 3 blocks, a row of them a group, or its factor: of
+   each row what lies from its first column to the diagonal (>>skyline). */
+typedef struct kern_skyline {
+    int groups;
+    int *first;               /* of a row: its first block column             */
+    int *offset;              /* of a row: where it is stored                 */
+    kern_real *entry;
+} kern_skyline;
 
 typedef struct kern_law {
     kern_real nn, nt, tt;
@@ -4803,6 +3770,184 @@ static void kern_skyline_solve(const kern_skyline *a, const kern_real *b,
         out[i] /= row[i - from];
         kern_add(out + from, -out[i], row, i - from);
     }
+}
+
+/* ---- Parts ------------------------------------------------------ >>part */
+/* Some of the groups with all contacts that touch them, all other blocks held.
+   What is held can exert whatever is needed, so where a part falls the whole
+   falls: the motion of the part, and none of the others, proves it. */
+
+/* Minimum-norm forces of a part, by Newton's method on their dual (>>norm). */
+typedef struct kern_dual {
+    kern_skyline matrix;      /* of the contacts that carry                   */
+    kern_real *u, *step, *grad; /* three a group, and three of 0              */
+    kern_real *b;             /* loads, three a group                         */
+    kern_real *way, *turn;    /* two a contact: u and step along n and t      */
+    kern_real *price;         /* then stiffness, of contacts: >>raised; NULL  */
+    kern_real stiff;          /* along t, in stiffnesses along n              */
+    int cost;                 /* of a step, in units of work                  */
+} kern_dual;
+
+/* Eq. (5) of a part as a linear program: see >>verdict. */
+typedef struct kern_equations {
+    kern_real *arc, *rhs;
+    kern_real *rate;          /* less that of rhs along a path                */
+    kern_real shrink;         /* of its columns                               */
+    kern_program lp;
+    kern_simplex simplex;
+} kern_equations;
+
+typedef struct kern_part {
+    kern_dual dual;
+    kern_model *m;
+    int groups, contacts;
+    int own;                  /* contacts that carry a group of the part come
+                                 first, then those by which others rest on it */
+    int *group;                /* of the part; ascending but in >>norm        */
+    int *contact;             /* of the part                                  */
+    int *ends;                /* of a contact: groups of the part, or none    */
+    kern_real *x, *y;         /* two a contact: forces, and how far the place
+                                 grows; three a group: motion                 */
+    kern_status found;        /* what the program said, proven or not         */
+    kern_real ahead;          /* where it may stop to fall: >>search          */
+    kern_take rest;           /* work memory behind these                     */
+    kern_equations eq;
+} kern_part;
+
+/* Lists the groups of the part at the ends of its contacts; 0: no room. */
+static int kern_part_ends(kern_part *p)
+{
+    const kern_model *m = p->m;
+    int k;
+    p->ends = kern_take_ints(&p->rest, 2 * p->contacts);
+    for (k = 0; k < 2 * p->contacts && kern_take_fits(&p->rest); k++) {
+        const int g = m->graph.ends[2 * p->contact[k >> 1] + (k & 1)];
+        p->ends[k] = m->graph.local[g] == KERN_OUT ? p->groups
+                                                   : m->graph.local[g];
+    }
+    return kern_take_fits(&p->rest);
+}
+
+/* Lists the part's contacts: those that carry its groups, then those above. */
+static void kern_part_list(kern_part *p)
+{
+    const kern_model *m = p->m;
+    int own, n, e;
+    p->contacts = 0;
+    p->contact = kern_take_ints(&p->rest, 0);
+    for (own = 1; own >= 0; own--) {
+        for (n = 0; n < p->groups; n++) {
+            const int g = p->group[n];
+            for (e = m->graph.touch[g]; e >= 0; e = m->graph.after[e]) {
+                const int other = m->graph.ends[e ^ 1];
+                if (own ? other > g
+                        : other < g && m->graph.local[other] == KERN_OUT) {
+                    int *const to = kern_take_ints(&p->rest, 1);
+                    if (!kern_take_fits(&p->rest))
+                        return;
+                    *to = e >> 1;
+                    p->contacts++;
+                }
+            }
+        }
+        if (own)
+            p->own = p->contacts;
+    }
+}
+
+/* Three loads of a query a group, in units of force, as all of a part's
+   program. Returns what equilibrium may miss. */
+static kern_real kern_part_load(const kern_part *p, const kern_query *q,
+                                kern_real *to)
+{
+    kern_model *m = p->m;
+    kern_real least = KERN_INFINITY;
+    int n;
+    for (n = 0; n < p->groups; n++) {
+        const int g = p->group[n];
+        kern_model_load(m, q, g);
+        least = kern_min(least, m->size[g]);
+        kern_copy(to + 3 * n, m->load + 3 * g, 3);
+    }
+    kern_scale(to, 3 * p->groups, 1 / m->weight);
+    return KERN_NOISE * least / m->weight;
+}
+
+/* Takes the lists of a part's groups; 0 if there is no room. */
+static int kern_part_begin(kern_part *p, kern_model *m, int groups,
+                           const kern_take *rest)
+{
+    p->m = m;
+    p->rest = *rest;
+    p->groups = groups;
+    p->ahead = KERN_R(0);
+    p->found = KERN_UNDECIDED;
+    p->group = kern_take_ints(&p->rest, groups);
+    return kern_take_fits(&p->rest);
+}
+
+/* Opens the part of the `groups` groups that graph.local marks, the last of
+   which is `last`. Returns 0 if the work memory does not hold it. */
+static int kern_part_open(kern_part *p, kern_model *m, int groups, int last)
+{
+    int g, n = groups;
+    KERN_ASSERT(groups > 0 && !m->whole);
+    if (!kern_part_begin(p, m, groups, &m->rest))
+        return 0;
+    for (g = last; n > 0; g--)
+        if (m->graph.local[g] != KERN_OUT) {
+            m->graph.local[g] = --n;
+            p->group[n] = g;
+        }
+    kern_part_list(p);
+    if (!kern_part_ends(p))
+        return 0;
+    KERN_AUDIT(part, p);
+    return 1;
+}
+
+/* y as a motion of the part. */
+static void kern_part_motion(kern_part *p)
+{
+    kern_model *m = p->m;
+    int n;
+    kern_zero(m->answer.motion, 3 * m->s->blocks);
+    for (n = 0; n < p->groups; n++) {
+        kern_motion *v = m->answer.motion + m->graph.block[p->group[n]];
+        kern_copy(v, p->y + 3 * n, 3);
+        v->spin *= m->unit[p->group[n]];
+    }
+    kern_motion_scale(m->s, m->answer.motion);
+}
+
+/* Writes y as a motion: whether it proves that the part falls. */
+static int kern_part_falls(kern_part *p, const kern_query *q)
+{
+    const kern_model *m = p->m;
+    kern_part_motion(p);
+    return kern_model_proven(m, kern_prove_motion(m->s, q, m->answer.motion));
+}
+
+/* The forces of a program of all groups; 0 where rounding made them less. */
+static void kern_part_forces(kern_part *p)
+{
+    kern_model *m = p->m;
+    int k;
+    kern_model_unload(m);
+    for (k = 0; k < p->contacts; k++) {
+        const kern_real x1 = kern_max(p->x[2 * k], KERN_R(0)) * m->weight;
+        const kern_real x2 = kern_max(p->x[2 * k + 1], KERN_R(0)) * m->weight;
+        const int i = p->contact[k];
+        m->answer.force[i].normal = x1 + x2;
+        m->answer.force[i].tangential = kern_model_mu(m, i) * (x1 - x2);
+    }
+}
+
+/* Writes these forces: whether they prove that all stands. */
+static int kern_part_stands(kern_part *p, const kern_query *q)
+{
+    kern_part_forces(p);
+    return kern_answer_holds(p->m, q);
 }
 
 /* ---- Minimum-norm forces ----------------------------------------- >>norm */
@@ -5118,31 +4263,6 @@ static void kern_norm_write(kern_part *p)
         m->answer.force[p->contact[k]] = kern_part_law(p, k, w[0], w[1]).force;
     }
     kern_scale(m->answer.force, 2 * m->s->contacts, m->weight);
-}
-
-KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
-                                 kern_force *force)
-{
-    const kern_proof proof = {force, NULL};
-    kern_call c;
-    kern_part *p = &c.part;
-    kern_status status = kern_call_open(&c, task, shrink, force);
-    if (status == KERN_OK) {
-        kern_model_set(&c.m, &c.path.q);
-        status = kern_norm_open(p, &c.m) ? kern_norm_find(
-            p, kern_part_load(p, &c.path.q, p->dual.b), KERN_BOUND, 0,
-            KERN_ROUNDS) : KERN_NO_SPACE;
-        if (status == KERN_FALLS) /* unproven */
-            status = KERN_UNDECIDED;
-        if (status == KERN_STANDS) {
-            kern_norm_write(p);
-            if (!kern_answer_holds(&c.m, &c.path.q))
-                status = KERN_UNDECIDED;
-        }
-        status = kern_ended(task, status);
-    }
-    kern_proof_out(&c.m, &proof, status);
-    return status;
 }
 
 /* ---- The top-down pass ------------------------------------------- >>pass */
@@ -6041,6 +5161,78 @@ static kern_status kern_model_evaluate(kern_model *m, kern_part *p,
     return kern_part_judge(p, q, kern_part_ask(p, q, 0));
 }
 
+/* ==== Part V: What is measured =========================================== */
+
+/* ---- The kern -------------------------------------------------- >>kern */
+/* At a place that falls y gives the power -y.rhs > 0, which changes along the
+   path at the rate y.(rhs' - A' x): its zero is where this mechanism stops
+   (Newton's method). It converges quadratically, from the side that falls. */
+
+typedef enum kern_path_kind {
+    KERN_PATH_SHRINK, KERN_PATH_LOAD, KERN_PATH_TILT
+} kern_path_kind;
+
+/* Farthest place proven to stand, nearest to fall; -1, infinity: none. */
+typedef struct kern_proven {
+    kern_real low, high;
+} kern_proven;
+
+typedef struct kern_path {
+    kern_path_kind kind;
+    kern_query q;             /* at s = 0; what the path changes is replaced  */
+    kern_real unit;           /* along it: a block's size, or 1               */
+    kern_real start, end;     /* of the path; the first stands                */
+    kern_real holds, fails;   /* the bracket                                  */
+    kern_real critical;       /* value that Newton's method predicts          */
+    kern_real exact;          /* one that a verdict there has confirmed       */
+    kern_proven proven;       /* places with a proof                          */
+    int never;                /* nonzero: it stands to the end                */
+    kern_part *part;          /* that fell last                               */
+    kern_known warm;          /* of a structure like it, or of the body that
+                                 falls first; `fails` 0: nothing              */
+    int alone;                /* nonzero: the part is evaluated alone         */
+    struct kern_ipm *ipm;     /* evaluates the whole, or NULL                 */
+    const kern_proof *proof;  /* the caller's: of the last verdict each way   */
+} kern_path;
+
+/* Width of a bracket, as it is wanted; from the critical value to its ends. */
+KERN_SHARED static kern_real kern_width(const kern_path *path)
+{ return KERN_WIDTH * path->unit; }
+
+KERN_SHARED static kern_real kern_aside(const kern_path *path)
+{ return kern_width(path) / 2; }
+
+/* The widest bracket that is an answer. */
+KERN_SHARED static kern_real kern_widest(const kern_path *path)
+{ return kern_width(path) * KERN_WIDEST; }
+
+/* The place that lies `aside` before the critical value, or the start. */
+KERN_SHARED static kern_real kern_before(const kern_path *path, kern_real aside)
+{ return kern_max(path->critical - aside, path->start); }
+
+/* The query at s. Gravity turns by 4 atan(s), so that s in [0, 1] turns it
+   through half a circle by arithmetic alone. */
+static kern_query kern_path_at(const kern_path *path, kern_real s)
+{
+    kern_query q = path->q;
+    if (path->kind == KERN_PATH_SHRINK)
+        q.shrink = s;
+    else if (path->kind == KERN_PATH_LOAD)
+        q.factor = s;
+    else {
+        const kern_real d = 1 + s * s, c2 = (1 - s * s) / d, n2 = 2 * s / d;
+        const kern_real c = c2 * c2 - n2 * n2;
+        const kern_real n = 2 * c2 * n2 * KERN_R(q.side);
+        q.gravity.x = c * path->q.gravity.x - n * path->q.gravity.y;
+        q.gravity.y = c * path->q.gravity.y + n * path->q.gravity.x;
+    }
+    return q;
+}
+
+/* The tangent of half the angle whose tangent is t. */
+static kern_real kern_halved(kern_real t)
+{ return t / (1 + KERN_SQRT(1 + t * t)); }
+
 /* ---- Searching a path ------------------------------------------ >>search */
 /* Verdicts along a path; the critical value is the place where they change. */
 
@@ -6709,6 +5901,798 @@ static kern_status kern_path_search(kern_model *m, kern_path *path,
            : kern_path_whole(m, path, at - path->holds, step);
 }
 
+/* ---- The measures --------------------------------------------- >>measure */
+
+/* Along the path a load grows or gravity turns instead. */
+KERN_SHARED static void kern_path_push(kern_path *path, kern_path_kind kind,
+                                       const kern_wrench *pattern,
+                                       kern_side side)
+{
+    path->kind = kind;
+    path->q.pattern = pattern;
+    path->q.side = side;
+    path->unit = KERN_R(1);
+}
+
+/* What a call works on. */
+typedef struct kern_call {
+    kern_model m;
+    kern_part part;
+    kern_path path;
+} kern_call;
+
+/* Checks the task and opens its path, with kerns shrunk to begin with; `out` is
+   where the answer goes. What that costs is charged before. */
+static kern_status kern_call_open(kern_call *c, const kern_task *task,
+                                  kern_real shrink, const void *out)
+{
+    kern_path *const path = &c->path;
+    kern_status status = kern_task_check(task, shrink, out);
+    if (status != KERN_OK)
+        return status;
+    if (!kern_spend(task->work, task->options.limit,
+                    1 + (task->s.blocks + task->s.contacts) / 5))
+        return KERN_LIMIT;
+    status = kern_query_read(task, shrink, &path->q);
+    if (status != KERN_OK)
+        return status;
+    path->kind = KERN_PATH_SHRINK;
+    path->part = &c->part;
+    path->proof = NULL;
+    path->alone = path->never = 0;
+    path->ipm = NULL;
+    path->unit = task->options.relative ? 1 : path->q.mean;
+    path->start = path->holds = path->critical = KERN_R(0);
+    path->warm.fails = KERN_R(0);
+    path->proven.low = KERN_R(-1);
+    path->proven.high = path->exact = path->fails = KERN_INFINITY;
+    return kern_model_open(&c->m, task, &path->q);
+}
+
+/* The same of a call whose answer is a number: -1 where it ends unread. */
+KERN_SHARED static kern_status kern_number_open(
+    kern_call *c, const kern_task *task, kern_real shrink, kern_real *number)
+{
+    const kern_status status = kern_call_open(c, task, shrink, number);
+    if (status == KERN_LIMIT)
+        *number = KERN_R(-1);
+    return status;
+}
+
+KERN_API kern_status kern_verdict(const kern_task *task, kern_real shrink,
+                                  const kern_proof *proof)
+{
+    kern_call c;
+    kern_status status = kern_call_open(&c, task, shrink, task);
+    if (status != KERN_OK)
+        return status;
+    status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+    kern_proof_out(&c.m, proof, status);
+    return kern_ended(task, status);
+}
+
+/* Algorithm 1 of the paper: the first k at which kerns shrunk by k steps hold
+   no longer; last + 1 if they always do, -1 if a verdict is undecided. Up to
+   path->holds they do; where kerns are nested, none does from path->fails. */
+static void kern_level_scan(kern_model *m, const kern_path *path, int nested,
+                            int last, kern_margin *out)
+{
+    kern_status status = KERN_STANDS;
+    int k = (int)(path->holds / out->epsilon);
+    for (k += k == 0; k <= last && status == KERN_STANDS; k++) {
+        const kern_query q = kern_path_at(
+            path, kern_min(KERN_R(k) * out->epsilon, out->most));
+        if (q.shrink > path->holds)
+            status = nested && q.shrink >= path->fails
+                ? KERN_FALLS : kern_model_evaluate(m, path->part, &q);
+    }
+    out->level = status == KERN_STANDS ? last + 1
+                 : status == KERN_FALLS ? k - 1 : -1;
+}
+
+/* The measure of an open task, with what is known of one like it. Where
+   kerns are not nested, all levels are among the even steps. */
+static kern_status kern_measure_task(kern_call *c, const kern_known *known,
+                                     kern_margin *out, const kern_proof *proof)
+{
+    const kern_task *const task = c->m.task;
+    kern_path *const path = &c->path;
+    kern_real range[2], steps, first;
+    const int nested = kern_is_nested(&c->m, range);
+    kern_margin r = {0, 0, 0, range[1], task->options.epsilon, 0, 0};
+    kern_status status;
+    int last;
+    path->proof = proof;
+    path->warm = *known;
+    kern_model_know(&c->m, known);
+    path->end = r.most;
+    if (!(r.epsilon > 0))
+        r.epsilon = path->q.relative ? KERN_R(0.05) : KERN_R(0.02) * c->m.mean;
+    steps = r.most / r.epsilon;
+    if (!(steps <= KERN_POINTS_MOST))
+        return KERN_BAD_STEP;
+    last = (int)steps;
+    last += KERN_R(last) < steps; /* until every kern is closed */
+    first = kern_min(r.epsilon, r.most);
+    status = nested ? KERN_STANDS : kern_path_evaluate(&c->m, path, KERN_R(0));
+    if (status == KERN_STANDS)
+        status = kern_path_search(&c->m, path, nested ? KERN_R(0)
+            : first / KERN_R(1 + (int)(KERN_SCAN * first / r.most)));
+    if (status == KERN_STANDS) {
+        r.margin = path->critical;
+        r.holds = path->holds;
+        r.fails = path->fails;
+        r.saturated = path->never;
+        kern_level_scan(&c->m, path, nested, last, &r);
+    }
+    status = kern_ended(task, status);
+    if (status == KERN_LIMIT) {
+        r.fails = kern_min(path->proven.high, r.most);
+        r.margin = r.holds = kern_min(path->proven.low, r.fails);
+        r.level = -1;
+        r.saturated = 0;
+    }
+    if (status >= 0 || status == KERN_LIMIT)
+        *out = r;
+    return status;
+}
+
+/* The same of a task that is not open yet. */
+static kern_status kern_measure_anew(const kern_task *task,
+                                     const kern_known *known, kern_margin *out,
+                                     const kern_proof *proof)
+{
+    kern_call c;
+    const kern_status status = kern_call_open(&c, task, KERN_R(0), out);
+    if (status == KERN_OK)
+        return kern_measure_task(&c, known, out, proof);
+    if (status != KERN_LIMIT)
+        return status;
+    out->margin = out->holds = KERN_R(-1);
+    out->fails = out->most = out->epsilon = KERN_INFINITY;
+    out->level = -1;
+    out->saturated = 0;
+    return status;
+}
+
+KERN_API kern_status kern_measure(kern_task *task, kern_margin *out,
+                                  const kern_proof *proof)
+{
+    kern_known known;
+    kern_proof kept;
+    kern_status status;
+    if (!task)
+        return KERN_BAD_POINTER;
+    known = task->known;
+    if (!known.motion || !known.force) {
+        known.fails = KERN_R(0);
+        return kern_measure_anew(task, &known, out, proof);
+    }
+    kept.force = known.force;
+    kept.motion = known.motion;
+    known.force = NULL; /* what was remembered is overwritten on the way */
+    status = kern_measure_anew(task, &known, out, &kept);
+    if (status >= KERN_UNDECIDED || status == KERN_LIMIT)
+        task->known.fails = KERN_R(0);
+    if (status >= 0 && proof && proof->force)
+        kern_copy(proof->force, kept.force, 2 * task->s.contacts);
+    if (status >= 0 && !out->saturated && proof && proof->motion)
+        kern_copy(proof->motion, kept.motion, 3 * task->s.blocks);
+    if (status == KERN_STANDS) {
+        if (out->saturated)
+            kern_zero(kept.motion, 3 * task->s.blocks);
+        task->known.holds = out->holds;
+        task->known.margin = out->margin;
+        task->known.fails = out->fails;
+    }
+    return status;
+}
+
+/* Grows the kerns of what falls, to the bound in >>rules, until it stands. */
+static kern_status kern_grow(kern_model *m, kern_path *path)
+{
+    kern_real range[2], grown = path->unit * KERN_R(0.001), limit;
+    const kern_real growth = kern_is_nested(m, range) ? KERN_R(4) : KERN_R(1.1);
+    const kern_real none = KERN_INFINITY;
+    kern_box whole = {{none, none}, {-none, -none}};
+    kern_status status;
+    int i;
+    for (i = 0; i < 2 * m->graph.groups; i++) {
+        const kern_block *b = m->s->block + m->graph.block[i / 2];
+        const kern_real way = kern_block_size(b) * KERN_R(i & 1 ? 0.5 : -0.5);
+        kern_box_add(&whole, b->vertices
+                     ? i & 1 ? b->box.high : b->box.low
+                     : kern_vec_add(b->centre, kern_vec_make(way, way)));
+    }
+    limit = 1000 * kern_vec_largest(kern_vec_sub(whole.high, whole.low));
+    if (path->q.relative)
+        limit = range[0] < KERN_INFINITY ? limit / range[0] : KERN_R(1);
+    path->start = -limit;
+    for (; ; grown = kern_min(grown * growth, limit)) {
+        status = kern_path_evaluate(m, path, -grown);
+        if (status != KERN_FALLS && status != KERN_UNDECIDED)
+            break;
+        if (grown >= limit) {
+            path->critical = -KERN_INFINITY;
+            return status;
+        }
+    }
+    if (status == KERN_STANDS)
+        status = kern_path_critical(m, path);
+    return status == KERN_STANDS ? KERN_FALLS : status;
+}
+
+KERN_API kern_status kern_deficit(const kern_task *task, kern_real *deficit)
+{
+    kern_call c;
+    kern_status status = kern_number_open(&c, task, KERN_R(0), deficit);
+    if (status != KERN_OK)
+        return status;
+    status = kern_path_evaluate(&c.m, &c.path, KERN_R(0));
+    if (status == KERN_FALLS)
+        status = kern_grow(&c.m, &c.path);
+    status = kern_ended(task, status);
+    if (status == KERN_LIMIT)
+        *deficit = c.path.proven.high <= 0 ? 0 - c.path.proven.high
+                                           : KERN_R(-1);
+    else if (status >= 0)
+        *deficit = status == KERN_STANDS ? KERN_R(0) : 0 - c.path.critical;
+    return status;
+}
+
+/* A contact's length between lo and hi, near their logarithmic middle, or 0. */
+static kern_real kern_length_between(const kern_structure *s, kern_real mean,
+                                     kern_real lo, kern_real hi)
+{
+    kern_real middle = KERN_R(0), least = hi, most;
+    int i, pass;
+    for (pass = 0; pass < 2; pass++) {
+        least = hi;
+        most = lo;
+        for (i = 0; i < s->contacts; i++) {
+            const kern_real length = kern_contact_length(s->contact + i, mean);
+            if (length > lo && length < hi && length >= middle) {
+                least = kern_min(least, length);
+                most = kern_max(most, length);
+            }
+        }
+        middle = kern_min(KERN_SQRT(least) * KERN_SQRT(most), most);
+    }
+    return least < hi ? least : KERN_R(0);
+}
+
+KERN_API kern_status kern_bearing(const kern_task *task, kern_real *length,
+                                  const kern_proof *proof)
+{
+    kern_real at = KERN_R(0), lo = KERN_R(-1), hi = KERN_INFINITY;
+    kern_call c;
+    int round;
+    kern_status status = kern_number_open(&c, task, at, length);
+    if (status != KERN_OK)
+        return status;
+    for (round = 0; round < 2 || at > 0; round++) {
+        c.path.q.shortest = at;
+        kern_model_group(&c.m, &c.path.q);
+        status = kern_model_evaluate(&c.m, &c.part, &c.path.q);
+        kern_proof_out(&c.m, proof, status);
+        if (status == KERN_STANDS)
+            lo = at;
+        else if (lo < 0 || status < KERN_UNDECIDED)
+            break;
+        else
+            hi = at;
+        if (status == KERN_UNDECIDED && proof && proof->motion)
+            kern_zero(proof->motion, 3 * task->s.blocks);
+        at = round == 0 ? KERN_INFINITY
+                        : kern_length_between(&task->s, c.path.q.mean, lo, hi);
+        status = KERN_STANDS;
+    }
+    status = kern_ended(task, status);
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        *length = lo;
+    return status;
+}
+
+/* Gravity and a side to turn it to. */
+static int kern_has_side(const kern_structure *s, kern_side side)
+{
+    return (side == KERN_RIGHT || side == KERN_LEFT)
+           && kern_vec_largest(s->gravity) > 0;
+}
+
+/* The angle whose tangent is s >= 0: halved three times, then the series. */
+static kern_real kern_angle_of(kern_real s)
+{
+    kern_real sum = KERN_R(0), t2;
+    int i;
+    s = kern_halved(kern_halved(kern_halved(s)));
+    t2 = s * s;
+    for (i = 25; i > 0; i -= 2)
+        sum = KERN_R(1) / KERN_R(i) - t2 * sum;
+    return 8 * s * sum;
+}
+
+/* Checks what grows: a pattern, or a load or tilt that has a side (NULL). */
+static kern_status kern_growth_check(const kern_task *task,
+                                     const kern_wrench *pattern, kern_side side)
+{
+    int i;
+    if (!pattern && !kern_has_side(&task->s, side))
+        return KERN_BAD_OPTION;
+    for (i = 0; pattern && i < task->s.blocks; i++)
+        if (!task->s.block[i].fixed
+            && !(kern_wrench_sum(pattern + i) <= KERN_FAR)) {
+            task->work->fault.block = i;
+            return KERN_BAD_NUMBER;
+        }
+    return KERN_OK;
+}
+
+/* Runs a path on which a load grows or gravity turns. */
+static kern_status kern_run(kern_call *c, const kern_task *task,
+                            kern_real shrink, kern_path_kind kind,
+                            const kern_wrench *pattern, kern_side side,
+                            kern_real *out, const kern_proof *proof)
+{
+    const int tilt = kind == KERN_PATH_TILT;
+    kern_path *const path = &c->path;
+    int loaded;
+    kern_status status = kern_number_open(c, task, shrink, out);
+    if (status == KERN_OK)
+        status = kern_growth_check(task, pattern, side);
+    if (status != KERN_OK)
+        return status;
+    /* under loads that stay a tilt may stand again after it fell */
+    loaded = tilt && kern_model_loaded(&c->m);
+    kern_path_push(path, kind, pattern, side);
+    path->proof = proof;
+    path->end = tilt ? KERN_R(1) : KERN_FACTOR_MOST;
+    if (!loaded && kern_model_is_small(&c->m))
+        kern_model_whole(&c->m, path->part, &path->q);
+    status = kern_path_evaluate(&c->m, path, KERN_R(0));
+    if (status == KERN_STANDS)
+        status = kern_path_search(&c->m, path, KERN_R(loaded) / KERN_SCAN);
+    status = kern_ended(task, status);
+    if (status == KERN_LIMIT)
+        path->critical = path->proven.low;
+    if (status == KERN_STANDS || status == KERN_LIMIT)
+        *out = tilt ? 4 * kern_angle_of(path->critical)
+                    : path->never ? KERN_INFINITY : path->critical;
+    return status;
+}
+
+KERN_API kern_status kern_load_factor(const kern_task *task, kern_real shrink,
+                                      kern_side side, kern_real *factor,
+                                      const kern_proof *proof)
+{
+    kern_call c;
+    return kern_run(&c, task, shrink, KERN_PATH_LOAD, NULL, side, factor,
+                    proof);
+}
+
+KERN_API kern_status kern_load_factor_of(
+    const kern_task *task, kern_real shrink, const kern_wrench *pattern,
+    kern_real *factor, const kern_proof *proof)
+{
+    kern_call c;
+    return pattern ? kern_run(&c, task, shrink, KERN_PATH_LOAD, pattern,
+                              KERN_SHRINK, factor, proof) : KERN_BAD_POINTER;
+}
+
+KERN_API kern_status kern_tilt(const kern_task *task, kern_real shrink,
+                               kern_side side, kern_real *angle,
+                               const kern_proof *proof)
+{
+    kern_call c;
+    return kern_run(&c, task, shrink, KERN_PATH_TILT, NULL, side, angle, proof);
+}
+
+KERN_API kern_status kern_forces(const kern_task *task, kern_real shrink,
+                                 kern_force *force)
+{
+    const kern_proof proof = {force, NULL};
+    kern_call c;
+    kern_part *p = &c.part;
+    kern_status status = kern_call_open(&c, task, shrink, force);
+    if (status == KERN_OK) {
+        kern_model_set(&c.m, &c.path.q);
+        status = kern_norm_open(p, &c.m) ? kern_norm_find(
+            p, kern_part_load(p, &c.path.q, p->dual.b), KERN_BOUND, 0,
+            KERN_ROUNDS) : KERN_NO_SPACE;
+        if (status == KERN_FALLS) /* unproven */
+            status = KERN_UNDECIDED;
+        if (status == KERN_STANDS) {
+            kern_norm_write(p);
+            if (!kern_answer_holds(&c.m, &c.path.q))
+                status = KERN_UNDECIDED;
+        }
+        status = kern_ended(task, status);
+    }
+    kern_proof_out(&c.m, &proof, status);
+    return status;
+}
+
+/* ---- The profile --------------------------------------------- >>profile */
+/* Progressive collapse: the path goes on past its critical value, without what
+   moves there. A model of fewer blocks is the same one with fewer groups. */
+
+typedef struct kern_fall {
+    int weak;                 /* places in the weaker half that are not taken */
+    kern_real sum;            /* of the values of that half                   */
+    kern_real *value;         /* of each block, -1 as long as it stands       */
+} kern_fall;
+
+/* Blocks that are left fall there: all, or those that move in the mechanism. */
+static void kern_fall_add(const kern_model *m, kern_fall *fall, kern_real at,
+                          int all)
+{
+    const kern_motion *v = m->answer.motion;
+    int i;
+    for (i = 0; i < m->s->blocks; i++)
+        if (m->graph.group[i] < m->graph.groups
+            && (all || kern_block_speed(m->s->block + i, v + i) > KERN_REST)) {
+            fall->value[i] = at;
+            if (fall->weak-- > 0)
+                fall->sum += at;
+        }
+}
+
+/* Evaluates where it fell last, and farther on while that is undecided. */
+static kern_status kern_fall_beyond(kern_model *m, kern_path *path)
+{
+    kern_real beyond = path->fails;
+    kern_status status;
+    int more = KERN_FEW_ROUNDS;
+    do {
+        status = kern_path_evaluate(m, path, beyond);
+        beyond += kern_width(path);
+    } while (status == KERN_UNDECIDED && more-- > 0);
+    return status;
+}
+
+/* The whole collapse along a path, from one critical value to the next, and to
+   the mechanism there: the last verdict of a search may be another. Rounds that
+   take nothing away, where both proofs hold at one place, are bounded. */
+static kern_status kern_fall_follow(kern_model *m, kern_path *path,
+                                    kern_fall *fall)
+{
+    kern_real range[2], at = KERN_R(0);
+    kern_status status = kern_path_evaluate(m, path, at);
+    int rounds = 3 * m->graph.groups + KERN_FEW_ROUNDS;
+    while (m->graph.groups > 0 && !path->never) {
+        if (rounds-- == 0)
+            return KERN_UNDECIDED;
+        if (status == KERN_FALLS) { /* the rest, just beyond the proof */
+            kern_fall_add(m, fall, at, 0);
+            kern_model_group(m, &path->q);
+            if (m->graph.groups > 0)
+                status = kern_fall_beyond(m, path);
+        } else if (status == KERN_STANDS) {
+            status = kern_path_search(
+                m, path, path->kind != KERN_PATH_SHRINK
+                || kern_is_nested(m, range)
+                ? KERN_R(0) : path->end / KERN_SCAN);
+            at = path->critical;
+            if (status == KERN_STANDS && !path->never)
+                status = kern_fall_beyond(m, path);
+        } else
+            return status;
+    }
+    kern_fall_add(m, fall, path->end, 1);
+    return KERN_OK;
+}
+
+/* e^-x for x >= 0, by the first terms of the series of e^x squared ten times:
+   libm may differ from machine to machine. Within 2e-4 of itself up to 10. */
+static kern_real kern_decay(kern_real x)
+{
+    const kern_real t = x / KERN_R(1024);
+    kern_real y = 1 + t + t * t / 2;
+    int i;
+    for (i = 0; i < 10; i++)
+        y *= y;
+    return 1 / y;
+}
+
+/* A stone's chance to fall times how far, above the lowest of them: the sum. */
+static kern_real kern_expected_drop(const kern_model *m, const kern_real *value)
+{
+    const kern_structure *s = m->s;
+    const kern_real pull = kern_vec_length(s->gravity);
+    kern_real base = KERN_INFINITY, sum = KERN_R(0);
+    int i, pass;
+    for (pass = 0; pass < 2; pass++)
+        for (i = 0; i < s->blocks; i++) {
+            const kern_block *b = s->block + i;
+            const kern_real at = -kern_vec_dot(b->centre, s->gravity) / pull;
+            if (b->fixed)
+                continue;
+            if (pass == 0)
+                base = kern_min(base, at - kern_block_size(b) / 2);
+            else
+                sum += kern_max(KERN_DROP_HEIGHT, (at - base) / m->mean)
+                       * kern_decay(value[i] / KERN_DROP_LOAD);
+        }
+    return sum;
+}
+
+KERN_API kern_status kern_profile(const kern_task *task, kern_side side,
+                                  kern_real *value, kern_collapse *out)
+{
+    kern_call c;
+    kern_fall fall;
+    kern_real range[2], least = KERN_INFINITY, sum = KERN_R(0);
+    int i, free_blocks, half;
+    kern_status status = kern_call_open(&c, task, KERN_R(0),
+                                        value ? out : NULL);
+    for (i = 0; (status == KERN_OK || status == KERN_LIMIT)
+                && i < task->s.blocks; i++)
+        value[i] = KERN_R(-1);
+    if (status != KERN_OK)
+        return status;
+    kern_is_nested(&c.m, range);
+    if (side != KERN_SHRINK && !kern_has_side(&task->s, side))
+        return KERN_BAD_OPTION;
+    if (side != KERN_SHRINK)
+        kern_path_push(&c.path, KERN_PATH_LOAD, NULL, side);
+    c.path.end = side ? KERN_PROFILE_MOST : range[1];
+    c.path.q.fallen = value;
+    free_blocks = c.m.graph.groups;
+    fall.weak = half = (free_blocks + 1) / 2;
+    fall.sum = sum;
+    fall.value = value;
+    status = kern_ended(task, kern_fall_follow(&c.m, &c.path, &fall));
+    for (i = 0; i < task->s.blocks; i++) {
+        if (task->s.block[i].fixed)
+            value[i] = KERN_INFINITY;
+        else
+            sum += value[i];
+        least = kern_min(least, value[i]);
+    }
+    if (status != KERN_OK)
+        return status;
+    out->least = least;
+    out->mean = sum / KERN_R(free_blocks);
+    out->weak = fall.sum / KERN_R(half);
+    out->drop = side ? kern_expected_drop(&c.m, value) / KERN_R(free_blocks)
+                     : KERN_R(0);
+    return KERN_OK;
+}
+
+/* ---- What is critical ---------------------------------------- >>critical */
+
+static kern_meeting kern_meeting_of(const kern_contact *c, kern_real mu,
+                                    kern_vec u, kern_real turn)
+{
+    const kern_real along = kern_abs(kern_vec_cross(c->n, u));
+    if (kern_vec_dot(c->n, u) > mu * along + KERN_REST)
+        return KERN_OPENS;
+    if (along > KERN_REST)
+        return KERN_SLIDES;
+    return kern_abs(turn) > KERN_REST ? KERN_HINGES : KERN_RESTS;
+}
+
+/* How much a contact point limits is told by the first of these that any has:
+   the power f w that moving inward with a force f costs while the blocks turn
+   at w, unless its kern is closed; the rate of a hinge; the speed of slides. */
+static void kern_critical_contacts(const kern_structure *s, const kern_query *q,
+                                   const kern_proof *proof, kern_critical *out)
+{
+    kern_real most = KERN_R(0), narrow = kern_reduction(q), rate;
+    int by, i;
+    for (by = !proof->force; by < 3 && out->contact < 0; by++)
+        for (i = 0; i < s->contacts; i++) {
+            const kern_contact *c = s->contact + i;
+            const kern_vec u = kern_meeting_motion(s, q, c, proof->motion);
+            const kern_real spin = proof->motion[c->b].spin
+                                   - proof->motion[c->a].spin;
+            const kern_meeting meeting = kern_meeting_of(
+                c, kern_friction(c, narrow), u, spin * q->mean);
+            kern_real limit = KERN_R(0);
+            kern_shift(c->travel, q->shrink, q->relative, &rate);
+            if (by == 0 && meeting != KERN_OPENS)
+                limit = kern_max(-spin * rate * proof->force[i].normal, 0);
+            if (by == 1 && meeting == KERN_HINGES)
+                limit = kern_abs(spin);
+            if (by == 2 && meeting == KERN_SLIDES)
+                limit = kern_vec_length(u);
+            if (out->meeting)
+                out->meeting[i] = meeting;
+            if (out->limit)
+                out->limit[i] = limit;
+            if (limit > most * (1 + KERN_REST)) {
+                most = limit;
+                out->contact = i;
+            }
+        }
+    for (i = 0; i < s->contacts && out->limit && most > 0; i++)
+        out->limit[i] /= most;
+}
+
+/* Whether two blocks move as one rigid body. */
+static int kern_as_one(const kern_structure *s, const kern_motion *motion,
+                       int i, int j)
+{
+    const kern_vec r = kern_vec_sub(s->block[j].centre, s->block[i].centre);
+    const kern_vec v = kern_velocity(motion + i, r);
+    kern_motion apart = motion[j];
+    apart.vx -= v.x;
+    apart.vy -= v.y;
+    apart.spin -= motion[i].spin;
+    return kern_block_speed(s->block + j, &apart) < KERN_REST;
+}
+
+/* Groups around the fastest block that is in none. */
+static void kern_critical_blocks(const kern_structure *s,
+                                 const kern_motion *motion, kern_critical *out)
+{
+    const int none = s->blocks;
+    int i, lead;
+    for (i = 0; i < s->blocks; i++)
+        out->group[i] = none;
+    for (;; out->groups++) {
+        kern_real most = KERN_R(0);
+        for (lead = i = 0; i < s->blocks; i++) {
+            const kern_real speed = kern_block_speed(s->block + i, motion + i);
+            if (speed < KERN_REST)
+                out->group[i] = -1;
+            if (out->group[i] == none && speed > most * (1 + KERN_REST)) {
+                most = speed;
+                lead = i;
+            }
+        }
+        if (!(most > 0))
+            return;
+        for (i = 0; i < s->blocks; i++)
+            if (out->group[i] == none && kern_as_one(s, motion, lead, i))
+                out->group[i] = out->groups;
+    }
+}
+
+KERN_API kern_status kern_critical_of(const kern_task *task, kern_real shrink,
+                                      const kern_proof *proof,
+                                      kern_critical *out)
+{
+    kern_query q;
+    int i;
+    const kern_status status = kern_query_check(
+        task, shrink, proof && proof->motion ? out : NULL, &q);
+    if (status != KERN_OK)
+        return status;
+    for (i = 0; i < task->s.blocks; i++)
+        if (!kern_is_finite(kern_speed(proof->motion + i))) {
+            task->work->fault.block = i;
+            return KERN_BAD_NUMBER;
+        }
+    out->contact = -1;
+    out->groups = 0;
+    kern_critical_contacts(&task->s, &q, proof, out);
+    if (out->group)
+        kern_critical_blocks(&task->s, proof->motion, out);
+    return KERN_OK;
+}
+
+/* ---- Sensitivity ------------------------------------------- >>sensitivity */
+/* At the margin d* the power G of forces and loads on the mechanism is 0, also
+   if a datum q changes: d*' = -G_q / G_d, by forces and motion of the proof. */
+
+/* G_q of contact i, and its share of G_d: 0 without a force or a motion. */
+static kern_real kern_contact_gain(const kern_structure *s, const kern_query *q,
+                                   int i, const kern_proof *proof,
+                                   kern_contact_rate *out)
+{
+    const kern_contact *c = s->contact + i;
+    const kern_vec t = kern_vec_turn(c->n);
+    const kern_real f = proof->force[i].normal, r = proof->force[i].tangential;
+    const kern_vec force = kern_vec_step(kern_vec_scale(c->n, f), r, t);
+    const kern_real travel = kern_travel(c, q->mean);
+    const int closed = !q->relative && q->shrink >= kern_abs(travel);
+    const kern_real spin = proof->motion[c->b].spin - proof->motion[c->a].spin;
+    kern_real rate, shift;
+    kern_vec u;
+    kern_zero(out, 5);
+    if (!(f > 0) || !(kern_speeds(c, proof->motion) > 0))
+        return KERN_R(0);
+    u = kern_meeting_motion(s, q, c, proof->motion);
+    shift = kern_shift(travel, q->shrink, q->relative, &rate);
+    out->p = kern_vec_make(spin * force.y, -spin * force.x);
+    out->turn = kern_vec_cross(force, u) - shift * spin * r;
+    if (c->mu > 0)
+        out->mu = r / c->mu * kern_vec_dot(u, t);
+    if (q->relative || closed)
+        out->travel = -spin * f * (closed ? KERN_R(1) : q->shrink);
+    return -rate * spin * f;
+}
+
+/* What the blocks of contact i move of it, as the search would find it; pair is
+   the other end of its line, or i. Line: corners take ends along, which stay
+   midway between the edges; normal and middle take half of what an end does.
+   Point: a corner takes it along, an edge turns the normal. */
+KERN_SHARED static void kern_pose_gain(
+    const kern_task *task, const kern_contact_rate *rate, int i, int pair,
+    kern_block_rate *out)
+{
+    const kern_contact *c = task->s.contact + i;
+    const kern_vec t = kern_vec_turn(c->n);
+    const kern_real along = kern_vec_dot(rate[i].p, t)
+                            + (rate[pair].travel - rate[i].travel) / 2;
+    const kern_real across = kern_vec_dot(rate[i].p, c->n);
+    kern_real off[2]; /* along the contact to the nearest corner */
+    int end, k;
+    if (!(kern_abs(along) + kern_abs(across) + kern_abs(rate[i].turn) > 0))
+        return;
+    for (end = 0; end < 2; end++) {
+        const kern_block *b = task->s.block + (end ? c->b : c->a);
+        off[end] = KERN_INFINITY;
+        for (k = 0; b->vertex && k < b->vertices; k++) {
+            const kern_vec r = kern_vec_sub(b->vertex[k], c->p);
+            const kern_real at = kern_abs(kern_vec_cross(c->n, r));
+            if (at < off[end] && kern_abs(kern_vec_dot(c->n, r))
+                <= KERN_GAP * kern_block_size(b) + task->options.gap)
+                off[end] = at;
+        }
+    }
+    for (end = 0; end < 2; end++) {
+        const int on = end ? c->b : c->a;
+        const kern_block *b = task->s.block + on;
+        const kern_vec r = kern_vec_sub(c->p, b->centre);
+        const kern_real size = kern_block_size(b);
+        const kern_real owns = KERN_R(off[end] <= KERN_GAP * size
+                                      && off[end] <= off[!end]
+                                                     + KERN_SLIGHT * size);
+        const kern_real part = pair != i ? KERN_R(0.5) : owns;
+        const kern_vec way = kern_vec_step(kern_vec_scale(t, owns * along),
+                                           part * across, c->n);
+        kern_block_rate *to = out + on;
+        if (b->vertex) {
+            to->place = kern_vec_add(to->place, way);
+            to->turn += kern_vec_cross(r, way) + (1 - part) * rate[i].turn;
+        }
+    }
+}
+
+KERN_API kern_status kern_sensitivity(
+    const kern_task *task, const kern_margin *margin, const kern_proof *proof,
+    kern_contact_rate *contact, kern_block_rate *block)
+{
+    kern_query q;
+    kern_real gain = KERN_R(0), most = KERN_R(0);
+    int i, end, line;
+    kern_status status = kern_query_check(
+        task, margin ? margin->margin : KERN_R(0),
+        margin && proof && proof->force && proof->motion && contact ? block
+                                                                    : NULL, &q);
+    if (status != KERN_OK)
+        return status;
+    for (i = 0; i < task->s.contacts; i++) {
+        const kern_real g = kern_contact_gain(&task->s, &q, i, proof,
+                                              contact + i);
+        gain += g;
+        most += kern_abs(g);
+    }
+    if (margin->saturated || !(kern_abs(gain) > KERN_NOISE * most))
+        return KERN_UNDECIDED;
+    for (i = 0; i < task->s.blocks; i++) {
+        const kern_block *b = task->s.block + i;
+        const kern_real mass = b->fixed ? KERN_R(0) : b->mass;
+        const kern_vec g = task->s.gravity;
+        const kern_motion *v = proof->motion + i;
+        kern_copy(&block[i].load, v, 3);
+        block[i].turn = KERN_R(0);
+        block[i].place = block[i].centre = kern_vec_make(
+            v->spin * (g.y * mass), -v->spin * (g.x * mass));
+        block[i].mass = g.x * v->vx + g.y * v->vy;
+    }
+    for (i = 0; i < task->s.contacts; i += 1 + line) {
+        line = kern_line_begins(task->s.contact, task->s.contacts, i);
+        for (end = 0; end <= line; end++)
+            kern_pose_gain(task, contact, i + end, i + line - end, block);
+    }
+    kern_scale(contact, 5 * task->s.contacts, -1 / gain);
+    kern_scale(block, 9 * task->s.blocks, -1 / gain);
+    return KERN_OK;
+}
+
 /* ---- Raised ----------------------------------------------------- >>raised */
 /* Forces that a load puts on unstressed contacts of some stiffness. They are
    looked for as minimum-norm forces of stiff contacts (>>norm), a program with
@@ -7119,7 +7103,7 @@ KERN_API kern_status kern_raised_load(
     return status;
 }
 
-/* ==== Part V: Geometry and planning ====================================== */
+/* ==== Part VI: Geometry and planning ===================================== */
 
 /* ---- Tolerances of the geometry ----------------------------------- >>tol */
 /* Shares of a length of the user's: a gap, a block's size, a coordinate. */
@@ -8516,7 +8500,7 @@ KERN_API kern_status kern_plan_raised(kern_plan *plan, const kern_block *block,
         : kern_raised(&plan->task, KERN_R(0), out, reserve, proof));
 }
 
-/* ==== Part VI: Words ===================================================== */
+/* ==== Part VII: Words ==================================================== */
 
 /* ---- Words and defaults ------------------------------------------ >>words */
 
@@ -8714,7 +8698,7 @@ KERN_API kern_options kern_near(const kern_options *options,
 #endif /* KERN_IMPLEMENTED */
 #endif /* KERN_IMPLEMENTATION */
 
-/* ==== Part VII: Sources and changes ====================================== */
+/* ==== Part VIII: Sources and changes ===================================== */
 
 /* REFERENCES                                                    >>references
 

@@ -7,6 +7,8 @@ line says a reason; a star: the chapter writes fields, too. Every field is
 declared deprecated in a copy, and gcc says where one is used; constant in
 another, and gcc says where one is written. A struct has 16 fields at the most;
 those that have more are listed with their number.
+
+No chapter calls a function of a later one, except a public function.
 """
 import os
 import re
@@ -113,6 +115,23 @@ def strays(text):
             yield '%s stands in >>%s' % (m[1], tag)
 
 
+def forward(text):
+    """Calls of private functions of later chapters."""
+    tags = chapters(text)
+    order = list(dict.fromkeys(tags))
+    plain = blank(text)
+    start = text.index('==== Part III')
+    defined = {m[1]: order.index(tags[plain[:m.start(1)].count('\n')])
+               for m in re.finditer(r'^static [^;{}=]*?\b(kern_\w+)\([^;{}]*\)'
+                                    r' *\n\{', plain, re.M)}
+    assert len(defined) > 100
+    for m in re.finditer(r'\b(kern_\w+)\(', plain[start:]):
+        tag = tags[plain[:start + m.start()].count('\n')]
+        if defined.get(m[1], 0) > order.index(tag):
+            yield '%s in >>%s is of the later >>%s' % (
+                m[1], tag, order[defined[m[1]]])
+
+
 def row(name, count, writers, fields, old):
     """The own chapter stays first; else it is the one that touches it most."""
     tags = sorted(count, key=lambda tag: (-count[tag], tag))
@@ -142,7 +161,7 @@ def main():
     if sys.argv[1:] == ['--table']:
         print('\n'.join('%s: %s' % item for item in new.items()))
         return
-    bad = list(strays(text))
+    bad = list(strays(text)) + list(forward(text))
     for name, line in new.items():
         if line != old.get(name):
             bad.append('%s: %s\n    and not, as %s says,\n%s' % (
